@@ -1,0 +1,49 @@
+"""Help answers every command, with an example, and loads nothing heavy."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from typer.testing import CliRunner
+
+from viscodesign.cli.app import COMMANDS, app
+
+HEAVY = ("numpy", "pydantic", "casadi", "scipy", "matplotlib", "pandas", "pint", "rich", "yaml")
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_has_an_example(name: str) -> None:
+    result = CliRunner().invoke(app, [name, "--help"])
+    assert result.exit_code == 0
+    assert "Example" in result.stdout
+    assert f"\n    viscodesign {name}" in result.stdout
+    assert all(len(line) <= 80 for line in result.stdout.splitlines())
+
+
+def test_the_front_page_names_every_command_in_full() -> None:
+    result = CliRunner().invoke(app, ["--help"])
+    assert result.exit_code == 0
+    for name in COMMANDS:
+        assert f"\n  {name}" in result.stdout
+    assert "..." not in result.stdout.partition("Commands:")[2]
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_common_options_are_everywhere(name: str) -> None:
+    page = CliRunner().invoke(app, [name, "--help"]).stdout
+    for option in ("--json", "--quiet", "-q", "--output", "-o", "--debug", "--help"):
+        assert option in page
+    assert ("--set" in page) == (name in ("check", "classify", "simulate"))
+
+
+def test_help_imports_nothing_heavy() -> None:
+    program = (
+        "import sys; from viscodesign.cli.main import main; main(['--help']);"
+        f"print([m for m in {HEAVY!r} if m in sys.modules], file=sys.stderr)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert done.stderr == "[]\n"

@@ -1,0 +1,72 @@
+"""What only a real process shows: pipes, full disks, interrupts, start-up."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from .conftest import CONFIGS
+
+COMMAND = [sys.executable, "-m", "viscodesign"]
+PIPES = pytest.mark.skipif(os.name != "posix", reason="POSIX pipes and signals")
+
+
+def test_python_m_viscodesign() -> None:
+    done = subprocess.run([*COMMAND, "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("viscodesign ")
+
+
+@PIPES
+@pytest.mark.parametrize("words", [["--help"], ["init", "--list"], ["schema"], ["check"]])
+def test_a_reader_that_leaves_early_is_met_with_silence(words: list[str]) -> None:
+    spec = [str(CONFIGS / "leg_16_straight_air.yaml")] if words == ["check"] else []
+    process = subprocess.Popen(
+        [*COMMAND, *words, *spec], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    assert process.stdout is not None
+    process.stdout.close()
+    assert process.stderr is not None
+    assert process.stderr.read() == b""
+    process.stderr.close()
+    process.wait(timeout=30)
+
+
+@PIPES
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+def test_a_full_disk_under_stdout_is_one_line() -> None:
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [*COMMAND, "init", "--list"], stdout=full, stderr=subprocess.PIPE, text=True
+        )
+    assert done.returncode == 1
+    assert done.stderr == "standard output: No space left on device\n"
+
+
+def test_no_traceback_for_a_binary_spec(tmp_path: Path) -> None:
+    spec = tmp_path / "leg.yaml"
+    spec.write_bytes(bytes(range(256)))
+    done = subprocess.run([*COMMAND, "check", str(spec)], capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert "Traceback" not in done.stderr
+
+
+@PIPES
+def test_an_interrupt_is_130_and_no_traceback(tmp_path: Path) -> None:
+    program = (
+        "import os, signal\n"
+        "from viscodesign.cli import main as entry\n"
+        "def wait(words):\n"
+        "    os.kill(os.getpid(), signal.SIGINT)\n"
+        "    while True: pass\n"
+        "entry._run = wait\n"
+        "raise SystemExit(entry.main(['simulate']))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode == 128 + signal.SIGINT
+    assert done.stderr == "interrupted\n"

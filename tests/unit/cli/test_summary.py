@@ -1,0 +1,72 @@
+"""What a person reads of a run and of a check."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from viscodesign.cli.describe import notice_lines, scale_lines, verdict_lines
+from viscodesign.cli.summary import summary_lines
+from viscodesign.trajectory import Accuracy, Classification, Scales, Trajectory
+
+FILES = [Path("runs/leg/trajectory.csv"), Path("runs/leg/summary.json")]
+
+
+def _summary(trajectory: Trajectory) -> str:
+    return "\n".join(summary_lines(trajectory, Path("runs/leg"), FILES))
+
+
+def test_a_run_in_a_dozen_lines(trajectory: Trajectory) -> None:
+    text = _summary(trajectory)
+    assert "leg: quadrant III" in text
+    assert "complete: 1 s of motion in 0.6 s and 123 steps" in text
+    assert "x -10.0 to 20.0 mm, z 100.0 to 109.0 mm, angle -11 to 23 deg" in text
+    assert "0.109 mm, 0.1 % of the length (asked for 0.545 mm, 0.5 %)" in text
+    assert "effects     feedback" in text
+    assert "left out    inertia" in text
+    assert "runs/leg: trajectory.csv, summary.json" in text
+
+
+def test_an_error_that_was_not_estimated(trajectory: Trajectory) -> None:
+    text = _summary(replace(trajectory, accuracy=Accuracy(0.000545, None, "none")))
+    assert "not estimated (asked for 0.545 mm, 0.5 %)" in text
+
+
+def test_a_run_that_never_began(trajectory: Trajectory) -> None:
+    empty = replace(trajectory, status="failed", time=np.empty(0), tip=np.empty((0, 3)))
+    assert "failed: 0 s of motion" in _summary(empty)
+    assert "nothing computed" in _summary(empty)
+
+
+def test_every_warning_once_with_its_code(trajectory: Trajectory) -> None:
+    lines = notice_lines(trajectory.warnings)
+    assert lines == [
+        "  negative_volume: below its floor (at R1, t = 0.25 s) [and 1 more of this kind]",
+        "  reynolds: turbulent (at inlet-R1)",
+    ]
+
+
+def test_a_constant_input_has_no_swing(classification: Classification) -> None:
+    scales = Scales(t_s=0.03, t_f=0.16, t_i=float("inf"), t_net=1.0)
+    text = "\n".join(scale_lines(replace(classification, scales=scales)))
+    assert "t_i        infinite" in text
+    assert "t_s/t_i    0  " in text
+
+
+@pytest.mark.parametrize("columns", [None, "60", "100"])
+def test_verdicts_name_effect_mode_weight_and_reason(
+    trajectory: Trajectory, monkeypatch: pytest.MonkeyPatch, columns: str | None
+) -> None:
+    if columns is not None:
+        monkeypatch.setenv("COLUMNS", columns)
+        monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    text = "\n".join(verdict_lines(trajectory.effects))
+    words = " ".join(text.split())
+    assert "inertia auto left out 0.0019 (t_s/t_i)^2" in words
+    assert "left out: weight small" in words
+    assert "feedback on taken 0.3" in words
+    if columns is not None:
+        assert all(len(line) <= int(columns) for line in text.splitlines())

@@ -1,0 +1,140 @@
+"""From a scene and the effects that it calls for to a problem that a solver takes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.formulation import Equations, NetworkForm, Sizes, formulate
+from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES
+from viscodesign.model.system import Source, System
+from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.scene import Scene
+from viscodesign.solve.problem import Problem, Schedule
+
+TOLERANCE_PER_ACCURACY = 1 / 40
+"""Tip errors of a coupled leg are about twenty times the integrator's tolerance (measured
+on the paper's leg from 1e-3 to 1e-6); half of the accuracy is left for space."""
+COARSE_EDGES = 8
+COARSE_ACCURACY = 1e-3
+"""Eight edges leave about a thousandth of the length at moderate loads; the error falls
+with the third power of the edge length or faster (measured against elliptic integrals)."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How finely a problem is solved."""
+
+    edges_per_section: int
+    tolerance: float
+
+    def finer(self) -> Settings:
+        """Half the edge length, a tenth of the tolerance."""
+        return Settings(2 * self.edges_per_section, self.tolerance / 10)
+
+
+def suggest_settings(conditions: Conditions) -> Settings:
+    """Mesh and tolerance that should meet the scene's accuracy; a run then measures it."""
+    accuracy, body = conditions.accuracy, conditions.body
+    wanted = max(
+        MINIMUM_EDGES, COARSE_EDGES * max(1.0, COARSE_ACCURACY / accuracy) ** (1 / 3)
+    )
+    # One bellow of a section at the highest pressure, the other at the lowest.
+    turn = (
+        conditions.pressure_range
+        * abs(conditions.bellow.curvature_per_pressure)
+        * body.section_length
+    )
+    per_section = max(
+        math.ceil(wanted / body.sections - 1e-9), math.ceil(turn / LARGEST_TURN_PER_EDGE), 1
+    )
+    return Settings(per_section, accuracy * TOLERANCE_PER_ACCURACY)
+
+
+def build(conditions: Conditions, effects: list[Effect], settings: Settings) -> Problem:
+    """Assemble the system, let every effect join it, and formulate its equations."""
+    scene = conditions.scene
+    system = System(
+        conditions.graph,
+        conditions.body,
+        conditions.bellow,
+        {name: _source(source) for name, source in scene.inputs.items()},
+        scene.gauge_pressure,
+        settings.edges_per_section,
+    )
+    for effect in effects:
+        effect.join(system)
+    sizes = Sizes(pressure=conditions.swing, time=conditions.scales.t_s)
+    equations = formulate(system, sizes)
+    return Problem(
+        equations=equations,
+        body=conditions.body,
+        bellows=conditions.graph.bellows,
+        rest_volume=conditions.bellow.rest_volume,
+        baseline=scene.gauge_pressure,
+        schedule=schedule(scene),
+        sealed_volumes=_sealed_volumes(conditions, equations),
+        flow_shares=_flow_shares(conditions, equations.network_form),
+    )
+
+
+def _source(source: Input) -> Source:
+    return Source(lambda time, piece: source.expression(time, piece, ca), source.coefficients)
+
+
+def _sealed_volumes(conditions: Conditions, equations: Equations) -> np.ndarray:
+    """Islands are filled at the baseline pressure, nothing loading the rod."""
+    one = conditions.bellow.rest_volume
+    one += conditions.bellow.compliance * conditions.scene.gauge_pressure
+    return np.array([one * len(component.bellows) for component in equations.sealed])
+
+
+def _flow_shares(conditions: Conditions, form: NetworkForm) -> np.ndarray:
+    """Tube flows (Q, B) per rate of every bellow's volume, shared by the tubes' resistances."""
+    graph = conditions.graph
+    if form is NetworkForm.DISTRIBUTED:
+        return np.zeros((len(graph.tubes), len(graph.bellows)))
+    tubes = {t.name: k for k, t in enumerate(graph.tubes)}
+    bellows = {name: k for k, name in enumerate(graph.bellows)}
+    shares = np.zeros((len(tubes), len(bellows)))
+    for component in graph.components():
+        nodes = (*component.bellows, *component.junctions)
+        # Least squares, since a sealed island's pressures are known up to a constant.
+        drop = -np.linalg.pinv(conditions.laplacian(component))
+        for t in component.tubes:
+            conductance = 1 / conditions.resistances[t.name]
+            for end, sign in ((t.start, 1.0), (t.end, -1.0)):
+                if end in nodes:
+                    row = sign * conductance * drop[nodes.index(end)]
+                    for k, name in enumerate(component.bellows):
+                        shares[tubes[t.name], bellows[name]] += row[k]
+    return shares
+
+
+def schedule(scene: Scene) -> Schedule:
+    """Output times, corners of all inputs, and the coefficients between them."""
+    duration = scene.run.duration
+    times = scene.run.output_times_array()
+    corners = sorted({c for source in scene.inputs.values() for c in source.corners(duration)})
+    stops = _merge(np.array([0.0, *corners, duration]), duration)
+    edges = _merge(np.concatenate([times, stops]), duration)
+    interval = np.searchsorted(stops, (edges[:-1] + edges[1:]) / 2, side="right") - 1
+    sources = scene.inputs.values()
+    pieces = np.concatenate([s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))], 1)
+    initial = np.concatenate([s.initial_piece() for s in sources] or [np.zeros(0)])
+    outputs = np.searchsorted(edges, times - 1e-12 * duration)
+    return Schedule(edges, pieces[interval], outputs, initial)
+
+
+def _merge(times: np.ndarray, duration: float) -> np.ndarray:
+    """Ascending times, those within round-off of each other made one."""
+    ordered = np.unique(times)
+    keep = np.concatenate([[True], np.diff(ordered) > 1e-12 * duration])
+    merged = ordered[keep]
+    merged[-1] = duration
+    return np.asarray(merged)

@@ -1,0 +1,59 @@
+"""Everything that can be said of a scene without solving it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from viscodesign.classify import classification
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.report.tables import check_document
+from viscodesign.scene.scene import Scene
+from viscodesign.trajectory import Classification, Notice, Verdict
+from viscodesign.validity import refuse_unsolvable
+
+
+@dataclass(frozen=True)
+class Check:
+    """Verdicts, warnings and facts of a scene."""
+
+    name: str
+    classification: Classification
+    effects: tuple[Verdict, ...]
+    warnings: tuple[Notice, ...]
+    facts: tuple[str, ...]
+
+    def document(self) -> dict[str, Any]:
+        """The check as one JSON-ready object, under the names of a run's summary."""
+        return check_document(self.classification, self.effects, self.facts)
+
+
+def check(scene: Scene) -> Check:
+    """Weigh every effect and test every assumption that needs no solution.
+
+    Raises `SpecError` where the scene has no bounded solution.
+    """
+    conditions = Conditions(scene)
+    _, verdicts = select_effects(conditions)
+    refuse_unsolvable(conditions)
+    found = classification(conditions)
+    return Check(scene.name, found, tuple(verdicts), found.warnings, tuple(_facts(conditions)))
+
+
+def _facts(conditions: Conditions) -> list[str]:
+    """The graph in words."""
+    graph = conditions.graph
+    facts = [
+        f"{len(graph.bellows)} bellows in {graph.sections} sections, {len(graph.tubes)} tubes, "
+        f"{len(graph.junctions)} junctions, {len(graph.inlets)} inlets"
+    ]
+    for component in graph.components():
+        loops = len(component.tubes) - (
+            len(component.inlets) + len(component.bellows) + len(component.junctions) - 1
+        )
+        source = f"fed by {', '.join(component.inlets)}" if component.inlets else "sealed"
+        shape = "a tree" if loops == 0 else f"{loops} loop{'s' if loops > 1 else ''}"
+        facts.append(f"network of {len(component.bellows)} bellows, {source}: {shape}")
+    facts += graph.remarks()
+    return facts

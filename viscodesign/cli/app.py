@@ -1,0 +1,66 @@
+"""The commands of `viscodesign`, gathered.
+
+A command's module imports typer and nothing heavy; the library is imported by the
+command that runs, so that `--help` answers at once.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from viscodesign._version import __version__
+from viscodesign.cli import check, classify, init, schema, simulate
+from viscodesign.cli.options import Debug
+
+app = typer.Typer(
+    name="viscodesign",
+    add_completion=False,
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"viscodesign {__version__}")
+        raise typer.Exit
+
+
+@app.callback(
+    epilog="""\b
+Example:
+  viscodesign init leg.yaml
+  viscodesign check leg.yaml
+  viscodesign simulate leg.yaml -o runs/leg"""
+)
+def viscodesign(
+    _version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version and leave."
+        ),
+    ] = False,
+    _debug: Debug = False,
+) -> None:
+    """Design and simulate soft actuators moved by viscous flow between their bellows.
+
+    A spec (YAML) describes one actuator, its tubes, its fluid and its input.
+    Exit codes: 0 done; 2 wrong usage or spec; 3 the solve failed; 130 interrupted.
+    """
+
+
+COMMANDS = {
+    "init": init,
+    "check": check,
+    "classify": classify,
+    "simulate": simulate,
+    "schema": schema,
+}
+"""In the order of `--help`; every module has a `command` and an `EXAMPLE` of it."""
+
+for _name, _module in COMMANDS.items():
+    app.command(_name, epilog=_module.EXAMPLE)(_module.command)

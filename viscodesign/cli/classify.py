@@ -1,0 +1,98 @@
+"""`viscodesign classify`: where specs lie on the plane of the paper's Figure 1."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Specs
+
+if TYPE_CHECKING:
+    from viscodesign.trajectory import Classification
+
+EXAMPLE = """\b
+Examples:
+  viscodesign classify leg.yaml
+  viscodesign classify configs/*.yaml --plot plane.png"""
+
+PICTURES = (".png", ".pdf", ".svg")
+
+
+def command(
+    specs: Specs,
+    plot: Annotated[
+        Path | None,
+        typer.Option("--plot", metavar="FILE", help="Draw Figure 1's plane: .png, .pdf or .svg."),
+    ] = None,
+    overrides: Overrides = None,
+    output: Output = None,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Place specs on the plane of timescales.
+
+    Prints timescales, ratios and quadrant of each; solves nothing. With -o the same goes
+    to DIR/classification.json. --set applies to every spec.
+    """
+    from viscodesign import load
+    from viscodesign.classify import classify
+    from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.report.tables import classification_document
+
+    picture = _picture(plot)
+    found = [classify(load(spec, overrides or ())) for spec in specs]
+    document = json_text({"specs": [classification_document(c) for c in found]})
+    if output is not None:
+        write_text(output / "classification.json", document + "\n", overwrite=True)
+    if picture is not None:
+        _draw(found, picture)
+    if json:
+        say(document)
+    elif not quiet:
+        say("\n".join(_lines(found)))
+
+
+def _picture(plot: Path | None) -> Path | None:
+    from viscodesign.errors import UsageError
+
+    if plot is not None and plot.suffix.lower() not in PICTURES:
+        raise UsageError(f"--plot {plot}: a picture ends in {', '.join(PICTURES)}")
+    return plot
+
+
+def _draw(found: Sequence[Classification], picture: Path) -> None:
+    from viscodesign.errors import UsageError
+    from viscodesign.report.plane import draw_plane
+
+    try:
+        picture.parent.mkdir(parents=True, exist_ok=True)
+        draw_plane(found, picture)
+    except OSError as error:
+        raise UsageError(f"cannot write {picture}: {error.strerror or error}") from error
+
+
+def _lines(found: Sequence[Classification]) -> list[str]:
+    from viscodesign.cli.text import number, table
+
+    rows: list[tuple[str, ...]] = [
+        ("spec", "quadrant", "t_s", "t_f", "t_i", "t_net", "t_s/t_f", "t_s/t_i", "t_net/t_i")
+    ]
+    for c in found:
+        scales = c.scales
+        times = (number(t, "s") for t in (scales.t_s, scales.t_f, scales.t_i, scales.t_net))
+        ratios = (number(r) for r in scales.ratios.values())
+        rows.append((c.name, c.quadrant, *times, *ratios))
+    return [*table(rows, indent=""), "", *_meanings(found)]
+
+
+def _meanings(found: Sequence[Classification]) -> list[str]:
+    from viscodesign.cli.describe import notice_lines, quadrant_lines
+
+    lines: list[str] = []
+    for c in found:
+        lines += [*quadrant_lines(c), *notice_lines(c.warnings)]
+    return lines

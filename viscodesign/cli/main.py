@@ -1,0 +1,69 @@
+"""Where every error becomes one message and one exit code."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from collections.abc import Sequence
+
+from viscodesign.cli.output import ReaderGoneError, abandon_stdout, complain
+from viscodesign.errors import ViscodesignError
+
+INTERNAL_ERROR = 1
+INTERRUPTED = 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command line (by default the process's own) and return its exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    debug = _asks_for_debug(words)
+    try:
+        status = _run(words)
+    except ReaderGoneError:
+        # `viscodesign check leg.yaml | head -1`: the reader has what it wanted.
+        abandon_stdout()
+        return 0
+    except KeyboardInterrupt:
+        return _report("interrupted", INTERRUPTED, debug)
+    except ViscodesignError as error:
+        return _report(str(error), error.exit_code, debug)
+    except Exception as error:
+        return _report(_internal(error, debug), INTERNAL_ERROR, debug)
+    if status == INTERRUPTED:
+        complain("interrupted")
+    return status
+
+
+def _run(words: list[str]) -> int:
+    """Let typer find and call the command; its own usage errors print themselves."""
+    from typer.main import get_command
+
+    from viscodesign.cli.app import app
+
+    try:
+        get_command(app)(args=words, prog_name="viscodesign")
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else INTERNAL_ERROR
+    return 0
+
+
+def _asks_for_debug(words: list[str]) -> bool:
+    """Whether `--debug` stands among the options.
+
+    Read from the words themselves, so that an error before they are parsed obeys it too.
+    """
+    options = words[: words.index("--")] if "--" in words else words
+    return "--debug" in options
+
+
+def _report(message: str, status: int, debug: bool) -> int:
+    if debug:
+        traceback.print_exc()
+    complain(message)
+    return status
+
+
+def _internal(error: Exception, debug: bool) -> str:
+    first = str(error).partition("\n")[0]
+    text = f"internal error: {type(error).__name__}: {first}".removesuffix(": ")
+    return text if debug else f"{text} (run again with --debug for the traceback)"

@@ -1,0 +1,32 @@
+"""`viscodesign schema`: the spec's JSON Schema, for editors."""
+
+from __future__ import annotations
+
+from viscodesign.cli.options import Debug, Json, Output, Quiet
+
+EXAMPLE = """\b
+Example:
+  viscodesign schema > spec.schema.json
+Then let your editor find it, by a first line in the spec:
+  # yaml-language-server: $schema=spec.schema.json"""
+
+
+def command(
+    output: Output = None,
+    _json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Print the JSON Schema of a spec.
+
+    Editors complete and check a spec by it. It is JSON with or without --json. With -o it
+    goes to DIR/spec.schema.json too.
+    """
+    from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.scene.schema import spec_schema
+
+    document = json_text(spec_schema())
+    if output is not None:
+        write_text(output / "spec.schema.json", document + "\n", overwrite=True)
+    if not quiet or _json:
+        say(document)

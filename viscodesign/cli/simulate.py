@@ -1,0 +1,96 @@
+"""`viscodesign simulate`: a spec in, a folder with its motion out."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
+from viscodesign.errors import Interrupted, ViscodesignError
+
+if TYPE_CHECKING:
+    from viscodesign.trajectory import Trajectory
+
+EXAMPLE = """\b
+Examples:
+  viscodesign simulate leg.yaml
+  viscodesign simulate leg.yaml -o runs/water --set fluid=water"""
+
+
+class RunFailedError(ViscodesignError):
+    """The solve ended before the run's end; what it computed is on disk."""
+
+    exit_code = 3
+
+
+def command(
+    spec: Spec,
+    overrides: Overrides = None,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="The run's folder; runs/<name> by default."
+        ),
+    ] = None,
+    no_verify: Annotated[
+        bool, typer.Option("--no-verify", help="Skip the estimate of the tip's error.")
+    ] = False,
+    no_plots: Annotated[bool, typer.Option("--no-plots", help="Draw no pictures.")] = False,
+    force: Annotated[
+        bool, typer.Option("--force", help="Write into a folder that holds other files.")
+    ] = False,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Simulate a spec and write its motion.
+
+    Writes CSV tables, pictures, the resolved spec and a summary to one folder.
+    Files of an earlier run in the same folder are replaced. A run that fails or is
+    interrupted keeps what it computed, labelled as such.
+    """
+    from viscodesign import load
+    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.progress import progress
+    from viscodesign.cli.summary import summary_lines
+    from viscodesign.report.files import write_run
+    from viscodesign.simulate import simulate as solve
+
+    scene = load(spec, overrides or ())
+    folder = output if output is not None else Path("runs") / folder_name(scene.name)
+    with progress(quiet) as advance:
+        trajectory = solve(scene, verify=not no_verify, progress=advance)
+    files = write_run(trajectory, folder, plots=not no_plots, force=force)
+    if json:
+        say(json_text({**trajectory.summary(), "files": [str(file) for file in files]}))
+        _warn(trajectory, quiet)
+    elif not quiet:
+        say("\n".join(summary_lines(trajectory, folder, files)))
+    _end(trajectory, folder)
+
+
+def folder_name(name: str) -> str:
+    """A scene's name as one folder, whatever characters it has."""
+    return re.sub(r"[^\w.+-]+", "_", name).strip("._") or "run"
+
+
+def _warn(trajectory: Trajectory, quiet: bool) -> None:
+    from viscodesign.cli.describe import notice_lines
+    from viscodesign.cli.output import complain
+
+    lines = notice_lines(trajectory.warnings)
+    if lines and not quiet:
+        complain("\n".join(["warnings", *lines]))
+
+
+def _end(trajectory: Trajectory, folder: Path) -> None:
+    """A run that did not reach its end is an error, after its files are written."""
+    kept = f"what was computed is in {folder}"
+    message = trajectory.failure or f"{trajectory.name}: the run is {trajectory.status}"
+    if trajectory.status == "failed":
+        raise RunFailedError(f"{message}\n{kept}")
+    if trajectory.status == "interrupted":
+        raise Interrupted(f"{message}\n{kept}")

@@ -1,0 +1,67 @@
+"""Plain text laid out for a terminal, or unwrapped for a pipe."""
+
+from __future__ import annotations
+
+import math
+import shutil
+import sys
+import textwrap
+from collections.abc import Sequence
+
+NARROWEST = 40
+WIDEST = 110
+
+
+def width() -> int | None:
+    """Columns to wrap at; None in a pipe, where a line stays a line."""
+    if not sys.stdout.isatty():
+        return None
+    return min(max(shutil.get_terminal_size().columns, NARROWEST), WIDEST)
+
+
+def wrap(text: str, indent: str = "", hanging: str | None = None) -> list[str]:
+    """One paragraph as indented lines, no wider than the terminal."""
+    columns = width()
+    if columns is None:
+        return [indent + text]
+    return textwrap.wrap(
+        text,
+        columns,
+        initial_indent=indent,
+        subsequent_indent=indent if hanging is None else hanging,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def table(rows: Sequence[Sequence[str]], indent: str = "  ") -> list[str]:
+    """Rows with aligned columns; the last column wraps under itself."""
+    return [line for block in blocks(rows, indent) for line in block]
+
+
+def blocks(rows: Sequence[Sequence[str]], indent: str = "  ") -> list[list[str]]:
+    """The lines of each row of a table."""
+    sizes = [max(len(row[k]) for row in rows) for k in range(len(rows[0]) - 1)]
+    return [_block(row, sizes, indent) for row in rows]
+
+
+def _block(row: Sequence[str], sizes: Sequence[int], indent: str) -> list[str]:
+    cells = (f"{cell:<{size}}  " for cell, size in zip(row[:-1], sizes, strict=True))
+    lines = _last_column(indent + "".join(cells), row[-1])
+    return [line.rstrip() for line in lines]
+
+
+def _last_column(head: str, cell: str) -> list[str]:
+    columns = width()
+    room = columns is not None and columns - len(head) >= NARROWEST // 2
+    hanging = " " * (len(head) if room else 6)
+    return wrap(cell, head, hanging) or [head]
+
+
+def number(value: float | None, unit: str = "") -> str:
+    """A number to three digits, with its unit."""
+    if value is None or math.isnan(value):
+        return "unknown"
+    if math.isinf(value):
+        return "infinite" if value > 0 else "-infinite"
+    return f"{value:.3g} {unit}".rstrip()

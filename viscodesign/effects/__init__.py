@@ -1,0 +1,1 @@
+"""Effects: terms of the balances, each with a weight that says when it matters."""

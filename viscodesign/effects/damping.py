@@ -1,0 +1,54 @@
+"""Material damping: the elastomer loses work when it is strained."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+import casadi as ca
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.system import System
+
+
+@dataclass(frozen=True)
+class Damping(Effect):
+    """Kelvin-Voigt on the total strain rates, proportional to stiffness.
+
+    An assumption of this model, not of the paper. A bending mode of angular
+    frequency w has the damping ratio damping_time w / 2.
+    """
+
+    name: ClassVar[str] = "damping"
+    order: ClassVar[int] = 40
+    formula: ClassVar[str] = "t_v / t_s, where inertia is taken"
+
+    damping_time: float
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        return cls(conditions.scene.actuator.damping_time)
+
+    def present(self, conditions: Conditions) -> bool:
+        return self.damping_time > 0.0
+
+    def weight(self, conditions: Conditions) -> float:
+        if "inertia" not in conditions.taken:
+            return 0.0  # a quasi-static motion is too slow to lose anything
+        return self.damping_time / conditions.scales.t_s
+
+    def reason(self, conditions: Conditions) -> str:
+        if not self.present(conditions):
+            return "actuator.damping_time is zero"
+        if "inertia" not in conditions.taken:
+            return "without inertia nothing rings that could be damped"
+        return f"the material forgets its strain rate in {self.damping_time:.3g} s"
+
+    def join(self, system: System) -> None:
+        rod = system.rod
+        time = system.parameter("damping_time", self.damping_time)
+        stretch_rate, curvature_rate = rod.strain_rates()
+        extension = rod.EA * rod.h * ca.sumsqr(stretch_rate)
+        bending = rod.EI * ca.dot(rod.tributary_lengths, curvature_rate**2)
+        system.dissipation_power += time * (extension + bending)

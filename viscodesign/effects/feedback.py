@@ -1,0 +1,46 @@
+"""Solid-to-fluid feedback: force and moment of a section change its bellows' volumes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.coupling import places
+from viscodesign.model.system import System
+
+
+@dataclass(frozen=True)
+class Feedback(Effect):
+    """Volume stored by the section's normal force and moment; equation (1), last term."""
+
+    name: ClassVar[str] = "feedback"
+    order: ClassVar[int] = 45
+    formula: ClassVar[str] = "(da/dN N + da/dM M) / (da/dp p)"
+
+    area_per_force: float
+    area_per_moment: float
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        bellows = conditions.scene.bellows
+        return cls(bellows.area_per_force, bellows.area_per_moment)
+
+    def weight(self, conditions: Conditions) -> float:
+        force = conditions.load_force
+        area = (abs(self.area_per_force) + abs(self.area_per_moment) * conditions.body.length) * force
+        return area / (conditions.scene.bellows.area_per_pressure * conditions.swing)
+
+    def reason(self, conditions: Conditions) -> str:
+        if conditions.load_force == 0.0:
+            return "nothing loads the rod, so there is nothing to feed back"
+        return f"forces up to about {conditions.load_force:.2g} N act on the sections"
+
+    def join(self, system: System) -> None:
+        length = system.bellow.length
+        per_force = system.parameter("area_per_force", self.area_per_force)
+        per_moment = system.parameter("area_per_moment", self.area_per_moment)
+        for name, place in places(system.graph).items():
+            force, moment = system.normal_force[place.section], system.moment[place.section]
+            system.volume[name] += length * (per_force * force + place.side * per_moment * moment)

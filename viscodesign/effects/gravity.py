@@ -1,0 +1,50 @@
+"""Gravity: the weight of the body and of what hangs on it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+import casadi as ca
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.system import System
+
+
+@dataclass(frozen=True)
+class Gravity(Effect):
+    """Dead weight; `tilt` turns it from +z (hanging) towards +x (90 deg: horizontal)."""
+
+    name: ClassVar[str] = "gravity"
+    order: ClassVar[int] = 20
+    formula: ClassVar[str] = "m g l^3 / (E I)"
+
+    acceleration: float
+    tilt: float
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        gravity = conditions.scene.loads.gravity
+        return cls(0.0, 0.0) if gravity is None else cls(gravity.acceleration, gravity.tilt)
+
+    def present(self, conditions: Conditions) -> bool:
+        return self.acceleration != 0.0
+
+    def weight(self, conditions: Conditions) -> float:
+        body = conditions.body
+        mass = body.mass_per_length * body.length + conditions.scene.loads.payload
+        return mass * self.acceleration * body.length**2 / body.bending_stiffness
+
+    def reason(self, conditions: Conditions) -> str:
+        if not self.present(conditions):
+            return "loads.gravity is off"
+        return f"the weight acts at {math.degrees(self.tilt):.3g} deg from the clamped axis"
+
+    def join(self, system: System) -> None:
+        acceleration = system.parameter("gravity.acceleration", self.acceleration)
+        tilt = system.parameter("gravity.tilt", self.tilt)
+        down = ca.vertcat(ca.sin(tilt), ca.cos(tilt))
+        for point in system.rod.masses():
+            system.load_potential -= point.mass * acceleration * ca.dot(down, point.position)

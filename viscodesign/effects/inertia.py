@@ -1,0 +1,38 @@
+"""Inertia: the solid's mass resists acceleration."""
+
+from __future__ import annotations
+
+from typing import ClassVar, Self
+
+import casadi as ca
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.system import System
+
+
+class Inertia(Effect):
+    """Mass times acceleration of the rod and of what hangs on it; off: quasi-static rod."""
+
+    name: ClassVar[str] = "inertia"
+    order: ClassVar[int] = 30
+    formula: ClassVar[str] = "(t_s / t_i)^2"
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        return cls()
+
+    def weight(self, conditions: Conditions) -> float:
+        if conditions.suddenly_loaded:
+            return float("inf")
+        return conditions.scales.ratios["ts_over_ti"] ** 2
+
+    def reason(self, conditions: Conditions) -> str:
+        scales = conditions.scales
+        if conditions.suddenly_loaded:
+            return "the loads act at once on a straight rod at rest (run.start: rest)"
+        return f"the solid swings in {scales.t_s:.3g} s, the input in {scales.t_i:.3g} s"
+
+    def join(self, system: System) -> None:
+        for point in system.rod.masses():
+            system.kinetic_energy += point.mass * ca.sumsqr(point.velocity) / 2

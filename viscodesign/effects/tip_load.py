@@ -1,0 +1,55 @@
+"""Tip load: a dead force on the tip, and a payload carried there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.system import System
+
+
+@dataclass(frozen=True)
+class TipLoad(Effect):
+    """A force of fixed direction; a payload adds mass, which gravity and inertia then act on."""
+
+    name: ClassVar[str] = "tip_load"
+    order: ClassVar[int] = 5  # before everything that acts on masses
+    formula: ClassVar[str] = "F l^2 / (E I)"
+    switchable: ClassVar[bool] = False
+
+    force_x: float
+    force_z: float
+    payload: float
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        loads = conditions.scene.loads
+        return cls(loads.tip_force.x, loads.tip_force.z, loads.payload)
+
+    def present(self, conditions: Conditions) -> bool:
+        return (self.force_x, self.force_z, self.payload) != (0.0, 0.0, 0.0)
+
+    def weight(self, conditions: Conditions) -> float:
+        gravity = conditions.scene.loads.gravity
+        carried = self.payload * gravity.acceleration if gravity is not None else 0.0
+        body = conditions.body
+        return (conditions.tip_force + carried) * body.length**2 / body.bending_stiffness
+
+    def threshold(self, conditions: Conditions) -> float:
+        return 0.0  # a stated load is carried, however small
+
+    def reason(self, conditions: Conditions) -> str:
+        if not self.present(conditions):
+            return "the tip is free"
+        return f"{conditions.tip_force:.3g} N and {1000 * self.payload:.3g} g act at the tip"
+
+    def join(self, system: System) -> None:
+        if self.payload:
+            system.rod.add_tip_mass(system.parameter("payload", self.payload))
+        if self.force_x or self.force_z:
+            x = system.parameter("tip_force.x", self.force_x)
+            z = system.parameter("tip_force.z", self.force_z)
+            tip = system.rod.tip
+            system.load_potential -= x * tip[0] + z * tip[1]

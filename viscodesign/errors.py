@@ -1,0 +1,82 @@
+"""What can go wrong, each with its exit code; a message says where, what and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+class ViscodesignError(Exception):
+    """Base of every error that a user is told of."""
+
+    exit_code = 1
+
+
+@dataclass(frozen=True)
+class Fault:
+    """One thing wrong with a spec."""
+
+    message: str
+    key: str = ""
+    file: str = ""
+    line: int | None = None
+
+    def __str__(self) -> str:
+        place = self.file
+        if self.file and self.line is not None:
+            place = f"{self.file}:{self.line}"
+        return ": ".join(part for part in (place, self.key, self.message) if part)
+
+
+class SpecError(ViscodesignError):
+    """A spec that cannot be run; holds every fault that was found."""
+
+    exit_code = 2
+
+    def __init__(self, faults: Sequence[Fault]) -> None:
+        self.faults = list(faults)
+        super().__init__("\n".join(str(fault) for fault in self.faults))
+
+    @classmethod
+    def plain(cls, message: str) -> SpecError:
+        """A fault of the scene as a whole, found after its file was read."""
+        return cls([Fault(message)])
+
+
+class UsageError(ViscodesignError):
+    """A command asked for something that cannot be done, such as writing into a file."""
+
+    exit_code = 2
+
+
+class SolveError(ViscodesignError):
+    """The solver cannot go on: which quantity, where, when, and what to change."""
+
+    exit_code = 3
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        quantity: str,
+        where: str,
+        time_s: float | None = None,
+        remedy: str = "",
+    ) -> None:
+        self.quantity = quantity
+        self.where = where
+        self.time_s = time_s
+        self.remedy = remedy
+        super().__init__(f"{message}. {remedy}" if remedy else message)
+
+
+class PumpError(ViscodesignError):
+    """The pump or its port."""
+
+    exit_code = 4
+
+
+class Interrupted(ViscodesignError):
+    """The user stopped the work; what was computed is kept."""
+
+    exit_code = 130

@@ -1,0 +1,44 @@
+"""How pressures strain the rod, and what a bellow stores: equations (1), (9), (10)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from viscodesign.model.graph import Graph
+
+SX = ca.SX
+
+
+@dataclass(frozen=True)
+class BellowLaw:
+    """The linear laws of one bellow, in SI; all bellows of an actuator are equal."""
+
+    length: float
+    rest_volume: float
+    compliance: float
+    curvature_per_pressure: float
+    stretch_per_pressure: float
+    floor_volume: float
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a bellow sits: its section (from 0 at the clamp) and its side."""
+
+    section: int
+    side: float
+    """+1 left of the axis, -1 right: the paper's R."""
+
+
+def places(graph: Graph) -> dict[str, Place]:
+    """Section and side of every bellow, by name."""
+    return {
+        name: Place(int(name[1:]) - 1, 1.0 if name[0] == "L" else -1.0) for name in graph.bellows
+    }
+
+
+def pair_pressures(graph: Graph, pressure: dict[str, SX]) -> list[tuple[SX, SX]]:
+    """(left, right) pressure of every section, clamp first."""
+    return [(pressure[f"L{j + 1}"], pressure[f"R{j + 1}"]) for j in range(graph.sections)]

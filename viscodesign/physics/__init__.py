@@ -1,0 +1,1 @@
+"""Formulas with their symbols, units, validity and sources; numbers in, numbers out."""

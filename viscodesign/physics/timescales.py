@@ -1,0 +1,48 @@
+"""Characteristic times of the fluid and its network."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import scipy.linalg
+
+
+def viscous_elastic_time(
+    viscosity: float, area_per_pressure: float, tube_radius: float, total_tube_length: float
+) -> float:
+    r"""Viscous-elastic time of the fluid [s].
+
+    .. math:: t_f = \frac{\mu \, \partial a/\partial p}{a_0 \epsilon_1^2},
+              \quad a_0 = \pi r_c^2, \quad \epsilon_1 = 2 r_c / l
+
+    ``total_tube_length`` l is the length of all tubes together [m].
+    Source: the paper, section 2.1 (0.157 s for its leg, which is the value of air).
+    """
+    a_0 = math.pi * tube_radius**2
+    epsilon_1 = 2 * tube_radius / total_tube_length
+    return viscosity * area_per_pressure / (a_0 * epsilon_1**2)
+
+
+def slowest_network_time(
+    conductance: np.ndarray, compliance: np.ndarray, *, sealed: bool
+) -> float:
+    """Slowest time constant of one connected resistor-capacitor network [s].
+
+    ``conductance`` (B, B): symmetric, of the nodes with volume, fixed pressures
+    and junctions eliminated [m3/(Pa s)]; ``compliance`` (B,) [m3/Pa]. The inverse
+    of the smallest eigenvalue of conductance against compliance; a sealed network
+    has one eigenvalue zero, its mean pressure, which is left out.
+    """
+    root = 1.0 / np.sqrt(compliance)
+    rates = scipy.linalg.eigvalsh(root[:, None] * conductance * root[None, :])
+    settling = rates[1:] if sealed else rates
+    return float(1.0 / settling[0]) if settling.size else 0.0
+
+
+def cutoff_frequency(viscous_elastic_time: float) -> float:
+    """Frequency above which the actuator filters the input, 10/t_f [Hz].
+
+    Order of magnitude only. Source: the paper, section 3.2.
+    """
+    return 10.0 / viscous_elastic_time

@@ -1,0 +1,1 @@
+"""The scene: what a spec says, validated, in SI."""

@@ -1,0 +1,68 @@
+"""`fluid:` a name, or a mapping with its properties."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+from pydantic import Field, model_validator
+
+from viscodesign.catalog import members
+from viscodesign.scene.base import Part, refuse, refuse_at
+from viscodesign.scene.fluids import __name__ as fluids_package
+from viscodesign.scene.fluids.base import FluidProperties, NamedFluid, isothermal_sound
+from viscodesign.units import Density, GasConstant, Pressure, Viscosity
+
+
+@cache
+def named_fluids() -> dict[str, type[NamedFluid]]:
+    """Fluids that a spec may call by name."""
+    return members(fluids_package, NamedFluid)
+
+
+class Fluid(Part):
+    """A named fluid of the library, or one with stated properties."""
+
+    name: str = Field(min_length=1, description="air, water, or a name of your own")
+    viscosity: Viscosity | None = Field(None, gt=0, description="Dynamic viscosity")
+    density: Density | None = Field(None, gt=0, description="Density")
+    gas_constant: GasConstant | None = Field(
+        None, gt=0, description="Specific gas constant, for a gas"
+    )
+    bulk_modulus: Pressure | None = Field(None, gt=0, description="Bulk modulus, for a liquid")
+    vapour_pressure: Pressure | None = Field(
+        None, ge=0, description="Absolute vapour pressure, for a liquid"
+    )
+
+    @model_validator(mode="after")
+    def _complete(self) -> Fluid:
+        if self.gas_constant is not None and self.bulk_modulus is not None:
+            raise refuse("gas_constant and bulk_modulus are both given; a fluid is gas or liquid")
+        if (self.viscosity is None) != (self.density is None):
+            missing = "viscosity" if self.viscosity is None else "density"
+            raise refuse_at(missing, "missing; a fluid of your own needs viscosity and density")
+        if self.viscosity is None and self.name not in named_fluids():
+            known = ", ".join(named_fluids())
+            raise refuse(
+                f"'{self.name}' is not a known fluid ({known}); give its viscosity and density"
+            )
+        return self
+
+    def properties(self, temperature: float, pressure: float) -> FluidProperties:
+        """Its properties at ``temperature`` [K] and absolute ``pressure`` [Pa]."""
+        if self.viscosity is None or self.density is None:
+            return named_fluids()[self.name].at(temperature, pressure)
+        sound = None
+        if self.gas_constant is not None:
+            sound = isothermal_sound(self.gas_constant, temperature)
+        elif self.bulk_modulus is not None:
+            sound = math.sqrt(self.bulk_modulus / self.density)
+        return FluidProperties(
+            name=self.name,
+            viscosity=self.viscosity,
+            density=self.density,
+            gas_constant=self.gas_constant,
+            bulk_modulus=self.bulk_modulus,
+            vapour_pressure=self.vapour_pressure,
+            speed_of_sound=sound,
+        )

@@ -1,0 +1,1 @@
+"""Fluids known by name, one file each."""

@@ -1,0 +1,19 @@
+"""`input:` one of the kinds in `inputs/`, told by `kind`."""
+
+from __future__ import annotations
+
+from functools import reduce
+from operator import or_
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from viscodesign.catalog import members
+from viscodesign.scene.inputs import __name__ as inputs_package
+from viscodesign.scene.inputs.base import Input
+
+INPUT_KINDS: dict[str, type[Input]] = members(inputs_package, Input)
+NOT_YET = ("syringe",)
+"""Kinds of the public spec that this version does not drive."""
+
+AnyInput: Any = Annotated[reduce(or_, INPUT_KINDS.values()), Field(discriminator="kind")]

@@ -1,0 +1,1 @@
+"""Input kinds, one file each; `base` says what a kind must offer."""

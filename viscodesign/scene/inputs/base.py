@@ -1,0 +1,147 @@
+"""What an input is: a pressure against time, smooth between corners."""
+
+from __future__ import annotations
+
+import math
+from abc import abstractmethod
+from typing import Any, ClassVar
+
+import numpy as np
+from pydantic import Field
+
+from viscodesign.scene.base import Part
+from viscodesign.units import Time
+
+SMALL_SWING = 0.01
+"""Swings below this part of the whole range do not count for t_i."""
+FIRST, LAST = 0.01, 0.99
+"""Parts of a swing between which its time is taken."""
+
+
+class Input(Part):
+    """Pressure of one inlet above the baseline [Pa]; a kind is a file with one subclass."""
+
+    name: ClassVar[str]
+    coefficients: ClassVar[int]
+    """Numbers that tell one interval between corners from another."""
+
+    transient_time: Time | None = Field(
+        None, gt=0, description="t_i, where it is known better than from the profile"
+    )
+
+    @abstractmethod
+    def expression(self, t: Any, piece: Any, functions: Any) -> Any:
+        """Pressure inside an interval, from numpy's or CasADi's functions."""
+
+    @abstractmethod
+    def corners(self, duration: float) -> list[float]:
+        """Times in (0, duration) at which a solver must start afresh, ascending."""
+
+    @abstractmethod
+    def pieces(self, edges: np.ndarray) -> np.ndarray:
+        """Coefficients (n, coefficients) of the intervals of ``edges`` (n + 1,)."""
+
+    @abstractmethod
+    def initial_piece(self) -> np.ndarray:
+        """Coefficients (coefficients,) just before t = 0."""
+
+    @abstractmethod
+    def pressure(self, t: np.ndarray) -> np.ndarray:
+        """Pressure at times (n,) [Pa]; after a jump its new value."""
+
+    @abstractmethod
+    def swing_time(self) -> float:
+        """Shortest monotone swing of the profile, 1 % to 99 % [s]; infinite without one."""
+
+    @property
+    def period(self) -> float | None:
+        """Length of a cycle [s] of a profile that repeats itself."""
+        return None
+
+    def transient(self) -> float:
+        """t_i: as the spec states it, else from the profile."""
+        return self.swing_time() if self.transient_time is None else self.transient_time
+
+
+class PiecewiseLinear(Input):
+    """Straight lines between vertices; two vertices at one time are a jump."""
+
+    coefficients: ClassVar[int] = 3
+
+    @abstractmethod
+    def vertices(self, duration: float) -> list[tuple[float, float]]:
+        """(time, pressure) from 0 on, to the duration or the last change."""
+
+    @abstractmethod
+    def initial(self) -> float:
+        """Pressure just before t = 0."""
+
+    @abstractmethod
+    def profile(self) -> list[tuple[float, float]]:
+        """Vertices that show every swing once."""
+
+    def expression(self, t: Any, piece: Any, functions: Any) -> Any:
+        del functions
+        value, slope, reference = piece[0], piece[1], piece[2]
+        return value + slope * (t - reference)
+
+    def corners(self, duration: float) -> list[float]:
+        return sorted({t for t, _ in self.vertices(duration) if 0.0 < t < duration})
+
+    def pieces(self, edges: np.ndarray) -> np.ndarray:
+        middles = (edges[:-1] + edges[1:]) / 2
+        starts, values, slopes = self._lines(float(edges[-1]))
+        index = np.searchsorted(starts, middles, side="right") - 1
+        reference = edges[:-1]
+        at_start = values[index] + slopes[index] * (reference - starts[index])
+        return np.column_stack((at_start, slopes[index], reference))
+
+    def initial_piece(self) -> np.ndarray:
+        return np.array([self.initial(), 0.0, 0.0])
+
+    def pressure(self, t: np.ndarray) -> np.ndarray:
+        times = np.asarray(t, dtype=float)
+        starts, values, slopes = self._lines(float(np.max(times, initial=0.0)) or 1.0)
+        index = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
+        return np.asarray(values[index] + slopes[index] * (times - starts[index]))
+
+    def _lines(self, duration: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Start, value there and slope of every line; the last runs on level."""
+        points = np.array(self.vertices(duration), dtype=float)
+        time, value = points[:, 0], points[:, 1]
+        step = np.diff(time)
+        real = step > 0.0
+        slope = np.diff(value)[real] / step[real]
+        return (
+            np.append(time[:-1][real], time[-1]),
+            np.append(value[:-1][real], value[-1]),
+            np.append(slope, 0.0),
+        )
+
+    def swing_time(self) -> float:
+        return shortest_swing(self.profile())
+
+
+def shortest_swing(profile: list[tuple[float, float]]) -> float:
+    """Time of the shortest monotone swing between vertices, 1 % to 99 % of it [s]."""
+    values = [p for _, p in profile]
+    smallest = SMALL_SWING * (max(values) - min(values))
+    shortest = math.inf
+    run = profile[:1]
+    for point in profile[1:]:
+        turns = len(run) > 1 and (run[-1][1] - run[0][1]) * (point[1] - run[-1][1]) < 0
+        stays = point[1] == run[-1][1]
+        if turns or stays:
+            shortest = min(shortest, _swing(run, smallest))
+            run = [run[-1]]
+        run = [point] if stays else [*run, point]
+    return min(shortest, _swing(run, smallest))
+
+
+def _swing(run: list[tuple[float, float]], smallest: float) -> float:
+    height = run[-1][1] - run[0][1]
+    if abs(height) <= smallest or len(run) < 2:
+        return math.inf
+    part = [(p - run[0][1]) / height for _, p in run]
+    times = [t for t, _ in run]
+    return float(np.interp(LAST, part, times) - np.interp(FIRST, part, times))

@@ -1,0 +1,57 @@
+"""`kind: double_sigmoid`: the paper's pulse."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from viscodesign.scene.inputs.base import LAST, Input
+from viscodesign.units import Pressure, Time
+
+
+class DoubleSigmoid(Input):
+    r"""start - drop s(t - fall_time) + drop s(t - rise_time).
+
+    .. math:: s(t) = 1 / (1 + \exp(-2 k t)), \quad k = 6 / \text{transition}
+
+    Source: the paper, section 2.1 (boundary condition) and Figure 3.
+    """
+
+    name: ClassVar[str] = "double_sigmoid"
+    coefficients: ClassVar[int] = 1
+    kind: Literal["double_sigmoid"]
+    start: Pressure = Field(description="Gauge pressure above the baseline before and after")
+    drop: Pressure = Field(description="How far it falls")
+    fall_time: Time = Field(ge=0, description="Centre of the fall")
+    rise_time: Time = Field(ge=0, description="Centre of the rise")
+    transition: Time = Field(gt=0, description="Length of a transition, 6/k")
+
+    def expression(self, t: Any, piece: Any, functions: Any) -> Any:
+        del piece  # it only tells the intervals apart
+        rate = 6 / self.transition
+        fall = (1 + functions.tanh(rate * (t - self.fall_time))) / 2
+        rise = (1 + functions.tanh(rate * (t - self.rise_time))) / 2
+        return self.start - self.drop * fall + self.drop * rise
+
+    def corners(self, duration: float) -> list[float]:
+        """Where a transition begins to be felt: there a solver that has grown careless wakes."""
+        begins = (self.fall_time - self.transition, self.rise_time - self.transition)
+        return sorted({float(t) for t in begins if 0.0 < t < duration})
+
+    def pieces(self, edges: np.ndarray) -> np.ndarray:
+        return np.arange(len(edges) - 1, dtype=float)[:, None]
+
+    def initial_piece(self) -> np.ndarray:
+        return np.zeros(1)
+
+    def pressure(self, t: np.ndarray) -> np.ndarray:
+        return np.asarray(self.expression(np.asarray(t), None, np))
+
+    def swing_time(self) -> float:
+        """Of one sigmoid, the two being apart: ln 99 / k."""
+        if self.drop == 0.0:
+            return math.inf
+        return math.log(LAST / (1 - LAST)) * self.transition / 6

@@ -1,0 +1,50 @@
+"""`kind: sine`."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from viscodesign.scene.inputs.base import FIRST, Input
+from viscodesign.units import Angle, Frequency, Pressure
+
+
+class Sine(Input):
+    """mean + amplitude sin(2 pi frequency t + phase)."""
+
+    name: ClassVar[str] = "sine"
+    coefficients: ClassVar[int] = 0
+    kind: Literal["sine"]
+    amplitude: Pressure = Field(description="Half of the swing")
+    frequency: Frequency = Field(gt=0, description="Cycles per second")
+    phase: Angle = Field(0.0, description="Phase at t = 0")
+    mean: Pressure = Field(0.0, description="Gauge pressure above the baseline, on average")
+
+    @property
+    def period(self) -> float:
+        return float(1.0 / self.frequency)
+
+    def expression(self, t: Any, piece: Any, functions: Any) -> Any:
+        del piece
+        turn = 2 * math.pi * self.frequency * t + self.phase
+        return self.mean + self.amplitude * functions.sin(turn)
+
+    def corners(self, duration: float) -> list[float]:
+        return []
+
+    def pieces(self, edges: np.ndarray) -> np.ndarray:
+        return np.zeros((len(edges) - 1, 0))
+
+    def initial_piece(self) -> np.ndarray:
+        return np.zeros(0)
+
+    def pressure(self, t: np.ndarray) -> np.ndarray:
+        return np.asarray(self.expression(np.asarray(t), None, np))
+
+    def swing_time(self) -> float:
+        if self.amplitude == 0.0:
+            return math.inf
+        return (math.pi - 2 * math.acos(1 - 2 * FIRST)) / (2 * math.pi * self.frequency)

@@ -1,0 +1,40 @@
+"""`kind: square`."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar, Literal
+
+from pydantic import Field
+
+from viscodesign.scene.inputs.base import PiecewiseLinear
+from viscodesign.units import Fraction, Frequency, Pressure
+
+
+class Square(PiecewiseLinear):
+    """High for the duty of every period, then low; jumps in between."""
+
+    name: ClassVar[str] = "square"
+    kind: Literal["square"]
+    high: Pressure = Field(description="Gauge pressure above the baseline, first")
+    low: Pressure = Field(description="Gauge pressure above the baseline, second")
+    frequency: Frequency = Field(gt=0, description="Periods per second")
+    duty: Fraction = Field(0.5, gt=0, lt=1, description="Part of a period that is high")
+
+    @property
+    def period(self) -> float:
+        return float(1.0 / self.frequency)
+
+    def vertices(self, duration: float) -> list[tuple[float, float]]:
+        points: list[tuple[float, float]] = []
+        for k in range(math.floor(duration * self.frequency) + 1):
+            start, turn = k / self.frequency, (k + self.duty) / self.frequency
+            end = (k + 1) / self.frequency
+            points += [(start, self.high), (turn, self.high), (turn, self.low), (end, self.low)]
+        return points
+
+    def initial(self) -> float:
+        return float(self.high)
+
+    def profile(self) -> list[tuple[float, float]]:
+        return self.vertices(1.0 / self.frequency)

@@ -1,0 +1,29 @@
+"""`kind: step`."""
+
+from __future__ import annotations
+
+from typing import ClassVar, Literal
+
+from pydantic import Field
+
+from viscodesign.scene.inputs.base import PiecewiseLinear
+from viscodesign.units import Pressure, Time
+
+
+class Step(PiecewiseLinear):
+    """From the baseline to a pressure, at once."""
+
+    name: ClassVar[str] = "step"
+    kind: Literal["step"]
+    value: Pressure = Field(description="Gauge pressure above the baseline after the step")
+    time: Time = Field(0.0, ge=0, description="When it jumps")
+
+    def vertices(self, duration: float) -> list[tuple[float, float]]:
+        before = [(0.0, 0.0), (self.time, 0.0)] if self.time > 0 else []
+        return [*before, (self.time, self.value), (max(duration, self.time) + 1.0, self.value)]
+
+    def initial(self) -> float:
+        return 0.0
+
+    def profile(self) -> list[tuple[float, float]]:
+        return [(0.0, 0.0), (0.0, self.value)]

@@ -1,0 +1,56 @@
+"""`kind: trapezoid`."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from viscodesign.scene.base import refuse
+from viscodesign.scene.inputs.base import PiecewiseLinear
+from viscodesign.units import Pressure, Time
+
+
+class Trapezoid(PiecewiseLinear):
+    """From low: rise to high, hold, fall to low, rest; again and again."""
+
+    name: ClassVar[str] = "trapezoid"
+    kind: Literal["trapezoid"]
+    high: Pressure = Field(description="Gauge pressure above the baseline while held")
+    low: Pressure = Field(0.0, description="Gauge pressure above the baseline at rest")
+    rise: Time = Field(ge=0, description="Time from low to high")
+    hold: Time = Field(0.0, ge=0, description="Time at high")
+    fall: Time = Field(ge=0, description="Time from high to low")
+    rest: Time = Field(0.0, ge=0, description="Time at low")
+
+    @model_validator(mode="after")
+    def _lasts(self) -> Trapezoid:
+        if self.period <= 0.0:
+            raise refuse("rise, hold, fall and rest are all 0 s; a period must last some time")
+        return self
+
+    @property
+    def period(self) -> float:
+        """Length of a cycle [s]."""
+        return float(self.rise + self.hold + self.fall + self.rest)
+
+    def vertices(self, duration: float) -> list[tuple[float, float]]:
+        points: list[tuple[float, float]] = []
+        for k in range(math.floor(duration / self.period) + 1):
+            start = k * self.period
+            top = start + self.rise
+            end = top + self.hold
+            points += [
+                (start, self.low),
+                (top, self.high),
+                (end, self.high),
+                (end + self.fall, self.low),
+            ]
+        return [*points, ((math.floor(duration / self.period) + 1) * self.period, self.low)]
+
+    def initial(self) -> float:
+        return float(self.low)
+
+    def profile(self) -> list[tuple[float, float]]:
+        return self.vertices(1.5 * self.period)

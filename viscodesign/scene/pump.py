@@ -1,0 +1,54 @@
+"""`pump:` the drive, for the `pump` commands."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field, model_validator
+
+from viscodesign.scene.base import Part, refuse_at
+from viscodesign.units import Length, Pressure, Voltage, Volume
+
+SERVO_COUNTS = 1023
+
+
+class Sensor(Part):
+    """The pressure sensor's analog channel."""
+
+    channel: int = Field(ge=0, le=7)
+
+
+class LimitSwitches(Part):
+    """Digital inputs that stop the plunger at its ends."""
+
+    low: str
+    high: str
+    normally: Literal["closed", "open"] = "closed"
+
+
+class Pump(Part):
+    """A syringe moved by a servo with rack and pinion."""
+
+    syringe_diameter: Length = Field(gt=0, description="Inner diameter of the barrel")
+    syringe_stroke: Length = Field(0.1045, gt=0)
+    pinion_diameter: Length = Field(0.0296, gt=0, description="Pitch diameter")
+    servo: Literal["ax12a", "ax18a"] = "ax18a"
+    servo_id: int | dict[str, int] = Field(1, description="One id, or one for each inlet")
+    supply_voltage: Voltage = Field(11.1, gt=0)
+    dead_volume: Volume = Field(5e-6, ge=0)
+    max_pressure: Pressure = Field(25e3, gt=0, description="Gauge; software cap")
+    home: int = Field(200, ge=0, le=SERVO_COUNTS, description="Counts, plunger at its start")
+    travel: tuple[int, int] = (100, 1000)
+    sensor: Sensor | None = None
+    limit_switches: LimitSwitches | None = None
+
+    @model_validator(mode="after")
+    def _travel_fits(self) -> Pump:
+        low, high = self.travel
+        if not 0 <= low < high <= SERVO_COUNTS:
+            raise refuse_at(
+                "travel", f"[{low}, {high}]; allowed are 0 <= low < high <= {SERVO_COUNTS} counts"
+            )
+        if not low <= self.home <= high:
+            raise refuse_at("home", f"{self.home} lies outside of travel, {low} to {high}")
+        return self

@@ -1,0 +1,73 @@
+"""`run:` how long, what to write down, and how it starts."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from viscodesign.scene.base import Part, refuse_at
+from viscodesign.units import Time
+
+MOST_OUTPUTS = 1_000_000
+
+
+class Run(Part):
+    """Duration, output times and start of a simulation."""
+
+    duration: Time = Field(gt=0, description="Simulated time")
+    output_interval: Time = Field(0.02, gt=0, description="Time between two outputs")
+    output_times: tuple[Time, ...] | None = Field(
+        None, description="Instead of an interval: the output times, ascending"
+    )
+    start: Literal["equilibrium", "rest"] = Field(
+        "equilibrium",
+        description="equilibrium under the first pressures and loads, or straight and at rest",
+    )
+
+    @model_validator(mode="after")
+    def _times_fit(self) -> Run:
+        if self.output_times is not None:
+            self._check_times(self.output_times)
+        elif self.output_interval > self.duration:
+            raise refuse_at(
+                "output_interval",
+                f"{self.output_interval:g} s is longer than the duration of {self.duration:g} s",
+            )
+        elif self.duration / self.output_interval > MOST_OUTPUTS:
+            raise refuse_at(
+                "output_interval",
+                f"{self.duration / self.output_interval:.3g} outputs; at most {MOST_OUTPUTS} are "
+                f"allowed. Use an interval of {self.duration / MOST_OUTPUTS:.3g} s or more",
+            )
+        return self
+
+    def _check_times(self, times: tuple[float, ...]) -> None:
+        if not times:
+            raise refuse_at("output_times", "the list is empty; at least one time is needed")
+        if len(times) > MOST_OUTPUTS:
+            raise refuse_at("output_times", f"{len(times)} times; at most {MOST_OUTPUTS}")
+        for k, (before, after) in enumerate(zip(times, times[1:], strict=False)):
+            if after <= before:
+                raise refuse_at(
+                    "output_times",
+                    f"time {k + 2} ({after:g} s) does not follow {before:g} s; times must ascend",
+                )
+        if times[0] < 0 or times[-1] > self.duration:
+            raise refuse_at(
+                "output_times",
+                f"{times[0]:g} s to {times[-1]:g} s; allowed are times from 0 to the duration of "
+                f"{self.duration:g} s",
+            )
+
+    def output_times_array(self) -> np.ndarray:
+        """Output times (T,) [s]; by interval they start at 0 and end at the duration."""
+        if self.output_times is not None:
+            return np.array(self.output_times)
+        count = int(self.duration / self.output_interval * (1 + 1e-12))
+        times = self.output_interval * np.arange(count + 1)
+        if self.duration - times[-1] > 1e-9 * self.output_interval:
+            times = np.append(times, self.duration)
+        times[-1] = self.duration
+        return times

@@ -1,0 +1,146 @@
+"""The whole spec."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from pydantic import Field, PrivateAttr, field_validator, model_validator
+from pydantic_core import PydanticCustomError
+
+from viscodesign.model.graph import Graph
+from viscodesign.scene.actuator import Actuator
+from viscodesign.scene.base import Part, refuse_at
+from viscodesign.scene.bellows import Bellows
+from viscodesign.scene.effects_choice import EffectsChoice
+from viscodesign.scene.fluid import Fluid
+from viscodesign.scene.fluids.base import FluidProperties
+from viscodesign.scene.input import AnyInput
+from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.loads import Loads
+from viscodesign.scene.network import Network
+from viscodesign.scene.pump import Pump
+from viscodesign.scene.run import Run
+from viscodesign.units import Fraction, Pressure, Temperature
+
+SINGLE_INLET = "inlet"
+MOST_PERIODS = 250_000
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """Where a scene came from."""
+
+    file: str = ""
+    sha256: str = ""
+
+
+class Scene(Part):
+    """A scene, validated; every number in SI. Keys are those of the YAML spec."""
+
+    name: str = Field(min_length=1, max_length=100, description="Names the run and its folder")
+    actuator: Actuator
+    bellows: Bellows
+    network: Network
+    fluid_choice: Fluid = Field(alias="fluid")
+    temperature: Temperature = Field(293.15, gt=0, description="Of fluid and surroundings")
+    gauge_pressure: Pressure = Field(0.0, description="Baseline about which the input cycles")
+    ambient_pressure: Pressure = Field(101325.0, gt=0, description="Absolute")
+    input: AnyInput | None = Field(None, description="The input of a single inlet")
+    several_inputs: dict[str, AnyInput] | None = Field(
+        None, alias="inputs", description="Inlet name: input"
+    )
+    loads: Loads = Field(default_factory=Loads)
+    effects: EffectsChoice = Field(default_factory=EffectsChoice)
+    accuracy: Fraction = Field(
+        0.005, ge=1e-7, le=0.2, description="Tip error allowed, of the actuator's length"
+    )
+    run: Run
+    pump: Pump | None = Field(None, description="Only for the pump commands")
+
+    _source: Provenance = PrivateAttr(default_factory=Provenance)
+
+    @field_validator("name")
+    @classmethod
+    def _fit_for_a_folder(cls, name: str) -> str:
+        if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._+-]*( [A-Za-z0-9._+-]+)*", name):
+            raise refuse_at("", f"'{name}': use letters, digits, '_', '-', '.', '+'")
+        return name
+
+    @field_validator("loads", mode="before")
+    @classmethod
+    def _no_loads(cls, given: Any) -> Any:
+        return {} if given is None else given
+
+    @field_validator("fluid_choice", mode="before")
+    @classmethod
+    def _named(cls, given: Any) -> Any:
+        return {"name": given} if isinstance(given, str) else given
+
+    @model_validator(mode="after")
+    def _whole(self) -> Scene:
+        if (self.input is None) == (self.several_inputs is None):
+            which = "missing; give 'input', or 'inputs' for several inlets"
+            both = "given together with 'inputs'; give one of them"
+            raise refuse_at("input", which if self.input is None else both)
+        if not self.inputs:
+            raise refuse_at("inputs", "empty; at least one inlet needs an input")
+        for name in self.inputs:
+            if re.fullmatch(r"[RL]\d+", name):
+                raise refuse_at(f"inputs.{name}", "an inlet cannot be called like a bellow")
+        for name, source in self.inputs.items():
+            key = "input" if self.input is not None else f"inputs.{name}"
+            _check_corners(key, source, self.run.duration)
+        try:
+            _ = self.graph
+        except PydanticCustomError as error:
+            raise _below("network", error) from error
+        if self.fluid_choice.viscosity is None:
+            self.fluid_choice.properties(self.temperature, self.ambient_pressure)
+        return self
+
+    @property
+    def inputs(self) -> Mapping[str, Input]:
+        """Every inlet's input by the inlet's name."""
+        if self.several_inputs is not None:
+            return self.several_inputs
+        return {SINGLE_INLET: self.input} if self.input is not None else {}
+
+    @cached_property
+    def fluid(self) -> FluidProperties:
+        """The fluid at the scene's temperature and ambient pressure."""
+        return self.fluid_choice.properties(self.temperature, self.ambient_pressure)
+
+    @cached_property
+    def graph(self) -> Graph:
+        """The network as a graph."""
+        return self.network.graph(self.bellows.count, tuple(self.inputs))
+
+    @property
+    def source(self) -> Provenance:
+        """The file that it was read from."""
+        return self._source
+
+    def with_source(self, source: Provenance) -> Scene:
+        """The same scene, knowing its file."""
+        copy = self.model_copy()
+        copy._source = source
+        return copy
+
+
+def _check_corners(key: str, source: Input, duration: float) -> None:
+    if source.period is not None and duration / source.period > MOST_PERIODS:
+        raise refuse_at(
+            key,
+            f"{duration / source.period:.3g} periods in {duration:g} s; at most {MOST_PERIODS} "
+            "are allowed",
+        )
+
+
+def _below(key: str, error: PydanticCustomError) -> PydanticCustomError:
+    """Put a fault found inside a part below that part's key."""
+    context = error.context or {}
+    return refuse_at(f"{key}.{context.get('below', '')}".rstrip("."), context["message"])

@@ -1,0 +1,1 @@
+"""Solvers: they know equations and numbers, nothing of effects or specs."""

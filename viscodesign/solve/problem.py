@@ -1,0 +1,54 @@
+"""What every solver is given: equations with their numbers, and the run's times."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from viscodesign.model.formulation import Equations
+from viscodesign.model.rod import Body
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """Times of a run and the inlets' piecewise coefficients.
+
+    ``edges`` (n + 1,) holds 0, every output time, every corner of an input and
+    the end, ascending; ``pieces`` (n, coefficients) are valid inside each
+    interval; ``outputs`` are indices into ``edges``.
+    """
+
+    edges: np.ndarray
+    pieces: np.ndarray
+    outputs: np.ndarray
+    initial_piece: np.ndarray
+    """Coefficients just before t = 0, from which equilibrium is found."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Equations and the numbers that go into them."""
+
+    equations: Equations
+    body: Body
+    bellows: tuple[str, ...]
+    rest_volume: float
+    """Volume of a bellow at zero gauge pressure [m3]."""
+    baseline: float
+    """Gauge pressure about which the inputs cycle [Pa]."""
+    schedule: Schedule
+    sealed_volumes: np.ndarray
+    """Volume held by each sealed island [m3]."""
+    flow_shares: np.ndarray
+    """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
+
+    def numbers(self, load_factor: float = 1.0) -> np.ndarray:
+        """The parameter vector of the integrator: load factor, sealed volumes, parameters."""
+        return np.concatenate(
+            [[load_factor], self.sealed_volumes, self.equations.parameter_values]
+        )
+
+    def tail(self, time: float, piece: np.ndarray, load_factor: float = 1.0) -> list[object]:
+        """Arguments that follow the unknowns in every function of the equations."""
+        return [time, piece, load_factor, self.sealed_volumes, self.equations.parameter_values]

@@ -1,0 +1,192 @@
+"""Where a run starts: equilibrium under the first loads, or rest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.errors import SolveError
+from viscodesign.model.arcs import arc_nodes
+from viscodesign.model.formulation import RodForm, Unknowns
+from viscodesign.solve.newton import NewtonFailure, continuation, newton
+from viscodesign.solve.problem import Problem
+
+
+@dataclass(frozen=True)
+class Start:
+    """Scaled states (nx,) and algebraic unknowns (nz,) at a time."""
+
+    states: np.ndarray
+    algebraics: np.ndarray
+
+
+def equilibrium(problem: Problem, time: float, piece: np.ndarray) -> Start:
+    """Static equilibrium with the inlets held at their pressures at ``time``.
+
+    The unloaded shape is known in closed form; loads are then raised step by step.
+    Raises `SolveError` with the load reached where no equilibrium is found.
+    """
+    equations = problem.equations
+    guess = _unloaded(problem, time, piece)
+
+    def family(y: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
+        residual, jacobian, *_ = equations.static_function(y, *problem.tail(time, piece, load))
+        return np.asarray(residual).ravel(), jacobian
+
+    try:
+        y = continuation(family, guess)
+    except NewtonFailure as failure:
+        raise _no_equilibrium(problem, failure, time) from failure
+    return _from_statics(problem, y, time, piece)
+
+
+def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
+    """Steady pressures, and the arcs that they bend the rod to."""
+    equations = problem.equations
+    statics = equations.statics
+    y = np.zeros(statics.count)
+    if "position" in statics.blocks:
+        y[statics.blocks["position"].span] = _arc_positions(problem, None, None)
+    fluid = np.array(
+        [
+            index
+            for name, block in statics.blocks.items()
+            if "pressure" in name
+            for index in range(block.span.start, block.span.stop)
+        ],
+        dtype=int,
+    )
+    tail = problem.tail(time, piece, 0.0)
+
+    def network(p: np.ndarray) -> tuple[np.ndarray, ca.DM]:
+        y[fluid] = p
+        residual, jacobian, *_ = equations.static_function(y, *tail)
+        return np.asarray(residual).ravel()[fluid], jacobian[fluid.tolist(), fluid.tolist()]
+
+    if fluid.size:
+        y[fluid] = newton(network, y[fluid])
+    if "position" in statics.blocks:
+        _, _, _, curvature, stretch = equations.static_function(y, *tail)
+        y[statics.blocks["position"].span] = _arc_positions(
+            problem, np.asarray(curvature).ravel(), np.asarray(stretch).ravel()
+        )
+    return y
+
+
+def _arc_positions(
+    problem: Problem, curvature: np.ndarray | None, stretch: np.ndarray | None
+) -> np.ndarray:
+    """Scaled node positions of the unloaded rod (straight where no strain is given)."""
+    body = problem.body
+    count = problem.equations.statics.blocks["position"].count // 2
+    if curvature is None or stretch is None:
+        curvature, stretch = np.zeros(body.sections), np.zeros(body.sections)
+    positions, _ = arc_nodes(
+        curvature[None, :], 1 + stretch[None, :], body.section_length, count // body.sections
+    )
+    return positions[0].ravel() / body.length
+
+
+def _from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarray) -> Start:
+    """Spread the static unknowns over states and algebraic unknowns; all is still."""
+    equations = problem.equations
+    _, _, volume, *_ = equations.static_function(y, *problem.tail(time, piece))
+    known = {name: y[block.span] for name, block in equations.statics.blocks.items()}
+    if "volume" in equations.states.blocks:
+        size = equations.states.blocks["volume"].size
+        known["volume"] = (np.asarray(volume).ravel() - problem.rest_volume) / size
+        known["inflow"] = np.zeros(len(equations.fed))
+    if equations.rod_form in (RodForm.DYNAMIC, RodForm.DAMPED):
+        known["velocity"] = np.zeros_like(known["position"])
+    return Start(_gather(equations.states, known), _gather(equations.algebraics, known))
+
+
+def _gather(unknowns: Unknowns, known: dict[str, np.ndarray]) -> np.ndarray:
+    return np.concatenate([known[name] for name in unknowns.blocks] or [np.zeros(0)])
+
+
+def rest(problem: Problem, piece: np.ndarray) -> Start:
+    """Pressures at the baseline, the rod straight, unstrained and still, just before t = 0."""
+    equations = problem.equations
+    statics, states = equations.statics, equations.states
+    y = np.zeros(statics.count)
+    for name, block in statics.blocks.items():
+        if "pressure" in name:
+            y[block.span] = problem.baseline / block.size
+    if "position" in statics.blocks:
+        y[statics.blocks["position"].span] = _arc_positions(problem, None, None)
+    start = _from_statics(problem, y, 0.0, piece)
+    if equations.rod_form in (RodForm.STATIC, RodForm.ARCS) or "volume" not in states.blocks:
+        return start
+    # A rod held straight under pressure bears moments, and they take their volume.
+    algebraics = _solve_block(problem, start, "elastic_curvature", piece)
+    ode_alg = equations.algebraic_function(start.states, algebraics, *problem.tail(0.0, piece))
+    defect = np.asarray(ode_alg[0]).ravel()[equations.algebraics.blocks["pressure"].span]
+    x = start.states.copy()
+    x[states.blocks["volume"].span] -= defect
+    return Start(x, algebraics)
+
+
+def _solve_block(problem: Problem, start: Start, name: str, piece: np.ndarray) -> np.ndarray:
+    """Solve one block's equations for its unknowns, the others held."""
+    equations = problem.equations
+    span = equations.algebraics.blocks[name].span
+    rows = list(range(span.start, span.stop))
+    z = start.algebraics.copy()
+
+    def block(values: np.ndarray) -> tuple[np.ndarray, ca.DM]:
+        z[span] = values
+        alg, jacobian = equations.algebraic_function(
+            start.states, z, *problem.tail(0.0, piece)
+        )
+        return np.asarray(alg).ravel()[span], jacobian[rows, rows]
+
+    z[span] = newton(block, z[span])
+    return z
+
+
+def consistent(problem: Problem, start: Start, time: float, piece: np.ndarray) -> Start:
+    """The algebraic unknowns that belong to given states, loads raised step by step if need be.
+
+    Raises `SolveError` where none are found.
+    """
+    equations = problem.equations
+
+    def family(z: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
+        alg, jacobian = equations.algebraic_function(
+            start.states, z, *problem.tail(time, piece, load)
+        )
+        return np.asarray(alg).ravel(), jacobian
+
+    if equations.algebraics.count == 0:
+        return start
+    try:
+        return Start(start.states, newton(lambda z: family(z, 1.0), start.algebraics))
+    except NewtonFailure:
+        pass  # far from the solution: come to it along the loads
+    try:
+        return Start(start.states, continuation(family, start.algebraics))
+    except NewtonFailure as failure:
+        raise _no_equilibrium(problem, failure, time) from failure
+
+
+def _no_equilibrium(problem: Problem, failure: NewtonFailure, time: float) -> SolveError:
+    percent = 100 * failure.reached
+    form = problem.equations.rod_form
+    remedy = (
+        "Lower the loads or the pressure, or take inertia in ('effects.inertia: on', "
+        "'run.start: rest') to follow the motion past the point where the static branch ends."
+        if form is not RodForm.ARCS
+        else "Check the network's tubes and pressures."
+    )
+    return SolveError(
+        f"no static equilibrium: Newton's iteration stops at {percent:.3g} % of the loads "
+        f"(largest defect {failure.residual:.2g})",
+        quantity="equilibrium",
+        where="rod" if form is not RodForm.ARCS else "network",
+        time_s=time,
+        remedy=remedy,
+    )
+

@@ -1,0 +1,158 @@
+"""Numbers with units: a bare number is SI, a text is read by pint.
+
+Each kind of quantity is an annotated float for pydantic models; inside the program
+every value is SI.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cache
+from typing import TYPE_CHECKING, Annotated, Any
+
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic_core import PydanticCustomError, core_schema
+
+if TYPE_CHECKING:
+    import pint
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of quantity: what it is called, its SI unit, and an example."""
+
+    name: str
+    unit: str
+    example: str
+
+    def parse(self, given: Any) -> float:
+        """Read a number (SI) or a text with a unit; raises a message for users."""
+        if isinstance(given, bool) or given is None:
+            raise self._refuse(f"{_shown(given)} is not a number")
+        if isinstance(given, (int, float)):
+            value = float(given)
+        elif isinstance(given, str):
+            value = self._read(given)
+        else:
+            raise self._refuse(f"{_shown(given)} is not a number")
+        if not math.isfinite(value):
+            raise self._refuse(f"{_shown(given)} is not finite")
+        return value
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_before_validator_function(self.parse, handler(source))
+
+    def __get_pydantic_json_schema__(
+        self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        bounds = {k: v for k, v in handler(schema).items() if k in ("minimum", "maximum")}
+        strict = ("exclusiveMinimum", "exclusiveMaximum")
+        bounds |= {k: v for k, v in handler(schema).items() if k in strict}
+        return {
+            "anyOf": [{"type": "number", **bounds}, {"type": "string", "pattern": "[0-9]"}],
+            "description": f"{self.name}, with a unit or in SI ({self.unit})",
+            "examples": [self.example],
+        }
+
+    def _read(self, text: str) -> float:
+        import pint
+
+        try:
+            quantity = registry().Quantity(text)
+        except pint.UndefinedUnitError as error:
+            names = error.args[0] if error.args else text
+            name = names if isinstance(names, str) else ", ".join(names)
+            raise self._refuse(f"'{text}': no unit is called '{name}'") from error
+        except Exception as error:  # pint's tokenizer raises what it likes on odd text
+            raise self._refuse(f"'{text}' is not a number with a unit") from error
+        if not _starts_with_number(text):
+            raise self._refuse(f"'{text}' has no number")
+        if quantity.dimensionless and self.unit not in ("1", "rad") and not _has_unit(text):
+            return float(quantity.magnitude)
+        wanted = registry().Quantity(Decimal(1), self.unit if self.unit != "1" else "")
+        if quantity.dimensionality != wanted.dimensionality:
+            raise self._refuse(f"'{text}' is {_dimension_words(quantity)}")
+        return float(quantity.to(wanted.units).magnitude)
+
+    def _refuse(self, complaint: str) -> PydanticCustomError:
+        article = "an" if self.name[0] in "aeiou" else "a"
+        message = f"{complaint}; {article} {self.name} is wanted, like '{self.example}'"
+        return PydanticCustomError("quantity", "{message}", {"message": message})
+
+
+def _starts_with_number(text: str) -> bool:
+    return bool(text.strip()) and text.strip()[0] in "+-.0123456789"
+
+
+def _has_unit(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return True
+    return False
+
+
+def _shown(given: Any) -> str:
+    words = {True: "on (or true)", False: "off (or false)", None: "nothing"}
+    if given is None or isinstance(given, bool):
+        return words[given]
+    if isinstance(given, dict):
+        return "a mapping"
+    if isinstance(given, list):
+        return "a list"
+    return f"{given!r}"
+
+
+@cache
+def registry() -> pint.UnitRegistry:
+    """The one unit registry; built at the first text with a unit."""
+    import pint
+
+    # Decimals inside, so that '18 mm' becomes 0.018 and not its neighbour.
+    return pint.UnitRegistry(autoconvert_offset_to_baseunit=True, non_int_type=Decimal)
+
+
+_KNOWN_DIMENSIONS = {
+    "[length]": "a length",
+    "[mass]": "a mass",
+    "[time]": "a time",
+    "[temperature]": "a temperature",
+    "[mass] / [length] / [time] ** 2": "a pressure",
+    "[length] * [mass] / [time] ** 2": "a force",
+    "[length] ** 2": "an area",
+    "[length] ** 3": "a volume",
+    "[mass] / [length] ** 3": "a density",
+    "1 / [time]": "a frequency",
+    "[length] / [time] ** 2": "an acceleration",
+    "[mass] / [length] / [time]": "a dynamic viscosity",
+    "dimensionless": "a plain number",
+}
+
+
+def _dimension_words(quantity: pint.Quantity) -> str:
+    dimension = str(quantity.dimensionality)
+    return _KNOWN_DIMENSIONS.get(dimension, f"of dimension {dimension}")
+
+
+Length = Annotated[float, Kind("length", "m", "37.5 mm")]
+Pressure = Annotated[float, Kind("pressure", "Pa", "40 kPa")]
+Time = Annotated[float, Kind("time", "s", "20 ms")]
+Frequency = Annotated[float, Kind("frequency", "Hz", "0.5 Hz")]
+Angle = Annotated[float, Kind("angle", "rad", "90 deg")]
+Temperature = Annotated[float, Kind("temperature", "K", "20 degC")]
+Force = Annotated[float, Kind("force", "N", "0.5 N")]
+Mass = Annotated[float, Kind("mass", "kg", "20 g")]
+Density = Annotated[float, Kind("density", "kg/m^3", "950 kg/m^3")]
+Viscosity = Annotated[float, Kind("dynamic viscosity", "Pa*s", "1.0 mPa*s")]
+Fraction = Annotated[float, Kind("fraction", "1", "0.5 %")]
+Acceleration = Annotated[float, Kind("acceleration", "m/s^2", "9.81 m/s^2")]
+AreaPerPressure = Annotated[float, Kind("area per pressure", "m^2/Pa", "3.413e-9 m^2/Pa")]
+AreaPerForce = Annotated[float, Kind("area per force", "m^2/N", "3.0e-7 m^2/N")]
+AreaPerMoment = Annotated[float, Kind("area per moment", "m^2/(N*m)", "1.2e-6 m^2/(N*m)")]
+GasConstant = Annotated[float, Kind("specific gas constant", "J/(kg*K)", "287 J/(kg*K)")]
+Volume = Annotated[float, Kind("volume", "m^3", "5 mL")]
+Voltage = Annotated[float, Kind("voltage", "V", "11.1 V")]
