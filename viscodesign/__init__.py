@@ -1,5 +1,57 @@
-"""Design soft actuators that move by the viscosity of their fluid."""
+"""Design soft actuators that move by the viscosity of their fluid.
+
+    from viscodesign import load, simulate
+    trajectory = simulate(load("leg.yaml"))
+    trajectory.frame()
+
+`load` reads a spec, `check` and `classify` judge it without solving, `simulate`
+follows its motion. Nothing here prints.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 from viscodesign._version import __version__
 
-__all__ = ["__version__"]
+if TYPE_CHECKING:
+    from viscodesign.checking import Check, check
+    from viscodesign.classifying import classify
+    from viscodesign.loading import load
+    from viscodesign.scene.scene import Scene
+    from viscodesign.simulating import simulate
+    from viscodesign.trajectory import Classification, Trajectory
+
+__all__ = [
+    "Check",
+    "Classification",
+    "Scene",
+    "Trajectory",
+    "__version__",
+    "check",
+    "classify",
+    "load",
+    "simulate",
+]
+
+_HOMES = {
+    "Check": "checking",
+    "Classification": "trajectory",
+    "Scene": "scene.scene",
+    "Trajectory": "trajectory",
+    "check": "checking",
+    "classify": "classifying",
+    "load": "loading",
+    "simulate": "simulating",
+}
+
+
+def __getattr__(name: str) -> object:
+    """Import a public name when it is first asked for: `--help` needs none of them."""
+    import importlib
+
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value

@@ -16,6 +16,8 @@ from viscodesign.trajectory import Invariants
 
 SHAPE_POINTS = 64
 """Points of a drawn axis, at least."""
+STANDSTILL = 1e-3
+"""Part of what is stored below which a motion counts as none in the balances."""
 ENERGY_NOISE = 1e-4
 """Part of the work by which the output grid may misjudge a work integral and still be told."""
 
@@ -212,9 +214,11 @@ def _volume_imbalance(problem: Problem, solution: Solution, rows: _Rows, end: in
     """Largest difference between what flowed in and what is stored, over what moved."""
     equations = problem.equations
     names = list(problem.bellows)
-    moved = np.max(np.abs(rows["volume"][:end] - rows["volume"][0]), initial=0.0)
-    if moved == 0.0:
-        return 0.0
+    # Where nothing moves, round-off is told against what is stored.
+    moved = max(
+        float(np.max(np.abs(rows["volume"][:end] - rows["volume"][0]))),
+        STANDSTILL * float(np.max(np.abs(rows["volume"][:end]))),
+    )
     worst = 0.0
     fed = np.zeros((0, end))
     if "inflow" in equations.states.blocks:
@@ -259,7 +263,12 @@ def _energy_imbalance(
         noise = noise + pump_noise
         scale = float(np.max(np.abs(pump)))
     lost = integrals.get("material_loss", np.zeros(end))
-    scale = max(scale, float(np.ptp(stored)), float(np.max(np.abs(coupling))))
+    scale = max(
+        scale,
+        float(np.ptp(stored)),
+        float(np.max(np.abs(coupling))),
+        STANDSTILL * float(np.max(np.abs(stored))),
+    )
     if scale == 0.0:
         return 0.0, 0.0
     coupled = float(coupling[-1]) if np.any(unpaired) else None

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Spec
 
 if TYPE_CHECKING:
-    from viscodesign.check import Check
+    from viscodesign import Check
 
 EXAMPLE = """\b
 Examples:
@@ -28,8 +28,7 @@ def command(
     Prints timescales, verdicts, the network's facts and warnings; solves nothing. With -o
     the same goes to DIR/check.json. A valid spec with warnings exits with 0.
     """
-    from viscodesign import load
-    from viscodesign.check import check
+    from viscodesign import check, load
     from viscodesign.cli.output import json_text, say, write_text
 
     found = check(load(spec, overrides or ()))

@@ -38,8 +38,7 @@ def command(
     Prints timescales, ratios and quadrant of each; solves nothing. With -o the same goes
     to DIR/classification.json. --set applies to every spec.
     """
-    from viscodesign import load
-    from viscodesign.classify import classify
+    from viscodesign import classify, load
     from viscodesign.cli.output import json_text, say, write_text
     from viscodesign.report.tables import classification_document
 

@@ -65,9 +65,8 @@ def notice_lines(notices: Iterable[Notice]) -> list[str]:
 
 def notice_text(notice: Notice) -> str:
     """A notice's message, with place and time where it has them."""
-    place = f"at {notice.where}" if notice.where else ""
     instant = f"t = {notice.time_s:.4g} s" if notice.time_s is not None else ""
-    spot = ", ".join(part for part in (place, instant) if part)
+    spot = ", ".join(part for part in (notice.where, instant) if part)
     return f"{notice.message} ({spot})" if spot else notice.message
 
 

@@ -23,9 +23,9 @@ def command(
     goes to DIR/spec.schema.json too.
     """
     from viscodesign.cli.output import json_text, say, write_text
-    from viscodesign.scene.schema import spec_schema
+    from viscodesign.loading import schema
 
-    document = json_text(spec_schema())
+    document = json_text(schema())
     if output is not None:
         write_text(output / "spec.schema.json", document + "\n", overwrite=True)
     if not quiet or _json:

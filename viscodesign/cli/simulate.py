@@ -53,11 +53,11 @@ def command(
     interrupted keeps what it computed, labelled as such.
     """
     from viscodesign import load
+    from viscodesign import simulate as solve
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.summary import summary_lines
     from viscodesign.report.files import write_run
-    from viscodesign.simulate import simulate as solve
 
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)

@@ -158,7 +158,8 @@ def rod_form(system: System) -> RodForm:
         return RodForm.DYNAMIC
     if not system.dissipation_power.is_zero():
         return RodForm.DAMPED
-    return RodForm.ARCS if system.load_potential.is_zero() else RodForm.STATIC
+    loaded = not (system.load_potential.is_zero() and system.tip_moment.is_zero())
+    return RodForm.STATIC if loaded else RodForm.ARCS
 
 
 class _Formulation:
@@ -248,8 +249,12 @@ class _Formulation:
         result = _substitute(expressions, self._resultant_symbols(), self._resultants())
         result = _substitute(
             result,
-            [rod.intrinsic_curvature, rod.intrinsic_stretch],
-            [ca.vertcat(*system.intrinsic_curvature), ca.vertcat(*system.intrinsic_stretch)],
+            [rod.intrinsic_curvature, rod.intrinsic_stretch, rod.tip_moment],
+            [
+                ca.vertcat(*system.intrinsic_curvature),
+                ca.vertcat(*system.intrinsic_stretch),
+                system.load_factor * system.tip_moment,
+            ],
         )
         if self.network_pressures:
             symbols, values = zip(*self.network_pressures, strict=True)
@@ -305,7 +310,11 @@ class _Formulation:
 
     def _forces(self) -> SX:
         rod = self.system.rod
-        potential = rod.elastic_potential() + self.system.load_factor * self.system.load_potential
+        potential = (
+            rod.elastic_potential()
+            + self.system.load_factor * self.system.load_potential
+            - rod.tip_moment * ca.sum1(rod.turns)
+        )
         forces = -ca.gradient(potential, ca.vec(rod.position))
         if self.rod_form in (RodForm.DYNAMIC, RodForm.DAMPED):
             # A Rayleigh function is half the power, its gradient the force.

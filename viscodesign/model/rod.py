@@ -100,6 +100,7 @@ class ChainRod:
         self.elastic_curvature = SX.sym("elastic_curvature", self.edges)
         self.intrinsic_curvature = SX.sym("intrinsic_curvature", body.sections)
         self.intrinsic_stretch = SX.sym("intrinsic_stretch", body.sections)
+        self.tip_moment = SX.sym("tip_moment")
         self._masses = [
             PointMass(mass_per_length * self.h * weight, self.position[:, i], self.velocity[:, i])
             for i, weight in enumerate(node_weights(self.edges))
@@ -134,6 +135,11 @@ class ChainRod:
         )
 
     @property
+    def tip_curvature(self) -> SX:
+        """Elastic curvature at the tip [1/m]: what a moment applied there asks for."""
+        return self.tip_moment / self.EI
+
+    @property
     def tributary_lengths(self) -> SX:
         """Reference length that each node's turn stands for: h/2 at the clamp, else h."""
         return self.h * ca.vertcat(0.5, SX.ones(self.edges - 1))
@@ -148,7 +154,7 @@ class ChainRod:
         kappa = self._per_edge(self.intrinsic_curvature)
         zeta = self._per_edge(self.intrinsic_stretch)
         rest = ca.vertcat(kappa[0] * self.h / 2, (kappa[:-1] + kappa[1:]) * self.h / 2)
-        measured = ca.vertcat((self.turns - rest) / self.tributary_lengths, 0)
+        measured = ca.vertcat((self.turns - rest) / self.tributary_lengths, self.tip_curvature)
         edge_curvature = kappa + (measured[:-1] + measured[1:]) / 2
         self.stretch = self.chord_lengths / (self.h * _sinc(edge_curvature * self.h / 2))
         self.elastic_stretch = self.stretch - 1 - zeta
@@ -166,7 +172,7 @@ class ChainRod:
 
     def node_angles(self) -> SX:
         """Angle of the tangent at nodes 1..edges (edges,) [rad], from +z, never wrapped."""
-        c = ca.vertcat(self.elastic_curvature, 0)
+        c = ca.vertcat(self.elastic_curvature, self.tip_curvature)
         chord_angles = ca.cumsum(self.turns)
         return chord_angles + self._kappa * self.h / 2 + self.h * (c[:-1] / 6 + c[1:] / 3)
 
@@ -175,7 +181,7 @@ class ChainRod:
     def compliance_product(self) -> SX:
         """W c: the elastic turn that the elastic curvature makes up (edges,) [rad]."""
         c = self.elastic_curvature
-        after = ca.vertcat(c[1:], 0)
+        after = ca.vertcat(c[1:], self.tip_curvature)
         before = ca.vertcat(0, c[:-1])
         own = ca.vertcat(1 / 3, SX.ones(self.edges - 1) * 2 / 3)
         return self.h * (before / 6 + own * c + after / 6)
@@ -187,7 +193,10 @@ class ChainRod:
         compatibility below holds, its value is the stored elastic energy.
         """
         c = self.elastic_curvature
-        bending = self.EI * (ca.dot(c, self.elastic_turns) - ca.dot(c, self.compliance_product()) / 2)
+        # The tip's curvature is given, so its share counts in full, not by half.
+        tip = self.h / 6 * self.tip_curvature * c[-1]
+        product = ca.dot(c, self.compliance_product()) + tip
+        bending = self.EI * (ca.dot(c, self.elastic_turns) - product / 2)
         extension = self.EA * self.h * ca.sumsqr(self.elastic_stretch) / 2
         return bending + extension
 

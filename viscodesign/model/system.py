@@ -69,6 +69,7 @@ class System:
         # The sums that effects join.
         self.kinetic_energy = SX(0)
         self.load_potential = SX(0)
+        self.tip_moment = SX(0)
         self.dissipation_power = SX(0)
         self.flow: dict[str, SX] = {}
         self.linear_volume, self.fluid_energy = self._linear_storage()

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from viscodesign.catalog import members
 from viscodesign.scene.base import Part, refuse, refuse_at
 from viscodesign.scene.fluids import __name__ as fluids_package
-from viscodesign.scene.fluids.base import FluidProperties, NamedFluid, isothermal_sound
+from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
 from viscodesign.units import Density, GasConstant, Pressure, Viscosity
 
 
@@ -54,7 +54,8 @@ class Fluid(Part):
             return named_fluids()[self.name].at(temperature, pressure)
         sound = None
         if self.gas_constant is not None:
-            sound = isothermal_sound(self.gas_constant, temperature)
+            # Isothermal: the lower, cautious one where the heat capacities are not known.
+            sound = math.sqrt(self.gas_constant * temperature)
         elif self.bulk_modulus is not None:
             sound = math.sqrt(self.bulk_modulus / self.density)
         return FluidProperties(

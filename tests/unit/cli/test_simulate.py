@@ -27,7 +27,7 @@ def solved(monkeypatch: pytest.MonkeyPatch) -> Callable[[Trajectory], None]:
     """Let the solver return a given run at once."""
 
     def fix(trajectory: Trajectory) -> None:
-        monkeypatch.setattr("viscodesign.simulate.simulate", lambda scene, **_: trajectory)
+        monkeypatch.setattr("viscodesign.simulate", lambda scene, **_: trajectory)
 
     return fix
 
@@ -109,7 +109,7 @@ def test_a_foreign_folder_is_refused_before_the_work(
     def never(scene: object, **_: object) -> None:
         raise AssertionError("solved before the folder was looked at")
 
-    monkeypatch.setattr("viscodesign.simulate.simulate", never)
+    monkeypatch.setattr("viscodesign.simulate", never)
     (tmp_path / "thesis.tex").write_text("mine")
     outcome = call("simulate", leg, "-o", tmp_path)
     assert outcome.status == 2

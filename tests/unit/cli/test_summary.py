@@ -44,8 +44,8 @@ def test_a_run_that_never_began(trajectory: Trajectory) -> None:
 def test_every_warning_once_with_its_code(trajectory: Trajectory) -> None:
     lines = notice_lines(trajectory.warnings)
     assert lines == [
-        "  negative_volume: below its floor (at R1, t = 0.25 s) [and 1 more of this kind]",
-        "  reynolds: turbulent (at inlet-R1)",
+        "  negative_volume: below its floor (R1, t = 0.25 s) [and 1 more of this kind]",
+        "  reynolds: turbulent (inlet-R1)",
     ]
 
 

@@ -1,9 +1,8 @@
-"""What a fluid is, and how a named one gets its properties."""
+"""What a fluid is, and what a named one must offer."""
 
 from __future__ import annotations
 
-import math
-from abc import ABC
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -22,7 +21,7 @@ class FluidProperties:
     gas_constant: float | None = None
     """Specific gas constant [J/(kg K)] of a gas."""
     bulk_modulus: float | None = None
-    """[Pa] of a liquid."""
+    """Isothermal [Pa], of a liquid."""
     vapour_pressure: float | None = None
     """Absolute [Pa], of a liquid where it is known."""
     speed_of_sound: float | None = None
@@ -35,49 +34,26 @@ class FluidProperties:
 
 
 class NamedFluid(ABC):
-    """A fluid of the property library CoolProp (Bell et al. 2014)."""
+    """A fluid whose properties a library knows; a member is a file with one subclass."""
 
     name: ClassVar[str]
-    library_name: ClassVar[str]
-    gas: ClassVar[bool]
+    coldest: ClassVar[float]
+    """Lowest temperature of the correlations [K]."""
+    hottest: ClassVar[float]
+    """Highest temperature of the correlations [K]."""
 
     @classmethod
     def at(cls, temperature: float, pressure: float) -> FluidProperties:
-        """Properties at ``temperature`` [K] and absolute ``pressure`` [Pa]."""
-        from CoolProp.CoolProp import PropsSI
-
-        def value(what: str) -> float:
-            return float(PropsSI(what, "T", temperature, "P", pressure, cls.library_name))
-
-        try:
-            density, sound = value("D"), value("A")
-            vapour = None
-            if not cls.gas:
-                vapour = float(PropsSI("P", "T", temperature, "Q", 0, cls.library_name))
-                if pressure <= vapour:
-                    raise refuse_at(
-                        "temperature", f"{cls.name} boils at {temperature:g} K and {pressure:g} Pa"
-                    )
-            viscosity = value("V")
-        except ValueError as error:
-            if cls.__name__ in str(error):
-                raise
+        """Properties at ``temperature`` [K] and absolute ``pressure`` [Pa]; a fault outside."""
+        if not cls.coldest <= temperature <= cls.hottest:
             raise refuse_at(
                 "temperature",
-                f"{cls.name} has no properties at {temperature:g} K and {pressure:g} Pa absolute: "
-                f"{str(error).split(':')[0].strip()}",
-            ) from error
-        return FluidProperties(
-            name=cls.name,
-            viscosity=viscosity,
-            density=density,
-            gas_constant=pressure / (density * temperature) if cls.gas else None,
-            bulk_modulus=None if cls.gas else density * sound**2,
-            vapour_pressure=vapour,
-            speed_of_sound=sound,
-        )
+                f"{temperature:g} K is given; the properties of {cls.name} are known from "
+                f"{cls.coldest:g} K to {cls.hottest:g} K",
+            )
+        return cls.properties(temperature, pressure)
 
-
-def isothermal_sound(gas_constant: float, temperature: float) -> float:
-    """Isothermal speed of sound of an ideal gas, sqrt(R T) [m/s]: the lower, cautious one."""
-    return math.sqrt(gas_constant * temperature)
+    @classmethod
+    @abstractmethod
+    def properties(cls, temperature: float, pressure: float) -> FluidProperties:
+        """The same, inside of the range of temperatures."""

@@ -11,7 +11,7 @@ import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.build import Settings, build, suggest_settings
-from viscodesign.classify import classification
+from viscodesign.classifying import classification
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from viscodesign.classify import classification
+from viscodesign.classifying import classification
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
 from viscodesign.report.tables import check_document

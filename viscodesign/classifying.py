@@ -54,6 +54,10 @@ def _meaning(quadrant: str, scales: Scales) -> str:
     if quadrant in ("I", "IV"):
         return text
     ratio = scales.ratios["tnet_over_ti"]
+    if math.isinf(scales.t_i):
+        return f"{text}; the input never changes"
+    if scales.t_i == 0.0:
+        return f"{text}; the input jumps, and the network takes {scales.t_net:.3g} s to follow"
     if scales.t_net == 0.0:
         return f"{text}; no tube separates the bellows from their inlet"
     if ratio < NEARLY_UNIFORM:

@@ -1,0 +1,27 @@
+"""Reading a spec with this version's effects in mind."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from viscodesign.effects.select import RESERVED_EFFECTS, effect_names
+from viscodesign.scene.load import KnownEffects, load_scene
+from viscodesign.scene.scene import Scene
+from viscodesign.scene.schema import spec_schema
+
+
+def known_effects() -> KnownEffects:
+    """Names that a spec may use under `effects:`."""
+    return KnownEffects(effect_names(), RESERVED_EFFECTS)
+
+
+def load(path: str | Path, overrides: Sequence[str] = ()) -> Scene:
+    """Read a spec; ``overrides`` are 'key.path=value'. Raises `SpecError` with every fault."""
+    return load_scene(path, overrides, known_effects())
+
+
+def schema() -> dict[str, Any]:
+    """The spec's JSON Schema, for editors."""
+    return spec_schema(known_effects())
