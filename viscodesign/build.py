@@ -41,9 +41,7 @@ class Settings:
 def suggest_settings(conditions: Conditions) -> Settings:
     """Mesh and tolerance that should meet the scene's accuracy; a run then measures it."""
     accuracy, body = conditions.accuracy, conditions.body
-    wanted = max(
-        MINIMUM_EDGES, COARSE_EDGES * max(1.0, COARSE_ACCURACY / accuracy) ** (1 / 3)
-    )
+    wanted = max(MINIMUM_EDGES, COARSE_EDGES * max(1.0, COARSE_ACCURACY / accuracy) ** (1 / 3))
     # One bellow of a section at the highest pressure, the other at the lowest.
     turn = (
         conditions.pressure_range
@@ -125,7 +123,9 @@ def schedule(scene: Scene) -> Schedule:
     edges = _merge(np.concatenate([times, stops]), duration)
     interval = np.searchsorted(stops, (edges[:-1] + edges[1:]) / 2, side="right") - 1
     sources = scene.inputs.values()
-    pieces = np.concatenate([s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))], 1)
+    pieces = np.concatenate(
+        [s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))], 1
+    )
     initial = np.concatenate([s.initial_piece() for s in sources] or [np.zeros(0)])
     outputs = np.searchsorted(edges, times - 1e-12 * duration)
     return Schedule(edges, pieces[interval], outputs, initial)

@@ -76,7 +76,7 @@ class PumpError(ViscodesignError):
     exit_code = 4
 
 
-class Interrupted(ViscodesignError):
+class InterruptedRunError(ViscodesignError):
     """The user stopped the work; what was computed is kept."""
 
     exit_code = 130

@@ -10,7 +10,7 @@ from scipy.interpolate import CubicSpline
 from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.formulation import NetworkForm, RodForm
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.transient import Solution
 from viscodesign.trajectory import Invariants
 
@@ -104,7 +104,8 @@ def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     count = solution.reached
     # A state just before a corner belongs to the interval that ends there.
     piece = schedule.pieces[np.maximum(np.arange(count) - 1, 0)].T
-    results = equations.output_function.map(count)(
+    results = evaluate(
+        equations.output_function.map(count),
         solution.states,
         solution.algebraics,
         schedule.edges[:count],

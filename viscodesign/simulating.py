@@ -58,11 +58,9 @@ def simulate(scene: Scene, *, verify: bool = True, progress: Progress | None = N
     refiner = _Refiner(conditions, effects, progress)
     run = refiner.solve(suggest_settings(conditions))
     error: float | None = None
-    verify_s = 0.0
     if verify and _complete(run):
-        began = clock.perf_counter()
         run, error = refiner.refine(run)
-        verify_s = clock.perf_counter() - began - run.solve_s - run.build_s
+    verify_s = refiner.spent_s - run.build_s - run.solve_s
     return _trajectory(conditions, tuple(verdicts), run, error, verify, verify_s)
 
 
@@ -79,6 +77,7 @@ class _Refiner:
         self.conditions = conditions
         self.effects = effects
         self.progress = progress
+        self.spent_s = 0.0
 
     def solve(self, settings: Settings) -> _Run:
         """Build and solve once."""
@@ -94,7 +93,10 @@ class _Refiner:
         solution = integrate(problem, start, settings.tolerance, self.progress)
         solved = clock.perf_counter()
         motion = read_motion(problem, solution)
-        return _Run(settings, problem, motion, solution, built - began, solved - built)
+        compile_s = solution.work.compile_s
+        build_s, solve_s = built - began + compile_s, solved - built - compile_s
+        self.spent_s += build_s + solve_s
+        return _Run(settings, problem, motion, solution, build_s, solve_s)
 
     def refine(self, run: _Run) -> tuple[_Run, float | None]:
         """Refine until the tip no longer moves by more than the accuracy asked for."""
@@ -170,9 +172,7 @@ def _trajectory(
     )
 
 
-def _outcome(
-    conditions: Conditions, run: _Run, error: float | None
-) -> tuple[Status, str | None]:
+def _outcome(conditions: Conditions, run: _Run, error: float | None) -> tuple[Status, str | None]:
     """How the run ended, and the message where it ended badly."""
     requested = conditions.accuracy * conditions.body.length
     if run.solution.interrupted:
@@ -206,7 +206,7 @@ def _cost(run: _Run, verify_s: float) -> Cost:
     return Cost(
         build_s=run.build_s,
         solve_s=run.solve_s,
-        verify_s=max(0.0, verify_s),
+        verify_s=verify_s,
         steps=work.steps,
         residual_calls=work.residual_calls,
         jacobian_calls=work.jacobian_calls,

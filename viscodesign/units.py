@@ -62,7 +62,7 @@ class Kind:
         import pint
 
         try:
-            quantity = registry().Quantity(text)
+            quantity: pint.Quantity[Any] = registry().Quantity(text)
         except pint.UndefinedUnitError as error:
             names = error.args[0] if error.args else text
             name = names if isinstance(names, str) else ", ".join(names)
@@ -108,7 +108,7 @@ def _shown(given: Any) -> str:
 
 
 @cache
-def registry() -> pint.UnitRegistry:
+def registry() -> pint.UnitRegistry[Any]:
     """The one unit registry; built at the first text with a unit."""
     import pint
 
@@ -133,7 +133,7 @@ _KNOWN_DIMENSIONS = {
 }
 
 
-def _dimension_words(quantity: pint.Quantity) -> str:
+def _dimension_words(quantity: pint.Quantity[Any]) -> str:
     dimension = str(quantity.dimensionality)
     return _KNOWN_DIMENSIONS.get(dimension, f"of dimension {dimension}")
 

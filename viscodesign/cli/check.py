@@ -42,10 +42,15 @@ def command(
 
 
 def _lines(found: Check) -> list[str]:
-    from viscodesign.cli.describe import notice_lines, quadrant_lines, scale_lines, verdict_lines
+    from viscodesign.cli.describe import (
+        full_notice_lines,
+        quadrant_lines,
+        scale_lines,
+        verdict_lines,
+    )
     from viscodesign.cli.text import wrap
 
-    warnings = notice_lines(found.warnings)
+    warnings = full_notice_lines(found.warnings)
     return [
         *quadrant_lines(found.classification),
         "",

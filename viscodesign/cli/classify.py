@@ -89,9 +89,12 @@ def _lines(found: Sequence[Classification]) -> list[str]:
 
 
 def _meanings(found: Sequence[Classification]) -> list[str]:
-    from viscodesign.cli.describe import notice_lines, quadrant_lines
+    from viscodesign.cli.describe import quadrant_lines
+    from viscodesign.cli.text import wrap
 
     lines: list[str] = []
     for c in found:
-        lines += [*quadrant_lines(c), *notice_lines(c.warnings)]
+        lines += quadrant_lines(c)
+        codes = ", ".join(dict.fromkeys(notice.code for notice in c.warnings))
+        lines += wrap(f"warnings (see check): {codes}", "  ", "    ") if codes else []
     return lines

@@ -51,7 +51,7 @@ def verdict_lines(effects: Sequence[Verdict]) -> list[str]:
 
 
 def notice_lines(notices: Iterable[Notice]) -> list[str]:
-    """Every code once: its first notice, and how many more there are."""
+    """Every code once, as a run may warn at many places and times; then how many more."""
     first: dict[str, Notice] = {}
     count: dict[str, int] = {}
     for notice in notices:
@@ -61,6 +61,12 @@ def notice_lines(notices: Iterable[Notice]) -> list[str]:
     for code, notice in first.items():
         lines += wrap(f"{code}: {notice_text(notice)}{_more(count[code] - 1)}", "  ", "    ")
     return lines
+
+
+def full_notice_lines(notices: Iterable[Notice]) -> list[str]:
+    """Every notice in full: before a run there are few, and each says something else."""
+    texts = dict.fromkeys(f"{notice.code}: {notice_text(notice)}" for notice in notices)
+    return [line for text in texts for line in wrap(text, "  ", "    ")]
 
 
 def notice_text(notice: Notice) -> str:

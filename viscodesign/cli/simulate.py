@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
-from viscodesign.errors import Interrupted, ViscodesignError
+from viscodesign.errors import InterruptedRunError, ViscodesignError
 
 if TYPE_CHECKING:
     from viscodesign.trajectory import Trajectory
@@ -93,4 +93,4 @@ def _end(trajectory: Trajectory, folder: Path) -> None:
     if trajectory.status == "failed":
         raise RunFailedError(f"{message}\n{kept}")
     if trajectory.status == "interrupted":
-        raise Interrupted(f"{message}\n{kept}")
+        raise InterruptedRunError(f"{message}\n{kept}")

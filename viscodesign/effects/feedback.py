@@ -29,7 +29,9 @@ class Feedback(Effect):
 
     def weight(self, conditions: Conditions) -> float:
         force = conditions.load_force
-        area = (abs(self.area_per_force) + abs(self.area_per_moment) * conditions.body.length) * force
+        area = (
+            abs(self.area_per_force) + abs(self.area_per_moment) * conditions.body.length
+        ) * force
         return area / (conditions.scene.bellows.area_per_pressure * conditions.swing)
 
     def reason(self, conditions: Conditions) -> str:

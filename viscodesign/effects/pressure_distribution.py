@@ -36,7 +36,9 @@ class PressureDistribution(Effect):
         if not conditions.graph.tubes:
             return "no tube joins anything"
         scales = conditions.scales
-        return f"the network settles in {scales.t_net:.3g} s, the input swings in {scales.t_i:.3g} s"
+        return (
+            f"the network settles in {scales.t_net:.3g} s, the input swings in {scales.t_i:.3g} s"
+        )
 
     def join(self, system: System) -> None:
         for tube in system.graph.tubes:

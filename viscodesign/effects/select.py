@@ -26,7 +26,7 @@ RESERVED_EFFECTS = (
 @cache
 def catalogue() -> dict[str, type[Effect]]:
     """Every effect of this version by name, in the order of judgement."""
-    return members(effects.__name__, Effect)
+    return members(effects.__name__, Effect)  # type: ignore[type-abstract]
 
 
 def effect_names() -> tuple[str, ...]:

@@ -169,9 +169,7 @@ class _Formulation:
         self.system = system
         self.sizes = sizes
         self.rod_form = rod_form(system)
-        self.network_form = (
-            NetworkForm.DISTRIBUTED if system.flow else NetworkForm.UNIFORM
-        )
+        self.network_form = NetworkForm.DISTRIBUTED if system.flow else NetworkForm.UNIFORM
         self.components = tuple(system.graph.components())
         self.fed = [c for c in self.components if c.fed]
         self.sealed = [c for c in self.components if not c.fed and c.bellows]
@@ -514,7 +512,9 @@ class _Formulation:
             static_function=ca.Function(
                 "equilibrium", [y, *tail], [static, ca.jacobian(static, y), *static_values]
             ),
-            algebraic_function=ca.Function("constraints", [x, z, *tail], [alg, ca.jacobian(alg, z)]),
+            algebraic_function=ca.Function(
+                "constraints", [x, z, *tail], [alg, ca.jacobian(alg, z)]
+            ),
             output_function=ca.Function(
                 "outputs", [x, z, *tail], list(outputs.values()), _names(7), list(outputs)
             ),

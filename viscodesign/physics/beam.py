@@ -7,9 +7,7 @@ import math
 import numpy as np
 
 
-def extension_stiffness(
-    youngs_modulus: float, height: float, width: float, factor: float
-) -> float:
+def extension_stiffness(youngs_modulus: float, height: float, width: float, factor: float) -> float:
     r"""Extension stiffness of the cross section [N].
 
     .. math:: EA = E h_s w_s f_e
@@ -41,9 +39,7 @@ def mass_per_length(density: float, height: float, width: float, solid_fraction:
     return density * height * width * solid_fraction
 
 
-def elastic_inertial_time(
-    mass_per_length: float, length: float, bending_stiffness: float
-) -> float:
+def elastic_inertial_time(mass_per_length: float, length: float, bending_stiffness: float) -> float:
     r"""Elastic-inertial time of the solid [s].
 
     .. math:: t_s = \sqrt{m l^4 / (E I)}
@@ -54,12 +50,10 @@ def elastic_inertial_time(
     return math.sqrt(mass_per_length * length**4 / bending_stiffness)
 
 
-def inner_fibre_stretch(
-    length: np.ndarray, height: float, turn: np.ndarray
-) -> np.ndarray:
+def inner_fibre_stretch(length: np.ndarray, height: float, turn: np.ndarray) -> np.ndarray:
     """Length of the inner side of a bent section, over the length of its axis [1].
 
     ``length`` of the axis [m], ``height`` in the plane of bending [m], ``turn``
     [rad]. At or below zero the neighbouring sections touch.
     """
-    return 1.0 - np.abs(turn) * height / 2 / np.maximum(length, 1e-300)
+    return np.asarray(1.0 - np.abs(turn) * height / 2 / np.maximum(length, 1e-300))

@@ -24,9 +24,7 @@ def viscous_elastic_time(
     return viscosity * area_per_pressure / (a_0 * epsilon_1**2)
 
 
-def slowest_network_time(
-    conductance: np.ndarray, compliance: np.ndarray, *, sealed: bool
-) -> float:
+def slowest_network_time(conductance: np.ndarray, compliance: np.ndarray, *, sealed: bool) -> float:
     """Slowest time constant of one connected resistor-capacitor network [s].
 
     ``conductance`` (B, B): symmetric, of the nodes with volume, fixed pressures

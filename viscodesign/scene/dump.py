@@ -23,7 +23,7 @@ def _model(part: BaseModel) -> dict[str, Any]:
     data: dict[str, Any] = {}
     for name, found in type(part).model_fields.items():
         value = getattr(part, name)
-        if value is None and not (name == "gravity"):
+        if value is None and name != "gravity":
             continue
         data[found.alias or name] = _value(value, found)
     return data

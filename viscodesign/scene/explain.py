@@ -58,7 +58,9 @@ def _key_path(detail: ErrorDetails) -> tuple[str, ...]:
     if cleaned[:1] == ["effects"] and cleaned[1:2] == ["modes"]:
         cleaned = ["effects", *cleaned[2:]]
     below = (detail.get("ctx") or {}).get("below", "")
-    return tuple(cleaned + (below.split(".") if below and "-" not in below else [below] * bool(below)))
+    return tuple(
+        cleaned + (below.split(".") if below and "-" not in below else [below] * bool(below))
+    )
 
 
 def _message(detail: ErrorDetails, path: tuple[str, ...]) -> str:
@@ -75,7 +77,9 @@ def _message(detail: ErrorDetails, path: tuple[str, ...]) -> str:
         return f"{given!r} is given; allowed are values {words} {context[name]:g} (SI)"
     if kind == "literal_error":
         known = [word.strip("'\" ") for word in context["expected"].replace(" or ", ",").split(",")]
-        return f"{given!r} is given; allowed are {', '.join(known)}{did_you_mean(str(given), known)}"
+        return (
+            f"{given!r} is given; allowed are {', '.join(known)}{did_you_mean(str(given), known)}"
+        )
     if kind == "union_tag_invalid":
         return _input_kind(str(context.get("tag")))
     if kind in _WANTED:

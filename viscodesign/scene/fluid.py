@@ -17,7 +17,7 @@ from viscodesign.units import Density, GasConstant, Pressure, Viscosity
 @cache
 def named_fluids() -> dict[str, type[NamedFluid]]:
     """Fluids that a spec may call by name."""
-    return members(fluids_package, NamedFluid)
+    return members(fluids_package, NamedFluid)  # type: ignore[type-abstract]
 
 
 class Fluid(Part):

@@ -65,9 +65,9 @@ def _read(file: Path) -> bytes:
         return file.read_bytes()
     except OSError as error:
         reason = error.strerror or "cannot be read"
-        raise SpecError([Fault(f"{reason}; write one with 'viscodesign init'", file=str(file))]) from (
-            error
-        )
+        raise SpecError(
+            [Fault(f"{reason}; write one with 'viscodesign init'", file=str(file))]
+        ) from (error)
 
 
 def _override(document: Document, override: str) -> None:
@@ -82,7 +82,9 @@ def _override(document: Document, override: str) -> None:
         if isinstance(here, list):
             index = int(part) if part.isdigit() else -1
             if not 0 <= index < len(here):
-                raise SpecError([Fault(f"'{part}' is no place in a list of {len(here)}", file=place)])
+                raise SpecError(
+                    [Fault(f"'{part}' is no place in a list of {len(here)}", file=place)]
+                )
             here = here[index]
             continue
         if not isinstance(here.get(part), (dict, list)):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections import Counter
 from typing import Literal
@@ -96,7 +97,7 @@ def _chain_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> Gr
         )
     order = straight_order if network.layout == "straight" else crossed_order
     nodes = [inlets[0], *order(sections)]
-    ends = list(zip(nodes, nodes[1:], strict=False))
+    ends = list(itertools.pairwise(nodes))
     names = {f"{a}-{b}": f"{a}-{b}" for a, b in ends} | {f"{b}-{a}": f"{a}-{b}" for a, b in ends}
     changed: dict[str, TubeChange] = {}
     for key, change in network.changes.items():
@@ -152,9 +153,7 @@ def _custom_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> G
     return graph
 
 
-def _check_node(
-    key: str, node: str, sections: int, known: set[str], ends: Counter[str]
-) -> None:
+def _check_node(key: str, node: str, sections: int, known: set[str], ends: Counter[str]) -> None:
     """A node that is neither bellow nor inlet is a junction, unless it looks like a slip."""
     if node in known:
         return

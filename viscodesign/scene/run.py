@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import Literal
 
 import numpy as np
@@ -48,7 +49,7 @@ class Run(Part):
             raise refuse_at("output_times", "the list is empty; at least one time is needed")
         if len(times) > MOST_OUTPUTS:
             raise refuse_at("output_times", f"{len(times)} times; at most {MOST_OUTPUTS}")
-        for k, (before, after) in enumerate(zip(times, times[1:], strict=False)):
+        for k, (before, after) in enumerate(itertools.pairwise(times)):
             if after <= before:
                 raise refuse_at(
                     "output_times",

@@ -47,7 +47,9 @@ def read_document(text: bytes, file: str) -> Document:
             raise SpecError([Fault("is empty; write a spec with 'viscodesign init'", file=file)])
         nodes = list(yaml.compose_all(decoded, Loader=yaml.CSafeLoader))
     except UnicodeDecodeError as error:
-        raise SpecError([Fault("is not a text in UTF-8; a YAML file is wanted", file=file)]) from error
+        raise SpecError(
+            [Fault("is not a text in UTF-8; a YAML file is wanted", file=file)]
+        ) from error
     except (yaml.YAMLError, RecursionError) as error:
         raise SpecError([_syntax_fault(error, file)]) from error
     if len(nodes) != 1 or nodes[0] is None:
@@ -71,7 +73,7 @@ def parse_scalar(text: str, place: str) -> Any:
     except yaml.YAMLError as error:
         raise SpecError([Fault("the value is not YAML", file=place)]) from error
     reader = _Reader(Document(place, {}))
-    value = reader.read(node, (), 0)
+    value = reader.read(node, (), 0) if node is not None else None
     if reader.faults:
         raise SpecError(reader.faults)
     return value
@@ -107,7 +109,9 @@ class _Reader:
             for k, item in enumerate(node.value):
                 self.document.lines[(*path, str(k))] = item.start_mark.line + 1
             return [self.read(v, (*path, str(k)), depth + 1) for k, v in enumerate(node.value)]
-        return self._scalar(node, path)
+        if isinstance(node, yaml.ScalarNode):
+            return self._scalar(node, path)
+        raise TypeError(f"a YAML node of kind {type(node).__name__}")
 
     def _mapping(self, node: yaml.MappingNode, path: KeyPath, depth: int) -> dict[str, Any]:
         data: dict[str, Any] = {}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import casadi as ca
 import numpy as np
@@ -18,7 +19,7 @@ MAX_ITERATIONS = 40
 SMALLEST_STEP = 1.0 / 1024
 
 
-class NewtonFailure(Exception):
+class NewtonError(Exception):
     """Newton's iteration came to a stop short of a solution.
 
     ``residual``: largest defect, in sizes of the terms; ``worst``: its index;
@@ -35,7 +36,7 @@ class NewtonFailure(Exception):
 def newton(function: Residual, start: np.ndarray) -> np.ndarray:
     """Solve function(y) = 0 from ``start`` (n,), dimensionless.
 
-    Raises `NewtonFailure` where the defect cannot be reduced.
+    Raises `NewtonError` where the defect cannot be reduced.
     """
     y = start.copy()
     residual, jacobian = function(y)
@@ -52,7 +53,7 @@ def newton(function: Residual, start: np.ndarray) -> np.ndarray:
         size = new_size
     if size <= CONVERGED:
         return y
-    raise NewtonFailure(size, int(np.argmax(np.abs(residual))))
+    raise NewtonError(size, int(np.argmax(np.abs(residual))))
 
 
 def _advance(
@@ -68,13 +69,13 @@ def _advance(
             return trial, residual, jacobian, new_size
         fraction /= 2
         if fraction < SMALLEST_STEP:
-            raise NewtonFailure(size, int(np.argmax(np.abs(residual))))
+            raise NewtonError(size, int(np.argmax(np.abs(residual))))
 
 
 def continuation(family: Family, start: np.ndarray) -> np.ndarray:
     """Follow family(y, s) = 0 from ``start`` at s = 0 to s = 1, as fast as Newton allows.
 
-    Raises `NewtonFailure` with the load factor reached, where the branch ends.
+    Raises `NewtonError` with the load factor reached, where the branch ends.
     """
     y, reached, step = start, 0.0, 1.0
     previous: tuple[np.ndarray, float] | None = None
@@ -82,22 +83,26 @@ def continuation(family: Family, start: np.ndarray) -> np.ndarray:
         target = min(1.0, reached + step)
         guess = y if previous is None else _extrapolate(previous, (y, reached), target)
         try:
-            found = newton(lambda v, s=target: family(v, s), guess)
-        except NewtonFailure as failure:
+            found = newton(partial(_at, family, target), guess)
+        except NewtonError as failure:
             step /= 2
             if step < SMALLEST_STEP:
-                raise NewtonFailure(failure.residual, failure.worst, reached) from failure
+                raise NewtonError(failure.residual, failure.worst, reached) from failure
             continue
         previous, y, reached = (y, reached), found, target
         step *= 2
     return y
 
 
+def _at(family: Family, load: float, y: np.ndarray) -> tuple[np.ndarray, ca.DM]:
+    return family(y, load)
+
+
 def _extrapolate(
     before: tuple[np.ndarray, float], now: tuple[np.ndarray, float], target: float
 ) -> np.ndarray:
     slope = (now[0] - before[0]) / (now[1] - before[1])
-    return now[0] + slope * (target - now[1])
+    return np.asarray(now[0] + slope * (target - now[1]))
 
 
 def _solve(jacobian: ca.DM, residual: np.ndarray) -> np.ndarray:
@@ -107,7 +112,7 @@ def _solve(jacobian: ca.DM, residual: np.ndarray) -> np.ndarray:
     except RuntimeError:  # SuperLU's word for an exactly singular matrix
         step = np.full_like(residual, np.nan)
     if not np.all(np.isfinite(step)):
-        raise NewtonFailure(_norm(residual), int(np.argmax(np.abs(residual))))
+        raise NewtonError(_norm(residual), int(np.argmax(np.abs(residual))))
     return step
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import casadi as ca
 import numpy as np
 
 from viscodesign.model.formulation import Equations
@@ -45,10 +46,15 @@ class Problem:
 
     def numbers(self, load_factor: float = 1.0) -> np.ndarray:
         """The parameter vector of the integrator: load factor, sealed volumes, parameters."""
-        return np.concatenate(
-            [[load_factor], self.sealed_volumes, self.equations.parameter_values]
-        )
+        return np.concatenate([[load_factor], self.sealed_volumes, self.equations.parameter_values])
 
-    def tail(self, time: float, piece: np.ndarray, load_factor: float = 1.0) -> list[object]:
+    def tail(
+        self, time: float, piece: np.ndarray, load_factor: float = 1.0
+    ) -> tuple[float | np.ndarray, ...]:
         """Arguments that follow the unknowns in every function of the equations."""
-        return [time, piece, load_factor, self.sealed_volumes, self.equations.parameter_values]
+        return (time, piece, load_factor, self.sealed_volumes, self.equations.parameter_values)
+
+
+def evaluate(function: ca.Function, *arguments: float | np.ndarray) -> list[ca.DM]:
+    """Call a CasADi function with numbers."""
+    return list(function.call([ca.DM(argument) for argument in arguments]))

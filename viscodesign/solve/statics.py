@@ -10,8 +10,8 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.formulation import RodForm, Unknowns
-from viscodesign.solve.newton import NewtonFailure, continuation, newton
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.newton import NewtonError, continuation, newton
+from viscodesign.solve.problem import Problem, evaluate
 
 
 @dataclass(frozen=True)
@@ -32,12 +32,14 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray) -> Start:
     guess = _unloaded(problem, time, piece)
 
     def family(y: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
-        residual, jacobian, *_ = equations.static_function(y, *problem.tail(time, piece, load))
+        residual, jacobian, *_ = evaluate(
+            equations.static_function, y, *problem.tail(time, piece, load)
+        )
         return np.asarray(residual).ravel(), jacobian
 
     try:
         y = continuation(family, guess)
-    except NewtonFailure as failure:
+    except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
     return _from_statics(problem, y, time, piece)
 
@@ -62,17 +64,22 @@ def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
 
     def network(p: np.ndarray) -> tuple[np.ndarray, ca.DM]:
         y[fluid] = p
-        residual, jacobian, *_ = equations.static_function(y, *tail)
+        residual, jacobian, *_ = evaluate(equations.static_function, y, *tail)
         return np.asarray(residual).ravel()[fluid], jacobian[fluid.tolist(), fluid.tolist()]
 
     if fluid.size:
         y[fluid] = newton(network, y[fluid])
     if "position" in statics.blocks:
-        _, _, _, curvature, stretch = equations.static_function(y, *tail)
-        y[statics.blocks["position"].span] = _arc_positions(
-            problem, np.asarray(curvature).ravel(), np.asarray(stretch).ravel()
-        )
+        _bend_to_arcs(problem, y, tail)
     return y
+
+
+def _bend_to_arcs(problem: Problem, y: np.ndarray, tail: tuple[float | np.ndarray, ...]) -> None:
+    """Put the nodes on the arcs that the pressures in ``y`` ask for."""
+    _, _, _, curvature, stretch = evaluate(problem.equations.static_function, y, *tail)
+    y[problem.equations.statics.blocks["position"].span] = _arc_positions(
+        problem, np.asarray(curvature).ravel(), np.asarray(stretch).ravel()
+    )
 
 
 def _arc_positions(
@@ -86,13 +93,13 @@ def _arc_positions(
     positions, _ = arc_nodes(
         curvature[None, :], 1 + stretch[None, :], body.section_length, count // body.sections
     )
-    return positions[0].ravel() / body.length
+    return np.asarray(positions[0].ravel() / body.length)
 
 
 def _from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarray) -> Start:
     """Spread the static unknowns over states and algebraic unknowns; all is still."""
     equations = problem.equations
-    _, _, volume, *_ = equations.static_function(y, *problem.tail(time, piece))
+    _, _, volume, *_ = evaluate(equations.static_function, y, *problem.tail(time, piece))
     known = {name: y[block.span] for name, block in equations.statics.blocks.items()}
     if "volume" in equations.states.blocks:
         size = equations.states.blocks["volume"].size
@@ -115,14 +122,19 @@ def rest(problem: Problem, piece: np.ndarray) -> Start:
     for name, block in statics.blocks.items():
         if "pressure" in name:
             y[block.span] = problem.baseline / block.size
-    if "position" in statics.blocks:
+    if equations.rod_form is RodForm.STATIC:
+        # Without inertia no rod stays straight under pressure: it starts unstrained.
+        _bend_to_arcs(problem, y, problem.tail(0.0, piece, 0.0))
+    elif "position" in statics.blocks:
         y[statics.blocks["position"].span] = _arc_positions(problem, None, None)
     start = _from_statics(problem, y, 0.0, piece)
     if equations.rod_form in (RodForm.STATIC, RodForm.ARCS) or "volume" not in states.blocks:
         return start
     # A rod held straight under pressure bears moments, and they take their volume.
     algebraics = _solve_block(problem, start, "elastic_curvature", piece)
-    ode_alg = equations.algebraic_function(start.states, algebraics, *problem.tail(0.0, piece))
+    ode_alg = evaluate(
+        equations.algebraic_function, start.states, algebraics, *problem.tail(0.0, piece)
+    )
     defect = np.asarray(ode_alg[0]).ravel()[equations.algebraics.blocks["pressure"].span]
     x = start.states.copy()
     x[states.blocks["volume"].span] -= defect
@@ -135,12 +147,11 @@ def _solve_block(problem: Problem, start: Start, name: str, piece: np.ndarray) -
     span = equations.algebraics.blocks[name].span
     rows = list(range(span.start, span.stop))
     z = start.algebraics.copy()
+    tail = problem.tail(0.0, piece)
 
     def block(values: np.ndarray) -> tuple[np.ndarray, ca.DM]:
         z[span] = values
-        alg, jacobian = equations.algebraic_function(
-            start.states, z, *problem.tail(0.0, piece)
-        )
+        alg, jacobian = evaluate(equations.algebraic_function, start.states, z, *tail)
         return np.asarray(alg).ravel()[span], jacobian[rows, rows]
 
     z[span] = newton(block, z[span])
@@ -155,8 +166,8 @@ def consistent(problem: Problem, start: Start, time: float, piece: np.ndarray) -
     equations = problem.equations
 
     def family(z: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
-        alg, jacobian = equations.algebraic_function(
-            start.states, z, *problem.tail(time, piece, load)
+        alg, jacobian = evaluate(
+            equations.algebraic_function, start.states, z, *problem.tail(time, piece, load)
         )
         return np.asarray(alg).ravel(), jacobian
 
@@ -164,15 +175,15 @@ def consistent(problem: Problem, start: Start, time: float, piece: np.ndarray) -
         return start
     try:
         return Start(start.states, newton(lambda z: family(z, 1.0), start.algebraics))
-    except NewtonFailure:
+    except NewtonError:
         pass  # far from the solution: come to it along the loads
     try:
         return Start(start.states, continuation(family, start.algebraics))
-    except NewtonFailure as failure:
+    except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
 
 
-def _no_equilibrium(problem: Problem, failure: NewtonFailure, time: float) -> SolveError:
+def _no_equilibrium(problem: Problem, failure: NewtonError, time: float) -> SolveError:
     percent = 100 * failure.reached
     form = problem.equations.rod_form
     remedy = (
@@ -189,4 +200,3 @@ def _no_equilibrium(problem: Problem, failure: NewtonFailure, time: float) -> So
         time_s=time,
         remedy=remedy,
     )
-

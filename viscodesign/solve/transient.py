@@ -12,6 +12,7 @@ from __future__ import annotations
 import time as clock
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -35,6 +36,8 @@ class Work:
     steps: int = 0
     residual_calls: int = 0
     jacobian_calls: int = 0
+    compile_s: float = 0.0
+    """Wall time spent on making integrators, which is building, not solving [s]."""
 
     def add(self, stats: dict[str, object]) -> None:
         """Add one call of the integrator."""
@@ -81,7 +84,9 @@ def integrate(
     unknowns. Never raises for a failure on the way: what was reached is returned,
     with the failure.
     """
-    march = _Algebraic(problem) if problem.equations.states.count == 0 else _Idas(problem, tolerance)
+    march = (
+        _Algebraic(problem) if problem.equations.states.count == 0 else _Idas(problem, tolerance)
+    )
     edges = problem.schedule.edges
     record, work = _Record(), Work()
     here = consistent(problem, start, edges[0], problem.schedule.pieces[0])
@@ -159,7 +164,7 @@ class _Idas:
             "alg": equations.alg,
             "quad": ca.vertcat(*equations.rates.values()),
         }
-        self.options = {
+        self.options: dict[str, Any] = {
             "abstol": tolerance,
             "reltol": tolerance,
             "newton_scheme": "direct",
@@ -184,9 +189,9 @@ class _Idas:
             return before, failure
         there = Start(before[0][:, -1], before[1][:, -1])
         after, failure = self(there, middle, stop, work)
-        joined = tuple(np.concatenate(pair, axis=1) for pair in zip(
-            before[:2], after[:2], strict=True
-        ))
+        joined = tuple(
+            np.concatenate(pair, axis=1) for pair in zip(before[:2], after[:2], strict=True)
+        )
         integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
         return (joined[0], joined[1], integrals), failure
 
@@ -194,9 +199,11 @@ class _Idas:
         schedule = self.problem.schedule
         edges, pieces = schedule.edges, schedule.pieces
         there = consistent(self.problem, here, edges[first], pieces[first])
+        began = clock.perf_counter()
         integrator = ca.integrator(
             "motion", "idas", self.dae, edges[first], edges[first + 1 : stop + 1], self.options
         )
+        work.compile_s += clock.perf_counter() - began
         result = integrator(
             x0=there.states,
             z0=there.algebraics,

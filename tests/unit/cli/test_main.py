@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from viscodesign.cli import main as entry
-from viscodesign.errors import Interrupted, PumpError, SpecError, UsageError, ViscodesignError
+from viscodesign.errors import InterruptedRunError, PumpError, SpecError, UsageError, ViscodesignError
 
 from .conftest import Call
 
@@ -26,7 +26,7 @@ def _raising(error: BaseException) -> Callable[[list[str]], int]:
         (SpecError.plain("broken"), 2),
         (UsageError("broken"), 2),
         (PumpError("broken"), 4),
-        (Interrupted("broken"), 130),
+        (InterruptedRunError("broken"), 130),
         (KeyboardInterrupt(), 130),
     ],
 )

@@ -8,7 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from viscodesign.cli.describe import notice_lines, scale_lines, verdict_lines
+from viscodesign.cli.describe import (
+    full_notice_lines,
+    notice_lines,
+    scale_lines,
+    verdict_lines,
+)
 from viscodesign.cli.summary import summary_lines
 from viscodesign.trajectory import Accuracy, Classification, Scales, Trajectory
 
@@ -45,6 +50,15 @@ def test_every_warning_once_with_its_code(trajectory: Trajectory) -> None:
     lines = notice_lines(trajectory.warnings)
     assert lines == [
         "  negative_volume: below its floor (R1, t = 0.25 s) [and 1 more of this kind]",
+        "  reynolds: turbulent (inlet-R1)",
+    ]
+
+
+def test_before_a_run_every_warning_in_full(trajectory: Trajectory) -> None:
+    lines = full_notice_lines([*trajectory.warnings, trajectory.warnings[0]])
+    assert lines == [
+        "  negative_volume: below its floor (R1, t = 0.25 s)",
+        "  negative_volume: below its floor (L1, t = 0.5 s)",
         "  reynolds: turbulent (inlet-R1)",
     ]
 

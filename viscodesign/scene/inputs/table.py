@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import math
 from pathlib import Path
 from typing import Any, ClassVar, Literal
@@ -50,7 +51,7 @@ class Table(PiecewiseLinear):
         rows = self.rows or ()
         if len(rows) < 2:
             raise refuse_at("rows", f"{len(rows)} rows; a table needs at least two")
-        for k, (before, after) in enumerate(zip(rows, rows[1:], strict=False)):
+        for k, (before, after) in enumerate(itertools.pairwise(rows)):
             if after[0] < before[0]:
                 raise refuse_at(
                     "rows", f"row {k + 2}: time runs back from {before[0]:g} s to {after[0]:g} s"
@@ -82,7 +83,8 @@ def read_rows(path: Path, shown: str) -> list[tuple[float, float]]:
     header = [cell.strip() for cell in next(lines, [])]
     if tuple(header) != COLUMNS:
         raise refuse_at(
-            "file", f"{shown}: the first line is '{','.join(header)}'; '{','.join(COLUMNS)}' is wanted"
+            "file",
+            f"{shown}: the first line is '{','.join(header)}'; '{','.join(COLUMNS)}' is wanted",
         )
     return [_row(cells, number, shown) for number, cells in enumerate(lines, start=2) if cells]
 
