@@ -13,9 +13,11 @@ import scipy.sparse.linalg as spla
 Residual = Callable[[np.ndarray], tuple[np.ndarray, ca.DM]]
 Family = Callable[[np.ndarray, float], tuple[np.ndarray, ca.DM]]
 
-CONVERGED = 1e-11
-"""Residual, in sizes of the equations' terms, from which quadratic convergence finishes it."""
-MAX_ITERATIONS = 40
+CONVERGED = 1e-12
+"""Correction, in sizes of the unknowns, at which the iteration has arrived."""
+ROUND_OFF = 1e-8
+"""Correction below which a standstill is round-off of a stiff problem, not a failure."""
+MAX_ITERATIONS = 60
 SMALLEST_STEP = 1.0 / 1024
 
 
@@ -36,40 +38,46 @@ class NewtonError(Exception):
 def newton(function: Residual, start: np.ndarray) -> np.ndarray:
     """Solve function(y) = 0 from ``start`` (n,), dimensionless.
 
-    Raises `NewtonError` where the defect cannot be reduced.
+    Damped by the natural monotonicity test: a step is judged by the correction that
+    would follow it, not by the defect, which a stiff axis makes a poor judge.
+    Source: Deuflhard, Newton Methods for Nonlinear Problems, section 3.1.
+    Raises `NewtonError` where no fraction of a step brings the solution nearer.
     """
     y = start.copy()
     residual, jacobian = function(y)
-    size = _norm(residual)
     for _ in range(MAX_ITERATIONS):
-        if size == 0.0:
+        if not np.any(residual):
             return y
-        step = _solve(jacobian, residual)
-        y, residual, jacobian, new_size = _advance(function, y, step, size)
-        if new_size <= CONVERGED and new_size >= 0.5 * size:
-            return y  # nothing left but round-off
-        if new_size <= 1e-14:
-            return y
-        size = new_size
-    if size <= CONVERGED:
-        return y
-    raise NewtonError(size, int(np.argmax(np.abs(residual))))
+        solve = _factorised(jacobian, residual)
+        step = solve(residual)
+        size = _norm(step)
+        if size <= CONVERGED:
+            return np.asarray(y - step)
+        found = _advance(function, solve, y, step, size)
+        if found is None:
+            if size <= ROUND_OFF:
+                return y
+            break
+        y, residual, jacobian = found
+    raise NewtonError(_norm(residual), int(np.argmax(np.abs(residual))))
 
 
 def _advance(
-    function: Residual, y: np.ndarray, step: np.ndarray, size: float
-) -> tuple[np.ndarray, np.ndarray, ca.DM, float]:
-    """Take the largest of the halved steps that reduces the defect."""
+    function: Residual,
+    solve: Callable[[np.ndarray], np.ndarray],
+    y: np.ndarray,
+    step: np.ndarray,
+    size: float,
+) -> tuple[np.ndarray, np.ndarray, ca.DM] | None:
+    """The largest of the halved steps after which the next correction is smaller."""
     fraction = 1.0
-    while True:
+    while fraction >= SMALLEST_STEP:
         trial = y - fraction * step
         residual, jacobian = function(trial)
-        new_size = _norm(residual)
-        if new_size < (1 - 0.1 * fraction) * size or size <= CONVERGED:
-            return trial, residual, jacobian, new_size
+        if np.all(np.isfinite(residual)) and _norm(solve(residual)) <= (1 - fraction / 4) * size:
+            return trial, residual, jacobian
         fraction /= 2
-        if fraction < SMALLEST_STEP:
-            raise NewtonError(size, int(np.argmax(np.abs(residual))))
+    return None
 
 
 def continuation(family: Family, start: np.ndarray) -> np.ndarray:
@@ -105,15 +113,13 @@ def _extrapolate(
     return np.asarray(now[0] + slope * (target - now[1]))
 
 
-def _solve(jacobian: ca.DM, residual: np.ndarray) -> np.ndarray:
-    matrix = to_scipy(jacobian)
+def _factorised(jacobian: ca.DM, residual: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
+    """Solver of the linear system; `NewtonError` where it is singular."""
     try:
-        step = spla.splu(matrix).solve(residual)
-    except RuntimeError:  # SuperLU's word for an exactly singular matrix
-        step = np.full_like(residual, np.nan)
-    if not np.all(np.isfinite(step)):
-        raise NewtonError(_norm(residual), int(np.argmax(np.abs(residual))))
-    return step
+        factors = spla.splu(to_scipy(jacobian))
+    except (RuntimeError, ValueError) as error:  # SuperLU's words for singular, not finite
+        raise NewtonError(_norm(residual), int(np.argmax(np.abs(residual)))) from error
+    return lambda right: np.asarray(factors.solve(right))
 
 
 def to_scipy(matrix: ca.DM) -> sp.csc_matrix:

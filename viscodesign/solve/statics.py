@@ -22,14 +22,17 @@ class Start:
     algebraics: np.ndarray
 
 
-def equilibrium(problem: Problem, time: float, piece: np.ndarray) -> Start:
+def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: bool = True) -> Start:
     """Static equilibrium with the inlets held at their pressures at ``time``.
 
-    The unloaded shape is known in closed form; loads are then raised step by step.
+    The unloaded shape is known in closed form; loads are then raised step by step,
+    unless ``loaded`` is false: then they wait to act at once.
     Raises `SolveError` with the load reached where no equilibrium is found.
     """
     equations = problem.equations
     guess = _unloaded(problem, time, piece)
+    if not loaded:
+        return _from_statics(problem, guess, time, piece)
 
     def family(y: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
         residual, jacobian, *_ = evaluate(

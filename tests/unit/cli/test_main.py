@@ -7,7 +7,13 @@ from collections.abc import Callable
 import pytest
 
 from viscodesign.cli import main as entry
-from viscodesign.errors import InterruptedRunError, PumpError, SpecError, UsageError, ViscodesignError
+from viscodesign.errors import (
+    InterruptedRunError,
+    PumpError,
+    SpecError,
+    UsageError,
+    ViscodesignError,
+)
 
 from .conftest import Call
 
