@@ -45,10 +45,10 @@ class Bar:
 
 
 @contextmanager
-def progress(quiet: bool) -> Iterator[Callable[[float], None] | None]:
-    """A function to call with the fraction done, or None where nobody watches."""
+def progress(quiet: bool) -> Iterator[Callable[[float], None]]:
+    """A function to call with the fraction done; it draws where somebody watches."""
     if quiet or not sys.stderr.isatty():
-        yield None
+        yield lambda fraction: None
         return
     bar = Bar()
     try:

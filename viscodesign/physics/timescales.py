@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import scipy.linalg
 
 
 def viscous_elastic_time(
@@ -33,7 +32,7 @@ def slowest_network_time(conductance: np.ndarray, compliance: np.ndarray, *, sea
     has one eigenvalue zero, its mean pressure, which is left out.
     """
     root = 1.0 / np.sqrt(compliance)
-    rates = scipy.linalg.eigvalsh(root[:, None] * conductance * root[None, :])
+    rates = np.linalg.eigvalsh(root[:, None] * conductance * root[None, :])
     settling = rates[1:] if sealed else rates
     return float(1.0 / settling[0]) if settling.size else 0.0
 

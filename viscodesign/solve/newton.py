@@ -7,8 +7,6 @@ from functools import partial
 
 import casadi as ca
 import numpy as np
-import scipy.sparse as sp
-import scipy.sparse.linalg as spla
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, ca.DM]]
 Family = Callable[[np.ndarray, float], tuple[np.ndarray, ca.DM]]
@@ -115,19 +113,15 @@ def _extrapolate(
 
 def _factorised(jacobian: ca.DM, residual: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
     """Solver of the linear system; `NewtonError` where it is singular."""
+    failure = NewtonError(_norm(residual), int(np.argmax(np.abs(residual))))
+    if not jacobian.is_regular():
+        raise failure
+    factors = ca.Linsol("newton", "csparse", jacobian.sparsity())
     try:
-        factors = spla.splu(to_scipy(jacobian))
-    except (RuntimeError, ValueError) as error:  # SuperLU's words for singular, not finite
-        raise NewtonError(_norm(residual), int(np.argmax(np.abs(residual)))) from error
-    return lambda right: np.asarray(factors.solve(right))
-
-
-def to_scipy(matrix: ca.DM) -> sp.csc_matrix:
-    """A CasADi matrix as scipy's, without a dense copy."""
-    sparsity = matrix.sparsity()
-    return sp.csc_matrix(
-        (np.array(matrix.nonzeros()), sparsity.row(), sparsity.colind()), shape=matrix.shape
-    )
+        factors.nfact(jacobian)
+    except RuntimeError as error:  # CSparse's word for a singular matrix
+        raise failure from error
+    return lambda right: np.array(factors.solve(jacobian, ca.DM(right))).ravel()
 
 
 def _norm(residual: np.ndarray) -> float:

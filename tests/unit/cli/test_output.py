@@ -34,7 +34,7 @@ def test_a_full_disk_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_write_that_fails_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Path, "replace", _refuse(OSError(28, "No space left on device")))
+    monkeypatch.setattr("os.replace", _refuse(OSError(28, "No space left on device")))
     with pytest.raises(UsageError, match="No space left"):
         output.write_text(tmp_path / "leg.yaml", "text", overwrite=False)
     assert list(tmp_path.iterdir()) == []

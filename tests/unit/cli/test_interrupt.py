@@ -1,0 +1,59 @@
+"""Ctrl-C is noted first and obeyed between two stretches."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from viscodesign.cli.interrupt import gentle_interrupt
+
+from .conftest import CONFIGS
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
+
+
+def test_a_wish_is_noted_and_obeyed_when_asked() -> None:
+    before = signal.getsignal(signal.SIGINT)
+    with gentle_interrupt() as interrupt:
+        interrupt.obey()
+        os.kill(os.getpid(), signal.SIGINT)
+        assert interrupt.asked
+        assert signal.getsignal(signal.SIGINT) is signal.SIG_DFL  # a second one ends it all
+        with pytest.raises(KeyboardInterrupt):
+            interrupt.obey()
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
+    spec, folder = CONFIGS / "workspace_middle.yaml", tmp_path / "run"
+    words = ["simulate", str(spec), "-o", str(folder), "--no-plots", "--set", "run.duration=900 s"]
+    process = subprocess.Popen(
+        [sys.executable, "-m", "viscodesign", *words],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    _wait_for(folder)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "interrupted" in err
+    assert str(folder) in err
+    assert "Traceback" not in err
+    assert json.loads((folder / "summary.json").read_text())["status"] == "interrupted"
+    assert "interrupted: " in out
+
+
+def _wait_for(folder: Path) -> None:
+    """The folder is made just before the solve begins; then a moment for it to begin."""
+    limit = time.monotonic() + 30
+    while not folder.exists() and time.monotonic() < limit:
+        time.sleep(0.05)
+    time.sleep(1.0)

@@ -1,0 +1,42 @@
+"""Ctrl-C during a solve: heard at once, obeyed between two stretches of the motion."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import FrameType
+
+
+@dataclass
+class Interrupt:
+    """Whether the user asked to stop."""
+
+    asked: bool = False
+
+    def obey(self) -> None:
+        """Raise `KeyboardInterrupt` if the user asked to stop."""
+        if self.asked:
+            raise KeyboardInterrupt
+
+    def note(self, number: int, frame: FrameType | None) -> None:
+        """Remember the wish; a second Ctrl-C ends the process on the spot."""
+        del number, frame
+        self.asked = True
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+@contextmanager
+def gentle_interrupt() -> Iterator[Interrupt]:
+    """Note Ctrl-C instead of raising it.
+
+    An exception raised while the integrator calls back is taken there for a failed
+    step, which is tried again: the wish would be lost.
+    """
+    interrupt = Interrupt()
+    before = signal.signal(signal.SIGINT, interrupt.note)
+    try:
+        yield interrupt
+    finally:
+        signal.signal(signal.SIGINT, before)
