@@ -61,7 +61,8 @@ def simulate(scene: Scene, *, verify: bool = True, progress: Progress | None = N
     if verify and _complete(run):
         run, error = refiner.refine(run)
     verify_s = refiner.spent_s - run.build_s - run.solve_s
-    return _trajectory(conditions, tuple(verdicts), run, error, verify, verify_s)
+    stopped = refiner.interrupted
+    return _trajectory(conditions, tuple(verdicts), run, error, verify, verify_s, stopped)
 
 
 def _complete(run: _Run) -> bool:
@@ -78,6 +79,8 @@ class _Refiner:
         self.effects = effects
         self.progress = progress
         self.spent_s = 0.0
+        self.interrupted = False
+        """Whether verification was stopped; the solution before it is kept."""
 
     def solve(self, settings: Settings) -> _Run:
         """Build and solve once."""
@@ -105,6 +108,7 @@ class _Refiner:
         for _ in range(MAX_REFINEMENTS):
             finer = self.solve(run.settings.finer())
             if finer.solution.interrupted:
+                self.interrupted = True
                 return run, error
             if not _complete(finer):
                 return finer, None
@@ -128,10 +132,11 @@ def _trajectory(
     error: float | None,
     verify: bool,
     verify_s: float,
+    stopped: bool,
 ) -> Trajectory:
     scene, motion, graph = conditions.scene, run.motion, conditions.graph
     text = resolved_yaml(scene)
-    status, failure = _outcome(conditions, run, error)
+    status, failure = _outcome(conditions, run, error, stopped)
     found = classification(conditions)
     course = Course(
         motion.time,
@@ -172,11 +177,17 @@ def _trajectory(
     )
 
 
-def _outcome(conditions: Conditions, run: _Run, error: float | None) -> tuple[Status, str | None]:
+def _outcome(
+    conditions: Conditions, run: _Run, error: float | None, stopped: bool
+) -> tuple[Status, str | None]:
     """How the run ended, and the message where it ended badly."""
     requested = conditions.accuracy * conditions.body.length
     if run.solution.interrupted:
         return "interrupted", f"interrupted at t = {run.motion.time[-1]:.6g} s"
+    if stopped:
+        return "interrupted", (
+            "interrupted while verifying: the motion is there to its end, its error is not known"
+        )
     if run.motion.failure is not None:
         return "failed", str(run.motion.failure)
     if error is not None and error > requested:
@@ -193,7 +204,7 @@ def _accuracy(conditions: Conditions, error: float | None, verify: bool) -> Accu
     if not verify:
         return Accuracy(requested, None, "not verified")
     if error is None:
-        return Accuracy(requested, None, "not verified: the run did not reach its end")
+        return Accuracy(requested, None, "not verified: the solution or its check did not reach the end")
     return Accuracy(
         requested,
         error,

@@ -54,7 +54,6 @@ def command(
     """
     from viscodesign import load
     from viscodesign import simulate as solve
-    from viscodesign.cli.interrupt import gentle_interrupt
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.summary import summary_lines
@@ -63,20 +62,15 @@ def command(
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
     prepare_folder(folder, force=force)
-    with gentle_interrupt() as interrupt, progress(quiet) as advance:
-
-        def tell(fraction: float) -> None:
-            interrupt.obey()
-            advance(fraction)
-
-        trajectory = solve(scene, verify=not no_verify, progress=tell)
+    with progress(quiet) as advance:
+        trajectory = solve(scene, verify=not no_verify, progress=advance)
     files = write_run(trajectory, folder, plots=not no_plots, force=force)
     if json:
         say(json_text({**trajectory.summary(), "files": [str(file) for file in files]}))
         _warn(trajectory, quiet)
     elif not quiet:
         say("\n".join(summary_lines(trajectory, folder, files)))
-    _end(trajectory, folder, interrupt.asked)
+    _end(trajectory, folder)
 
 
 def folder_name(name: str) -> str:
@@ -93,7 +87,7 @@ def _warn(trajectory: Trajectory, quiet: bool) -> None:
         complain("\n".join(["warnings", *lines]))
 
 
-def _end(trajectory: Trajectory, folder: Path, stopped: bool) -> None:
+def _end(trajectory: Trajectory, folder: Path) -> None:
     """A run that did not reach its end is an error, after its files are written."""
     kept = f"what was computed is in {folder}"
     message = trajectory.failure or f"{trajectory.name}: the run is {trajectory.status}"
@@ -101,5 +95,3 @@ def _end(trajectory: Trajectory, folder: Path, stopped: bool) -> None:
         raise RunFailedError(f"{message}\n{kept}")
     if trajectory.status == "interrupted":
         raise InterruptedRunError(f"{message}\n{kept}")
-    if stopped:
-        raise InterruptedRunError(f"interrupted while verifying: the run is complete\n{kept}")

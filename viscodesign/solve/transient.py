@@ -18,6 +18,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.solve.interrupt import gentle_interrupt
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start, consistent
 
@@ -92,10 +93,10 @@ def integrate(
     here = consistent(problem, start, edges[0], problem.schedule.pieces[0])
     total = np.zeros(len(problem.equations.rates))
     _append(record, here.states[:, None], here.algebraics[:, None], total[:, None])
-    done, failure, interrupted = 0, None, False
+    done, failure = 0, None
     length = _first_length(problem)
-    try:
-        while done < len(edges) - 1 and failure is None:
+    with gentle_interrupt() as interrupt:
+        while done < len(edges) - 1 and failure is None and not interrupt.asked:
             stop = min(done + length, len(edges) - 1)
             began = clock.perf_counter()
             columns, failure = march(here, done, stop, work)
@@ -108,8 +109,6 @@ def integrate(
             length = _next_length(count, clock.perf_counter() - began)
             if progress is not None:
                 progress(edges[done] / edges[-1])
-    except KeyboardInterrupt:
-        interrupted = True
     return Solution(
         np.concatenate(record.states, axis=1),
         np.concatenate(record.algebraics, axis=1),
@@ -117,7 +116,7 @@ def integrate(
         done + 1,
         work,
         failure,
-        interrupted,
+        interrupt.asked and done < len(edges) - 1,
     )
 
 

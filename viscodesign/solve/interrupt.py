@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,11 +15,6 @@ class Interrupt:
     """Whether the user asked to stop."""
 
     asked: bool = False
-
-    def obey(self) -> None:
-        """Raise `KeyboardInterrupt` if the user asked to stop."""
-        if self.asked:
-            raise KeyboardInterrupt
 
     def note(self, number: int, frame: FrameType | None) -> None:
         """Remember the wish; a second Ctrl-C ends the process on the spot."""
@@ -32,9 +28,13 @@ def gentle_interrupt() -> Iterator[Interrupt]:
     """Note Ctrl-C instead of raising it.
 
     An exception raised while the integrator calls back is taken there for a failed
-    step, which is tried again: the wish would be lost.
+    step, which is tried again: the wish would be lost. Only the main thread may
+    handle signals; in any other, nothing changes.
     """
     interrupt = Interrupt()
+    if threading.current_thread() is not threading.main_thread():
+        yield interrupt
+        return
     before = signal.signal(signal.SIGINT, interrupt.note)
     try:
         yield interrupt

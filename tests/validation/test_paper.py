@@ -1,0 +1,188 @@
+"""The paper's numbers and its five mechanisms, on the bundled scenes."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from tests.scenes import CONFIGS, leg
+from viscodesign import Trajectory, check, classify, load, simulate
+
+PAPER_SCENES = sorted(path.stem for path in CONFIGS.glob("*.yaml"))
+
+
+@cache
+def run(config: str) -> Trajectory:
+    """A bundled scene's trajectory; each is solved once for all tests."""
+    found = simulate(load(CONFIGS / f"{config}.yaml"))
+    assert found.status == "complete", found.failure
+    return found
+
+
+def swing(found: Trajectory, bellow: str) -> float:
+    return float(np.ptp(found.pressure[:, found.bellows.index(bellow)]))
+
+
+# -- section 2 and 3.2: the timescales ---------------------------------------
+
+
+def test_timescales_of_the_leg_with_air() -> None:
+    found = classify(leg())
+    assert found.scales.t_s == pytest.approx(0.029, abs=5e-4)  # section 2.1: two digits
+    assert found.scales.t_f == pytest.approx(0.157, abs=5e-4)  # section 2.1: three digits
+    assert found.scales.ratios["ts_over_tf"] == pytest.approx(0.2, abs=0.05)  # 3.2: about 0.2
+    assert found.scales.ratios["ts_over_ti"] == pytest.approx(0.04, abs=5e-3)  # 3.2: one digit
+    assert found.quadrant == "III"
+
+
+def test_stated_transient_time_is_taken_at_its_word() -> None:
+    found = classify(leg("input.transient_time=0.74 s"))
+    assert found.scales.ratios["ts_over_ti"] == pytest.approx(0.04, abs=5e-3)
+    assert found.scales.t_i == 0.74
+
+
+def test_timescales_of_the_leg_with_water() -> None:
+    found = classify(leg(config="leg_16_straight_water"))
+    assert found.scales.ratios["ts_over_tf"] == pytest.approx(0.004, abs=1e-3)  # 3.2: about 0.004
+    assert found.quadrant == "III"
+    assert "hardly move" in found.meaning
+
+
+def test_slowest_time_of_the_chain_is_6_6_viscous_elastic_times() -> None:
+    scales = classify(leg("fluid={name: water, viscosity: 1e-3, density: 998}")).scales
+    assert scales.t_net == pytest.approx(58.1, abs=0.1)
+    assert scales.t_net / scales.t_f == pytest.approx(6.6, abs=0.05)
+
+
+# -- where the paper disagrees with itself -----------------------------------
+
+
+def test_inconsistencies_of_the_published_leg_are_told_before_solving() -> None:
+    told = {notice.code: notice.message for notice in check(leg()).warnings}
+    assert "0.4" in told["near_vacuum"]  # 0.4 kPa absolute
+    assert "-35.16 kPa" in told["negative_volume"]  # volume is gone below this
+    assert "34.7 %" in told["gas_compressibility"]  # about 35 % at 101.325 kPa
+    messages = [n.message for n in check(leg()).warnings if n.code == "not_reciprocal"]
+    assert any("factor of 264" in message for message in messages)
+    assert any("factor of 4.8" in message for message in messages)
+
+
+def test_water_at_the_published_amplitude_boils() -> None:
+    codes = {notice.code for notice in check(leg(config="leg_16_straight_water")).warnings}
+    assert "cavitation" in codes
+
+
+def test_flow_of_the_published_leg_is_not_slow() -> None:
+    told = {notice.code: notice for notice in run("leg_16_straight_air").warnings}
+    assert told["turbulent_flow"].where == "inlet-R1"
+    assert told["turbulent_flow"].time_s is not None
+    assert "collapse" in told or "negative_volume" in told
+
+
+# -- section 3.1: connectivity -----------------------------------------------
+
+
+def test_straight_sweeps_wider_than_crossed() -> None:
+    straight, crossed = run("leg_16_straight_air"), run("leg_16_crossed_air")
+    assert np.ptp(straight.tip[:, 0]) > 1.01 * np.ptp(crossed.tip[:, 0])
+    # Crossing halves the turns: the tip does not curl above the clamp's level.
+    assert straight.tip[:, 1].min() < 0 < crossed.tip[:, 1].min()
+    assert np.max(np.abs(crossed.tip[:, 2])) < np.max(np.abs(straight.tip[:, 2]))
+
+
+@pytest.mark.parametrize(
+    ("config", "direction"),
+    [("steady_right", (1, -1)), ("steady_left", (-1, -1)), ("steady_extend", (0, 1)),
+     ("steady_contract", (0, -1))],
+)  # fmt: skip
+def test_sign_patterns_of_steady_states(config: str, direction: tuple[int, int]) -> None:
+    found = run(config)
+    move = found.tip[-1, :2] - (0.0, found.length)
+    assert np.allclose(found.tip, found.tip[0], atol=1e-9)
+    for part, sign in zip(move, direction, strict=True):
+        assert np.sign(part) == sign if sign else abs(part) <= 1e-12
+
+
+# -- section 3.2: fluid --------------------------------------------------------
+
+
+def test_four_bellows_in_water_visit_right_then_left_and_in_air_go_straight() -> None:
+    water, air = run("leg_4_water"), run("leg_4_air")
+    right, left = int(np.argmax(water.tip[:, 0])), int(np.argmin(water.tip[:, 0]))
+    assert right < left
+    assert water.tip[right, 0] > 0.1 * water.length
+    assert water.tip[left, 0] < -0.1 * water.length
+    assert np.ptp(air.tip[:, 0]) <= 0.12 * np.ptp(air.tip[:, 1])
+
+
+# -- section 3.3: input --------------------------------------------------------
+
+
+def test_profiles_move_the_mean_of_the_tip() -> None:
+    mean = {
+        name: run(f"workspace_{name}").tip[:, :2].mean(axis=0)
+        for name in ("middle", "right", "left", "lower")
+    }
+    assert mean["right"][0] > mean["middle"][0] + 5e-3
+    assert mean["left"][0] < mean["middle"][0] - 5e-3
+    assert mean["lower"][1] > max(mean[n][1] for n in ("middle", "left", "right")) + 5e-3
+
+
+# -- section 3.4: tubes and gauge ---------------------------------------------
+
+
+def test_longer_tube_raises_the_swing_before_it_and_tilts_the_path() -> None:
+    plain, tripled = run("leg_16_straight_air"), run("leg_16_triple_tube")
+    early = slice(0, int(np.searchsorted(plain.time, 1.0)))
+    first = plain.bellows.index("R1")
+    # The first right bellow follows the inlet more closely, those behind it lag more.
+    lead = plain.pressure[early, first] - tripled.pressure[early, first]
+    assert lead.max() > 2e3
+    assert lead.min() >= -200
+    assert swing(tripled, "R1") >= swing(plain, "R1")
+    assert swing(tripled, "R2") < swing(plain, "R2")
+
+
+@pytest.mark.parametrize("shifted", ["leg_16_gauge_minus_2kpa", "leg_16_gauge_plus_2kpa"])
+def test_gauge_moves_the_path_along_the_actuator(shifted: str) -> None:
+    plain, other = run("leg_16_straight_air"), run(shifted)
+    sections = plain.sections
+
+    def difference(found: Trajectory) -> np.ndarray:
+        return found.pressure[:, sections:] - found.pressure[:, :sections]
+
+    offset = 2e3 if "plus" in shifted else -2e3
+    # Equal but for the inertia of a leg that is a little longer or shorter.
+    assert np.max(np.abs(difference(other) - difference(plain))) <= 1e-3 * 1.413e5
+    assert np.max(np.abs(other.tip[:, 2] - plain.tip[:, 2])) <= 2e-2
+    stretch = 8 * 0.047 * 2 * offset / 1.8e6
+    assert other.tip[0, 1] - plain.tip[0, 1] == pytest.approx(stretch, rel=1e-6)
+
+
+# -- every bundled scene -------------------------------------------------------
+
+
+@pytest.mark.parametrize("config", PAPER_SCENES)
+def test_every_bundled_scene_keeps_its_balances(config: str) -> None:
+    found = run(config)
+    assert found.accuracy.estimated_tip_error_m is not None
+    assert found.accuracy.estimated_tip_error_m <= found.accuracy.requested_m
+    assert found.invariants.volume_imbalance_rel is not None
+    assert found.invariants.volume_imbalance_rel <= 1e-8
+    energy = found.invariants.energy_imbalance_rel
+    assert energy is None or energy <= 1e-3
+    assert np.all(np.isfinite(found.tip))
+    assert np.max(np.abs(np.diff(found.tip[:, 2]))) < 1.0
+
+
+@pytest.mark.parametrize(
+    "config", [c for c in PAPER_SCENES if not c.startswith(("branch", "ant", "hor"))]
+)
+def test_scenes_of_the_paper_are_pinned_to_its_model(config: str) -> None:
+    scene = load(CONFIGS / f"{config}.yaml")
+    assert scene.effects.others == "off"
+    taken = {verdict.name for verdict in check(scene).effects if verdict.taken}
+    assert taken <= {"pressure_distribution", "inertia", "feedback", "damping"}
+    assert {"inertia", "feedback"} <= taken
