@@ -26,7 +26,9 @@ def netlist(scene: Scene, source: str, times: np.ndarray) -> str:
     conditions = Conditions(scene)
     lines = ["bellows as capacitors, tubes as resistors", f"B1 inlet 0 V={source}"]
     for k, tube in enumerate(conditions.graph.tubes):
-        lines.append(f"R{k} {tube.start} {tube.end} {conditions.resistances[tube.name] * 1e-6!r}")
+        lines.append(
+            f"R{k} {tube.start} {tube.end} {float(conditions.resistances[tube.name]) * 1e-6!r}"
+        )
     for k, bellow in enumerate(conditions.graph.bellows):
         lines.append(f"C{k} {bellow} 0 {conditions.bellow.compliance * 1e6!r} IC=0")
     shown = " ".join(f"v({name})" for name in conditions.graph.bellows)
@@ -35,7 +37,7 @@ def netlist(scene: Scene, source: str, times: np.ndarray) -> str:
         ".control",
         "set wr_singlescale",
         "set numdgt=12",
-        f"tran {STEP_S} {times[-1]!r} 0 {STEP_S} uic",
+        f"tran {STEP_S} {float(times[-1])!r} 0 {STEP_S} uic",
         "linearize",
         f"wrdata out.txt {shown}",
         "quit",
@@ -70,7 +72,7 @@ def test_network_against_a_circuit_simulator(config: str, tmp_path: Path) -> Non
     # The tail of the sigmoid at t = 0 is taken off, so that the circuit starts at rest.
     tail = 0.5 * (1 + np.tanh(-10.0)) - 0.5 * (1 + np.tanh(-25.0))
     start = float(found.pressure[0, 0])
-    source = f"-20000*{fall}+20000*{rise}+20000*{tail!r}"
+    source = f"-20000*{fall}+20000*{rise}+20000*{float(tail)!r}"
     pressure = run_ngspice(scene, source, found.time, tmp_path) + start
     assert np.ptp(pressure) > 1e4
     assert np.max(np.abs(found.pressure - pressure)) <= SHARE_OF_SWING * np.ptp(pressure)
