@@ -11,6 +11,7 @@ import numpy as np
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.formulation import Equations, NetworkForm, Sizes, formulate
+from viscodesign.model.graph import Graph
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES
 from viscodesign.model.system import Source, System
 from viscodesign.scene.inputs.base import Input
@@ -73,6 +74,7 @@ def build(conditions: Conditions, effects: list[Effect], settings: Settings) -> 
         equations=equations,
         body=conditions.body,
         bellows=conditions.graph.bellows,
+        places=_places(conditions.graph),
         rest_volume=conditions.bellow.rest_volume,
         baseline=scene.gauge_pressure,
         schedule=schedule(scene),
@@ -90,6 +92,12 @@ def _sealed_volumes(conditions: Conditions, equations: Equations) -> np.ndarray:
     one = conditions.bellow.rest_volume
     one += conditions.bellow.compliance * conditions.scene.gauge_pressure
     return np.array([one * len(component.bellows) for component in equations.sealed])
+
+
+def _places(graph: Graph) -> np.ndarray:
+    """Where each bellow of the graph stands among the unknowns (B,)."""
+    order = graph.bellows_along_tubes()
+    return np.array([order.index(name) for name in graph.bellows])
 
 
 def _flow_shares(conditions: Conditions, form: NetworkForm) -> np.ndarray:

@@ -116,9 +116,10 @@ def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     names = equations.output_function.name_out()
     values = {n: np.array(r).T for n, r in zip(names, results, strict=True)}
     if equations.network_form is NetworkForm.DISTRIBUTED:
-        values["volume"] = (
-            problem.rest_volume + equations.states.physical("volume", solution.states).T
-        )
+        states = equations.states.physical("volume", solution.states).T
+        values["volume"] = problem.rest_volume + states
+    for name in ("pressure", "volume", "unpaired_volume"):
+        values[name] = values[name][:, problem.places]
     return _Rows(schedule.edges[:count], values)
 
 

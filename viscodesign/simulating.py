@@ -204,7 +204,9 @@ def _accuracy(conditions: Conditions, error: float | None, verify: bool) -> Accu
     if not verify:
         return Accuracy(requested, None, "not verified")
     if error is None:
-        return Accuracy(requested, None, "not verified: the solution or its check did not reach the end")
+        return Accuracy(
+            requested, None, "not verified: the solution or its check did not reach the end"
+        )
     return Accuracy(
         requested,
         error,

@@ -7,6 +7,7 @@ every value is SI.
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
@@ -17,6 +18,10 @@ from pydantic_core import PydanticCustomError, core_schema
 
 if TYPE_CHECKING:
     import pint
+
+
+_PLAIN = re.compile(r"[\w\s.+*/^()%°·-]{1,80}")
+"""What a number with a unit may be written with."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +66,8 @@ class Kind:
     def _read(self, text: str) -> float:
         import pint
 
+        if not _PLAIN.fullmatch(text):
+            raise self._refuse(f"'{text}' is not a number with a unit")
         try:
             quantity: pint.Quantity[Any] = registry().Quantity(text)
         except pint.UndefinedUnitError as error:

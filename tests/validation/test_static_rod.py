@@ -8,8 +8,8 @@ from typing import Any, ClassVar, Self
 import casadi as ca
 import numpy as np
 import pytest
-from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 from scipy.optimize import brentq
+from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 
 from tests.scenes import (
     LEG_EA,

@@ -47,6 +47,16 @@ class Graph:
         """All nodes: inlets, bellows, junctions."""
         return (*self.inlets, *self.bellows, *self.junctions)
 
+    def bellows_along_tubes(self) -> tuple[str, ...]:
+        """All bellows, in the order in which the tubes reach them.
+
+        Unknowns in this order do not know which column is called right: swapping the
+        columns of a scene mirrors its motion to the last digit.
+        """
+        own = set(self.bellows)
+        reached = (end for tube in self.tubes for end in (tube.start, tube.end) if end in own)
+        return tuple(dict.fromkeys((*reached, *self.bellows)))
+
     def components(self) -> list[Component]:
         """Connected parts, in the order of their first node."""
         roots = self._roots()

@@ -60,7 +60,7 @@ class System:
             self.parameter("mass_per_length", body.mass_per_length),
         )
         self.inlet_pressure = self._inlet_pressures(sources)
-        self.pressure = {name: SX.sym(f"pressure_{name}") for name in graph.bellows}
+        self.pressure = {name: SX.sym(f"pressure_{name}") for name in graph.bellows_along_tubes()}
         self.junction_pressure = {name: SX.sym(f"pressure_{name}") for name in graph.junctions}
         # Resultants of each section, positive in tension and in bending to the right.
         self.normal_force = [SX.sym(f"normal_force_{j + 1}") for j in range(graph.sections)]

@@ -3,13 +3,26 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import IO
 
 from viscodesign.errors import UsageError
+
+REMEDIES = {
+    errno.ENOSPC: "Free some space, or use another folder.",
+    errno.EDQUOT: "Free some space, or use another folder.",
+    errno.EROFS: "Use a folder that can be written.",
+    errno.EACCES: "Use a folder that you may write.",
+    errno.EPERM: "Use a folder that you may write.",
+    errno.ENOTDIR: "A part of the path is a file; use another path.",
+    errno.EISDIR: "It is a folder; use another name.",
+    errno.ENAMETOOLONG: "Use a shorter name.",
+    errno.ENOENT: "Its folder does not exist; make it first.",
+}
 
 
 @contextlib.contextmanager
@@ -18,21 +31,30 @@ def replaced(path: Path) -> Iterator[IO[bytes]]:
 
     Raises `UsageError` where the folder or the disk refuses it.
     """
-    temporary: str | None = None
+    with refused_plainly(path):
+        temporary: str | None = None
+        try:
+            handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
+            with os.fdopen(handle, "wb") as file:
+                yield file
+            os.chmod(temporary, 0o666 & ~_umask())
+            os.replace(temporary, path)
+            temporary = None
+        finally:
+            if temporary is not None:
+                with contextlib.suppress(OSError):
+                    os.unlink(temporary)
+
+
+@contextlib.contextmanager
+def refused_plainly(path: Path) -> Iterator[None]:
+    """Turn the system's refusal to write ``path`` into a `UsageError` with a remedy."""
     try:
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        with os.fdopen(handle, "wb") as file:
-            yield file
-        os.chmod(temporary, 0o666 & ~_umask())
-        os.replace(temporary, path)
-        temporary = None
+        yield
     except OSError as error:
         reason = error.strerror or str(error)
-        raise UsageError(f"cannot write {path}: {reason}. Nothing of it was kept.") from error
-    finally:
-        if temporary is not None:
-            with contextlib.suppress(OSError):
-                os.unlink(temporary)
+        remedy = REMEDIES.get(error.errno or 0, "Use another place.")
+        raise UsageError(f"cannot write {path}: {reason}. {remedy}") from error
 
 
 def _umask() -> int:
@@ -45,3 +67,17 @@ def write_bytes(path: Path, content: bytes) -> None:
     """Write a file whole or not at all."""
     with replaced(path) as file:
         file.write(content)
+
+
+def write_all(contents: dict[Path, bytes], first: Callable[[], None] = lambda: None) -> None:
+    """Write several files; none takes its place before all are on the disk.
+
+    ``first`` is called then, right before they do.
+    """
+    with contextlib.ExitStack() as stack:
+        # A stack is left in reverse order: the first file is to appear first.
+        for path, content in reversed(contents.items()):
+            file = stack.enter_context(replaced(path))
+            file.write(content)
+            file.flush()
+        first()

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 from pathlib import Path
 
 import numpy as np
 
 from viscodesign.errors import UsageError
-from viscodesign.report.atomic import write_bytes
+from viscodesign.report.atomic import refused_plainly, write_all, write_bytes
 from viscodesign.report.tables import shape_columns, summary_document, trajectory_columns
 from viscodesign.trajectory import Trajectory
 
@@ -21,36 +23,43 @@ OURS = {*TABLES, *PICTURES, SUMMARY}
 def write_run(
     trajectory: Trajectory, directory: str | Path, *, plots: bool = True, force: bool = False
 ) -> list[Path]:
-    """Write a run's files; an earlier run's are replaced, other files only with ``force``.
+    """Write a run's files and return them; an earlier run's files are replaced or removed.
 
-    The summary goes first out and last in: a folder that holds one is whole.
-    Raises `UsageError` where the folder cannot be written.
+    Tables come first, all or none, so that no trouble with a picture can lose them;
+    the summary comes last: a folder that holds one is whole. Raises `UsageError` where
+    the folder cannot be written, or holds other files than a run's (without ``force``).
     """
     folder = prepare_folder(directory, force=force)
-    (folder / SUMMARY).unlink(missing_ok=True)
-    for name in PICTURES:
-        (folder / name).unlink(missing_ok=True)
-    write_bytes(folder / "trajectory.csv", csv_text(*trajectory_columns(trajectory)))
-    write_bytes(folder / "shape.csv", csv_text(*shape_columns(trajectory)))
-    write_bytes(folder / "spec.yaml", trajectory.spec_text.encode())
-    written = [folder / name for name in TABLES]
+    contents = (
+        csv_text(*trajectory_columns(trajectory)),
+        csv_text(*shape_columns(trajectory)),
+        text_bytes(trajectory.spec_text),
+    )
+    tables = [folder / name for name in TABLES]
+    pictures = [folder / name for name in PICTURES]
+    summary = folder / SUMMARY
+    write_all(dict(zip(tables, contents, strict=True)), first=lambda: _remove([summary, *pictures]))
     if plots:
-        written += _draw(trajectory, folder)
+        _draw(trajectory, folder)
     document = json.dumps(summary_document(trajectory), indent=2, ensure_ascii=False)
-    write_bytes(folder / SUMMARY, (document + "\n").encode())
-    return [*written, folder / SUMMARY]
+    write_bytes(summary, text_bytes(document + "\n"))
+    return [*tables, *(pictures if plots else []), summary]
 
 
-def _draw(trajectory: Trajectory, folder: Path) -> list[Path]:
+def _remove(files: list[Path]) -> None:
+    for file in files:
+        with refused_plainly(file):
+            file.unlink(missing_ok=True)
+
+
+def _draw(trajectory: Trajectory, folder: Path) -> None:
     # Drawing is slow to import, and a run without pictures does not need it.
     from viscodesign.report.pressures import draw_pressures
     from viscodesign.report.shapes import draw_shapes
     from viscodesign.report.tip import draw_tip
 
-    drawers = dict(zip(PICTURES, (draw_tip, draw_pressures, draw_shapes), strict=True))
-    for name, draw in drawers.items():
+    for name, draw in zip(PICTURES, (draw_tip, draw_pressures, draw_shapes), strict=True):
         draw(trajectory, folder / name)
-    return [folder / name for name in drawers]
 
 
 def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
@@ -59,23 +68,26 @@ def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
     A command calls it before it computes, so that a bad place costs no time.
     """
     folder = Path(directory)
-    try:
+    if folder.exists() and not folder.is_dir():
+        raise UsageError(f"{folder} is a file; the run needs a folder. Use -o DIR")
+    with refused_plainly(folder):
         folder.mkdir(parents=True, exist_ok=True)
-        strangers = sorted(f.name for f in folder.iterdir() if not _is_ours(f.name))
-    except FileExistsError as error:
-        raise UsageError(f"{folder} is a file; the run needs a folder. Use -o DIR") from error
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise UsageError(f"cannot write to {folder}: {reason}. Use another -o DIR") from error
-    if strangers and not force and not (folder / SUMMARY).exists():
+        names = sorted(file.name for file in folder.iterdir())
+    strangers = [name for name in names if not _is_ours(name)]
+    if strangers and not force and SUMMARY not in names:
         shown = ", ".join(strangers[:3]) + (", ..." if len(strangers) > 3 else "")
         raise UsageError(
             f"{folder} holds other files ({shown}); nothing was written. "
             "Use another folder with -o DIR, or --force"
         )
-    write_bytes(folder / ".write-test", b"")
-    (folder / ".write-test").unlink()
+    _try_writing(folder)
     return folder
+
+
+def _try_writing(folder: Path) -> None:
+    probe = folder / ".write-test"
+    write_bytes(probe, b"")
+    _remove([probe])
 
 
 def _is_ours(name: str) -> bool:
@@ -84,6 +96,14 @@ def _is_ours(name: str) -> bool:
 
 def csv_text(names: list[str], values: np.ndarray) -> bytes:
     """A table with every digit, so that reading it gives the same numbers."""
-    lines = [",".join(names)]
+    header = io.StringIO()
+    # A name may hold a comma or a quote; a number never does.
+    csv.writer(header, lineterminator="").writerow(names)
+    lines = [header.getvalue()]
     lines += [",".join(map(repr, row)) for row in values.tolist()]
-    return ("\n".join(lines) + "\n").encode()
+    return text_bytes("\n".join(lines) + "\n")
+
+
+def text_bytes(text: str) -> bytes:
+    """UTF-8; half a surrogate pair, which has no code there, as its escape."""
+    return text.encode("utf-8", errors="backslashreplace")

@@ -101,7 +101,7 @@ class _Reader:
         self.count += 1
         if self.count > MOST_NODES or depth > DEEPEST:
             what = "nested too deeply" if depth > DEEPEST else "too large once its aliases unfold"
-            self._fault(node, path, f"is {what}")
+            self._fault(node, path[:4], f"is {what}")
             raise SpecError(self.faults[-1:])
         if isinstance(node, yaml.MappingNode):
             return self._mapping(node, path, depth)

@@ -78,10 +78,14 @@ def _advance(
     return None
 
 
-def continuation(family: Family, start: np.ndarray) -> np.ndarray:
+def continuation(
+    family: Family, start: np.ndarray, accept: Callable[[ca.DM], bool] = lambda jacobian: True
+) -> np.ndarray:
     """Follow family(y, s) = 0 from ``start`` at s = 0 to s = 1, as fast as Newton allows.
 
-    Raises `NewtonError` with the load factor reached, where the branch ends.
+    ``accept`` judges a solution by its Jacobian: what it refuses is not on the branch,
+    and a shorter step is tried. Raises `NewtonError` with the load factor reached,
+    where the branch ends.
     """
     y, reached, step = start, 0.0, 1.0
     previous: tuple[np.ndarray, float] | None = None
@@ -90,6 +94,8 @@ def continuation(family: Family, start: np.ndarray) -> np.ndarray:
         guess = y if previous is None else _extrapolate(previous, (y, reached), target)
         try:
             found = newton(partial(_at, family, target), guess)
+            if not accept(family(found, target)[1]):
+                raise NewtonError(0.0, 0)
         except NewtonError as failure:
             step /= 2
             if step < SMALLEST_STEP:

@@ -34,6 +34,8 @@ class Problem:
     equations: Equations
     body: Body
     bellows: tuple[str, ...]
+    places: np.ndarray
+    """Where each of these stands among the unknowns (B,)."""
     rest_volume: float
     """Volume of a bellow at zero gauge pressure [m3]."""
     baseline: float

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import casadi as ca
 import numpy as np
@@ -41,10 +42,29 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: boo
         return np.asarray(residual).ravel(), jacobian
 
     try:
-        y = continuation(family, guess)
+        y = continuation(family, guess, partial(_stable, equations.statics))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
     return _from_statics(problem, y, time, piece)
+
+
+def _stable(unknowns: Unknowns, jacobian: ca.DM) -> bool:
+    """Whether the rod's potential has a minimum: its stiffness is positive definite.
+
+    The elastic curvature follows the positions and is eliminated; pressures are held.
+    """
+    if "position" not in unknowns.blocks:
+        return True
+    matrix = np.array(jacobian.full())
+    bend = unknowns.blocks["elastic_curvature"].span
+    place = unknowns.blocks["position"].span
+    follow = np.linalg.solve(matrix[bend, bend], matrix[bend, place])
+    stiffness = -(matrix[place, place] - matrix[place, bend] @ follow)
+    try:
+        np.linalg.cholesky((stiffness + stiffness.T) / 2)
+    except np.linalg.LinAlgError:
+        return False
+    return True
 
 
 def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
@@ -181,7 +201,8 @@ def consistent(problem: Problem, start: Start, time: float, piece: np.ndarray) -
     except NewtonError:
         pass  # far from the solution: come to it along the loads
     try:
-        return Start(start.states, continuation(family, start.algebraics))
+        accept = partial(_stable, equations.algebraics)
+        return Start(start.states, continuation(family, start.algebraics, accept))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
 
@@ -196,8 +217,8 @@ def _no_equilibrium(problem: Problem, failure: NewtonError, time: float) -> Solv
         else "Check the network's tubes and pressures."
     )
     return SolveError(
-        f"no static equilibrium: Newton's iteration stops at {percent:.3g} % of the loads "
-        f"(largest defect {failure.residual:.2g})",
+        f"no stable equilibrium: the branch from the unloaded shape ends at {percent:.3g} % "
+        "of the loads",
         quantity="equilibrium",
         where="rod" if form is not RodForm.ARCS else "network",
         time_s=time,

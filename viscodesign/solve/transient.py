@@ -167,7 +167,8 @@ class _Idas:
             "abstol": tolerance,
             "reltol": tolerance,
             "newton_scheme": "direct",
-            "linear_solver": "qr",
+            # LU by CSparse: the pivots do not mind a mirrored sign, Householder's QR does.
+            "linear_solver": "csparse",
             "max_num_steps": MAX_STEPS,
             "show_eval_warnings": False,
             "quad_err_con": False,

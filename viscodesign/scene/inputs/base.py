@@ -129,6 +129,8 @@ def shortest_swing(profile: list[tuple[float, float]]) -> float:
     shortest = math.inf
     run = profile[:1]
     for point in profile[1:]:
+        if point[0] == run[-1][0] and abs(point[1] - run[-1][1]) > smallest:
+            return 0.0  # a jump is a swing of its own, whatever follows it
         turns = len(run) > 1 and (run[-1][1] - run[0][1]) * (point[1] - run[-1][1]) < 0
         stays = point[1] == run[-1][1]
         if turns or stays:

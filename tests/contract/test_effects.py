@@ -1,0 +1,240 @@
+"""What every effect of the catalogue promises, whoever wrote it."""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from tests.scenes import LEG_LENGTH, leg
+from viscodesign import check, effects
+from viscodesign.build import Settings, build
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import catalogue, select_effects
+from viscodesign.model.formulation import RodForm
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.statics import equilibrium
+
+# Every effect of the catalogue has something to act on here.
+LOADED = (
+    "loads.gravity.tilt=30 deg",
+    "loads.tip_force.x=0.1 N",
+    "loads.payload=5 g",
+    "effects={others: on}",
+)
+EFFECTS = sorted(catalogue())
+
+
+def made(name: str) -> tuple[Effect, Conditions]:
+    conditions = Conditions(leg(*LOADED))
+    return catalogue()[name].of(conditions), conditions
+
+
+def problem_with(*chosen: Effect, edges: int = 1) -> Problem:
+    return build(Conditions(leg(*LOADED)), list(chosen), Settings(edges, 1e-6))
+
+
+def values(problem: Problem, seed: int = 1) -> list[np.ndarray]:
+    """A state away from rest: pressures, places and speeds disturbed, no symmetry left."""
+    equations = problem.equations
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    random = np.random.default_rng(seed)
+    x = start.states + 1e-2 * random.standard_normal(len(start.states))
+    z = start.algebraics + 1e-2 * random.standard_normal(len(start.algebraics))
+    return [x, z, np.array(0.3), problem.schedule.pieces[0], problem.numbers()] if equations else []
+
+
+@pytest.mark.parametrize("name", EFFECTS)
+def test_weight_is_finite_and_explained(name: str) -> None:
+    effect, conditions = made(name)
+    weight = effect.weight(conditions)
+    assert math.isfinite(weight)
+    assert weight >= 0
+    assert effect.formula
+    assert effect.reason(conditions)
+    assert (type(effect).__doc__ or "").strip()
+
+
+@pytest.mark.parametrize("name", EFFECTS)
+def test_verdict_obeys_the_spec(name: str) -> None:
+    if not catalogue()[name].switchable:
+        pytest.skip("stated loads are always carried")
+    for mode, expected in (("on", True), ("off", False)):
+        verdicts = {v.name: v for v in check(leg(*LOADED, f"effects.{name}={mode}")).effects}
+        assert verdicts[name].taken is expected
+        assert verdicts[name].mode == mode
+
+
+@pytest.mark.parametrize("name", [*EFFECTS, "all"])
+def test_jacobian_equals_differences(name: str) -> None:
+    """With the effect joined to the rod's inertia, which gives every term something to push."""
+    effect, conditions = made("inertia")
+    chosen = [effect]
+    if name == "all":
+        chosen, _ = select_effects(conditions)
+    elif name != "inertia":
+        chosen = [made(name)[0], effect]
+    problem = problem_with(*chosen)
+    equations = problem.equations
+    x, z = equations.states.vector, equations.algebraics.vector
+    unknowns = ca.vertcat(x, z)
+    rows = ca.vertcat(equations.ode, equations.alg)
+    tail = [equations.time, equations.pieces, equations.parameters]
+    function = ca.Function("f", [x, z, *tail], [rows, ca.jacobian(rows, unknowns)])
+    point = values(problem)
+
+    def residual(w: np.ndarray) -> np.ndarray:
+        count = len(point[0])
+        result = function.call([ca.DM(a) for a in (w[:count], w[count:], *point[2:])])
+        return np.array(result[0]).ravel()
+
+    w = np.concatenate(point[:2])
+    jacobian = np.array(ca.DM(function.call([ca.DM(a) for a in point])[1]).full())
+    step = 1e-6
+    for k in range(len(w)):
+        forward, backward = w.copy(), w.copy()
+        forward[k] += step
+        backward[k] -= step
+        difference = (residual(forward) - residual(backward)) / (2 * step)
+        scale = max(1.0, float(np.max(np.abs(jacobian[:, k]))))
+        assert np.max(np.abs(difference - jacobian[:, k])) <= 2e-6 * scale
+
+
+@pytest.mark.parametrize("name", [n for n in EFFECTS if n not in ("gravity", "tip_load")])
+def test_no_force_at_rest_but_steady_load(name: str) -> None:
+    """Without pressure and load a straight rod stays where it is."""
+    still = leg("input={kind: constant, value: 0}", "effects={others: on}", "loads=null")
+    conditions = Conditions(still)
+    chosen = [catalogue()[name].of(conditions), catalogue()["inertia"].of(conditions)]
+    problem = build(conditions, chosen if name != "inertia" else chosen[:1], Settings(1, 1e-6))
+    equations = problem.equations
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    ode, alg = equations.function.call(
+        [ca.DM(a) for a in (start.states, start.algebraics, *problem.tail(0.0, np.zeros(3)))]
+    )
+    assert np.max(np.abs(np.array(ode))) <= 1e-9
+    assert np.max(np.abs(np.array(alg))) <= 1e-12
+
+
+def test_damping_only_takes_and_spares_a_rigid_turn() -> None:
+    problem = problem_with(made("inertia")[0], made("damping")[0], edges=2)
+    equations = problem.equations
+    power = ca.Function(
+        "p",
+        [equations.states.vector, equations.algebraics.vector, equations.parameters],
+        [equations.rates["material_loss"]],
+    )
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    x = start.states.copy()
+    position = equations.states.physical("position", x).reshape(-1, 2)
+    span = equations.states.blocks["velocity"].span
+
+    def loss(velocity: np.ndarray) -> float:
+        x[span] = velocity.ravel()
+        return float(power(ca.DM(x), ca.DM(start.algebraics), ca.DM(problem.numbers())))
+
+    random = np.random.default_rng(0)
+    assert all(loss(random.standard_normal(position.shape)) > 0 for _ in range(20))
+    # A turn about the clamp as a whole bends the rod only where it is held.
+    turning = np.column_stack((position[:, 1], -position[:, 0])) / LEG_LENGTH
+    bending = turning * np.linspace(0, 1, len(position))[:, None]
+    assert loss(np.zeros_like(position)) == 0.0
+    stretch, curvature = _rates(problem, x, turning, span)
+    assert np.max(np.abs(stretch)) <= 1e-12
+    assert np.max(np.abs(curvature[1:])) <= 1e-9
+    assert loss(bending) > 0
+
+
+def _rates(
+    problem: Problem, x: np.ndarray, velocity: np.ndarray, span: slice
+) -> tuple[np.ndarray, np.ndarray]:
+    """Strain rates of the chain, by differences of its own lengths and turns."""
+    position = problem.equations.states.physical("position", x).reshape(-1, 2)
+
+    def measure(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        chords = np.diff(np.vstack([[0, 0], points]), axis=0)
+        return np.hypot(*chords.T), np.diff(np.unwrap(np.arctan2(*chords.T)), prepend=0.0)
+
+    step = 1e-7
+    forward, backward = measure(position + step * velocity), measure(position - step * velocity)
+    x[span] = velocity.ravel()
+    return (forward[0] - backward[0]) / (2 * step), (forward[1] - backward[1]) / (2 * step)
+
+
+@pytest.mark.parametrize(
+    ("name", "override"),
+    [
+        ("gravity", "loads.gravity.acceleration=0"),
+        ("damping", "actuator.damping_time=0"),
+        ("feedback", "bellows={area_per_force: 0, area_per_moment: 0}"),
+        ("tip_load", "loads={tip_force: {x: 0, z: 0}, payload: 0}"),
+    ],
+)
+def test_vanishes_with_its_parameter(name: str, override: str) -> None:
+    key = override.partition("=")[0]
+    parts = {"bellows": ["bellows.area_per_force=0", "bellows.area_per_moment=0"]}
+    conditions = Conditions(leg(*LOADED, *parts.get(key, [override])))
+    effect = catalogue()[name].of(conditions)
+    assert effect.weight(conditions) == 0.0
+
+
+def test_what_is_off_is_absent() -> None:
+    """Fewer unknowns, not a multiplied zero."""
+
+    def form(*modes: str) -> tuple[RodForm, int]:
+        conditions = Conditions(leg(*LOADED[:3], f"effects={{{', '.join(modes)}, others: off}}"))
+        chosen, _ = select_effects(conditions)
+        equations = build(conditions, chosen, Settings(1, 1e-4)).equations
+        return equations.rod_form, equations.states.count + equations.algebraics.count
+
+    everything = form("inertia: on", "damping: on", "pressure_distribution: on")
+    quasi_static = form("gravity: on", "pressure_distribution: on")
+    uniform = form("gravity: on")
+    assert everything[0] is RodForm.DYNAMIC
+    assert quasi_static[0] is RodForm.STATIC
+    assert everything[1] > quasi_static[1] > uniform[1]
+    bare = Conditions(leg("effects={others: off}"))
+    chosen, _ = select_effects(bare)
+    equations = build(bare, chosen, Settings(1, 1e-4)).equations
+    assert equations.rod_form is RodForm.ARCS
+    assert equations.states.count + equations.algebraics.count == 0
+
+
+NEW_EFFECT = '''
+"""A drag on the tip, for a test."""
+from viscodesign.effects.base import Effect
+
+class TipDrag(Effect):
+    """Drag."""
+    name = "tip_drag"
+    formula = "d l^2 / (E I t_s)"
+
+    @classmethod
+    def of(cls, conditions):
+        return cls()
+
+    def weight(self, conditions):
+        return 1.0
+
+    def reason(self, conditions):
+        return "for a test"
+
+    def join(self, system):
+        system.dissipation_power += 1e-6 * system.rod.velocity[0, -1] ** 2
+'''
+
+
+def test_a_new_effect_is_one_new_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "tip_drag.py").write_text(NEW_EFFECT)
+    monkeypatch.setattr(effects, "__path__", [*effects.__path__, str(tmp_path)])
+    catalogue.cache_clear()
+    try:
+        assert "tip_drag" in {v.name for v in check(leg("effects.tip_drag=on")).effects}
+    finally:
+        catalogue.cache_clear()
+        sys.modules.pop("viscodesign.effects.tip_drag", None)

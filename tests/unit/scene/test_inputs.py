@@ -1,0 +1,95 @@
+"""Inputs: values, corners, coefficients and transient times."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign.scene.input import INPUT_KINDS
+from viscodesign.scene.inputs.base import Input
+
+SPECS = {
+    "constant": "{kind: constant, value: 3 kPa}",
+    "step": "{kind: step, value: 3 kPa, time: 1 s}",
+    "sine": "{kind: sine, amplitude: 3 kPa, frequency: 0.5 Hz, phase: 90 deg, mean: 1 kPa}",
+    "square": "{kind: square, high: 2 kPa, low: -1 kPa, frequency: 1 Hz, duty: 25 %}",
+    "trapezoid": "{kind: trapezoid, high: 2 kPa, low: -1 kPa, rise: 0.5 s, hold: 1 s, fall: 0.25 s, rest: 0.25 s}",
+    "double_sigmoid": "{kind: double_sigmoid, start: 40.41 kPa, drop: 141.3 kPa, fall_time: 0.5 s, rise_time: 4 s, transition: 0.875 s}",
+    "table": "{kind: table, rows: [[0.5, 1 kPa], [1, 2 kPa], [1, 0], [2, -1 kPa]]}",
+}  # fmt: skip
+
+
+def made(kind: str, changes: str = "") -> Input:
+    return leg(f"input={SPECS[kind]}", *([changes] if changes else [])).inputs["inlet"]
+
+
+def test_every_kind_is_tried_here() -> None:
+    assert set(SPECS) == set(INPUT_KINDS)
+
+
+@pytest.mark.parametrize("kind", SPECS)
+def test_expression_and_pressure_agree_inside_every_interval(kind: str) -> None:
+    source, duration = made(kind), 8.0
+    corners = source.corners(duration)
+    edges = np.array([0.0, *corners, duration])
+    pieces = source.pieces(edges)
+    assert pieces.shape == (len(edges) - 1, source.coefficients)
+    for k, piece in enumerate(pieces):
+        times = edges[k] + (edges[k + 1] - edges[k]) * np.array([0.01, 0.3, 0.5, 0.99])
+        direct = source.pressure(times)
+        by_piece = [source.expression(t, piece, np) for t in times]
+        assert by_piece == pytest.approx(direct, rel=1e-9, abs=1e-6)
+
+
+@pytest.mark.parametrize("kind", SPECS)
+def test_corners_lie_inside_and_ascend(kind: str) -> None:
+    corners = made(kind).corners(3.3)
+    assert corners == sorted(set(corners))
+    assert all(0 < t < 3.3 for t in corners)
+
+
+def test_values() -> None:
+    assert made("square").pressure(np.array([0, 0.2, 0.25, 0.9, 1.0])) == pytest.approx(
+        [2e3, 2e3, -1e3, -1e3, 2e3]
+    )
+    trapezoid = made("trapezoid").pressure(np.array([0, 0.25, 0.5, 1.4, 1.625, 1.75, 2.0, 2.25]))
+    assert trapezoid == pytest.approx([-1e3, 500, 2e3, 2e3, 500, -1e3, -1e3, 500])
+    table = made("table").pressure(np.array([0, 0.5, 0.75, 1.0, 1.5, 2, 9]))
+    assert table == pytest.approx([1e3, 1e3, 1.5e3, 0, -500, -1e3, -1e3])
+    assert made("sine").pressure(np.array([0.0, 1.0])) == pytest.approx([4e3, -2e3])
+
+
+@pytest.mark.parametrize(
+    ("kind", "expected"),
+    [
+        ("constant", math.inf),
+        ("step", 0.0),
+        ("square", 0.0),
+        ("trapezoid", 0.98 * 0.25),
+        ("double_sigmoid", 0.67),  # model's reading of the paper's pulse, two digits
+        ("sine", 0.8725),
+        ("table", 0.0),
+    ],
+)
+def test_transient_time_is_the_shortest_swing(kind: str, expected: float) -> None:
+    assert made(kind).transient() == pytest.approx(expected, abs=1e-3)
+
+
+def test_paper_pulse_at_its_start() -> None:
+    assert made("double_sigmoid").pressure(np.zeros(1))[0] == pytest.approx(40261.52, abs=0.01)
+
+
+def test_small_wiggles_do_not_count_as_swings() -> None:
+    rows = "[[0, 0], [1, 1000], [1.001, 999.9], [2, 1000], [5, 0]]"
+    source = leg(f"input={{kind: table, rows: {rows}}}").inputs["inlet"]
+    assert source.transient() == pytest.approx(0.98, abs=0.02)
+
+
+def test_a_million_periods_are_refused() -> None:
+    from viscodesign.errors import SpecError
+
+    with pytest.raises(SpecError, match="periods"):
+        leg("input={kind: square, high: 1, low: 0, frequency: 1 MHz}", "run.duration=100 s")

@@ -1,0 +1,223 @@
+"""Following a motion: pulses, restarts, work, failures that keep what was reached."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign import Trajectory, simulate
+from viscodesign.build import Settings, build, schedule
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.errors import SolveError
+from viscodesign.solve.statics import equilibrium
+from viscodesign.solve.transient import integrate
+
+ONE_WAY = "effects={pressure_distribution: on, others: off}"
+TINY = "fluid={name: thin, viscosity: 1e-10, density: 1}"
+
+
+@pytest.mark.parametrize("effects", [ONE_WAY, "effects={others: on}"])
+@pytest.mark.parametrize(
+    "pulse",
+    [
+        "{kind: table, rows: [[0, 0], [41.0003, 0], [41.0003, 5e3], [41.0013, 5e3], [41.0013, 0], [60, 0]]}",
+        "{kind: double_sigmoid, start: 0, drop: -5 kPa, fall_time: 41 s, rise_time: 41.001 s, transition: 0.1 ms}",
+    ],
+)  # fmt: skip
+def test_a_millisecond_pulse_in_a_minute_is_not_stepped_over(pulse: str, effects: str) -> None:
+    """With so thin a fluid the first bellow sees the whole pulse; it must show at its middle."""
+    found = simulate(
+        leg(
+            f"input={pulse}", effects, TINY, "run={duration: 60 s, output_times: [40, 41.0008, 60]}"
+        )
+    )
+    assert found.status == "complete"
+    first = found.pressure[:, found.bellows.index("R1")]
+    assert first[1] == pytest.approx(5e3, rel=0.02)
+    assert abs(first[2]) <= 50
+
+
+def test_output_times_do_not_change_the_answer() -> None:
+    every = simulate(leg("run={duration: 2 s, output_interval: 0.01 s}"), verify=False)
+    few = simulate(leg("run={duration: 2 s, output_times: [0.5, 1.23, 2]}"), verify=False)
+    at = [round(t / 0.01) for t in (0.5, 1.23, 2)]
+    assert np.max(np.abs(every.tip[at] - few.tip)) <= 0.005
+
+
+def test_swapping_columns_mirrors_the_motion() -> None:
+    def network(a: str, b: str) -> str:
+        nodes = ["inlet", *(f"{a}{j}" for j in range(1, 9)), *(f"{b}{j}" for j in range(8, 0, -1))]
+        tubes = ", ".join(
+            f"{{from: {m}, to: {n}, length: 37.5 mm, radius: 0.325 mm}}"
+            for m, n in itertools.pairwise(nodes)
+        )
+        return f"network={{layout: custom, tubes: [{tubes}]}}"
+
+    right, left = (simulate(leg(network(*ab)), verify=False) for ab in (("R", "L"), ("L", "R")))
+    mirrored = left.tip * (-1, 1, -1)
+    assert np.max(np.abs(right.tip - mirrored)) <= 1e-12
+
+
+def test_work_of_the_leg_stays_small() -> None:
+    """The paper's leg, all effects on: counts, which no clock disturbs."""
+    found = simulate(leg("loads.gravity=on", "effects={others: on}"), verify=False)
+    assert found.status == "complete"
+    assert found.cost.steps <= 900
+    assert found.cost.residual_calls <= 1800
+    assert found.cost.jacobian_calls <= 200
+    assert found.settings["states"] <= 50
+
+
+def test_work_of_the_quasi_static_leg_stays_smaller() -> None:
+    found = simulate(leg(ONE_WAY), verify=False)
+    assert found.cost.steps <= 250
+    assert found.settings["states"] == 17
+
+
+def test_a_section_pressed_to_nothing_ends_the_run_by_name() -> None:
+    found = simulate(
+        leg(
+            "input={kind: table, rows: [[0, 0], [1, 0], [3, -400 kPa], [8, -400 kPa]]}",
+            "effects={others: off}",
+        )
+    )
+    assert found.status == "failed"
+    assert found.failure is not None
+    assert "section 1" in found.failure
+    assert "t = " in found.failure
+    assert 1.0 < found.time[-1] < 3.0
+    assert np.all(np.isfinite(found.tip))
+
+
+def test_a_start_pressed_to_nothing_is_refused() -> None:
+    with pytest.raises(SolveError, match="section"):
+        simulate(leg("input={kind: constant, value: -400 kPa}", "effects={others: off}"))
+
+
+def test_a_negative_blocked_compliance_is_refused_with_its_number() -> None:
+    from viscodesign.errors import SpecError
+
+    reciprocal = 10.266 / 1.8e6 / 0.018
+    with pytest.raises(SpecError, match=r"-1\.51\d*e-10"):
+        simulate(leg(f"bellows.area_per_moment={reciprocal!r}"))
+
+
+CRITICAL_LOAD = 2.5086267 * 0.04455 / 0.109**2  # N, of the extensible column (exact root)
+
+
+def column(load: float, imperfection: float) -> Trajectory:
+    return simulate(
+        leg(
+            "input={kind: constant, value: 0}",
+            f"loads.tip_force={{x: {imperfection!r} N, z: {-load * CRITICAL_LOAD!r} N}}",
+            "effects={others: off}",
+            "run={duration: 0.1 s, output_interval: 0.1 s}",
+        )
+    )
+
+
+def test_a_pressed_column_buckles_to_the_side_of_its_imperfection() -> None:
+    """Not onto the straight branch, which is an equilibrium too, but no stable one."""
+    found = column(1.1, 1e-3 * 0.04455 / 0.109**2)
+    assert found.status == "complete"
+    assert found.tip[-1, 0] == pytest.approx(0.5 * 0.109, rel=0.05)
+    assert abs(column(0.9, 1e-6).tip[-1, 0]) < 1e-3 * 0.109
+
+
+def test_a_perfect_column_above_its_critical_load_is_refused() -> None:
+    with pytest.raises(SolveError, match=r"no stable equilibrium.* ends at 9\d"):
+        column(1.05, 0.0)
+
+
+def test_a_failing_stretch_keeps_what_came_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An integrator that fails past a time: halving finds the last output before it."""
+    import casadi as ca
+
+    conditions = Conditions(leg(ONE_WAY, "run={duration: 4 s, output_interval: 0.1 s}"))
+    effects, _ = select_effects(conditions)
+    problem = build(conditions, effects, Settings(1, 1e-4))
+    real = ca.integrator
+
+    def limited(
+        name: str, plugin: str, dae: object, t0: float, grid: np.ndarray, options: object
+    ) -> object:
+        if grid[-1] > 2.45:
+            raise RuntimeError("IDASolve returned IDA_ERR_FAIL")
+        return real(name, plugin, dae, t0, grid, options)
+
+    monkeypatch.setattr(ca, "integrator", limited)
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    solution = integrate(problem, start, 1e-4)
+    assert solution.failure is not None
+    assert solution.failure.time_s == pytest.approx(2.4)
+    assert solution.reached == 25
+    assert solution.states.shape[1] == solution.integrals.shape[1] == 25
+
+
+def test_schedule_holds_outputs_and_corners_once() -> None:
+    scene = leg(
+        "input={kind: square, high: 1 kPa, low: 0, frequency: 4 Hz}",
+        "run={duration: 1 s, output_interval: 0.1 s}",
+    )
+    made = schedule(scene)
+    assert np.all(np.diff(made.edges) > 0)
+    assert made.edges[made.outputs] == pytest.approx(np.linspace(0, 1, 11))
+    assert set(np.round([0.125, 0.25, 0.375], 9)) <= set(np.round(made.edges, 9))
+    assert len(made.pieces) == len(made.edges) - 1
+
+
+def test_a_solve_works_outside_of_the_main_thread() -> None:
+    results: list[str] = []
+    thread = threading.Thread(
+        target=lambda: results.append(simulate(leg(ONE_WAY), verify=False).status)
+    )
+    thread.start()
+    thread.join()
+    assert results == ["complete"]
+
+
+@pytest.mark.parametrize("start", ["rest", "equilibrium"])
+@pytest.mark.parametrize("inertia", ["on", "off"])
+@pytest.mark.parametrize("distribution", ["on", "off"])
+def test_every_start_and_form_runs(start: str, inertia: str, distribution: str) -> None:
+    found = simulate(
+        leg(
+            "gauge_pressure=1 kPa",
+            "loads.gravity.tilt=40 deg",
+            "input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}",
+            f"effects={{inertia: {inertia}, damping: {inertia}, gravity: on, feedback: on, "
+            f"pressure_distribution: {distribution}}}",
+            f"run={{duration: 1 s, start: {start}}}",
+        )
+    )
+    assert found.status == "complete", found.failure
+    assert np.all(np.isfinite(found.tip))
+    assert found.invariants.volume_imbalance_rel is not None
+    assert found.invariants.volume_imbalance_rel <= 1e-8
+    energy = found.invariants.energy_imbalance_rel
+    assert energy is None or energy <= 2e-3
+
+
+def test_sealed_islands_hold_what_they_have() -> None:
+    tubes = "{from: inlet, to: R1, length: 4 cm}, {from: L1, to: L2, length: 4 cm}"
+    found = simulate(
+        leg(
+            "bellows.count=4",
+            f"network={{layout: custom, tube_radius: 0.3 mm, tubes: [{tubes}]}}",
+            "gauge_pressure=2 kPa",
+            "effects={inertia: on, damping: on, feedback: on, pressure_distribution: on, others: off}",
+            "loads.tip_force.x=0.2 N",
+        )
+    )
+    assert found.status == "complete"
+    island = [found.bellows.index(b) for b in ("L1", "L2")]
+    held = found.volume[:, island].sum(axis=1)
+    assert np.max(np.abs(held - held[0])) <= 1e-12 * held[0]
+    alone = found.volume[:, found.bellows.index("R2")]
+    assert np.max(np.abs(alone - alone[0])) <= 1e-12 * alone[0]
+    assert {w.code for w in found.warnings} >= {"sealed_island"}
