@@ -6,39 +6,68 @@ import numpy as np
 
 from viscodesign.trajectory import Trajectory
 
+DISTINCT = 0.01
+"""Smallest difference worth a drawing of its own: of length, of the pressures' range."""
 
-def spread_instants(trajectory: Trajectory, count: int) -> np.ndarray:
-    """Indices of up to ``count`` times, ascending, spread over the shapes that occur.
 
-    The first and the last, then always the one whose shape is farthest from all chosen
-    so far: a motion that pauses is not drawn twice, a fast one is not skipped.
+def spread_instants(trajectory: Trajectory, count: int, *, pressures: bool = False) -> np.ndarray:
+    """Indices of up to ``count`` times, ascending, spread over what occurs.
+
+    The first, the last, then always the one that is farthest from all chosen so far,
+    by its shape and, if asked, by its ``pressures``: a motion that pauses or repeats
+    itself is not drawn twice, a fast one is not skipped.
     """
-    shape = trajectory.shape
-    flat = shape.reshape(len(shape), -1)
+    places = _configurations(trajectory, pressures)
+    distance = np.linalg.norm(places - places[0], axis=1)
     chosen = [0]
-    distance = np.linalg.norm(flat - flat[0], axis=1)
-    smallest = 0.01 * trajectory.length * np.sqrt(shape.shape[1])
-    while len(chosen) < min(count, len(shape)):
+    last = len(places) - 1
+    if distance[last] >= DISTINCT or (trajectory.status != "complete" and last > 0):
+        chosen.append(last)
+        distance = np.minimum(distance, np.linalg.norm(places - places[last], axis=1))
+    while len(chosen) < count:
         farthest = int(np.argmax(distance))
-        if distance[farthest] < smallest:
+        if distance[farthest] < DISTINCT:
             break
         chosen.append(farthest)
-        distance = np.minimum(distance, np.linalg.norm(flat - flat[farthest], axis=1))
+        distance = np.minimum(distance, np.linalg.norm(places - places[farthest], axis=1))
     return np.array(sorted(chosen))
 
 
+def _configurations(trajectory: Trajectory, pressures: bool) -> np.ndarray:
+    """One row for each time; rows at distance 1 differ by a length, or all pressures' range."""
+    times, points = trajectory.shape.shape[:2]
+    shape = trajectory.shape.reshape(times, -1) / (trajectory.length * np.sqrt(points))
+    span = float(np.ptp(trajectory.pressure))
+    # Below a millionth the range is rounding, not motion.
+    if not pressures or span <= 1e-6 * float(np.max(np.abs(trajectory.pressure))):
+        return shape
+    scaled = trajectory.pressure / (span * np.sqrt(trajectory.pressure.shape[1]))
+    # What moves is seen better than what changes its colour.
+    return np.concatenate([shape, 0.5 * scaled], axis=1)
+
+
 def normals(axis: np.ndarray) -> np.ndarray:
-    """Unit normals (K, 2) of an axis (K, 2), to the right of the way from clamp to tip.
+    """Unit normals (..., K, 2) of an axis (..., K, 2), to the right of the way to the tip.
 
     Right is +x where the axis runs along +z.
     """
-    tangent = np.gradient(axis, axis=0)
-    length = np.hypot(tangent[:, 0], tangent[:, 1])
-    unit = tangent / np.maximum(length, 1e-300)[:, None]
-    return np.column_stack((unit[:, 1], -unit[:, 0]))
+    tangent = np.gradient(axis, axis=-2)
+    length = np.hypot(tangent[..., 0], tangent[..., 1])
+    unit = tangent / np.maximum(length, 1e-300)[..., None]
+    return np.stack((unit[..., 1], -unit[..., 0]), axis=-1)
 
 
-def outline(axis: np.ndarray, width: float) -> np.ndarray:
-    """Closed outline (2 K, 2) of a body of ``width`` about its axis [m]."""
+def outlines(axis: np.ndarray, width: float) -> np.ndarray:
+    """Closed outlines (..., 2 K, 2) of a body of ``width`` about its axis (..., K, 2) [m]."""
     side = normals(axis) * width / 2
-    return np.concatenate([axis + side, (axis - side)[::-1]])
+    return np.concatenate([axis + side, (axis - side)[..., ::-1, :]], axis=-2)
+
+
+def clamp_strokes(half: float, height: float, count: int) -> np.ndarray:
+    """Hatching (count, 2, 2) above a clamp from -half to +half at z = 0, z pointing down."""
+    foot = np.linspace(-half, half, count, endpoint=False)
+    head = foot + 2 * half / count
+    level = np.zeros(count)
+    return np.stack(
+        (np.stack((foot, level), axis=1), np.stack((head, level - height), axis=1)), axis=1
+    )

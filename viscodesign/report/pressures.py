@@ -2,86 +2,140 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
-from matplotlib.colors import Normalize
+from matplotlib.colors import BoundaryNorm, Normalize
 
-from viscodesign.report.style import ACCENT, FAINT, SEQUENTIAL, ended_early, picture
+from viscodesign.report.style import (
+    FAINT, GREY, INLET_COLOURS, SEQUENTIAL, axes_at, head, head_room, picture, shown,
+)  # fmt: skip
 from viscodesign.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 DASHES = ("-", "--", ":", "-.")
+LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT, GAP = 0.68, 0.5, 2.5, 3.0, 0.2
+BAR_LEFT = LEFT + 2 * PANEL_WIDTH + GAP + 0.15
+WIDTH = BAR_LEFT + 0.65
+PANEL_TITLE = 0.22
+LEGEND_ROW = 0.2
+"""All in inches."""
+DISCRETE = 16
+"""Up to so many sections each has its own field in the colour bar."""
 
 
 def draw_pressures(trajectory: Trajectory, path: Path) -> None:
-    """Two panels, right and left column, kPa gauge; colour is the section."""
-    with picture(path, 6.6, 4.6) as made:
-        left = made.add_axes((0.1, 0.12, 0.37, 0.77))
-        right = made.add_axes((0.5, 0.12, 0.37, 0.77), sharex=left, sharey=left)
-        norm = Normalize(1, max(trajectory.sections, 2))
+    """Two panels, left and right column, kPa gauge; colour is the section."""
+    rows = -(-len(trajectory.inlet_pressure) // len(DASHES))
+    above = PANEL_TITLE + LEGEND_ROW * rows + head_room(trajectory, WIDTH)
+    with picture(path, WIDTH, BOTTOM + PANEL_HEIGHT + above) as made:
+        left = axes_at(made, LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT)
+        right = axes_at(made, LEFT + PANEL_WIDTH + GAP, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT)
+        norm = _section_colours(trajectory.sections)
+        limits = _limits(trajectory)
         for axes, side, title in ((left, "L", "left column"), (right, "R", "right column")):
             _draw_column(axes, trajectory, side, norm)
-            axes.set_title(title, loc="left", fontsize=9)
-            axes.set_xlabel("time [s]")
-            axes.grid(color="#e6e6e6", lw=0.6)
-            axes.set_axisbelow(True)
-        left.set_ylabel("pressure [kPa gauge]")
+            _draw_levels(axes, trajectory, limits[1])
+            axes.set(xlim=limits[0], ylim=limits[1], xlabel="time [s]")
+            last = f" to {side}{trajectory.sections}" if trajectory.sections > 1 else ""
+            axes.set_title(f"{title}, {side}1{last}", loc="left", fontsize=9)
+        left.set_ylabel("gauge pressure [kPa]")
         right.tick_params(labelleft=False)
-        _limits(left, trajectory)
-        right.legend(loc="best", handlelength=2.2)
-        bar = made.colorbar(
-            ScalarMappable(norm, mpl.colormaps[SEQUENTIAL]),
-            cax=made.add_axes((0.895, 0.12, 0.018, 0.77)),
-        )
-        bar.set_label("section, 1 at the clamp")
-        bar.set_ticks(_section_ticks(trajectory.sections))
-        bar.outline.set_visible(False)
-        made.text(0.1, 0.97, f"{trajectory.name}: pressures", fontsize=10)
-        ended_early(made, trajectory)
+        _draw_legend(made, right)
+        _draw_bar(made, trajectory, norm)
+        head(made, trajectory, "pressures", LEFT)
+
+
+def _section_colours(sections: int) -> Normalize:
+    if sections > DISCRETE:
+        return Normalize(1, sections)
+    return BoundaryNorm(np.arange(sections + 1) + 0.5, SEQUENTIAL.N)
 
 
 def _draw_column(axes: Axes, trajectory: Trajectory, side: str, norm: Normalize) -> None:
     columns = [k for k, name in enumerate(trajectory.bellows) if name.startswith(side)]
-    numbers = np.array([int(trajectory.bellows[k][1:]) for k in columns])
+    numbers = np.array([float(trajectory.bellows[k][1:]) for k in columns])
     time = np.broadcast_to(trajectory.time[:, None], (len(trajectory.time), len(columns)))
     curves = np.stack((time, trajectory.pressure[:, columns] / 1e3), axis=2).transpose(1, 0, 2)
-    lines = LineCollection(list(curves), cmap=SEQUENTIAL, norm=norm, linewidths=1.2, zorder=3)
-    lines.set_array(numbers.astype(float))
+    lines = LineCollection(list(curves), cmap=SEQUENTIAL, norm=norm, linewidths=1.1, zorder=3)
+    lines.set_array(numbers)
     axes.add_collection(lines)
+    alone = len(trajectory.inlet_pressure) == 1
     for k, (name, values) in enumerate(trajectory.inlet_pressure.items()):
-        label = "inlet" if len(trajectory.inlet_pressure) == 1 else f"inlet '{name}'"
         axes.plot(
-            trajectory.time,
-            values / 1e3,
-            color=ACCENT,
-            lw=2,
-            ls=DASHES[k % 4],
-            label=label,
-            zorder=2,
-        )
+            trajectory.time, values / 1e3, zorder=2, lw=2.4,
+            color=INLET_COLOURS[k % len(INLET_COLOURS)], ls=DASHES[k % len(DASHES)],
+            label="inlet" if alone or name == "inlet" else f"inlet {shown(name, 14)}",
+            marker="_" if len(trajectory.time) == 1 else None,
+        )  # fmt: skip
+    if len(trajectory.time) == 1:
+        axes.scatter(time[0], curves[:, 0, 1], c=numbers, cmap=SEQUENTIAL, norm=norm, zorder=3)
 
 
-def _limits(axes: Axes, trajectory: Trajectory) -> None:
-    values = [trajectory.pressure.ravel(), *trajectory.inlet_pressure.values()]
+def _limits(trajectory: Trajectory) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Time [s] and pressure [kPa], both never of no extent."""
+    values = [trajectory.pressure, *trajectory.inlet_pressure.values()]
     low = min(float(np.min(v)) for v in values) / 1e3
     high = max(float(np.max(v)) for v in values) / 1e3
-    margin = 0.06 * (high - low) or max(0.05 * abs(high), 0.1)
-    axes.set_ylim(low - margin, high + margin)
-    end = trajectory.time[-1] if len(trajectory.time) > 1 else trajectory.time[0] + 1
-    axes.set_xlim(trajectory.time[0], end)
-    for shared in axes.get_shared_y_axes().get_siblings(axes):
-        if low - margin < 0 < high + margin:
-            shared.axhline(0, color=FAINT, lw=0.9, zorder=1)
+    margin = max(0.06 * (high - low), 1e-6 * abs(high))
+    if margin == 0.0:
+        margin = 1.0
+    start, end = float(trajectory.time[0]), float(trajectory.time[-1])
+    across = (start, end) if end > start else (start - 0.5, start + 0.5)
+    return across, (low - margin, high + margin)
 
 
-def _section_ticks(sections: int) -> list[int]:
-    step = max(1, round(sections / 8))
+def _draw_levels(axes: Axes, trajectory: Trajectory, limits: tuple[float, float]) -> None:
+    """Grid, the ambient, and the vacuum that no gauge pressure can pass."""
+    axes.grid(color="#e6e6e6", lw=0.6)
+    axes.set_axisbelow(True)
+    levels = {"ambient": 0.0}
+    ambient = ambient_pressure(trajectory.spec_text)
+    if ambient is not None:
+        levels["vacuum"] = -ambient / 1e3
+    for name, level in levels.items():
+        if limits[0] < level < limits[1]:
+            axes.axhline(level, color=GREY, lw=0.9, ls=(0, (6, 2)), zorder=1)
+            axes.annotate(
+                name, xy=(1, level), xycoords=("axes fraction", "data"), xytext=(-1, 1.5),
+                textcoords="offset points", ha="right", va="bottom", fontsize=7, color="#555555",
+                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
+                zorder=5,
+            )  # fmt: skip
+
+
+def ambient_pressure(spec_text: str) -> float | None:
+    """The absolute ambient pressure [Pa] that a resolved spec states, if it does."""
+    stated = re.search(r"^ambient_pressure: ([-+.\deE]+)( Pa)?$", spec_text, re.MULTILINE)
+    return float(stated[1]) if stated else None
+
+
+def _draw_legend(made: Figure, axes: Axes) -> None:
+    width, height = made.get_size_inches()
+    made.legend(
+        *axes.get_legend_handles_labels(), loc="lower left", ncols=len(DASHES), handlelength=2.4,
+        borderaxespad=0, columnspacing=1.4,
+        bbox_to_anchor=(LEFT / width, (BOTTOM + PANEL_HEIGHT + PANEL_TITLE) / height),
+    )  # fmt: skip
+
+
+def _draw_bar(made: Figure, trajectory: Trajectory, norm: Normalize) -> None:
+    sections = trajectory.sections
+    bar = made.colorbar(
+        ScalarMappable(norm, SEQUENTIAL), cax=axes_at(made, BAR_LEFT, BOTTOM, 0.12, PANEL_HEIGHT)
+    )
+    bar.set_label("section, 1 at the clamp")
+    step = -(-sections // DISCRETE)
     ticks = list(range(1, sections + 1, step))
-    return ticks if ticks[-1] == sections or step > 1 else [*ticks, sections]
+    bar.set_ticks([float(tick) for tick in ticks], labels=[str(tick) for tick in ticks])
+    bar.minorticks_off()
+    bar.ax.tick_params(length=0 if step == 1 else 3)
+    bar.outline.set_edgecolor(FAINT)
+    bar.outline.set_linewidth(0.4)

@@ -2,123 +2,204 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import Normalize, TwoSlopeNorm
+from matplotlib.colors import Colormap, Normalize
 
-from viscodesign.report.instants import normals, spread_instants
-from viscodesign.report.style import DIVERGING, INK, bare, ended_early, picture
+from viscodesign.report.filmstrip import Frame, Strip, arrange
+from viscodesign.report.instants import clamp_strokes, normals, spread_instants
+from viscodesign.report.style import DIVERGING, INK, axes_at, head, head_room, picture
 from viscodesign.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 SHOWN = 8
-PER_ROW = 4
 GAP = 0.12
 """Part of a section's length left between neighbouring bellows."""
-SCALE_BARS_MM = (1, 2, 5, 10, 20, 50, 100, 200, 500)
+MIDDLE = 0.08
+"""Part of the half width left free on either side of the axis."""
+EDGED = 24
+"""With more sections than this a bellow's edge would hide its colour."""
+WIDTH, SIDE, FOOT = 6.6, 0.2, 0.62
+"""The figure, its margins, and the foot with scale and colour bar [inch]."""
+
+
+@dataclass(frozen=True)
+class Poses:
+    """What the strip shows, in mm and kPa: N instants, B bellows, K points of the axis."""
+
+    labels: list[str]
+    axis: np.ndarray
+    """(N, K, 2)"""
+    blocks: np.ndarray
+    """(N, B, 4, 2)"""
+    pressure: np.ndarray
+    """(N, B) gauge."""
+    clamp: tuple[float, float]
+    """Half width and height."""
 
 
 def draw_shapes(trajectory: Trajectory, path: Path) -> None:
-    """Up to eight instants at one scale, time below each, a scale bar and a colour bar."""
-    instants = spread_instants(trajectory, SHOWN)
-    frames = [_blocks(trajectory, k) for k in instants]
-    low, high = _common_box(frames, trajectory)
-    columns = min(PER_ROW, len(instants))
-    rows = -(-len(instants) // columns)
-    cell = 6.2 / columns
-    tall = cell * float((high[1] - low[1]) / (high[0] - low[0]))
-    with picture(path, 6.8, rows * (tall + 0.25) + 0.3) as made:
-        norm = _norm(trajectory)
-        height = made.get_figheight()
-        for k, (instant, (blocks, values)) in enumerate(zip(instants, frames, strict=True)):
-            row, column = divmod(k, columns)
-            bottom = 1 - ((row + 1) * (tall + 0.25) + 0.1) / height
-            axes = made.add_axes(
-                (column * cell / 6.8, bottom + 0.2 / height, cell / 6.8, tall / height)
-            )
-            _draw_frame(axes, trajectory, instant, blocks, values, norm)
-            axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]), aspect="equal")
-            made.text(
-                (column + 0.5) * cell / 6.8, bottom + 0.1 / height,
-                f"t = {trajectory.time[instant]:.3g} s", ha="center", va="center", fontsize=9,
-            )  # fmt: skip
-            if k == 0:
-                _scale_bar(axes, low, high)
-        bar = made.colorbar(
-            ScalarMappable(norm, mpl.colormaps[DIVERGING]),
-            cax=made.add_axes((0.93, 0.2, 0.018, 0.6)),
-        )
-        bar.set_label("bellow pressure [kPa gauge]")
-        bar.outline.set_visible(False)
-        made.text(0.01, 1.0, f"{trajectory.name}: shapes", va="bottom", fontsize=10)
-        ended_early(made, trajectory)
+    """Up to eight instants at one scale, time above each, a scale bar and a colour bar."""
+    poses = _poses(trajectory)
+    strip = arrange(_frames(poses), 1e3 * trajectory.length, WIDTH - 2 * SIDE)
+    height = FOOT + strip.height + head_room(trajectory, WIDTH)
+    with picture(path, WIDTH, height) as made:
+        axes = axes_at(made, SIDE, FOOT, WIDTH - 2 * SIDE, strip.height)
+        wide, high = (WIDTH - 2 * SIDE) / strip.scale, strip.height / strip.scale
+        axes.set(xlim=(0, wide), ylim=(high, 0))
+        axes.set_axis_off()
+        colours, norm = _colouring(trajectory)
+        _draw_poses(axes, poses, strip, colours, norm)
+        _draw_labels(axes, poses, strip)
+        _draw_sides(axes, poses, strip)
+        _draw_scale(made, strip)
+        _draw_bar(made, trajectory, ScalarMappable(norm, colours))
+        head(made, trajectory, "shapes and pressures", SIDE)
 
 
-def _blocks(trajectory: Trajectory, instant: int) -> tuple[np.ndarray, np.ndarray]:
-    """Quadrangles (B, 4, 2) [mm] beside the axis, and their pressures (B,) [kPa]."""
-    axis = trajectory.shape[instant]
-    side = normals(axis) * trajectory.width / 2
+def _poses(trajectory: Trajectory) -> Poses:
+    instants = spread_instants(trajectory, SHOWN, pressures=True)
+    axis = trajectory.shape[instants] * 1e3
+    return Poses(
+        time_labels(trajectory.time[instants]),
+        axis,
+        _blocks(trajectory, axis),
+        trajectory.pressure[instants] / 1e3,
+        (0.7e3 * trajectory.width, 0.14e3 * trajectory.width),
+    )
+
+
+def _blocks(trajectory: Trajectory, axis: np.ndarray) -> np.ndarray:
+    """Quadrangles (N, B, 4, 2) beside axes (N, K, 2) [mm], in the order of the bellows."""
     arc = trajectory.arc / trajectory.arc[-1] * trajectory.sections
-    corners = []
-    for name in trajectory.bellows:
-        section = int(name[1:]) - 1
-        ends = (section + GAP / 2, section + 1 - GAP / 2)
-        point = np.array([[np.interp(e, arc, axis[:, i]) for i in (0, 1)] for e in ends])
-        out = np.array([[np.interp(e, arc, side[:, i]) for i in (0, 1)] for e in ends])
-        sign = 1.0 if name[0] == "R" else -1.0
-        near, far = point + 0.08 * sign * out, point + sign * out
-        corners.append([near[0], near[1], far[1], far[0]])
-    return np.array(corners) * 1e3, trajectory.pressure[instant] / 1e3
+    section = np.arange(trajectory.sections)
+    ends = np.stack((section + GAP / 2, section + 1 - GAP / 2))
+    point = _interpolated(ends, arc, axis)
+    out = _interpolated(ends, arc, normals(axis)) * 0.5e3 * trajectory.width
+    columns = {}
+    for side, sign in (("R", 1.0), ("L", -1.0)):
+        near, far = point + MIDDLE * sign * out, point + sign * out
+        columns[side] = np.stack((near[:, 0], near[:, 1], far[:, 1], far[:, 0]), axis=2)
+    return np.stack([columns[b[0]][:, int(b[1:]) - 1] for b in trajectory.bellows], axis=1)
 
 
-def _common_box(
-    frames: list[tuple[np.ndarray, np.ndarray]], trajectory: Trajectory
-) -> tuple[np.ndarray, np.ndarray]:
-    points = np.concatenate([blocks.reshape(-1, 2) for blocks, _ in frames])
-    half = trajectory.width * 1e3 * 0.75
-    low = np.minimum(points.min(axis=0), (-half, -0.07 * trajectory.length * 1e3))
-    high = np.maximum(points.max(axis=0), (half, 0.0))
-    margin = 0.04 * float(np.max(high - low))
-    return low - margin, high + margin
+def _interpolated(at: np.ndarray, arc: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Values (N, K, 2) along the arc at places (2, S): (N, 2, S, 2)."""
+    return np.array([np.stack([np.interp(at, arc, v[:, i]) for i in (0, 1)], -1) for v in values])
 
 
-def _norm(trajectory: Trajectory) -> Normalize:
-    largest = float(np.max(np.abs(trajectory.pressure))) / 1e3 or 1.0
-    return TwoSlopeNorm(0.0, -largest, largest)
+def _frames(poses: Poses) -> list[Frame]:
+    """The room that each pose takes about the middle of its clamp."""
+    half, hatch = poses.clamp
+    corners = poses.blocks.reshape(len(poses.blocks), -1, 2)
+    low = np.minimum(corners.min(axis=1), (-half, -hatch))
+    high = np.maximum(corners.max(axis=1), (half, 0.0))
+    return [Frame(*a, *b) for a, b in zip(low.tolist(), high.tolist(), strict=True)]
 
 
-def _draw_frame(
-    axes: Axes,
-    trajectory: Trajectory,
-    instant: int,
-    blocks: np.ndarray,
-    values: np.ndarray,
-    norm: Normalize,
+def time_labels(times: np.ndarray) -> list[str]:
+    """Times with as few equal decimals as tell them apart and from their neighbours' places."""
+    for decimals in range(10):
+        labels = [f"{time:.{decimals}f}" for time in times]
+        close = np.abs(np.array([float(label) for label in labels]) - times)
+        if len(set(labels)) == len(labels) and np.all(close <= 0.005 * np.ptp(times)):
+            return [f"t = {label} s" for label in labels]
+    return [f"t = {time:.4g} s" for time in times]
+
+
+def _colouring(trajectory: Trajectory) -> tuple[Colormap, Normalize]:
+    """Red above, blue below the ambient, white at it.
+
+    Pressures that all lie far from the ambient get the range between themselves
+    instead, or the differences that bend the actuator could not be seen.
+    """
+    low, high = (float(f(trajectory.pressure)) / 1e3 for f in (np.min, np.max))
+    largest = max(abs(low), abs(high)) or 1.0
+    spread = high - low
+    if low * high > 0 and 0 < spread < 0.4 * largest and spread > 1e-6 * largest:
+        half = np.linspace(0.5, 1.0, 256) if low > 0 else np.linspace(0.0, 0.5, 256)
+        return type(DIVERGING).from_list("one side", list(DIVERGING(half))), Normalize(low, high)
+    return DIVERGING, Normalize(-largest, largest)
+
+
+def _draw_poses(
+    axes: Axes, poses: Poses, strip: Strip, colours: Colormap, norm: Normalize
 ) -> None:
-    shown = PolyCollection(list(blocks), cmap=DIVERGING, norm=norm, edgecolors=INK, linewidths=0.4)
-    shown.set_array(values)
+    origin = np.array(strip.origins)
+    many = poses.blocks.shape[1] > 2 * EDGED
+    blocks = (poses.blocks + origin[:, None, None]).reshape(-1, 4, 2)
+    shown = PolyCollection(
+        list(blocks), cmap=colours, norm=norm, edgecolors="face" if many else INK, linewidths=0.3
+    )
+    shown.set_array(poses.pressure.ravel())
     axes.add_collection(shown)
-    axes.plot(*(trajectory.shape[instant].T * 1e3), color=INK, lw=1.0)
-    half = trajectory.width * 1e3 * 0.7
-    axes.plot([-half, half], [0, 0], color=INK, lw=1.6, solid_capstyle="butt")
-    ticks = np.linspace(-half, half, 9)
-    height = 0.04 * trajectory.length * 1e3
-    strokes = [[(t, 0.0), (t + height, -height)] for t in ticks[:-1]]
-    axes.add_collection(LineCollection(strokes, colors=INK, linewidths=0.6))
-    bare(axes)
+    half, hatch = poses.clamp
+    strokes = (clamp_strokes(half, hatch, 9) + origin[:, None, None]).reshape(-1, 2, 2)
+    axes.add_collection(LineCollection(list(strokes), colors=INK, linewidths=0.5))
+    plates = origin[:, None] + np.array([(-half, 0.0), (half, 0.0)])
+    axes.add_collection(LineCollection(list(plates), colors=INK, linewidths=1.4))
+    bent = list(poses.axis + origin[:, None])
+    axes.add_collection(LineCollection(bent, colors=INK, linewidths=0.9))
 
 
-def _scale_bar(axes: Axes, low: np.ndarray, high: np.ndarray) -> None:
-    span = float(high[0] - low[0])
-    fitting = [mm for mm in SCALE_BARS_MM if mm <= 0.35 * span] or [SCALE_BARS_MM[0]]
-    length = 20 if 20 in fitting and fitting[-1] <= 50 else fitting[-1]
-    x, z = low[0] + 0.04 * span, high[1] - 0.03 * span
-    axes.plot([x, x + length], [z, z], color=INK, lw=2.2, solid_capstyle="butt")
-    axes.text(x + length / 2, z - 0.02 * span, f"{length} mm", ha="center", va="bottom", fontsize=8)
+def _draw_labels(axes: Axes, poses: Poses, strip: Strip) -> None:
+    for label, (x, _), top in zip(poses.labels, strip.origins, strip.label_levels, strict=True):
+        axes.text(x, top, label, ha="center", va="center", fontsize=8.5)
+
+
+def _draw_sides(axes: Axes, poses: Poses, strip: Strip) -> None:
+    """Name the columns of the first pose."""
+    axis = poses.axis[0]
+    along = axis[-1] - axis[-2]
+    along = along / max(float(np.hypot(*along)), 1e-300)
+    across = np.array((along[1], -along[0]))
+    step = 0.09 / strip.scale
+    for name, sign in (("L", -1.0), ("R", 1.0)):
+        place = axis[-1] + along * step + sign * across * poses.clamp[0] * 0.4
+        x, z = place + strip.origins[0]
+        axes.text(x, z, name, ha="center", va="center", fontsize=7, color="#555555")
+
+
+def _draw_scale(made: Figure, strip: Strip) -> None:
+    """A bar of 20 mm, or of another round length where that is out of proportion."""
+    length = scale_length(strip.scale)
+    axes = axes_at(made, SIDE, 0.2, 2.0, 0.3)
+    axes.set(xlim=(0, 2.0 / strip.scale), ylim=(0, 1))
+    axes.set_axis_off()
+    axes.plot([0, length], [0.25, 0.25], color=INK, lw=2.4, solid_capstyle="butt")
+    axes.text(0, 0.4, f"{length:g} mm", fontsize=8, va="bottom")
+
+
+def scale_length(scale: float) -> float:
+    """20 mm if that is between 0.2 and 1.2 inch at ``scale`` [inch/mm], else near 0.6 inch."""
+    if 0.2 <= 20 * scale <= 1.2:
+        return 20.0
+    rounds: Sequence[float] = [m * 10.0**e for e in range(-6, 7) for m in (1, 2, 5)]
+    return min(rounds, key=lambda length: abs(np.log(length * scale / 0.6)))
+
+
+def _draw_bar(made: Figure, trajectory: Trajectory, mapped: ScalarMappable) -> None:
+    """The part of the colours that occurs, lying in the foot."""
+    cax = axes_at(made, 2.6, 0.38, WIDTH - 2.6 - SIDE - 0.1, 0.11)
+    bar = made.colorbar(mapped, cax=cax, orientation="horizontal")
+    low, high = (float(f(trajectory.pressure)) / 1e3 for f in (np.min, np.max))
+    low, high = min(low, 0.0), max(high, 0.0)
+    if isinstance(mapped.norm.vmin, float) and mapped.norm.vmin < low < high:
+        cax.set_xlim(low, mapped.norm.vmax)
+    elif isinstance(mapped.norm.vmax, float) and low < high < mapped.norm.vmax:
+        cax.set_xlim(mapped.norm.vmin, high)
+    cax.tick_params(labelsize=7.5, length=2.5, pad=1.5)
+    bar.outline.set_visible(False)
+    cax.text(
+        -0.02, 0.5, "gauge pressure [kPa]", transform=cax.transAxes, ha="right", va="center",
+        fontsize=8,
+    )  # fmt: skip

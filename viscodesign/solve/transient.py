@@ -26,6 +26,8 @@ MAX_STEPS = 2_000_000
 """Steps between two outputs after which a run is given up."""
 CHUNK_SECONDS = 0.4
 """Wall time that one uninterrupted call of the integrator should take."""
+CHUNK_PER_COMPILE = 10.0
+"""The same, at least, in times that making an integrator takes."""
 FIRST_CHUNK = 0.1
 """Part of a long run that is solved first, to learn how fast it goes."""
 
@@ -37,6 +39,7 @@ class Work:
     steps: int = 0
     residual_calls: int = 0
     jacobian_calls: int = 0
+    chunks: int = 0
     compile_s: float = 0.0
     """Wall time spent on making integrators, which is building, not solving [s]."""
 
@@ -106,7 +109,7 @@ def integrate(
                 total = total + columns[2][:, -1]
                 here = Start(columns[0][:, -1], columns[1][:, -1])
                 done += count
-            length = _next_length(count, clock.perf_counter() - began)
+            length = _next_length(count, clock.perf_counter() - began, work)
             if progress is not None:
                 progress(edges[done] / edges[-1])
     return Solution(
@@ -140,8 +143,12 @@ SHORT_RUN = 200_000
 """Intervals times unknowns up to which a run takes well under a second."""
 
 
-def _next_length(count: int, seconds: float) -> int:
-    return max(1, int(count * CHUNK_SECONDS / max(seconds, 1e-6)))
+def _next_length(count: int, seconds: float, work: Work) -> int:
+    """Intervals that take a moment; where an integrator is slow to make, a longer one."""
+    work.chunks += 1
+    making = work.compile_s / work.chunks
+    wanted = max(CHUNK_SECONDS, CHUNK_PER_COMPILE * making)
+    return max(1, int(count * wanted / max(seconds - making, 1e-6)))
 
 
 Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
