@@ -10,11 +10,14 @@ from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.formulation import NetworkForm, RodForm
 from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.statics import vanished_section
 from viscodesign.solve.transient import Solution
 from viscodesign.trajectory import Invariants
 
 SHAPE_POINTS = 64
 """Points of a drawn axis, at least."""
+NEARLY_NOTHING = 0.3
+"""Stretch of a section below which a failure is put down to it."""
 STANDSTILL = 1e-3
 """Part of what is stored below which a motion counts as none in the balances."""
 ENERGY_NOISE = 1e-4
@@ -63,9 +66,12 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
     gone = np.flatnonzero(~(stretch.min(axis=1) > 0.0))
     if gone.size:
         end = int(gone[0])
-        failure = _vanished(rows.time[end], int(np.argmin(stretch[end])), float(stretch[end].min()))
+        failure = _thinnest(rows.time[end], stretch[end])
         if end == 0:
             raise failure
+    elif failure is not None and stretch[-1].min() < NEARLY_NOTHING:
+        # The integrator gives up on a section that is about to vanish.
+        failure = _thinnest(rows.time[-1], stretch[-1])
     outputs = problem.schedule.outputs
     keep = outputs[outputs < end]
     arc, shape, angle = _shapes(problem, rows, keep)
@@ -85,16 +91,8 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
     )
 
 
-def _vanished(time: float, section: int, stretch: float) -> SolveError:
-    return SolveError(
-        f"section {section + 1} is pressed to {stretch:.3g} of its length at t = {time:.6g} s: "
-        "the linear law shortens it to nothing",
-        quantity="stretch",
-        where=f"section {section + 1}",
-        time_s=float(time),
-        remedy="Raise the lowest pressure, or check bellows.extension_per_pressure and "
-        "actuator.youngs_modulus.",
-    )
+def _thinnest(time: float, stretch: np.ndarray) -> SolveError:
+    return vanished_section(float(time), int(np.argmin(stretch)), float(np.min(stretch)))
 
 
 def _evaluate(problem: Problem, solution: Solution) -> _Rows:

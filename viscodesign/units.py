@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 _PLAIN = re.compile(r"[\w\s.+*/^()%°·-]{1,80}")
 """What a number with a unit may be written with."""
+_POWER = re.compile(r"(?<![0-9.][eE])(?<=[A-Za-zµμ])([23])(?![\w.])")
+"""The 2 of mm2 and the 3 of m3, but not that of 1e3."""
 
 
 @dataclass(frozen=True)
@@ -54,36 +57,48 @@ class Kind:
     def __get_pydantic_json_schema__(
         self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        bounds = {k: v for k, v in handler(schema).items() if k in ("minimum", "maximum")}
-        strict = ("exclusiveMinimum", "exclusiveMaximum")
-        bounds |= {k: v for k, v in handler(schema).items() if k in strict}
+        plain = handler(schema)
+        names = ("minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum")
+        bounds = {name: plain[name] for name in names if name in plain}
+        unit = "a plain number" if self.unit == "1" else f"in SI: {self.unit}"
         return {
-            "anyOf": [{"type": "number", **bounds}, {"type": "string", "pattern": "[0-9]"}],
-            "description": f"{self.name}, with a unit or in SI ({self.unit})",
+            "anyOf": [
+                {"type": "number", "description": unit, **bounds},
+                {"type": "string", "description": f"like {self.example}", "pattern": "[0-9]"},
+            ],
+            "description": f"{self.name}, {unit}, or with a unit",
             "examples": [self.example],
         }
 
     def _read(self, text: str) -> float:
-        import pint
-
         if not _PLAIN.fullmatch(text):
             raise self._refuse(f"'{text}' is not a number with a unit")
+        if not _starts_with_number(text):
+            raise self._refuse(f"'{text}' has no number")
+        quantity = self._quantity(text)
+        if quantity.dimensionless and self.unit not in ("1", "rad") and not _has_unit(text):
+            return float(quantity.magnitude)
+        units = type(quantity)(Decimal(1), self.unit if self.unit != "1" else "")
+        if quantity.dimensionality != units.dimensionality:
+            raise self._refuse(f"'{text}' is {_dimension_words(quantity)}")
+        return float(quantity.to(units.units).magnitude)
+
+    def _quantity(self, text: str) -> pint.Quantity[Any]:
+        """What pint reads in ``text``, from the common units or else from all that it knows."""
+        import pint
+
+        plain = _POWER.sub(r"^\1", text)
         try:
-            quantity: pint.Quantity[Any] = registry().Quantity(text)
+            try:
+                return registry().Quantity(plain)
+            except pint.UndefinedUnitError:
+                return every_unit().Quantity(plain)
         except pint.UndefinedUnitError as error:
             names = error.args[0] if error.args else text
             name = names if isinstance(names, str) else ", ".join(names)
             raise self._refuse(f"'{text}': no unit is called '{name}'") from error
         except Exception as error:  # pint's tokenizer raises what it likes on odd text
             raise self._refuse(f"'{text}' is not a number with a unit") from error
-        if not _starts_with_number(text):
-            raise self._refuse(f"'{text}' has no number")
-        if quantity.dimensionless and self.unit not in ("1", "rad") and not _has_unit(text):
-            return float(quantity.magnitude)
-        wanted = registry().Quantity(Decimal(1), self.unit if self.unit != "1" else "")
-        if quantity.dimensionality != wanted.dimensionality:
-            raise self._refuse(f"'{text}' is {_dimension_words(quantity)}")
-        return float(quantity.to(wanted.units).magnitude)
 
     def _refuse(self, complaint: str) -> PydanticCustomError:
         article = "an" if self.name[0] in "aeiou" else "a"
@@ -116,11 +131,27 @@ def _shown(given: Any) -> str:
 
 @cache
 def registry() -> pint.UnitRegistry[Any]:
-    """The one unit registry; built at the first text with a unit."""
+    """The registry of the common units of `units.txt`; built at the first text with a unit."""
+    common = _registry_of(None)
+    common.load_definitions(_definitions())
+    return common
+
+
+@cache
+def every_unit() -> pint.UnitRegistry[Any]:
+    """The registry of every unit that pint knows; ten times slower to build."""
+    return _registry_of("")
+
+
+def _registry_of(source: str | None) -> pint.UnitRegistry[Any]:
     import pint
 
     # Decimals inside, so that '18 mm' becomes 0.018 and not its neighbour.
-    return pint.UnitRegistry(autoconvert_offset_to_baseunit=True, non_int_type=Decimal)
+    return pint.UnitRegistry(source, autoconvert_offset_to_baseunit=True, non_int_type=Decimal)
+
+
+def _definitions() -> list[str]:
+    return Path(__file__).with_name("units.txt").read_text(encoding="utf-8").splitlines()
 
 
 _KNOWN_DIMENSIONS = {

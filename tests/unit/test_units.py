@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from pathlib import Path
+
+import pint
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from pydantic import TypeAdapter, ValidationError
 
+from tests.scenes import CONFIGS, ROOT
 from viscodesign import units
+from viscodesign.units import Kind, every_unit, registry
 
 LENGTH = TypeAdapter(units.Length)
 
 
 @pytest.mark.parametrize(
-    ("kind", "given", "expected"),
+    ("kind", "text", "expected"),
     [
         (units.Length, "18 mm", 0.018),
         (units.Length, "0.325 mm", 0.000325),
@@ -29,17 +38,97 @@ LENGTH = TypeAdapter(units.Length)
         (units.Viscosity, "1 cP", 1e-3),
         (units.Pressure, "1 bar", 1e5),
         (units.Volume, "5 mL", 5e-6),
+        (units.Volume, "5 mm3", 5e-9),
+        (units.Density, "950 kg/m3", 950.0),
+        (units.Acceleration, "9.81 m/s2", 9.81),
+        (units.Length, "1e3 mm", 1.0),
+        (units.Pressure, "1 psi", 6894.757293168361),  # beyond the common units
+        (units.Pressure, "10 hPa", 1000.0),
+        (units.Temperature, "20 °C", 293.15),
     ],
 )
-def test_reads_to_the_last_digit(kind: object, given: object, expected: float) -> None:
-    assert TypeAdapter(kind).validate_python(given) == pytest.approx(expected, rel=4e-16)
+def test_reads_to_the_last_digit(kind: object, text: object, expected: float) -> None:
+    assert TypeAdapter(kind).validate_python(text) == pytest.approx(expected, rel=4e-16)
 
 
 @pytest.mark.parametrize(
-    "given",
+    "text",
     ["5 kg", "mm", "", "five mm", "5 mm mm2", True, None, [1], "nan", "inf", float("nan"),
      float("inf"), "5 degC", "1e400 mm", "__import__('os')", "5 mm; 3", "(" * 500],
 )  # fmt: skip
-def test_refuses_what_is_no_length(given: object) -> None:
+def test_refuses_what_is_no_length(text: object) -> None:
     with pytest.raises(ValidationError, match="length is wanted"):
-        LENGTH.validate_python(given)
+        LENGTH.validate_python(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("37.5 kg", "'37.5 kg' is a mass; a length is wanted, like '37.5 mm'"),
+        ("3 furlongz", "no unit is called 'furlongz'"),
+        ("mm", "has no number"),
+        ("yes", "has no number"),
+        ("0,325 mm", "not a number with a unit"),
+        (True, "on (or true) is not a number"),
+        (float("nan"), "not finite"),
+    ],
+)
+def test_says_what_was_given_and_what_is_wanted(text: object, words: str) -> None:
+    with pytest.raises(ValidationError) as caught:
+        LENGTH.validate_python(text)
+    assert words in str(caught.value)
+
+
+def kinds() -> dict[str, Kind]:
+    found = {name: getattr(alias, "__metadata__", ()) for name, alias in vars(units).items()}
+    return {name: notes[0] for name, notes in found.items() if notes and name[0].isupper()}
+
+
+@pytest.mark.parametrize("name", kinds())
+def test_every_kind_reads_its_own_example(name: str) -> None:
+    kind = kinds()[name]
+    assert kind.parse(kind.example) > 0
+    assert kind.parse(f"2 {kind.unit}" if kind.unit != "1" else 2) == 2.0
+
+
+@pytest.mark.parametrize("name", kinds())
+@given(value=st.floats(allow_nan=False, allow_infinity=False))
+@settings(max_examples=25, deadline=None)
+def test_si_with_its_unit_comes_back_to_the_last_bit(name: str, value: float) -> None:
+    kind = kinds()[name]
+    assert kind.parse(f"{value!r} {kind.unit}") == value
+
+
+def test_the_common_units_are_those_of_the_whole_list() -> None:
+    prefixes = ["", *"pnµumcdkMG"]
+    names = [name for name in dir_of_common_units() if name != "%"]
+    compared = 0
+    for text in (prefix + name for prefix in prefixes for name in names):
+        try:
+            common = registry().Quantity(1, text).to_root_units()
+        except (pint.UndefinedUnitError, pint.OffsetUnitCalculusError):
+            continue  # then the whole list is asked, or refuses as well
+        whole = every_unit().Quantity(1, text).to_root_units()
+        assert str(common.units) == str(whole.units), text
+        assert float(common.magnitude) == pytest.approx(float(whole.magnitude), rel=1e-15), text
+        compared += 1
+    assert compared > 300
+
+
+def dir_of_common_units() -> list[str]:
+    lines = (Path(units.__file__).with_name("units.txt")).read_text(encoding="utf-8").splitlines()
+    definitions = [line.split("=") for line in lines if "=" in line and not line.startswith("#")]
+    units_only = [d for d in definitions if not d[0].strip().endswith("-") and d[0].strip() != "pi"]
+    return [name.strip() for d in units_only for name in (d[0], *d[2:])]
+
+
+def test_reading_a_spec_loads_nothing_heavy() -> None:
+    code = (
+        "import sys, viscodesign.scene.load as load\n"
+        "heavy = {'pint', 'casadi', 'scipy', 'pandas', 'matplotlib', 'chemicals', 'CoolProp'}\n"
+        "assert not heavy & set(sys.modules), heavy & set(sys.modules)\n"
+        f"load.load_scene({str(CONFIGS / 'leg_16_straight_air.yaml')!r})\n"
+        "from viscodesign.units import every_unit\n"
+        "assert not every_unit.cache_info().currsize, 'the slow registry was built'\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)

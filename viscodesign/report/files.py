@@ -68,9 +68,9 @@ def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
     A command calls it before it computes, so that a bad place costs no time.
     """
     folder = Path(directory)
-    if folder.exists() and not folder.is_dir():
-        raise UsageError(f"{folder} is a file; the run needs a folder. Use -o DIR")
     with refused_plainly(folder):
+        if folder.exists() and not folder.is_dir():
+            raise UsageError(f"{folder} is a file; the run needs a folder. Use -o DIR")
         folder.mkdir(parents=True, exist_ok=True)
         names = sorted(file.name for file in folder.iterdir())
     strangers = [name for name in names if not _is_ours(name)]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 LABEL_WIDTH, LABEL_HEIGHT = 0.86, 0.24
 """Room for the words above a frame [inch]."""
-GAP, ROW_GAP = 0.12, 0.1
+GAP, ROW_GAP = 0.12, 0.22
 """Least room between frames, and between rows [inch]."""
 TALLEST = 1.9
 """Largest drawn length of the actuator [inch]."""

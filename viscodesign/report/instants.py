@@ -36,7 +36,8 @@ def spread_instants(trajectory: Trajectory, count: int, *, pressures: bool = Fal
 def _configurations(trajectory: Trajectory, pressures: bool) -> np.ndarray:
     """One row for each time; rows at distance 1 differ by a length, or all pressures' range."""
     times, points = trajectory.shape.shape[:2]
-    shape = trajectory.shape.reshape(times, -1) / (trajectory.length * np.sqrt(points))
+    shape: np.ndarray = trajectory.shape.reshape(times, -1)
+    shape = shape / (trajectory.length * np.sqrt(points))
     span = float(np.ptp(trajectory.pressure))
     # Below a millionth the range is rounding, not motion.
     if not pressures or span <= 1e-6 * float(np.max(np.abs(trajectory.pressure))):
@@ -57,7 +58,7 @@ def normals(axis: np.ndarray) -> np.ndarray:
     return np.stack((unit[..., 1], -unit[..., 0]), axis=-1)
 
 
-def outlines(axis: np.ndarray, width: float) -> np.ndarray:
+def outline(axis: np.ndarray, width: float) -> np.ndarray:
     """Closed outlines (..., 2 K, 2) of a body of ``width`` about its axis (..., K, 2) [m]."""
     side = normals(axis) * width / 2
     return np.concatenate([axis + side, (axis - side)[..., ::-1, :]], axis=-2)

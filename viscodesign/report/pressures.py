@@ -12,8 +12,16 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import BoundaryNorm, Normalize
 
 from viscodesign.report.style import (
-    FAINT, GREY, INLET_COLOURS, SEQUENTIAL, axes_at, head, head_room, picture, shown,
-)  # fmt: skip
+    FAINT,
+    GREY,
+    INLET_COLOURS,
+    SEQUENTIAL,
+    axes_at,
+    head,
+    head_room,
+    picture,
+    shown,
+)
 from viscodesign.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -21,7 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DASHES = ("-", "--", ":", "-.")
-LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT, GAP = 0.68, 0.5, 2.5, 3.0, 0.2
+LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT, GAP = 0.68, 0.5, 2.5, 3.0, 0.3
 BAR_LEFT = LEFT + 2 * PANEL_WIDTH + GAP + 0.15
 WIDTH = BAR_LEFT + 0.65
 PANEL_TITLE = 0.22
@@ -43,6 +51,7 @@ def draw_pressures(trajectory: Trajectory, path: Path) -> None:
         for axes, side, title in ((left, "L", "left column"), (right, "R", "right column")):
             _draw_column(axes, trajectory, side, norm)
             _draw_levels(axes, trajectory, limits[1])
+            axes.ticklabel_format(axis="y", style="plain", useOffset=False)
             axes.set(xlim=limits[0], ylim=limits[1], xlabel="time [s]")
             last = f" to {side}{trajectory.sections}" if trajectory.sections > 1 else ""
             axes.set_title(f"{title}, {side}1{last}", loc="left", fontsize=9)
@@ -61,6 +70,8 @@ def _section_colours(sections: int) -> Normalize:
 
 def _draw_column(axes: Axes, trajectory: Trajectory, side: str, norm: Normalize) -> None:
     columns = [k for k, name in enumerate(trajectory.bellows) if name.startswith(side)]
+    # What swings least is drawn last: where many cycles fill their bands, each still shows.
+    columns.sort(key=lambda k: -float(np.ptp(trajectory.pressure[:, k])))
     numbers = np.array([float(trajectory.bellows[k][1:]) for k in columns])
     time = np.broadcast_to(trajectory.time[:, None], (len(trajectory.time), len(columns)))
     curves = np.stack((time, trajectory.pressure[:, columns] / 1e3), axis=2).transpose(1, 0, 2)
@@ -84,9 +95,9 @@ def _limits(trajectory: Trajectory) -> tuple[tuple[float, float], tuple[float, f
     values = [trajectory.pressure, *trajectory.inlet_pressure.values()]
     low = min(float(np.min(v)) for v in values) / 1e3
     high = max(float(np.max(v)) for v in values) / 1e3
-    margin = max(0.06 * (high - low), 1e-6 * abs(high))
-    if margin == 0.0:
-        margin = 1.0
+    largest = max(abs(low), abs(high))
+    # A range of rounding alone is drawn as a level line.
+    margin = 0.06 * (high - low) if high - low > 1e-6 * largest else 0.1 * largest or 1.0
     start, end = float(trajectory.time[0]), float(trajectory.time[-1])
     across = (start, end) if end > start else (start - 0.5, start + 0.5)
     return across, (low - margin, high + margin)
@@ -132,10 +143,18 @@ def _draw_bar(made: Figure, trajectory: Trajectory, norm: Normalize) -> None:
         ScalarMappable(norm, SEQUENTIAL), cax=axes_at(made, BAR_LEFT, BOTTOM, 0.12, PANEL_HEIGHT)
     )
     bar.set_label("section, 1 at the clamp")
-    step = -(-sections // DISCRETE)
-    ticks = list(range(1, sections + 1, step))
+    ticks = _section_ticks(sections)
     bar.set_ticks([float(tick) for tick in ticks], labels=[str(tick) for tick in ticks])
     bar.minorticks_off()
-    bar.ax.tick_params(length=0 if step == 1 else 3)
+    bar.ax.tick_params(length=0 if sections <= DISCRETE else 3)
     bar.outline.set_edgecolor(FAINT)
     bar.outline.set_linewidth(0.4)
+
+
+def _section_ticks(sections: int) -> list[int]:
+    """All of few; of many the first and about ten round numbers."""
+    if sections <= DISCRETE:
+        return list(range(1, sections + 1))
+    rounds = (m * 10**e for e in range(9) for m in (1, 2, 5))
+    step = next(step for step in rounds if sections <= 10 * step)
+    return [1, *range(step, sections + 1, step)]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import Colormap, Normalize
+from matplotlib.colors import Colormap, ListedColormap, Normalize
 
 from viscodesign.report.filmstrip import Frame, Strip, arrange
 from viscodesign.report.instants import clamp_strokes, normals, spread_instants
@@ -57,12 +57,12 @@ def draw_shapes(trajectory: Trajectory, path: Path) -> None:
         wide, high = (WIDTH - 2 * SIDE) / strip.scale, strip.height / strip.scale
         axes.set(xlim=(0, wide), ylim=(high, 0))
         axes.set_axis_off()
-        colours, norm = _colouring(trajectory)
+        colours, norm, occurring = _colouring(trajectory.pressure)
         _draw_poses(axes, poses, strip, colours, norm)
         _draw_labels(axes, poses, strip)
         _draw_sides(axes, poses, strip)
         _draw_scale(made, strip)
-        _draw_bar(made, trajectory, ScalarMappable(norm, colours))
+        _draw_bar(made, ScalarMappable(norm, colours), occurring)
         head(made, trajectory, "shapes and pressures", SIDE)
 
 
@@ -107,48 +107,49 @@ def _frames(poses: Poses) -> list[Frame]:
 
 
 def time_labels(times: np.ndarray) -> list[str]:
-    """Times with as few equal decimals as tell them apart and from their neighbours' places."""
-    for decimals in range(10):
+    """Times with as few equal decimals as tell them apart and round off little."""
+    for decimals in range(4):
         labels = [f"{time:.{decimals}f}" for time in times]
         close = np.abs(np.array([float(label) for label in labels]) - times)
-        if len(set(labels)) == len(labels) and np.all(close <= 0.005 * np.ptp(times)):
+        if len(set(labels)) == len(labels) and np.all(close <= 0.002 * np.ptp(times)):
             return [f"t = {label} s" for label in labels]
-    return [f"t = {time:.4g} s" for time in times]
+    enough = (n for n in range(3, 17) if len({f"{t:.{n}g}" for t in times}) == len(times))
+    digits = next(enough, 17)
+    return [f"t = {time:.{digits}g} s" for time in times]
 
 
-def _colouring(trajectory: Trajectory) -> tuple[Colormap, Normalize]:
-    """Red above, blue below the ambient, white at it.
+def _colouring(pressure: np.ndarray) -> tuple[Colormap, Normalize, tuple[float, float]]:
+    """Red above, blue below the ambient, white at it; and the range [kPa] that occurs.
 
     Pressures that all lie far from the ambient get the range between themselves
     instead, or the differences that bend the actuator could not be seen.
     """
-    low, high = (float(f(trajectory.pressure)) / 1e3 for f in (np.min, np.max))
-    largest = max(abs(low), abs(high)) or 1.0
-    spread = high - low
-    if low * high > 0 and 0 < spread < 0.4 * largest and spread > 1e-6 * largest:
-        half = np.linspace(0.5, 1.0, 256) if low > 0 else np.linspace(0.0, 0.5, 256)
-        return type(DIVERGING).from_list("one side", list(DIVERGING(half))), Normalize(low, high)
-    return DIVERGING, Normalize(-largest, largest)
+    low, high = (float(f(pressure)) / 1e3 for f in (np.min, np.max))
+    largest = max(abs(low), abs(high))
+    if largest == 0.0:
+        return DIVERGING, Normalize(-1.0, 1.0), (-1.0, 1.0)
+    if low * high > 0 and 1e-6 * largest < high - low < 0.4 * largest:
+        part = np.linspace(0.55, 1.0, 256) if low > 0 else np.linspace(0.0, 0.45, 256)
+        return ListedColormap(DIVERGING(part)), Normalize(low, high), (low, high)
+    return DIVERGING, Normalize(-largest, largest), (min(low, 0.0), max(high, 0.0))
 
 
-def _draw_poses(
-    axes: Axes, poses: Poses, strip: Strip, colours: Colormap, norm: Normalize
-) -> None:
+def _draw_poses(axes: Axes, poses: Poses, strip: Strip, colours: Colormap, norm: Normalize) -> None:
     origin = np.array(strip.origins)
     many = poses.blocks.shape[1] > 2 * EDGED
     blocks = (poses.blocks + origin[:, None, None]).reshape(-1, 4, 2)
     shown = PolyCollection(
         list(blocks), cmap=colours, norm=norm, edgecolors="face" if many else INK, linewidths=0.3
     )
+    shown.set_clip_on(False)
     shown.set_array(poses.pressure.ravel())
     axes.add_collection(shown)
     half, hatch = poses.clamp
     strokes = (clamp_strokes(half, hatch, 9) + origin[:, None, None]).reshape(-1, 2, 2)
-    axes.add_collection(LineCollection(list(strokes), colors=INK, linewidths=0.5))
     plates = origin[:, None] + np.array([(-half, 0.0), (half, 0.0)])
-    axes.add_collection(LineCollection(list(plates), colors=INK, linewidths=1.4))
-    bent = list(poses.axis + origin[:, None])
-    axes.add_collection(LineCollection(bent, colors=INK, linewidths=0.9))
+    bent = poses.axis + origin[:, None]
+    for lines, pen in ((strokes, 0.5), (plates, 1.4), (bent, 0.9)):
+        axes.add_collection(LineCollection(list(lines), colors=INK, linewidths=pen, clip_on=False))
 
 
 def _draw_labels(axes: Axes, poses: Poses, strip: Strip) -> None:
@@ -187,19 +188,14 @@ def scale_length(scale: float) -> float:
     return min(rounds, key=lambda length: abs(np.log(length * scale / 0.6)))
 
 
-def _draw_bar(made: Figure, trajectory: Trajectory, mapped: ScalarMappable) -> None:
+def _draw_bar(made: Figure, mapped: ScalarMappable, occurring: tuple[float, float]) -> None:
     """The part of the colours that occurs, lying in the foot."""
     cax = axes_at(made, 2.6, 0.38, WIDTH - 2.6 - SIDE - 0.1, 0.11)
     bar = made.colorbar(mapped, cax=cax, orientation="horizontal")
-    low, high = (float(f(trajectory.pressure)) / 1e3 for f in (np.min, np.max))
-    low, high = min(low, 0.0), max(high, 0.0)
-    if isinstance(mapped.norm.vmin, float) and mapped.norm.vmin < low < high:
-        cax.set_xlim(low, mapped.norm.vmax)
-    elif isinstance(mapped.norm.vmax, float) and low < high < mapped.norm.vmax:
-        cax.set_xlim(mapped.norm.vmin, high)
+    cax.set_xlim(*occurring)
     cax.tick_params(labelsize=7.5, length=2.5, pad=1.5)
     bar.outline.set_visible(False)
-    cax.text(
-        -0.02, 0.5, "gauge pressure [kPa]", transform=cax.transAxes, ha="right", va="center",
-        fontsize=8,
+    made.text(
+        2.5 / WIDTH, 0.435 / made.get_figheight(), "gauge pressure [kPa]",
+        ha="right", va="center", fontsize=8,
     )  # fmt: skip

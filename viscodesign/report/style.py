@@ -110,9 +110,7 @@ def _banner_lines(trajectory: Trajectory, width: float) -> list[str]:
         text += f": {trajectory.failure}"
     # Bold characters are wider.
     columns = int(0.88 * _characters(width - 0.3, 8.0))
-    return textwrap.wrap(
-        shown(text, 10_000), columns, max_lines=BANNER_LINES, placeholder=" ..."
-    )
+    return textwrap.wrap(shown(text, 10_000), columns, max_lines=BANNER_LINES, placeholder=" ...")
 
 
 def _characters(width: float, size: float) -> int:

@@ -16,7 +16,9 @@ if TYPE_CHECKING:
 
 
 def plain(value: Any) -> Any:
-    """JSON-ready: numbers that are not finite become null, tuples lists."""
+    """JSON-ready: numbers that are not finite become null, tuples and arrays lists."""
+    if isinstance(value, (np.generic, np.ndarray)):
+        value = value.tolist()
     if isinstance(value, dict):
         return {str(key): plain(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

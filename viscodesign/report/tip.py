@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
-from viscodesign.report.instants import clamp_strokes, outlines, spread_instants
+from viscodesign.report.instants import clamp_strokes, outline, spread_instants
 from viscodesign.report.style import FAINT, INK, SEQUENTIAL, axes_at, head, head_room, picture
+from viscodesign.report.tip_path import draw_path, time_range
 from viscodesign.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -20,32 +21,66 @@ SHOWN = 7
 LARGEST = np.array((4.6, 4.8))
 SMALLEST = np.array((3.2, 2.0))
 """Size of the axes, x and z [inch]."""
-LEFT, BOTTOM, RIGHT = 0.62, 0.75, 0.85
+LEFT, BOTTOM, RIGHT = 0.62, 0.5, 0.85
 """Room around the axes [inch]; the colour bar stands to their right."""
-PIECES = 1500
-"""Pieces of one colour that a long path is drawn in."""
+ZOOM_GAP, ZOOM = 0.7, 2.1
+"""Room before, and side of, the enlarged path [inch]."""
+ZOOM_RANGE = (1e-3, 0.12)
+"""A path of such an extent, of the length, is drawn enlarged beside the actuator too."""
 
 
 def draw_tip(trajectory: Trajectory, path: Path) -> None:
     """Equal axes in mm, the clamp at the top, z downwards as the actuator hangs."""
     instants = spread_instants(trajectory, SHOWN)
-    bodies = outlines(trajectory.shape[instants], trajectory.width) * 1e3
+    bodies = outline(trajectory.shape[instants], trajectory.width) * 1e3
     low, high = _limits(trajectory, bodies)
-    size = np.maximum((high - low) * _scale(low, high), SMALLEST)
-    width, height = size
-    full = LEFT + width + RIGHT
+    width, height = np.maximum((high - low) * _scale(low, high), SMALLEST).tolist()
+    zoomed = _is_small(trajectory)
+    right = LEFT + width + (ZOOM_GAP + ZOOM if zoomed else 0.0)
+    full = right + RIGHT
     with picture(path, full, BOTTOM + height + head_room(trajectory, full)) as made:
         axes = axes_at(made, LEFT, BOTTOM, width, height)
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
         axes.set(xlabel="x [mm]", ylabel="z [mm], down from the clamp")
         _draw_clamp(axes, trajectory)
         _draw_bodies(axes, trajectory, instants, bodies)
-        lines = _draw_path(axes, trajectory)
-        _draw_ends(made, axes, trajectory)
-        bar = made.colorbar(lines, cax=axes_at(made, LEFT + width + 0.15, BOTTOM, 0.12, height))
+        lines = draw_path(axes, trajectory, 0.4 if zoomed else 1.0)
+        if zoomed:
+            axes = axes_at(made, LEFT + width + ZOOM_GAP, BOTTOM, ZOOM, ZOOM)
+            _draw_enlarged(axes, trajectory)
+        _draw_legend(made, axes, right, BOTTOM + ZOOM + 0.05 if zoomed else 0.07)
+        bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, BOTTOM, 0.12, height))
         bar.set_label("time [s]")
         bar.outline.set_visible(False)
+        if len(trajectory.time) == 1:
+            bar.set_ticks([float(trajectory.time[0])])
         head(made, trajectory, "path of the tip", LEFT)
+
+
+def _is_small(trajectory: Trajectory) -> bool:
+    extent = float(np.max(np.ptp(trajectory.tip[:, :2], axis=0)))
+    return ZOOM_RANGE[0] < extent / trajectory.length < ZOOM_RANGE[1]
+
+
+def _draw_enlarged(axes: Axes, trajectory: Trajectory) -> None:
+    points = trajectory.tip[:, :2] * 1e3
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    half = 0.6 * float(np.max(np.ptp(points, axis=0)))
+    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
+    axes.locator_params(nbins=5)
+    axes.ticklabel_format(style="plain", useOffset=False)
+    axes.set(xlabel="x [mm]")
+    axes.set_title("enlarged", loc="left", fontsize=9)
+    draw_path(axes, trajectory)
+
+
+def _draw_legend(made: Figure, axes: Axes, right: float, bottom: float) -> None:
+    width, height = made.get_size_inches()
+    made.legend(
+        *axes.get_legend_handles_labels(), loc="lower right", ncols=2, handletextpad=0.1,
+        columnspacing=1.0, borderaxespad=0,
+        bbox_to_anchor=((right + 0.05) / width, bottom / height),
+    )  # fmt: skip
 
 
 def _limits(trajectory: Trajectory, bodies: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -90,64 +125,5 @@ def _draw_bodies(
         list(trajectory.shape[instants] * 1e3), cmap=SEQUENTIAL, linewidths=0.8, zorder=3
     )
     bent.set_array(trajectory.time[instants])
-    bent.set_clim(*_time_range(trajectory))
+    bent.set_clim(*time_range(trajectory))
     axes.add_collection(bent)
-
-
-def _time_range(trajectory: Trajectory) -> tuple[float, float]:
-    start, end = float(trajectory.time[0]), float(trajectory.time[-1])
-    return start, (end if end > start else start + 1.0)
-
-
-def _draw_path(axes: Axes, trajectory: Trajectory) -> LineCollection:
-    points, time = trajectory.tip[:, :2] * 1e3, trajectory.time
-    stride = -(-len(points) // PIECES)
-    starts = range(0, len(points) - 1, stride)
-    pieces = [points[k : k + stride + 1] for k in starts]
-    # A path of many rounds needs a finer pen.
-    rounds = _travelled(points)[-1] / max(float(np.sum(np.ptp(points, axis=0))), 1e-300)
-    lines = LineCollection(
-        pieces, cmap=SEQUENTIAL, linewidths=2.0 if rounds < 8 else 1.0, capstyle="round", zorder=4
-    )
-    lines.set_array(np.array([time[k : k + stride + 1].mean() for k in starts]))
-    lines.set_clim(*_time_range(trajectory))
-    axes.add_collection(lines)
-    _draw_arrows(axes, points, 0.02e3 * trajectory.length)
-    return lines
-
-
-def _travelled(points: np.ndarray) -> np.ndarray:
-    """Length of the path up to each point."""
-    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-
-
-def _draw_arrows(axes: Axes, points: np.ndarray, smallest: float) -> None:
-    """Heads along the path at equal distances tell its direction."""
-    travelled = _travelled(points)
-    if travelled[-1] < 5 * smallest:
-        return
-    # A periodic run retraces its path: heads on its last round alone stay legible.
-    extent = float(np.sum(np.ptp(points, axis=0))) * 2.0
-    first = max(0.0, travelled[-1] - extent)
-    for target in first + (travelled[-1] - first) * np.array([0.2, 0.5, 0.8]):
-        end, start = (
-            [float(np.interp(at, travelled, points[:, i])) for i in (0, 1)]
-            for at in (target, target - 0.2 * smallest)
-        )
-        axes.annotate(
-            "", xy=(end[0], end[1]), xytext=(start[0], start[1]), zorder=5,
-            arrowprops={"arrowstyle": "-|>", "color": INK, "mutation_scale": 11, "lw": 0},
-        )  # fmt: skip
-
-
-def _draw_ends(made: Figure, axes: Axes, trajectory: Trajectory) -> None:
-    """Start and end, told apart even where they are one place; their names below the axes."""
-    points = trajectory.tip[[0, -1], :2] * 1e3
-    common: dict[str, Any] = {"ls": "none", "mec": INK, "zorder": 6}
-    axes.plot(*points[0], marker="o", mfc="white", ms=8, label="start", **common)
-    axes.plot(*points[1], marker="s", mfc=INK, ms=3.5, label="end", **common)
-    width, height = made.get_size_inches()
-    made.legend(
-        loc="lower right", ncols=2, handletextpad=0.1, columnspacing=1.0, borderaxespad=0,
-        bbox_to_anchor=((width - RIGHT + 0.05) / width, 0.12 / height),
-    )  # fmt: skip

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from pydantic import Field, field_validator
+from typing import Annotated
+
+from pydantic import AfterValidator, Field
 
 from viscodesign.scene.base import Part, refuse
 from viscodesign.units import (
@@ -17,10 +19,23 @@ from viscodesign.units import (
 MOST_BELLOWS = 4096
 
 
+def _paired(count: int) -> int:
+    if count < 2 or count > MOST_BELLOWS:
+        raise refuse(f"{count} bellows; allowed are even counts from 2 to {MOST_BELLOWS}")
+    if count % 2:
+        raise refuse(
+            f"{count} is odd; bellows come in pairs, one left and one right. "
+            f"Use {count - 1} or {count + 1}"
+        )
+    return count
+
+
 class Bellows(Part):
     """Equal bellows in pairs, one right and one left of the axis in every section."""
 
-    count: int = Field(description="Number of bellows, even", strict=True)
+    count: Annotated[int, Field(strict=True), AfterValidator(_paired)] = Field(
+        description="Number of bellows, even"
+    )
     height: Length = Field(gt=0, description="Size along x")
     width: Length = Field(gt=0, description="Size along z")
     length: Length = Field(gt=0, description="Size along the stream")
@@ -32,15 +47,3 @@ class Bellows(Part):
     collapse_fraction: Fraction = Field(
         0.1, ge=0, lt=1, description="Smallest volume of a bellow, of its rest volume"
     )
-
-    @field_validator("count")
-    @classmethod
-    def _paired(cls, count: int) -> int:
-        if count < 2 or count > MOST_BELLOWS:
-            raise refuse(f"{count} bellows; allowed are even counts from 2 to {MOST_BELLOWS}")
-        if count % 2:
-            raise refuse(
-                f"{count} is odd; bellows come in pairs, one left and one right. "
-                f"Use {count - 1} or {count + 1}"
-            )
-        return count

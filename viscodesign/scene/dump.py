@@ -9,13 +9,37 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from viscodesign.scene.effects_choice import OTHERS, EffectsChoice
+from viscodesign.scene.keys import quantity_of
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.yaml_text import plain_value
 from viscodesign.units import Kind
+
+
+class _Row(list[Any]):
+    """A list that is written in one line."""
+
+
+class _Dumper(yaml.SafeDumper):
+    """Plain data; rows in one line each."""
+
+
+def _in_one_line(dumper: yaml.SafeDumper, row: _Row) -> yaml.SequenceNode:
+    return dumper.represent_sequence("tag:yaml.org,2002:seq", row, flow_style=True)
+
+
+def _in_quotes_where_needed(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
+    """A text that the reader would take for a number, such as the name 1e5, needs quotes."""
+    style = None if plain_value(text) == text else "'"
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=style)
+
+
+_Dumper.add_representer(_Row, _in_one_line)
+_Dumper.add_representer(str, _in_quotes_where_needed)
 
 
 def resolved_yaml(scene: Scene) -> str:
     """The spec as resolved; loading it gives an equal scene."""
-    return yaml.dump(_model(scene), sort_keys=False, allow_unicode=True, default_flow_style=False)
+    return yaml.dump(_model(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)
 
 
 def _model(part: BaseModel) -> dict[str, Any]:
@@ -30,7 +54,7 @@ def _model(part: BaseModel) -> dict[str, Any]:
 
 
 def _value(value: Any, found: FieldInfo) -> Any:
-    kinds = [k for k in found.metadata if isinstance(k, Kind)]
+    quantity = quantity_of(found)
     if value is None:
         return "off"
     if isinstance(value, EffectsChoice):
@@ -41,15 +65,15 @@ def _value(value: Any, found: FieldInfo) -> Any:
         return {k: _model(v) if isinstance(v, BaseModel) else v for k, v in value.items()}
     if isinstance(value, tuple):
         return [_entry(v) for v in value]
-    if kinds and isinstance(value, float):
-        return _with_unit(value, kinds[0])
+    if quantity is not None and isinstance(value, float):
+        return _with_unit(value, quantity)
     return value
 
 
 def _entry(value: Any) -> Any:
     if isinstance(value, BaseModel):
         return _model(value)
-    return [_entry(v) for v in value] if isinstance(value, tuple) else value
+    return _Row(value) if isinstance(value, tuple) else value
 
 
 def _with_unit(value: float, kind: Kind) -> Any:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, Literal
 
-from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic import Field, ValidationInfo, model_validator
 
-from viscodesign.scene.base import Part, did_you_mean, refuse, refuse_at
+from viscodesign.scene.base import Complaint, Part, did_you_mean, refuse, refuse_any, switch
 
 Mode = Literal["auto", "on", "off"]
+MODES = ("auto", "on", "off")
 OTHERS = "others"
 
 
@@ -20,40 +22,45 @@ class EffectsChoice(Part):
 
     @model_validator(mode="before")
     @classmethod
-    def _spread(cls, given: Any) -> Any:
+    def _spread(cls, given: Any, info: ValidationInfo) -> Any:
         if isinstance(given, EffectsChoice):
             return given
-        if given in ("auto", "on", "off"):
-            return {"modes": {}, "others": given}
         if not isinstance(given, dict):
-            raise refuse(f"{given!r} is given; allowed are auto, or a mapping effect: auto|on|off")
-        modes = {str(k): _mode(str(k), v) for k, v in given.items()}
+            if (mode := _mode(given)) is None:
+                raise refuse(
+                    f"{given!r} is given; allowed are auto, or a mapping effect: auto|on|off"
+                    f"{_hint(given)}"
+                )
+            return {"modes": {}, "others": mode}
+        refuse_any(_complaints(given, info.context or {}))
+        modes = {str(k): _mode(v) for k, v in given.items()}
         return {"others": modes.pop(OTHERS, "auto"), "modes": modes}
-
-    @field_validator("modes")
-    @classmethod
-    def _known(cls, modes: dict[str, Mode], info: ValidationInfo) -> dict[str, Mode]:
-        context = info.context or {}
-        known = context.get("effect_names")
-        if known is None:
-            return modes
-        reserved = context.get("reserved_effect_names", ())
-        for name, mode in modes.items():
-            if name in known or (name in reserved and mode == "off"):
-                continue
-            if name in reserved:
-                raise refuse_at(name, f"'{mode}' is given, but this version can only leave it off")
-            raise refuse_at(name, f"no such effect{did_you_mean(name, (*known, *reserved))}")
-        return modes
 
     def mode(self, name: str) -> Mode:
         """What the scene says of an effect."""
         return self.modes.get(name, self.others)
 
 
-def _mode(name: str, given: Any) -> str:
-    words = {True: "on", False: "off"}
-    word = words.get(given, given) if isinstance(given, bool) else given
-    if word not in ("auto", "on", "off"):
-        raise refuse_at(name, f"{given!r} is given; allowed are auto, on and off")
-    return str(word)
+def _mode(given: Any) -> str | None:
+    """The mode that a YAML value stands for, or None."""
+    words = {True: "on", False: "off", "auto": "auto"}
+    given = switch(given)
+    return words.get(given) if isinstance(given, (bool, str)) else None
+
+
+def _hint(given: Any) -> str:
+    return did_you_mean(given, MODES) if isinstance(given, str) else ""
+
+
+def _complaints(given: dict[Any, Any], context: dict[str, Any]) -> Iterator[Complaint]:
+    """Unknown names and modes; names are judged where the caller said which there are."""
+    known = context.get("effect_names")
+    reserved = context.get("reserved_effect_names", ())
+    for name, value in given.items():
+        mode, path = _mode(value), (str(name),)
+        if known is not None and name not in (*known, *reserved, OTHERS):
+            yield Complaint(path, f"no such effect{did_you_mean(str(name), (*known, *reserved))}")
+        elif mode is None:
+            yield Complaint(path, f"{value!r} is given; allowed are auto, on and off{_hint(value)}")
+        elif known is not None and name in reserved and mode != "off":
+            yield Complaint(path, f"'{mode}' is given, but this version can only leave it off")

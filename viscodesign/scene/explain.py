@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any, get_args
+from collections.abc import Iterator, Mapping
+from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from viscodesign.errors import Fault
-from viscodesign.scene.base import did_you_mean
+from viscodesign.scene.agreement import disagreements
+from viscodesign.scene.base import Complaint, KeyPath, did_you_mean
 from viscodesign.scene.input import INPUT_KINDS, NOT_YET
-from viscodesign.scene.scene import Scene
+from viscodesign.scene.keys import field_at, keys_beside, quantity_of
 from viscodesign.scene.yaml_text import Document
 
 _BOUNDS = {
@@ -21,8 +23,11 @@ _BOUNDS = {
 }
 _WANTED = {
     "string_type": "a text",
+    "string_too_short": "a text",
+    "string_too_long": "a shorter text",
     "int_type": "a whole number",
     "int_parsing": "a whole number",
+    "int_parsing_size": "a whole number",
     "int_from_float": "a whole number",
     "bool_type": "true or false",
     "dict_type": "a mapping",
@@ -30,51 +35,71 @@ _WANTED = {
     "model_attributes_type": "a mapping",
     "tuple_type": "a list",
     "list_type": "a list",
+    "too_long": "a pair",
+    "too_short": "a pair",
     "union_tag_not_found": "a mapping with the key 'kind'",
 }
+_SILENT = "default_factory_not_called"
+"""A default that waits for another key, whose own fault is told."""
 
 
 def explain(error: ValidationError, document: Document) -> list[Fault]:
-    """Every fault once, in the order of the file's lines."""
-    faults: dict[tuple[str, str], Fault] = {}
-    for detail in error.errors(include_url=False):
-        path = _key_path(detail)
-        message = _message(detail, path)
-        file, line = document.place(path)
-        key = ".".join(path)
-        faults.setdefault((key, message), Fault(message, key, file, line))
-    return sorted(faults.values(), key=lambda f: f.line if f.line is not None else 0)
+    """Every fault of the parts."""
+    return [
+        _fault(Complaint((*_key_path(detail, document), *path), message), document)
+        for detail in error.errors(include_url=False)
+        if detail["type"] != _SILENT
+        for path, message in _complaints(detail, document)
+    ]
 
 
-def _key_path(detail: ErrorDetails) -> tuple[str, ...]:
-    """The YAML key: without the tags of unions, with what the fault adds below."""
-    parts = [str(part) for part in detail["loc"]]
-    cleaned: list[str] = []
-    for part in parts:
-        tagged = bool(cleaned) and (cleaned[-1] == "input" or cleaned[:-1][-1:] == ["inputs"])
-        if tagged and part in INPUT_KINDS:
-            continue
-        cleaned.append(part)
-    if cleaned[:1] == ["effects"] and cleaned[1:2] == ["modes"]:
-        cleaned = ["effects", *cleaned[2:]]
-    below = (detail.get("ctx") or {}).get("below", "")
-    return tuple(
-        cleaned + (below.split(".") if below and "-" not in below else [below] * bool(below))
-    )
+def explain_disagreements(
+    valid: Mapping[tuple[str, str | None], Any], document: Document
+) -> list[Fault]:
+    """Every fault between the parts that are right by themselves."""
+    return [_fault(complaint, document) for complaint in disagreements(valid)]
 
 
-def _message(detail: ErrorDetails, path: tuple[str, ...]) -> str:
-    kind, given = detail["type"], detail["input"]
+def _fault(complaint: Complaint, document: Document) -> Fault:
+    file, line = document.place(complaint.path)
+    return Fault(complaint.message, ".".join(complaint.path), file, line)
+
+
+def _key_path(detail: ErrorDetails, document: Document) -> KeyPath:
+    """The YAML key: pydantic's place without the tags of its unions."""
+    path: KeyPath = ()
+    for part in map(str, detail["loc"]):
+        is_tag = part in INPUT_KINDS and _is_input(path)
+        if not is_tag or isinstance(document.given((*path, part)), dict):
+            path = (*path, part)
+    return path
+
+
+def _is_input(path: KeyPath) -> bool:
+    return path == ("input",) or (len(path) == 2 and path[0] == "inputs")
+
+
+def _complaints(detail: ErrorDetails, document: Document) -> Iterator[Complaint]:
     context: dict[str, Any] = detail.get("ctx") or {}
-    if kind in ("quantity", "spec"):
+    if "complaints" in context:
+        yield from context["complaints"]
+        return
+    yield Complaint((), _message(detail, context, _key_path(detail, document), document))
+
+
+def _message(
+    detail: ErrorDetails, context: dict[str, Any], path: KeyPath, document: Document
+) -> str:
+    kind, given = detail["type"], detail["input"]
+    if kind == "quantity":
         return str(context["message"])
     if kind == "missing":
-        return "missing" + _description(path)
+        pair = "; a pair is wanted" if path[-1].isdigit() else ""
+        return "missing" + pair + _description(path, document)
     if kind == "extra_forbidden":
-        return f"no such key{did_you_mean(path[-1], _sibling_keys(path))}{_allowed(path)}"
+        return _unknown_key(path, document)
     if kind in _BOUNDS:
-        name, words = _BOUNDS[kind]
-        return f"{given!r} is given; allowed are values {words} {context[name]:g} (SI)"
+        return _out_of_bounds(kind, given, context, path, document)
     if kind == "literal_error":
         known = [word.strip("'\" ") for word in context["expected"].replace(" or ", ",").split(",")]
         return (
@@ -83,17 +108,37 @@ def _message(detail: ErrorDetails, path: tuple[str, ...]) -> str:
     if kind == "union_tag_invalid":
         return _input_kind(str(context.get("tag")))
     if kind in _WANTED:
-        return f"{_shown(given)} is given; {_WANTED[kind]} is wanted{_description(path)}"
+        return f"{_shown(given)} is given; {_WANTED[kind]} is wanted{_description(path, document)}"
     return f"{_shown(given)} is given; {detail['msg'][0].lower()}{detail['msg'][1:]}"
 
 
 def _input_kind(given: str) -> str:
+    allowed = f"allowed are {', '.join(INPUT_KINDS)}"
     if given in NOT_YET:
-        return f"kind '{given}' is not in this version; allowed are {', '.join(INPUT_KINDS)}"
-    return (
-        f"kind '{given}' is given; allowed are {', '.join(INPUT_KINDS)}"
-        f"{did_you_mean(given, INPUT_KINDS)}"
-    )
+        return f"kind '{given}' is not in this version; {allowed}"
+    return f"kind '{given}' is given; {allowed}{did_you_mean(given, INPUT_KINDS)}"
+
+
+def _unknown_key(path: KeyPath, document: Document) -> str:
+    known = keys_beside(path, document)
+    hint = did_you_mean(path[-1], known)
+    stop = "" if hint else "."
+    return f"no such key{hint}" + (f"{stop} Allowed here: {', '.join(known)}" if known else "")
+
+
+def _out_of_bounds(
+    kind: str, given: Any, context: dict[str, Any], path: KeyPath, document: Document
+) -> str:
+    """The value as it was written, and the bound in the unit that a bare number has."""
+    name, words = _BOUNDS[kind]
+    found = field_at(path, document)
+    quantity = quantity_of(found) if found is not None else None
+    is_fraction = quantity is not None and quantity.unit == "1"
+    unit = f" {quantity.unit}" if quantity is not None and not is_fraction else ""
+    percent = "; a percentage needs its sign, like '50 %'" if is_fraction and given > 1 else ""
+    written = document.given(path)
+    shown = written if isinstance(written, (int, float, str)) else given
+    return f"{shown!r} is given; allowed are values {words} {context[name]:g}{unit}{percent}"
 
 
 def _shown(given: Any) -> str:
@@ -107,47 +152,11 @@ def _shown(given: Any) -> str:
     return text if len(text) < 60 else text[:57] + "..."
 
 
-def _model_at(path: tuple[str, ...]) -> type[BaseModel] | None:
-    """The model that a key path leads into, where there is one."""
-    model: type[BaseModel] | None = Scene
-    for part in path:
-        if model is None:
-            return None
-        found = next((f for n, f in model.model_fields.items() if (f.alias or n) == part), None)
-        model = _model_in(found.annotation) if found is not None else None
-    return model
-
-
-def _model_in(annotation: Any) -> type[BaseModel] | None:
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return annotation
-    models = [m for m in map(_model_in, get_args(annotation)) if m is not None]
-    return models[0] if len(models) == 1 else None
-
-
-def _sibling_keys(path: tuple[str, ...]) -> list[str]:
-    model = _model_at(path[:-1])
-    if model is not None:
-        return [f.alias or n for n, f in model.model_fields.items()]
-    if path[:1] in (("input",), ("inputs",)):
-        return sorted({n for kind in INPUT_KINDS.values() for n in kind.model_fields})
-    if path[:2] == ("network", "changes"):
-        return ["length", "radius"]
-    return ["from", "to", "length", "radius"] if path[:2] == ("network", "tubes") else []
-
-
-def _allowed(path: tuple[str, ...]) -> str:
-    keys = _sibling_keys(path)
-    return f". Allowed here: {', '.join(keys)}" if 0 < len(keys) <= 12 else ""
-
-
-def _description(path: tuple[str, ...]) -> str:
-    model = _model_at(path[:-1])
-    if model is None:
+def _description(path: KeyPath, document: Document) -> str:
+    """What the key is for, and a value that it may have."""
+    found = field_at(path, document)
+    if found is None or not found.description:
         return ""
-    found = next((f for n, f in model.model_fields.items() if (f.alias or n) == path[-1]), None)
-    if found is None:
-        return ""
-    examples = [k.example for k in found.metadata if k.__class__.__name__ == "Kind"]
-    words = f"; {found.description[0].lower()}{found.description[1:]}" if found.description else ""
-    return words + (f", like '{examples[0]}'" if examples else "")
+    quantity = quantity_of(found)
+    example = f", like '{quantity.example}'" if quantity is not None else ""
+    return f"; {found.description[0].lower()}{found.description[1:]}{example}"

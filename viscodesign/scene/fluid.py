@@ -8,7 +8,7 @@ from functools import cache
 from pydantic import Field, model_validator
 
 from viscodesign.catalog import members
-from viscodesign.scene.base import Part, refuse, refuse_at
+from viscodesign.scene.base import Part, did_you_mean, refuse, refuse_at
 from viscodesign.scene.fluids import __name__ as fluids_package
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
 from viscodesign.units import Density, GasConstant, Pressure, Viscosity
@@ -45,6 +45,7 @@ class Fluid(Part):
             known = ", ".join(named_fluids())
             raise refuse(
                 f"'{self.name}' is not a known fluid ({known}); give its viscosity and density"
+                + did_you_mean(self.name, named_fluids())
             )
         return self
 

@@ -11,11 +11,13 @@ from typing import Any
 from pydantic import ValidationError
 
 from viscodesign.errors import Fault, SpecError
-from viscodesign.scene.explain import explain
+from viscodesign.scene.base import VALID, KeyPath
+from viscodesign.scene.explain import explain, explain_disagreements
 from viscodesign.scene.scene import Provenance, Scene
 from viscodesign.scene.yaml_text import Document, parse_scalar, read_document
 
-LARGEST_SPEC = 1 << 20
+LARGEST_SPEC = 4 << 20
+"""In bytes: room for the rows of a table that a resolved spec lists."""
 
 
 @dataclass(frozen=True)
@@ -46,53 +48,85 @@ def parse_scene(
     document = read_document(text, shown)
     for override in overrides:
         _override(document, override)
-    context: dict[str, Any] = {"folder": folder or Path()}
+    valid: dict[tuple[str, str | None], Any] = {}
+    context: dict[str, Any] = {"folder": folder or Path(), VALID: valid}
     if known is not None:
         context |= {"effect_names": known.names, "reserved_effect_names": known.reserved}
     try:
         scene = Scene.model_validate(document.data, context=context)
     except ValidationError as error:
-        raise SpecError(explain(error, document)) from None
+        faults = explain(error, document)
+        faults += explain_disagreements(_with_defaults(valid, document), document)
+        raise SpecError(_in_order([*document.faults, *faults])) from None
+    if document.faults:
+        raise SpecError(_in_order(document.faults))
     return scene.with_source(Provenance(shown, hashlib.sha256(text).hexdigest()))
+
+
+def _in_order(faults: Sequence[Fault]) -> list[Fault]:
+    """Each fault once, by line."""
+    return sorted(dict.fromkeys(faults), key=lambda fault: fault.line or 0)
+
+
+def _with_defaults(
+    valid: dict[tuple[str, str | None], Any], document: Document
+) -> dict[tuple[str, str | None], Any]:
+    """Valid fields, and the defaults of keys that the spec leaves out."""
+    defaults = {
+        ("Scene", name): found.get_default(call_default_factory=True)
+        for name, found in Scene.model_fields.items()
+        if not found.is_required() and (found.alias or name) not in document.data
+    }
+    return defaults | valid
 
 
 def _read(file: Path) -> bytes:
     try:
-        if file.is_dir():
-            raise SpecError([Fault("is a folder; a YAML file is wanted", file=str(file))])
-        if file.stat().st_size > LARGEST_SPEC:
-            raise SpecError([Fault("is larger than 1 MiB; no spec is", file=str(file))])
-        return file.read_bytes()
-    except OSError as error:
-        reason = error.strerror or "cannot be read"
-        raise SpecError(
-            [Fault(f"{reason}; write one with 'viscodesign init'", file=str(file))]
-        ) from (error)
+        with file.open("rb") as stream:
+            content = stream.read(LARGEST_SPEC + 1)
+    except IsADirectoryError:
+        raise SpecError([Fault("is a folder; a YAML file is wanted", file=str(file))]) from None
+    except FileNotFoundError:
+        message = "No such file; write one with 'viscodesign init'"
+        raise SpecError([Fault(message, file=str(file))]) from None
+    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
+        reason = getattr(error, "strerror", None) or "no name of a file"
+        raise SpecError([Fault(f"cannot be read: {reason}", file=str(file))]) from error
+    if len(content) > LARGEST_SPEC:
+        raise SpecError([Fault(f"is larger than {LARGEST_SPEC >> 20} MiB", file=str(file))])
+    return content
 
 
 def _override(document: Document, override: str) -> None:
     """Apply `key.path=value`; faults below that key then name the override, not a line."""
     key, equals, value = override.partition("=")
     place = f"--set {override}"
-    if not equals or not key.strip():
+    parts = tuple(key.strip().split("."))
+    if not equals or not all(parts):
         raise SpecError([Fault("is not of the form key.path=value", file=place)])
-    parts = key.strip().split(".")
     here: Any = document.data
-    for depth, part in enumerate(parts[:-1]):
-        if isinstance(here, list):
-            index = int(part) if part.isdigit() else -1
-            if not 0 <= index < len(here):
-                raise SpecError(
-                    [Fault(f"'{part}' is no place in a list of {len(here)}", file=place)]
-                )
-            here = here[index]
-            continue
-        if not isinstance(here.get(part), (dict, list)):
+    for depth, part in enumerate(parts[:-1], start=1):
+        here = _entry(here, part, place)
+        if not isinstance(here, (dict, list)):
             # A word such as `gravity: on` gives way to the mapping that it stands for.
-            here[part] = {}
-            document.lines.pop(tuple(parts[: depth + 1]), None)
-        here = here[part]
+            here = _put(document, parts[:depth], {}, place)
     if isinstance(here, list):
-        raise SpecError([Fault("a list entry needs its key, like tubes.0.length", file=place)])
-    here[parts[-1]] = parse_scalar(value.strip(), place)
-    document.overrides[tuple(parts)] = place
+        _entry(here, parts[-1], place)
+    _put(document, parts, parse_scalar(value.strip(), place), place)
+
+
+def _entry(here: Any, part: str, place: str) -> Any:
+    """What a mapping or a list holds there; None where a mapping has no such key."""
+    if isinstance(here, dict):
+        return here.get(part)
+    if not part.isdigit() or int(part) >= len(here):
+        raise SpecError([Fault(f"'{part}' is no place in a list of {len(here)}", file=place)])
+    return here[int(part)]
+
+
+def _put(document: Document, path: KeyPath, value: Any, place: str) -> Any:
+    """Write a value into the document, in the name of an override."""
+    parent = document.given(path[:-1])
+    parent[int(path[-1]) if isinstance(parent, list) else path[-1]] = value
+    document.overrides[path] = place
+    return value

@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import Field, field_validator
 
-from viscodesign.scene.base import Part, refuse
+from viscodesign.scene.base import Part, did_you_mean, refuse, switch
 from viscodesign.units import Acceleration, Angle, Force, Mass
 
 STANDARD_GRAVITY = 9.80665
@@ -38,10 +38,11 @@ class Loads(Part):
     @field_validator("gravity", mode="before")
     @classmethod
     def _switch(cls, given: Any) -> Any:
-        if given in ("off", False):
-            return None
-        if given in ("on", True):
-            return {}
-        if isinstance(given, dict) or given is None:
+        if isinstance(given, (dict, Gravity)) or given is None:
             return given
-        raise refuse(f"{given!r} is given; allowed are off, on or a mapping of acceleration, tilt")
+        if isinstance(switched := switch(given), bool):
+            return {} if switched else None
+        raise refuse(
+            f"{given!r} is given; allowed are off, on or a mapping of acceleration, tilt"
+            + (did_you_mean(given, ("off", "on")) if isinstance(given, str) else "")
+        )

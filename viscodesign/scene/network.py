@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import itertools
-import re
 from collections import Counter
+from collections.abc import Iterator
 from typing import Literal
 
 from pydantic import Field, model_validator
 
 from viscodesign.model.graph import Graph, Tube, bellow_names, crossed_order, straight_order
-from viscodesign.scene.base import Part, did_you_mean, refuse, refuse_at
+from viscodesign.scene.base import Complaint, Part, refuse, refuse_any
+from viscodesign.scene.network_faults import (
+    chain_faults,
+    change_faults,
+    island_faults,
+    node_faults,
+)
 from viscodesign.units import Length
 
 MOST_TUBES = 20_000
@@ -45,72 +51,56 @@ class Network(Part):
 
     @model_validator(mode="after")
     def _layout_has_what_it_needs(self) -> Network:
-        if self.layout == "custom":
-            if self.tubes is None:
-                raise refuse_at("tubes", "missing; a custom layout lists its tubes")
-            if self.changes:
-                raise refuse_at("changes", "given, but only named layouts have changes")
-            if len(self.tubes) > MOST_TUBES:
-                raise refuse_at("tubes", f"{len(self.tubes)} tubes; at most {MOST_TUBES}")
-            for k, tube in enumerate(self.tubes):
-                self._check_entry(k, tube)
-            return self
+        refuse_any(self._custom_faults() if self.layout == "custom" else self._chain_faults())
+        return self
+
+    def _custom_faults(self) -> Iterator[Complaint]:
+        if self.tubes is None:
+            yield Complaint(("tubes",), "missing; a custom layout lists its tubes")
+        if self.changes:
+            yield Complaint(("changes",), "given, but only named layouts have changes")
+        if len(self.tubes or ()) > MOST_TUBES:
+            count = len(self.tubes or ())
+            yield Complaint(("tubes",), f"{count} tubes; at most {MOST_TUBES} are allowed")
+        for k, tube in enumerate(self.tubes or ()):
+            for own, shared in (("length", "tube_length"), ("radius", "tube_radius")):
+                if getattr(tube, own) is None and getattr(self, shared) is None:
+                    yield Complaint(
+                        ("tubes", str(k), own),
+                        f"missing, and there is no network.{shared} to fall back on; "
+                        "a length is wanted, like '37.5 mm'",
+                    )
+
+    def _chain_faults(self) -> Iterator[Complaint]:
         if self.tubes is not None:
-            raise refuse_at(
-                "tubes", f"given, but the layout is {self.layout}; use 'custom' or 'changes'"
+            yield Complaint(
+                ("tubes",), f"given, but the layout is {self.layout}; use 'custom' or 'changes'"
             )
         for key in ("tube_radius", "tube_length"):
             if getattr(self, key) is None:
-                raise refuse_at(key, "missing; a length is wanted, like '37.5 mm'")
-        return self
-
-    def _check_entry(self, k: int, tube: TubeEntry) -> None:
-        if tube.start == tube.end:
-            raise refuse_at(
-                f"tubes.{k}", f"the tube leads from {tube.start} to itself; join two nodes"
-            )
-        for own, shared in (("length", "tube_length"), ("radius", "tube_radius")):
-            if getattr(tube, own) is None and getattr(self, shared) is None:
-                raise refuse_at(
-                    f"tubes.{k}.{own}", f"missing, and there is no network.{shared} to fall back on"
-                )
+                yield Complaint((key,), "missing; a length is wanted, like '37.5 mm'")
 
     def graph(self, count: int, inlets: tuple[str, ...]) -> Graph:
-        """The network of ``count`` bellows; a fault names its node or tube."""
+        """The network of ``count`` bellows; faults name their nodes and tubes."""
         if self.layout == "custom":
             return _custom_graph(self, count // 2, inlets)
         return _chain_graph(self, count // 2, inlets)
 
 
 def _chain_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> Graph:
-    if len(inlets) != 1:
-        raise refuse_at(
-            "layout",
-            f"a {network.layout} chain has one inlet, but {len(inlets)} inputs are given "
-            f"({', '.join(inlets)}); use a custom layout",
-        )
-    if network.layout == "crossed" and sections % 2:
-        raise refuse_at(
-            "layout",
-            f"a crossed chain swaps at mid-length and needs an even number of sections, not "
-            f"{sections}; use {2 * (sections - 1)} or {2 * (sections + 1)} bellows",
-        )
+    refuse_any(chain_faults(network.layout, sections, inlets))
     order = straight_order if network.layout == "straight" else crossed_order
     nodes = [inlets[0], *order(sections)]
-    ends = list(itertools.pairwise(nodes))
-    names = {f"{a}-{b}": f"{a}-{b}" for a, b in ends} | {f"{b}-{a}": f"{a}-{b}" for a, b in ends}
-    changed: dict[str, TubeChange] = {}
-    for key, change in network.changes.items():
-        if key not in names:
-            raise refuse_at(
-                f"changes.{key}",
-                f"the {network.layout} layout has no such tube{did_you_mean(key, names)}",
-            )
-        if names[key] in changed:
-            raise refuse_at(f"changes.{key}", "the same tube is changed twice")
-        changed[names[key]] = change
-    tubes = tuple(_tube(network, f"{a}-{b}", a, b, changed.get(f"{a}-{b}")) for a, b in ends)
+    refuse_any(change_faults(network.layout, network.changes, nodes))
+    tubes = tuple(
+        _tube(network, f"{a}-{b}", a, b, _change(network, a, b))
+        for a, b in itertools.pairwise(nodes)
+    )
     return Graph(sections, inlets, bellow_names(sections), (), tubes)
+
+
+def _change(network: Network, start: str, end: str) -> TubeChange | None:
+    return network.changes.get(f"{start}-{end}") or network.changes.get(f"{end}-{start}")
 
 
 def _tube(
@@ -125,16 +115,11 @@ def _tube(
 
 def _custom_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> Graph:
     entries = network.tubes or ()
+    ends = [(tube.start, tube.end) for tube in entries]
+    refuse_any(node_faults(ends, sections, inlets))
     bellows = bellow_names(sections)
     known = {*bellows, *inlets}
-    ends = Counter(end for tube in entries for end in (tube.start, tube.end))
-    for k, tube in enumerate(entries):
-        for end in (tube.start, tube.end):
-            _check_node(f"tubes.{k}", end, sections, known, ends)
-    for inlet in inlets:
-        if not ends[inlet]:
-            raise refuse_at("tubes", f"no tube leads from the inlet '{inlet}', which has an input")
-    junctions = tuple(dict.fromkeys(end for end in ends if end not in known))
+    junctions = tuple(dict.fromkeys(end for pair in ends for end in pair if end not in known))
     seen: Counter[str] = Counter()
     tubes = []
     for entry in entries:
@@ -143,36 +128,5 @@ def _custom_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> G
         full = name if seen[name] == 1 else f"{name}#{seen[name]}"
         tubes.append(_tube(network, full, entry.start, entry.end, entry))
     graph = Graph(sections, inlets, bellows, junctions, tuple(tubes))
-    for component in graph.components():
-        if component.junctions and not component.bellows and not component.inlets:
-            raise refuse_at(
-                "tubes",
-                f"{', '.join(component.junctions)}: only junctions joined to each other; "
-                "join them to a bellow or an inlet, or leave them out",
-            )
+    refuse_any(island_faults(graph))
     return graph
-
-
-def _check_node(key: str, node: str, sections: int, known: set[str], ends: Counter[str]) -> None:
-    """A node that is neither bellow nor inlet is a junction, unless it looks like a slip."""
-    if node in known:
-        return
-    bellow = re.fullmatch(r"([RLrl])(\d+)", node)
-    if bellow is not None:
-        side, number = bellow.group(1).upper(), int(bellow.group(2))
-        if 1 <= number <= sections:
-            raise refuse_at(key, f"unknown node '{node}'; did you mean '{side}{number}'?")
-        raise refuse_at(
-            key, f"bellow {node}: the actuator has {sections} sections, {side}1 to {side}{sections}"
-        )
-    if ends[node] == 1 or node.lower().startswith("inlet"):
-        hint = did_you_mean(node, known)
-        if hint or node.lower().startswith("inlet"):
-            raise refuse_at(
-                key,
-                f"unknown node '{node}'{hint or '; an inlet needs an entry under inputs'}",
-            )
-    if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_.]*", node):
-        raise refuse_at(
-            key, f"'{node}' is no name for a node; use letters, digits, '_' and '.', a letter first"
-        )

@@ -2,14 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
-from viscodesign.scene.base import Part, refuse_at
+from viscodesign.scene.base import Complaint, Part, refuse, refuse_any, refuse_at
 from viscodesign.units import Length, Pressure, Voltage, Volume
 
 SERVO_COUNTS = 1023
+HIGHEST_ID = 253
+"""Of the Dynamixel protocol; 254 speaks to all servos."""
+
+
+def _ids(given: Any) -> Any:
+    """Servo ids, one or by inlet; said here since a union would tell of both its sides."""
+    ids = given if isinstance(given, dict) else {"": given}
+    refuse_any(
+        Complaint(
+            (name,) if name else (),
+            f"{value!r} is given; a servo id is a whole number from 0 to {HIGHEST_ID}",
+        )
+        for name, value in ids.items()
+        if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= HIGHEST_ID
+    )
+    if not ids or len(set(ids.values())) < len(ids):
+        raise refuse("the servos of several inlets need an id each, all different")
+    return given
 
 
 class Sensor(Part):
@@ -33,7 +51,9 @@ class Pump(Part):
     syringe_stroke: Length = Field(0.1045, gt=0)
     pinion_diameter: Length = Field(0.0296, gt=0, description="Pitch diameter")
     servo: Literal["ax12a", "ax18a"] = "ax18a"
-    servo_id: int | dict[str, int] = Field(1, description="One id, or one for each inlet")
+    servo_id: Annotated[int | dict[str, int], BeforeValidator(_ids)] = Field(
+        1, description="One id, or one for each inlet by its name"
+    )
     supply_voltage: Voltage = Field(11.1, gt=0)
     dead_volume: Volume = Field(5e-6, ge=0)
     max_pressure: Pressure = Field(25e3, gt=0, description="Gauge; software cap")

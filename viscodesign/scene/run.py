@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -12,13 +12,23 @@ from viscodesign.scene.base import Part, refuse_at
 from viscodesign.units import Time
 
 MOST_OUTPUTS = 1_000_000
+USUAL_INTERVAL = 0.02
+"""[s]"""
+
+
+def _usual_interval(given: dict[str, Any]) -> float:
+    return min(USUAL_INTERVAL, float(given["duration"]))
 
 
 class Run(Part):
     """Duration, output times and start of a simulation."""
 
     duration: Time = Field(gt=0, description="Simulated time")
-    output_interval: Time = Field(0.02, gt=0, description="Time between two outputs")
+    output_interval: Time = Field(
+        default_factory=_usual_interval,
+        gt=0,
+        description="Time between two outputs; 20 ms if not given, or the duration if shorter",
+    )
     output_times: tuple[Time, ...] | None = Field(
         None, description="Instead of an interval: the output times, ascending"
     )

@@ -9,11 +9,11 @@ from functools import cached_property
 from typing import Any
 
 from pydantic import Field, PrivateAttr, field_validator, model_validator
-from pydantic_core import PydanticCustomError
 
 from viscodesign.model.graph import Graph
 from viscodesign.scene.actuator import Actuator
-from viscodesign.scene.base import Part, refuse_at
+from viscodesign.scene.agreement import SINGLE_INLET, disagreements
+from viscodesign.scene.base import Part, refuse, refuse_any
 from viscodesign.scene.bellows import Bellows
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
@@ -25,9 +25,6 @@ from viscodesign.scene.network import Network
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.run import Run
 from viscodesign.units import Fraction, Pressure, Temperature
-
-SINGLE_INLET = "inlet"
-MOST_PERIODS = 250_000
 
 
 @dataclass(frozen=True)
@@ -42,10 +39,12 @@ class Scene(Part):
     """A scene, validated; every number in SI. Keys are those of the YAML spec."""
 
     name: str = Field(min_length=1, max_length=100, description="Names the run and its folder")
-    actuator: Actuator
-    bellows: Bellows
-    network: Network
-    fluid_choice: Fluid = Field(alias="fluid")
+    actuator: Actuator = Field(description="The elastomer body: size, stiffness, mass")
+    bellows: Bellows = Field(description="Their number, size and measured coefficients")
+    network: Network = Field(description="Which bellow is joined to which, and by what tube")
+    fluid_choice: Fluid = Field(
+        alias="fluid", description="air, water, or a mapping of name, viscosity, density"
+    )
     temperature: Temperature = Field(293.15, gt=0, description="Of fluid and surroundings")
     gauge_pressure: Pressure = Field(0.0, description="Baseline about which the input cycles")
     ambient_pressure: Pressure = Field(101325.0, gt=0, description="Absolute")
@@ -53,12 +52,14 @@ class Scene(Part):
     several_inputs: dict[str, AnyInput] | None = Field(
         None, alias="inputs", description="Inlet name: input"
     )
-    loads: Loads = Field(default_factory=Loads)
-    effects: EffectsChoice = Field(default_factory=EffectsChoice)
+    loads: Loads = Field(default_factory=Loads, description="Gravity and what the tip carries")
+    effects: EffectsChoice = Field(
+        default_factory=EffectsChoice, description="auto, or effect: auto | on | off"
+    )
     accuracy: Fraction = Field(
         0.005, ge=1e-7, le=0.2, description="Tip error allowed, of the actuator's length"
     )
-    run: Run
+    run: Run = Field(description="How long, what to write down, and how it starts")
     pump: Pump | None = Field(None, description="Only for the pump commands")
 
     _source: Provenance = PrivateAttr(default_factory=Provenance)
@@ -67,7 +68,7 @@ class Scene(Part):
     @classmethod
     def _fit_for_a_folder(cls, name: str) -> str:
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._+-]*( [A-Za-z0-9._+-]+)*", name):
-            raise refuse_at("", f"'{name}': use letters, digits, '_', '-', '.', '+'")
+            raise refuse(f"'{name}': use letters, digits, '_', '-', '.', '+'")
         return name
 
     @field_validator("loads", mode="before")
@@ -81,26 +82,19 @@ class Scene(Part):
         return {"name": given} if isinstance(given, str) else given
 
     @model_validator(mode="after")
-    def _whole(self) -> Scene:
-        if (self.input is None) == (self.several_inputs is None):
-            which = "missing; give 'input', or 'inputs' for several inlets"
-            both = "given together with 'inputs'; give one of them"
-            raise refuse_at("input", which if self.input is None else both)
-        if not self.inputs:
-            raise refuse_at("inputs", "empty; at least one inlet needs an input")
-        for name in self.inputs:
-            if re.fullmatch(r"[RL]\d+", name):
-                raise refuse_at(f"inputs.{name}", "an inlet cannot be called like a bellow")
-        for name, source in self.inputs.items():
-            key = "input" if self.input is not None else f"inputs.{name}"
-            _check_corners(key, source, self.run.duration)
-        try:
-            _ = self.graph
-        except PydanticCustomError as error:
-            raise _below("network", error) from error
-        if self.fluid_choice.viscosity is None:
-            self.fluid_choice.properties(self.temperature, self.ambient_pressure)
+    def _parts_agree(self) -> Scene:
+        refuse_any(disagreements(self._fields()))
         return self
+
+    def _fields(self) -> dict[tuple[str, str | None], Any]:
+        parts: dict[tuple[str, str | None], Any] = {
+            ("Scene", name): getattr(self, name) for name in type(self).model_fields
+        }
+        return {
+            **parts,
+            ("Run", "duration"): self.run.duration,
+            ("Bellows", "count"): self.bellows.count,
+        }
 
     @property
     def inputs(self) -> Mapping[str, Input]:
@@ -129,18 +123,3 @@ class Scene(Part):
         copy = self.model_copy()
         copy._source = source
         return copy
-
-
-def _check_corners(key: str, source: Input, duration: float) -> None:
-    if source.period is not None and duration / source.period > MOST_PERIODS:
-        raise refuse_at(
-            key,
-            f"{duration / source.period:.3g} periods in {duration:g} s; at most {MOST_PERIODS} "
-            "are allowed",
-        )
-
-
-def _below(key: str, error: PydanticCustomError) -> PydanticCustomError:
-    """Put a fault found inside a part below that part's key."""
-    context = error.context or {}
-    return refuse_at(f"{key}.{context.get('below', '')}".rstrip("."), context["message"])

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import yaml
 
 from viscodesign.errors import Fault, SpecError
+from viscodesign.scene.base import KeyPath
 
 DEEPEST = 32
-MOST_NODES = 200_000
-KeyPath = tuple[str, ...]
+MOST_NODES = 400_000
+
 
 _INTEGER = re.compile(r"[-+]?[0-9]+")
 _NUMBER = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
@@ -26,6 +27,18 @@ class Document:
     data: dict[str, Any]
     lines: dict[KeyPath, int] = field(default_factory=dict)
     overrides: dict[KeyPath, str] = field(default_factory=dict)
+    faults: list[Fault] = field(default_factory=list)
+    """Of keys and values; the rest of the document is read all the same."""
+
+    def given(self, path: KeyPath) -> Any:
+        """The value as it was written; None where there is none."""
+        here: Any = self.data
+        for part in path:
+            if isinstance(here, list):
+                here = here[int(part)] if part.isdigit() and int(part) < len(here) else None
+            else:
+                here = here.get(part) if isinstance(here, dict) else None
+        return here
 
     def place(self, path: KeyPath) -> tuple[str, int | None]:
         """File and line of a key, or of the nearest key above it; an override names itself."""
@@ -38,25 +51,13 @@ class Document:
 
 
 def read_document(text: bytes, file: str) -> Document:
-    """Parse one YAML document that is a mapping. Raises `SpecError`."""
+    """Parse one YAML document that is a mapping. Raises `SpecError`.
+
+    Faults that leave the rest readable, such as a key that stands twice, are kept in
+    the document instead.
+    """
     document = Document(file, {})
-    reader = _Reader(document)
-    try:
-        decoded = text.decode("utf-8-sig")
-        if not decoded.strip():
-            raise SpecError([Fault("is empty; write a spec with 'viscodesign init'", file=file)])
-        nodes = list(yaml.compose_all(decoded, Loader=yaml.CSafeLoader))
-    except UnicodeDecodeError as error:
-        raise SpecError(
-            [Fault("is not a text in UTF-8; a YAML file is wanted", file=file)]
-        ) from error
-    except (yaml.YAMLError, RecursionError) as error:
-        raise SpecError([_syntax_fault(error, file)]) from error
-    if len(nodes) != 1 or nodes[0] is None:
-        raise SpecError([Fault(f"holds {len(nodes)} documents; one is wanted", file=file)])
-    data = reader.read(nodes[0], (), 0)
-    if reader.faults:
-        raise SpecError(reader.faults)
+    data = _Reader(document).read(_one_node(text, file), (), 0)
     if not isinstance(data, dict):
         kind = "a list" if isinstance(data, list) else "a single value"
         raise SpecError(
@@ -66,24 +67,71 @@ def read_document(text: bytes, file: str) -> Document:
     return document
 
 
+def _one_node(text: bytes, file: str) -> yaml.Node:
+    """The one document of a file as YAML nodes, which keep their lines."""
+    try:
+        decoded = text.decode("utf-8-sig")
+        _check_depth(decoded, file)
+        nodes = [n for n in yaml.compose_all(decoded, Loader=yaml.CSafeLoader) if n is not None]
+    except UnicodeDecodeError as error:
+        raise SpecError(
+            [Fault("is not a text in UTF-8; a YAML file is wanted", file=file)]
+        ) from error
+    except yaml.YAMLError as error:
+        raise SpecError([_syntax_fault(error, file)]) from error
+    if len(nodes) > 1:
+        raise SpecError([Fault(f"holds {len(nodes)} documents; one is wanted", file=file)])
+    if not nodes or (isinstance(nodes[0], yaml.ScalarNode) and not nodes[0].value):
+        raise SpecError([Fault("is empty; write a spec with 'viscodesign init'", file=file)])
+    return nodes[0]
+
+
+def _check_depth(text: str, file: str) -> None:
+    """Refuse deep nesting before the composer, which recurses in C, can overflow its stack."""
+    depth = 0
+    for event in yaml.parse(text, Loader=yaml.CSafeLoader):
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+            if depth > DEEPEST:
+                line = event.start_mark.line + 1 if event.start_mark else None
+                raise SpecError(
+                    [Fault(f"is nested too deeply, more than {DEEPEST} levels", "", file, line)]
+                )
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1
+
+
 def parse_scalar(text: str, place: str) -> Any:
     """The value of an override, read like a YAML value."""
     try:
-        node = yaml.compose(text or "''", Loader=yaml.CSafeLoader)
+        value = text or "''"
+        _check_depth(value, place)
+        node = yaml.compose(value, Loader=yaml.CSafeLoader)
     except yaml.YAMLError as error:
         raise SpecError([Fault("the value is not YAML", file=place)]) from error
-    reader = _Reader(Document(place, {}))
-    value = reader.read(node, (), 0) if node is not None else None
-    if reader.faults:
-        raise SpecError(reader.faults)
-    return value
+    document = Document(place, {})
+    data = _Reader(document).read(node, (), 0) if node is not None else None
+    if document.faults:
+        raise SpecError([replace(fault, line=None) for fault in document.faults])
+    return data
+
+
+def plain_value(text: str) -> Any:
+    """What a word without quotes stands for: nothing, true, false, a number, or itself."""
+    if text in ("", "~", "null", "Null", "NULL"):
+        return None
+    if text.lower() in ("true", "false"):
+        return text.lower() == "true"
+    if _INTEGER.fullmatch(text):
+        return int(text) if len(text) < 100 else float(text)
+    if _NUMBER.fullmatch(text):
+        return float(text)
+    return text
 
 
 def _syntax_fault(error: Exception, file: str) -> Fault:
     mark = getattr(error, "problem_mark", None)
     problem = getattr(error, "problem", None) or "is not YAML"
-    if isinstance(error, RecursionError):
-        problem = f"is nested deeper than {DEEPEST}"
     if isinstance(error, yaml.reader.ReaderError):
         problem = "holds bytes that are no text; a YAML file is wanted"
     return Fault(f"not YAML: {problem}", file=file, line=mark.line + 1 if mark else None)
@@ -94,7 +142,6 @@ class _Reader:
 
     def __init__(self, document: Document) -> None:
         self.document = document
-        self.faults: list[Fault] = []
         self.count = 0
 
     def read(self, node: yaml.Node, path: KeyPath, depth: int) -> Any:
@@ -102,7 +149,7 @@ class _Reader:
         if self.count > MOST_NODES or depth > DEEPEST:
             what = "nested too deeply" if depth > DEEPEST else "too large once its aliases unfold"
             self._fault(node, path[:4], f"is {what}")
-            raise SpecError(self.faults[-1:])
+            raise SpecError(self.document.faults[-1:])
         if isinstance(node, yaml.MappingNode):
             return self._mapping(node, path, depth)
         if isinstance(node, yaml.SequenceNode):
@@ -135,19 +182,8 @@ class _Reader:
         if explicit:
             self._fault(node, path, f"the tag {node.tag} is not read; write a plain value")
             return None
-        text = node.value
-        if node.style:  # quoted
-            return text
-        if text in ("", "~", "null"):
-            return None
-        if text in ("true", "false"):
-            return text == "true"
-        if _INTEGER.fullmatch(text):
-            return int(text) if len(text) < 100 else float(text)
-        if _NUMBER.fullmatch(text):
-            return float(text)
-        return text
+        return node.value if node.style else plain_value(node.value)  # a style means quotes
 
     def _fault(self, node: yaml.Node, path: KeyPath, message: str) -> None:
         line = node.start_mark.line + 1
-        self.faults.append(Fault(message, ".".join(path), self.document.file, line))
+        self.document.faults.append(Fault(message, ".".join(path), self.document.file, line))

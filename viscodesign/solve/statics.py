@@ -100,8 +100,11 @@ def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
 def _bend_to_arcs(problem: Problem, y: np.ndarray, tail: tuple[float | np.ndarray, ...]) -> None:
     """Put the nodes on the arcs that the pressures in ``y`` ask for."""
     _, _, _, curvature, stretch = evaluate(problem.equations.static_function, y, *tail)
+    total = 1 + np.asarray(stretch).ravel()
+    if np.min(total) <= 0.0:
+        raise vanished_section(0.0, int(np.argmin(total)), float(np.min(total)))
     y[problem.equations.statics.blocks["position"].span] = _arc_positions(
-        problem, np.asarray(curvature).ravel(), np.asarray(stretch).ravel()
+        problem, np.asarray(curvature).ravel(), total - 1
     )
 
 
@@ -205,6 +208,19 @@ def consistent(problem: Problem, start: Start, time: float, piece: np.ndarray) -
         return Start(start.states, continuation(family, start.algebraics, accept))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
+
+
+def vanished_section(time: float, section: int, stretch: float) -> SolveError:
+    """The failure of a section (from 0 at the clamp) that is pressed to nothing."""
+    return SolveError(
+        f"section {section + 1} is pressed to {stretch:.3g} of its length at t = {time:.6g} s: "
+        "the linear law shortens it to nothing",
+        quantity="stretch",
+        where=f"section {section + 1}",
+        time_s=float(time),
+        remedy="Raise the lowest pressure, or check bellows.extension_per_pressure and "
+        "actuator.youngs_modulus.",
+    )
 
 
 def _no_equilibrium(problem: Problem, failure: NewtonError, time: float) -> SolveError:

@@ -22,8 +22,10 @@ from viscodesign.solve.interrupt import gentle_interrupt
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start, consistent
 
-MAX_STEPS = 2_000_000
+MAX_STEPS = 500_000
 """Steps between two outputs after which a run is given up."""
+MAX_STEPS_AFTER_FAILURE = 5_000
+"""The same, once a part of the run has failed."""
 CHUNK_SECONDS = 0.4
 """Wall time that one uninterrupted call of the integrator should take."""
 CHUNK_PER_COMPILE = 10.0
@@ -178,6 +180,7 @@ class _Idas:
             "linear_solver": "csparse",
             "max_num_steps": MAX_STEPS,
             "show_eval_warnings": False,
+            "disable_internal_warnings": True,
             "quad_err_con": False,
         }
 
@@ -190,6 +193,8 @@ class _Idas:
         except RuntimeError as error:
             if stop - first == 1:
                 return self._nothing(), self._failure(error, first)
+        # What failed once is sought with little patience: a stuck step is not a slow one.
+        self.options["max_num_steps"] = MAX_STEPS_AFTER_FAILURE
         middle = (first + stop) // 2
         before, failure = self(here, first, middle, work)
         if failure is not None or not before[0].shape[1]:

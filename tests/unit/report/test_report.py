@@ -115,9 +115,13 @@ def test_a_full_disk_leaves_no_half_file(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 def test_an_interrupted_write_vanishes(tmp_path: Path) -> None:
-    with pytest.raises(KeyboardInterrupt), atomic.replaced(tmp_path / "x.csv") as file:
-        file.write(b"half")
-        raise KeyboardInterrupt
+    def interrupted() -> None:
+        with atomic.replaced(tmp_path / "x.csv") as file:
+            file.write(b"half")
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
     assert not os.listdir(tmp_path)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
+from viscodesign.errors import SpecError
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
 
@@ -88,8 +89,65 @@ def test_small_wiggles_do_not_count_as_swings() -> None:
     assert source.transient() == pytest.approx(0.98, abs=0.02)
 
 
-def test_a_million_periods_are_refused() -> None:
-    from viscodesign.errors import SpecError
+def test_noise_on_a_ramp_does_not_part_it() -> None:
+    time = np.linspace(0, 1, 201)
+    noisy = 1e4 * time + 30 * np.cos(400 * math.pi * time)
+    rows = [[float(t), float(p)] for t, p in zip(time, noisy, strict=True)]
+    assert swing(rows) == pytest.approx(0.98, abs=0.01)
 
+
+def test_a_ramp_in_small_stairs_is_one_swing() -> None:
+    rows = [[k / 200, 50.0 * (k // 2)] for k in range(401)]
+    assert swing(rows) == pytest.approx(1.96, abs=0.02)
+
+
+def test_each_tread_of_large_stairs_counts() -> None:
+    rows = [[0, 0], [1, 0], [1.1, 100], [9, 100], [9.3, 200], [20, 200]]
+    assert swing(rows) == pytest.approx(0.098)
+
+
+def test_a_jump_amid_slow_changes_is_the_shortest_swing() -> None:
+    assert swing([[0, 0], [5, 10], [5, 20], [9, 30]]) == 0.0
+
+
+def test_a_level_table_has_no_swing() -> None:
+    assert swing([[0, 5], [1, 5], [2, 5]]) == math.inf
+
+
+def swing(rows: list[list[float]]) -> float:
+    return leg(f"input={{kind: table, rows: {rows}}}").inputs["inlet"].transient()
+
+
+def test_a_stated_transient_time_wins() -> None:
+    assert made("square", "input.transient_time=0.74 s").transient() == 0.74
+
+
+def test_a_step_starts_from_the_baseline() -> None:
+    at_once = leg("input={kind: step, value: 3 kPa}").inputs["inlet"]
+    assert at_once.expression(0.0, at_once.initial_piece(), np) == 0.0
+    assert at_once.pressure(np.zeros(1))[0] == 3e3
+
+
+@pytest.mark.parametrize(
+    ("source", "words"),
+    [
+        ("{kind: square, high: 1, low: 2, frequency: 1}", "below low"),
+        ("{kind: square, high: 2, low: 1, frequency: 1, duty: 1.5}", "input.duty"),
+        ("{kind: square, high: 2, low: 1, frequency: 0}", "above 0 Hz"),
+        ("{kind: trapezoid, high: 1, rise: 0, fall: 0}", "must last some time"),
+        ("{kind: double_sigmoid, start: 1, drop: 1, fall_time: 1, rise_time: 2, transition: 0}", "above 0 s"),
+        ("{kind: table, rows: [[0, 1]]}", "1 rows; a table needs at least two"),
+        ("{kind: table, rows: [[1, 1], [0, 1]]}", "row 2: time runs back"),
+        ("{kind: table, rows: [[0, 1, 2], [1]]}", "a pair is wanted"),
+        ("{kind: table}", "one of 'file' and 'rows'"),
+        ("{kind: step, value: 1, transient_time: 0}", "above 0 s"),
+    ],
+)  # fmt: skip
+def test_refusals(source: str, words: str) -> None:
+    with pytest.raises(SpecError, match=words):
+        leg(f"input={source}")
+
+
+def test_a_million_periods_are_refused() -> None:
     with pytest.raises(SpecError, match="periods"):
         leg("input={kind: square, high: 1, low: 0, frequency: 1 MHz}", "run.duration=100 s")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from abc import abstractmethod
 from typing import Any, ClassVar
@@ -123,27 +124,55 @@ class PiecewiseLinear(Input):
 
 
 def shortest_swing(profile: list[tuple[float, float]]) -> float:
-    """Time of the shortest monotone swing between vertices, 1 % to 99 % of it [s]."""
+    """Time of the shortest monotone swing between vertices, 1 % to 99 % of it [s].
+
+    What turns back by less than `SMALL_SWING` of the whole range is noise upon a swing.
+    A hold parts two swings, unless they are as small.
+    """
     values = [p for _, p in profile]
     smallest = SMALL_SWING * (max(values) - min(values))
-    shortest = math.inf
-    run = profile[:1]
-    for point in profile[1:]:
-        if point[0] == run[-1][0] and abs(point[1] - run[-1][1]) > smallest:
-            return 0.0  # a jump is a swing of its own, whatever follows it
-        turns = len(run) > 1 and (run[-1][1] - run[0][1]) * (point[1] - run[-1][1]) < 0
-        stays = point[1] == run[-1][1]
-        if turns or stays:
-            shortest = min(shortest, _swing(run, smallest))
-            run = [run[-1]]
-        run = [point] if stays else [*run, point]
-    return min(shortest, _swing(run, smallest))
+    times = [
+        _swing_time(part, smallest)
+        for swing in _between_turns(profile, smallest)
+        for part in _between_holds(swing, smallest)
+    ]
+    return min(times, default=math.inf)
 
 
-def _swing(run: list[tuple[float, float]], smallest: float) -> float:
-    height = run[-1][1] - run[0][1]
-    if abs(height) <= smallest or len(run) < 2:
+Profile = list[tuple[float, float]]
+
+
+def _between_turns(profile: Profile, smallest: float) -> list[Profile]:
+    """Parts from one turning point to the next, which lies more than ``smallest`` away."""
+    parts: list[Profile] = []
+    start = extreme = 0
+    for k, (_, value) in enumerate(profile):
+        height = profile[extreme][1] - profile[start][1]
+        if (value - profile[extreme][1]) * (height or value - profile[start][1]) >= 0:
+            extreme = k
+        elif abs(value - profile[extreme][1]) > smallest:
+            parts.append(profile[start : extreme + 1])
+            start, extreme = extreme, k
+    return [*parts, profile[start : extreme + 1]]
+
+
+def _between_holds(swing: Profile, smallest: float) -> list[Profile]:
+    """The parts of a swing that holds separate; the whole swing where none of them counts."""
+    holds = [k for k in range(1, len(swing)) if swing[k][1] == swing[k - 1][1]]
+    starts, ends = [0, *holds], [*(k - 1 for k in holds), len(swing) - 1]
+    parts = [swing[a : b + 1] for a, b in zip(starts, ends, strict=True)]
+    large = [part for part in parts if abs(part[-1][1] - part[0][1]) > smallest]
+    return large or [swing]
+
+
+def _swing_time(swing: Profile, smallest: float) -> float:
+    """From the last time at 1 % to the first at 99 %; none for what is small; 0 at a jump."""
+    height = swing[-1][1] - swing[0][1]
+    if abs(height) <= smallest:
         return math.inf
-    part = [(p - run[0][1]) / height for _, p in run]
-    times = [t for t, _ in run]
+    jumps = (b[0] == a[0] and abs(b[1] - a[1]) > smallest for a, b in itertools.pairwise(swing))
+    if any(jumps):
+        return 0.0
+    part = np.maximum.accumulate([(p - swing[0][1]) / height for _, p in swing])
+    times = [t for t, _ in swing]
     return float(np.interp(LAST, part, times) - np.interp(FIRST, part, times))

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from typing import ClassVar, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
+from viscodesign.scene.base import refuse_at
 from viscodesign.scene.inputs.base import PiecewiseLinear
 from viscodesign.units import Fraction, Frequency, Pressure
 
@@ -20,6 +21,14 @@ class Square(PiecewiseLinear):
     low: Pressure = Field(description="Gauge pressure above the baseline, second")
     frequency: Frequency = Field(gt=0, description="Periods per second")
     duty: Fraction = Field(0.5, gt=0, lt=1, description="Part of a period that is high")
+
+    @model_validator(mode="after")
+    def _high_is_high(self) -> Square:
+        if self.high < self.low:
+            raise refuse_at(
+                "high", f"{self.high:g} Pa lies below low, {self.low:g} Pa; exchange the two"
+            )
+        return self
 
     @property
     def period(self) -> float:

@@ -1,0 +1,81 @@
+"""Columns and documents have the names of the public interface and survive JSON."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from tests.unit.report.conftest import CLASSIFICATION, Made
+from viscodesign.report.tables import (
+    check_document,
+    classification_document,
+    plain,
+    shape_columns,
+    summary_document,
+    trajectory_columns,
+)
+from viscodesign.trajectory import Scales, Trajectory, Verdict
+
+
+def test_columns_of_a_run(run: Trajectory) -> None:
+    names, values = trajectory_columns(run)
+    assert names[:5] == ["time_s", "tip_x_m", "tip_z_m", "tip_angle_rad", "inlet_pressure_pa"]
+    assert names[5] == "pressure_R1_pa"
+    assert names[13] == "pressure_L1_pa"
+    assert names[21] == "flow_inlet-R1_m3_s"
+    assert len(names) == 5 + 2 * 16
+    assert values.shape == (401, len(names))
+    assert np.array_equal(values[:, 13], run.pressure[:, 8])
+
+
+def test_several_inlets_are_named(made: Made) -> None:
+    fed = made().inlet_pressure["inlet"]
+    names, _ = trajectory_columns(made(inlet_pressure={"left": fed, "right": -fed}))
+    assert names[4:6] == ["inlet_pressure_left_pa", "inlet_pressure_right_pa"]
+
+
+def test_shape_is_one_row_for_each_time_and_point(run: Trajectory) -> None:
+    names, values = shape_columns(run)
+    assert names == ["time_s", "arc_m", "x_m", "z_m"]
+    points = len(run.arc)
+    assert values.shape == (401 * points, 4)
+    assert np.array_equal(values[points : 2 * points, 1], run.arc)
+    assert np.array_equal(values[-1, 2:], run.shape[-1, -1])
+
+
+def test_frames_are_the_tables(run: Trajectory) -> None:
+    assert list(run.frame().columns) == trajectory_columns(run)[0]
+    assert len(run.shape_frame()) == 401 * len(run.arc)
+
+
+def test_a_summary_has_its_sections_and_no_number_that_json_lacks(run: Trajectory) -> None:
+    constant = replace(CLASSIFICATION, scales=Scales(0.029, 0.16, math.inf, 1.1))
+    document = summary_document(replace(run, classification=constant))
+    assert json.loads(json.dumps(document, allow_nan=False)) == document
+    assert document["scales"]["t_i"] is None
+    assert document["ratios"]["ts_over_ti"] == 0.0
+    assert document["invariants"]["energy_imbalance_rel"] is None
+    assert set(document) >= {
+        "name", "version", "spec_sha256", "status", "scales", "ratios", "quadrant", "effects",
+        "accuracy", "cost", "invariants", "warnings",
+    }  # fmt: skip
+    assert set(document["effects"][0]) == {"name", "mode", "taken", "weight", "formula", "reason"}
+    assert document["effects"][0]["taken"] is False
+    assert set(document["warnings"][0]) == {"code", "message", "where", "time_s"}
+
+
+def test_a_check_and_a_classification_use_the_same_names() -> None:
+    verdicts = [Verdict("inertia", "on", True, math.nan, "t_s / t_i", "asked for")]
+    document = check_document(CLASSIFICATION, verdicts, ["16 bellows"])
+    assert document["effects"][0]["weight"] is None
+    assert document["facts"] == ["16 bellows"]
+    assert classification_document(CLASSIFICATION).items() <= document.items()
+
+
+def test_numbers_of_numpy_are_plain() -> None:
+    given = {"a": np.float64(math.inf), "b": np.bool_(True), "c": np.int64(3), "d": np.arange(2)}
+    assert plain(given) == {"a": None, "b": True, "c": 3, "d": [0, 1]}
+    assert plain(given)["b"] is True

@@ -1,0 +1,61 @@
+"""Output times."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign.errors import SpecError
+
+
+def times(run: str) -> np.ndarray:
+    return leg(f"run={{{run}}}").run.output_times_array()
+
+
+def test_an_interval_that_divides_the_duration() -> None:
+    assert times("duration: 8 s, output_interval: 20 ms") == pytest.approx(np.arange(401) * 0.02)
+
+
+def test_an_interval_that_does_not_ends_at_the_duration_all_the_same() -> None:
+    assert times("duration: 1 s, output_interval: 0.3 s") == pytest.approx([0, 0.3, 0.6, 0.9, 1.0])
+
+
+@pytest.mark.parametrize("interval", [0.1, 0.07, 1 / 3, 1e-3])
+def test_last_time_is_the_duration_to_the_bit(interval: float) -> None:
+    found = times(f"duration: 0.7, output_interval: {interval!r}")
+    assert found[0] == 0.0
+    assert found[-1] == 0.7
+    assert (np.diff(found) > 0.5e-9 * interval).all()
+
+
+def test_stated_times_are_kept() -> None:
+    assert times("duration: 2 s, output_times: [1 ms, 0.5, 2 s]").tolist() == [0.001, 0.5, 2.0]
+
+
+def test_a_run_shorter_than_the_usual_interval_has_two_outputs() -> None:
+    assert times("duration: 1 ns").tolist() == [0.0, 1e-9]
+
+
+def test_the_usual_interval() -> None:
+    assert leg("run={duration: 1 s}").run.output_interval == 0.02
+    assert leg("run={duration: 1 s}").run.start == "equilibrium"
+
+
+@pytest.mark.parametrize(
+    ("run", "faults"),
+    [
+        ("output_times: []", ["run.duration: missing; simulated time, like '20 ms'"]),
+        ("duration: 0", ["run.duration: 0 is given; allowed are values above 0 s"]),
+        ("duration: 1, output_times: []", ["run.output_times: the list is empty"]),
+        ("duration: 1, output_interval: 2", ["run.output_interval: 2 s is longer than"]),
+        ("duration: 1e5 s", ["run.output_interval: 5e+06 outputs; at most 1000000"]),
+    ],
+)
+def test_faults(run: str, faults: list[str]) -> None:
+    with pytest.raises(SpecError) as caught:
+        leg(f"run={{{run}}}")
+    found = [str(fault) for fault in caught.value.faults]
+    assert len(found) == len(faults)
+    for words, fault in zip(faults, found, strict=True):
+        assert words in fault

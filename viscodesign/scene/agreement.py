@@ -1,0 +1,111 @@
+"""Faults that no part of a spec shows alone: where its parts do not agree.
+
+Each check takes what it compares; a part that is at fault itself is absent, and what
+needs it waits until it is put right.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from pydantic_core import PydanticCustomError
+
+from viscodesign.scene.base import Complaint, complaints_of
+from viscodesign.scene.fluid import Fluid
+from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.network import Network
+from viscodesign.scene.pump import Pump
+
+MOST_PERIODS = 250_000
+SINGLE_INLET = "inlet"
+
+Fields = Mapping[tuple[str, str | None], Any]
+"""Valid fields by the names of their class and of themselves."""
+
+
+def disagreements(valid: Fields) -> Iterator[Complaint]:
+    """What is wrong between the fields that are right by themselves."""
+    yield from _fluid(valid)
+    yield from _inputs(valid)
+
+
+def _inputs(valid: Fields) -> Iterator[Complaint]:
+    """What hangs on the inlets: their names and periods, the network, the servos."""
+    if ("Scene", "input") not in valid or ("Scene", "several_inputs") not in valid:
+        return
+    single, several = valid["Scene", "input"], valid["Scene", "several_inputs"]
+    yield from _choice_of_inputs(single, several)
+    if (single is None) == (several is None) or several == {}:
+        return
+    inputs: Mapping[str, Input] = several if several is not None else {SINGLE_INLET: single}
+    yield from _inlet_names(inputs)
+    if ("Run", "duration") in valid:
+        yield from _periods(inputs, valid["Run", "duration"], several is None)
+    if ("Scene", "network") in valid and ("Bellows", "count") in valid:
+        yield from _graph(valid["Scene", "network"], valid["Bellows", "count"], inputs)
+    if ("Scene", "pump") in valid:
+        yield from _servos(valid["Scene", "pump"], inputs)
+
+
+def _fluid(valid: Fields) -> Iterator[Complaint]:
+    """A named fluid whose properties are not known at the scene's temperature and pressure."""
+    names = ("fluid_choice", "temperature", "ambient_pressure")
+    if any(("Scene", name) not in valid for name in names):
+        return
+    fluid: Fluid = valid["Scene", "fluid_choice"]
+    if fluid.viscosity is None:
+        try:
+            fluid.properties(valid["Scene", "temperature"], valid["Scene", "ambient_pressure"])
+        except PydanticCustomError as error:
+            yield from complaints_of(error)
+
+
+def _choice_of_inputs(single: Any, several: Any) -> Iterator[Complaint]:
+    if single is not None and several is not None:
+        yield Complaint(("input",), "given together with 'inputs'; give one of them")
+    if single is None and several is None:
+        yield Complaint(("input",), "missing; give 'input', or 'inputs' for several inlets")
+    if several is not None and not several:
+        yield Complaint(("inputs",), "empty; at least one inlet needs an input")
+
+
+def _inlet_names(inputs: Mapping[str, Input]) -> Iterator[Complaint]:
+    for name in inputs:
+        if re.fullmatch(r"[RLrl]\d+", name):
+            yield Complaint(("inputs", name), "an inlet cannot be called like a bellow")
+        elif not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
+            yield Complaint(
+                ("inputs", name),
+                "no name for an inlet; use letters, digits and '_', a letter first",
+            )
+
+
+def _periods(inputs: Mapping[str, Input], duration: float, is_single: bool) -> Iterator[Complaint]:
+    for name, source in inputs.items():
+        if source.period is not None and duration / source.period > MOST_PERIODS:
+            yield Complaint(
+                ("input",) if is_single else ("inputs", name),
+                f"{duration / source.period:.3g} periods in {duration:g} s; at most "
+                f"{MOST_PERIODS} are allowed",
+            )
+
+
+def _graph(network: Network, count: int, inputs: Mapping[str, Input]) -> Iterator[Complaint]:
+    try:
+        network.graph(count, tuple(inputs))
+    except PydanticCustomError as error:
+        yield from (c._replace(path=("network", *c.path)) for c in complaints_of(error))
+
+
+def _servos(pump: Pump | None, inputs: Mapping[str, Input]) -> Iterator[Complaint]:
+    if pump is None or isinstance(pump.servo_id, int):
+        return
+    known = ", ".join(inputs)
+    for name in pump.servo_id:
+        if name not in inputs:
+            yield Complaint(("pump", "servo_id", name), f"no such inlet; the inlets are {known}")
+    for name in inputs:
+        if name not in pump.servo_id:
+            yield Complaint(("pump", "servo_id"), f"the inlet '{name}' has no servo")

@@ -1,0 +1,95 @@
+"""A CSV of pressure against time; every fault names the file and the line."""
+
+from __future__ import annotations
+
+import csv
+import io
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from viscodesign.scene.base import Complaint, did_you_mean, refuse_any, refuse_at
+
+COLUMNS = ("time_s", "pressure_pa")
+LARGEST_FILE = 64 << 20
+MOST_ROWS = 50_000
+"""A resolved spec lists its rows, and has to stay a text that one can open."""
+
+
+def read_table(path: Path, shown: str) -> list[tuple[float, float]]:
+    """Rows (time [s], pressure [Pa]) of the file that the spec calls ``shown``."""
+    text = _text(path, shown)
+    try:
+        lines = list(csv.reader(io.StringIO(text)))
+    except csv.Error as error:
+        raise refuse_at("file", f"{shown} is not a CSV: {error}") from error
+    _check_header(lines[0] if lines else [], shown)
+    numbered = [(k, cells) for k, cells in enumerate(lines[1:], start=2) if cells]
+    refuse_any(_faults(shown, k, found) for k, cells in numbered for found in _bad_cells(cells))
+    rows = [(float(cells[0]), float(cells[1])) for _, cells in numbered]
+    times = [time for time, _ in rows]
+    refuse_any(_faults(shown, numbered[k][0], found) for k, found in disorder(times))
+    if len(rows) < 2 or len(rows) > MOST_ROWS:
+        raise refuse_at("file", f"{shown}: {row_count(len(rows))}")
+    return rows
+
+
+def disorder(times: Sequence[float]) -> Iterator[tuple[int, str]]:
+    """Places where time does not run on; two rows at one time are a jump, and legal."""
+    if times and times[0] < 0:
+        yield 0, f"time is {times[0]:g} s, before the start at 0"
+    for k, (before, after) in enumerate(itertools.pairwise(times), start=1):
+        if after < before:
+            yield k, f"time runs back from {before:g} s to {after:g} s"
+        elif k > 1 and times[k - 2] == before == after:
+            yield k, f"time {after:g} s stands a third time; a jump takes two rows"
+
+
+def row_count(count: int) -> str:
+    """What is wrong with so many rows."""
+    return f"{count} rows; a table needs at least two, and at most {MOST_ROWS} are allowed"
+
+
+def _text(path: Path, shown: str) -> str:
+    try:
+        with path.open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+        if len(content) > LARGEST_FILE:
+            raise refuse_at("file", f"{shown} is larger than {LARGEST_FILE >> 20} MiB")
+        return content.decode("utf-8-sig")
+    except (OSError, ValueError) as error:  # ValueError: not UTF-8, or a NUL in the name
+        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        raise refuse_at("file", f"{shown} cannot be read: {reason} (looked for {path})") from error
+
+
+def _check_header(cells: list[str], shown: str) -> None:
+    header = [cell.strip() for cell in cells]
+    if tuple(header) != COLUMNS:
+        missing = [column for column in COLUMNS if column not in header]
+        hints = "".join(did_you_mean(cell, missing) for cell in header if cell not in COLUMNS)
+        given = ",".join(header)[:80]
+        raise refuse_at(
+            "file", f"{shown}, line 1 is '{given}'; '{','.join(COLUMNS)}' is wanted{hints}"
+        )
+
+
+def _bad_cells(cells: list[str]) -> Iterator[str]:
+    if len(cells) != len(COLUMNS):
+        yield f"{len(cells)} values; {len(COLUMNS)} are wanted"
+        return
+    for column, cell in zip(COLUMNS, cells, strict=True):
+        if not cell.strip():
+            yield f"{column} is empty"
+            continue
+        try:
+            value = float(cell)
+        except ValueError:
+            yield f"{column} is '{cell[:40]}', not a number"
+            continue
+        if not math.isfinite(value):
+            yield f"{column} is {cell.strip()}, not finite"
+
+
+def _faults(shown: str, line: int, message: str) -> Complaint:
+    return Complaint(("file",), f"{shown}, line {line}: {message}")
