@@ -165,7 +165,7 @@ class Trajectory:
         return len(self.bellows) // 2
 
     def summary(self) -> dict[str, Any]:
-        """The run without its arrays, ready for JSON (non-finite numbers as strings)."""
+        """The run without its arrays, ready for JSON (numbers that are not finite as None)."""
         from viscodesign.report.tables import summary_document
 
         return summary_document(self)
