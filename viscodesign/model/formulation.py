@@ -348,7 +348,8 @@ class _Formulation:
                 # A state, not a quadrature: only then do the same linear formulas carry
                 # it and the volumes, and the balance holds to round-off.
                 size = self._volume_size() * len(self.system.pressure)
-                ode.append(ca.vertcat(*(self._fed_inflow(c) for c in self.fed)) / size)
+                outflow = self._inlet_outflows()
+                ode.append(ca.vertcat(*(self._fed_inflow(c, outflow) for c in self.fed)) / size)
             alg += self._volume_defects() + self._junction_balances()
         else:
             alg += self._sealed_defects()
@@ -413,8 +414,7 @@ class _Formulation:
                     outflow[end] += sign * self.system.flow[tube.name]
         return outflow
 
-    def _fed_inflow(self, component: Component) -> SX:
-        outflow = self._inlet_outflows()
+    def _fed_inflow(self, component: Component, outflow: dict[str, SX]) -> SX:
         return sum((outflow[name] for name in component.inlets), SX(0))
 
     def _balance_rates(self) -> dict[str, SX]:

@@ -204,11 +204,6 @@ class ChainRod:
         """Measured elastic turns minus those of the elastic curvature (edges,), zero [rad]."""
         return self.elastic_turns - self.compliance_product()
 
-    def straight(self) -> np.ndarray:
-        """Positions of the straight, unstretched rod (2 edges,), x and z in turn [m]."""
-        z = self.body.length * np.arange(1, self.edges + 1) / self.edges
-        return np.column_stack((np.zeros(self.edges), z)).ravel()
-
 
 def _turns(chords: SX) -> SX:
     """Turn at nodes 0..edges-1 (edges,) [rad]; the clamp's is measured from +z."""
