@@ -1,8 +1,9 @@
-"""Flow through slender tubes."""
+"""Flow through slender tubes, and what their walls store."""
 
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -34,3 +35,64 @@ def reynolds_number(
 def mean_speed(flow: np.ndarray, radius: np.ndarray) -> np.ndarray:
     """Mean speed of the flow over the tube's cross section [m/s]."""
     return np.asarray(np.abs(flow) / (math.pi * radius**2))
+
+
+def friction_multiplier(reynolds: Any, functions: Any = np) -> Any:
+    r"""Friction over that of slow laminar flow, f Re/64, at every Reynolds number [1].
+
+    .. math:: f = 8 \left[ (8/Re)^{12} + (A + B)^{-3/2} \right]^{1/12}, \quad
+              A = \left(2.457 \ln (Re/7)^{0.9}\right)^{16}, \quad B = (37530/Re)^{16}
+
+    A smooth tube; f is Darcy's factor. ``reynolds`` Re on the diameter; ``functions``
+    offers `log` and `fmax` (numpy or CasADi). Within a few percent of the laminar law,
+    of the transition and of the turbulent data. Source: S. W. Churchill, Friction-factor
+    equation spans all fluid-flow regimes, Chemical Engineering 84 (24), 1977, 91-92.
+    """
+    # The turbulent part is nothing below Re = 1, where its terms would overflow.
+    re = functions.fmax(reynolds, 1.0)
+    a = (2.457 * 0.9 * functions.log(re / 7)) ** 16
+    b = (37530 / re) ** 16
+    return (1 + (re / 8) ** 12 / (a + b) ** 1.5) ** (1 / 12)
+
+
+def local_loss_coefficient(density: float, loss: float, radius: float) -> float:
+    r"""Pressure drop per flow squared at a tube's ends [Pa s2/m6].
+
+    .. math:: \Delta p = K \rho q^2 / (2 A^2), \quad A = \pi r^2
+
+    ``loss`` K counts entrance and exit together: about 0.5 for a sharp entrance and 1
+    for an exit into a wide bellow, where the jet's energy is lost.
+    """
+    return loss * density / (2 * (math.pi * radius**2) ** 2)
+
+
+def fluid_inertance(density: float, length: float, radius: float) -> float:
+    r"""Pressure per rate of flow of a tube full of fluid [kg/m4].
+
+    .. math:: I = \frac{4}{3} \frac{\rho L}{\pi r^2}
+
+    4/3 is the momentum of a parabolic profile; a flat one has 1.
+    """
+    return 4 / 3 * density * length / (math.pi * radius**2)
+
+
+def inner_volume(length: float, radius: float) -> float:
+    """Volume inside of a tube [m3]."""
+    return math.pi * radius**2 * length
+
+
+def wall_compliance(
+    youngs_modulus: float, poissons_ratio: float, thickness: float, length: float, radius: float
+) -> float:
+    r"""Volume per inner pressure of an elastic tube held at its length [m3/Pa].
+
+    .. math:: C_t = \frac{2 \pi r^2 L (1 + \nu)}{E}
+              \frac{b^2 + (1 - 2\nu) r^2}{b^2 - r^2}, \quad b = r + \text{thickness}
+
+    Thick-walled tube in plane strain, small strains; for a thin wall it tends to
+    2 pi r^3 L (1 - nu^2)/(E thickness). Source: Lame's solution, for example
+    Timoshenko and Goodier, Theory of Elasticity, section 28.
+    """
+    outer = radius + thickness
+    shape = (outer**2 + (1 - 2 * poissons_ratio) * radius**2) / (outer**2 - radius**2)
+    return 2 * math.pi * radius**2 * length * (1 + poissons_ratio) / youngs_modulus * shape
