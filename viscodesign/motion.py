@@ -6,9 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.balances import read_invariants
 from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
-from viscodesign.model.formulation import NetworkForm, RodForm
+from viscodesign.model.network_equations import NetworkForm
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.statics import vanished_section
 from viscodesign.solve.transient import Solution
@@ -16,12 +18,10 @@ from viscodesign.trajectory import Invariants
 
 SHAPE_POINTS = 64
 """Points of a drawn axis, at least."""
+NEARLY_EMPTY = 0.2
+"""Volume of a bellow, of that at rest, at which a gas's failure is put down to it."""
 NEARLY_NOTHING = 0.3
 """Stretch of a section below which a failure is put down to it."""
-STANDSTILL = 1e-3
-"""Part of what is stored below which a motion counts as none in the balances."""
-ENERGY_NOISE = 1e-4
-"""Part of the work by which the output grid may misjudge a work integral and still be told."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,8 @@ class Motion:
     pressure: np.ndarray
     volume: np.ndarray
     flow: np.ndarray
+    junction_pressure: np.ndarray
+    """(T, junctions) gauge."""
     arc: np.ndarray
     shape: np.ndarray
     section_stretch: np.ndarray
@@ -60,18 +62,10 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
     A section pressed to nothing ends the motion just before, with its name.
     """
     rows = _evaluate(problem, solution)
-    failure = solution.failure
     stretch, turn = _section_strains(problem, rows)
-    end = len(rows.time)
-    gone = np.flatnonzero(~(stretch.min(axis=1) > 0.0))
-    if gone.size:
-        end = int(gone[0])
-        failure = _thinnest(rows.time[end], stretch[end])
-        if end == 0:
-            raise failure
-    elif failure is not None and stretch[-1].min() < NEARLY_NOTHING:
-        # The integrator gives up on a section that is about to vanish.
-        failure = _thinnest(rows.time[-1], stretch[-1])
+    end, failure = _ended(problem, rows, stretch, solution.failure)
+    if end == 0 and failure is not None:
+        raise failure
     outputs = problem.schedule.outputs
     keep = outputs[outputs < end]
     arc, shape, angle = _shapes(problem, rows, keep)
@@ -82,12 +76,54 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
         pressure=rows["pressure"][keep],
         volume=rows["volume"][keep],
         flow=_flows(problem, rows)[keep],
+        junction_pressure=rows["junction_pressure"][keep],
         arc=arc,
         shape=shape,
         section_stretch=stretch[keep],
         section_turn=turn[keep],
-        invariants=_invariants(problem, solution, rows, end),
+        invariants=read_invariants(problem, solution, rows.values, end),
         failure=failure,
+    )
+
+
+def _ended(
+    problem: Problem, rows: _Rows, stretch: np.ndarray, failure: SolveError | None
+) -> tuple[int, SolveError | None]:
+    """Rows up to which a motion has a meaning, and why it ends there."""
+    gas = not problem.equations.incompressible
+    least = rows["volume"].min(axis=1)
+    gone = ~(stretch.min(axis=1) > 0.0)
+    lost = np.flatnonzero(gone | (gas & (least <= 0.0)))
+    if lost.size:
+        end = int(lost[0])
+        if gone[end]:
+            return end, _thinnest(rows.time[end], stretch[end])
+        return end, _emptied(problem, rows, max(end - 1, 0))
+    if failure is not None and stretch[-1].min() < NEARLY_NOTHING:
+        # The integrator gives up on a section that is about to vanish.
+        return len(rows.time), _thinnest(rows.time[-1], stretch[-1])
+    if failure is not None and gas and least[-1] < NEARLY_EMPTY * _rest_volume(problem):
+        return len(rows.time), _emptied(problem, rows, -1)
+    return len(rows.time), failure
+
+
+def _rest_volume(problem: Problem) -> float:
+    """What one bellow holds at zero gauge [m3]."""
+    return float(problem.equations.rest_amounts[0])
+
+
+def _emptied(problem: Problem, rows: _Rows, row: int) -> SolveError:
+    """The failure of a bellow that is sucked empty: no gas fills a volume of nothing."""
+    volume = rows["volume"][row]
+    name, time = problem.bellows[int(np.argmin(volume))], float(rows.time[row])
+    share = float(np.min(volume)) / _rest_volume(problem)
+    return SolveError(
+        f"{name} is sucked empty after t = {time:.6g} s, where it holds {share:.3g} of its rest "
+        "volume: the linear law goes on to negative volumes, which no gas can fill",
+        quantity="volume",
+        where=name,
+        time_s=time,
+        remedy="Let effects.collapse be auto, or raise the lowest pressure.",
     )
 
 
@@ -108,14 +144,19 @@ def _evaluate(problem: Problem, solution: Solution) -> _Rows:
         schedule.edges[:count],
         piece,
         np.ones(count),
-        np.tile(problem.sealed_volumes[:, None], count),
+        np.tile(equations.sealed_volumes[:, None], count),
         np.tile(equations.parameter_values[:, None], count),
     )
     names = equations.output_function.name_out()
     values = {n: np.array(r).T for n, r in zip(names, results, strict=True)}
     if equations.network_form is NetworkForm.DISTRIBUTED:
-        states = equations.states.physical("volume", solution.states).T
-        values["volume"] = problem.rest_volume + states
+        # From the states, in which what is stored and what flowed in agree to round-off.
+        blocks = [n for n in ("volume", "node_volume") if n in equations.states.blocks]
+        held = [equations.states.physical(n, solution.states).T for n in blocks]
+        values["stored"] = equations.rest_amounts + np.concatenate(held, axis=1)
+        if equations.incompressible:
+            bellows = values["stored"][:, : len(problem.bellows)]
+            values["volume"] = bellows - values["tube_volume"]
     for name in ("pressure", "volume", "unpaired_volume"):
         values[name] = values[name][:, problem.places]
     return _Rows(schedule.edges[:count], values)
@@ -196,102 +237,3 @@ def _flows(problem: Problem, rows: _Rows) -> np.ndarray:
 
     rates = CubicSpline(rows.time, rows["volume"], axis=0)(rows.time, 1)
     return np.asarray(rates @ problem.flow_shares.T)
-
-
-# -- balances -----------------------------------------------------------------
-
-
-def _invariants(problem: Problem, solution: Solution, rows: _Rows, end: int) -> Invariants:
-    volume = _volume_imbalance(problem, solution, rows, end)
-    energy, coupling = _energy_imbalance(problem, solution, rows, end)
-    return Invariants(volume, energy, coupling)
-
-
-def _volume_imbalance(problem: Problem, solution: Solution, rows: _Rows, end: int) -> float:
-    """Largest difference between what flowed in and what is stored, over what moved."""
-    equations = problem.equations
-    names = list(problem.bellows)
-    # Where nothing moves, round-off is told against what is stored.
-    moved = max(
-        float(np.max(np.abs(rows["volume"][:end] - rows["volume"][0]))),
-        STANDSTILL * float(np.max(np.abs(rows["volume"][:end]))),
-    )
-    worst = 0.0
-    fed = np.zeros((0, end))
-    if "inflow" in equations.states.blocks:
-        fed = equations.states.physical("inflow", solution.states)[:, :end]
-    for component, inflow in zip(equations.fed, fed, strict=False):
-        held = rows["volume"][:end, [names.index(b) for b in component.bellows]].sum(axis=1)
-        scale = max(moved, float(np.max(np.abs(inflow))))
-        worst = max(worst, float(np.max(np.abs(held - held[0] - inflow))) / scale)
-    for component, filled in zip(equations.sealed, problem.sealed_volumes, strict=True):
-        held = rows["volume"][:end, [names.index(b) for b in component.bellows]].sum(axis=1)
-        reference = held[0] if equations.network_form is NetworkForm.DISTRIBUTED else filled
-        worst = max(worst, float(np.max(np.abs(held - reference))) / moved)
-    return worst
-
-
-def _energy_imbalance(
-    problem: Problem, solution: Solution, rows: _Rows, end: int
-) -> tuple[float | None, float | None]:
-    """Energy balance over the work done, and the work of unpaired coupling [J].
-
-    Work that pressures do through an unpaired volume, and through the whole volume
-    where one pressure is shared, is integrated over the solved times; where they are
-    too coarse for it the balance is not told.
-    """
-    if end < 5:
-        return None, None
-    every = np.arange(0, end, 2)
-    stored = np.sum(
-        [
-            rows[name][every, 0]
-            for name in ("fluid_energy", "kinetic_energy", "load_energy", "elastic_energy")
-            if name in rows.values
-        ],
-        axis=0,
-    )
-    pressure, unpaired = rows["pressure"][:end], rows["unpaired_volume"][:end]
-    coupling, noise = _work(unpaired, pressure)
-    integrals = dict(zip(problem.equations.rates, solution.integrals[:, every], strict=True))
-    if "pump_power" in integrals:
-        pump = integrals["pump_power"] - integrals["tube_loss"]
-        scale = float(np.max(np.abs(integrals["pump_power"])))
-    else:
-        pump, pump_noise = _work(pressure, rows["volume"][:end])
-        noise = noise + pump_noise
-        scale = float(np.max(np.abs(pump)))
-    lost = integrals.get("material_loss", np.zeros(len(every)))
-    scale = max(
-        scale,
-        float(np.ptp(stored)),
-        float(np.max(np.abs(coupling))),
-        STANDSTILL * float(np.max(np.abs(stored))),
-    )
-    if scale == 0.0:
-        return 0.0, 0.0
-    coupled = float(coupling[-1]) if np.any(unpaired) else None
-    if noise > ENERGY_NOISE * scale:
-        return None, coupled
-    imbalance = stored - stored[0] - pump + lost - coupling
-    return float(np.max(np.abs(imbalance))) / scale, coupled
-
-
-def _work(force: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, float]:
-    """Running integral of force d(path), summed over columns, at every second row.
-
-    The trapezoidal rule on all rows and on every second one, extrapolated to nothing
-    between them (Richardson); the second value is how far that still is uncertain, by
-    the next doubling.
-    """
-    fine, coarse = (_trapezoids(force, path, step) for step in (1, 2))
-    coarsest = _trapezoids(force, path, 4)
-    best = (4 * fine[::2] - coarse) / 3
-    worse = (4 * coarse[::2] - coarsest) / 3
-    return best, float(np.max(np.abs(best[::2] - worse))) / 15
-
-
-def _trapezoids(force: np.ndarray, path: np.ndarray, step: int) -> np.ndarray:
-    some, way = force[::step], path[::step]
-    parts = np.sum((some[1:] + some[:-1]) / 2 * np.diff(way, axis=0), axis=1)
-    return np.concatenate([[0.0], np.cumsum(parts)])

@@ -122,6 +122,15 @@ class ChainRod:
         """Hang a point mass [kg] on the tip."""
         self._masses.append(PointMass(mass, self.tip, self.velocity[:, -1]))
 
+    def add_carried_mass(self, per_section: list[SX]) -> None:
+        """Spread a mass [kg] over the nodes of each section, first at the clamp."""
+        count = self.edges_per_section
+        per_edge = [mass / count for mass in per_section for _ in range(count)]
+        around = [*per_edge, per_edge[-1]]
+        for i, weight in enumerate(node_weights(self.edges)):
+            mass = weight * (around[i] + around[i + 1]) / 2
+            self._masses.append(PointMass(mass, self.position[:, i], self.velocity[:, i]))
+
     def strain_rates(self) -> tuple[SX, SX]:
         """Rates of total stretch per edge and of curvature per node (edges,) [1/s, 1/(m s)].
 
@@ -133,6 +142,14 @@ class ChainRod:
             ca.jtimes(self.chord_lengths / self.h, r, v),
             ca.jtimes(self.turns / self.tributary_lengths, r, v),
         )
+
+    def edge_turn_rates(self) -> list[SX]:
+        """Rate at which each edge turns (edges,) [rad/s]."""
+        clamp = SX.zeros(2, 1)
+        chords = ca.diff(ca.horzcat(clamp, self.position), 1, 1)
+        rates = ca.diff(ca.horzcat(clamp, self.velocity), 1, 1)
+        turned = chords[1, :] * rates[0, :] - chords[0, :] * rates[1, :]
+        return ca.horzsplit(turned / (chords[0, :] ** 2 + chords[1, :] ** 2))
 
     @property
     def tip_curvature(self) -> SX:

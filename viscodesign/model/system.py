@@ -2,37 +2,61 @@
 
 A system starts from what no scene can do without: elastic energy of the rod,
 intrinsic strains by pressure, and a volume in every bellow. Each effect then adds
-its term: an energy, a dissipation, a stored volume, a tube's flow. What nobody
-added is absent: without kinetic energy the rod is algebraic, without any load it
-is a row of arcs, without tube flows each connected network has one pressure.
+its term: an energy, a dissipation, a stored volume, a pressure drop along a tube; or
+it puts a finer law in the place of a simple one: of the fluid, of a bellow's wall.
+What nobody added is absent: without kinetic energy the rod is algebraic, without any
+load it is a row of arcs, without pressure drops each connected network has one
+pressure.
+
+Amounts of fluid are told as volume at the density of ambient pressure; so are flows.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.model.coupling import BellowLaw, pair_pressures
+from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, ChainRod
+from viscodesign.model.wall import LinearWall, Wall
 
 SX = ca.SX
 
 
 @dataclass(frozen=True)
-class Source:
-    """The pressure of one inlet: a smooth formula inside each interval of the run."""
+class Syringe:
+    """A closed vessel with a plunger, in the place of a source of pressure."""
 
-    pressure: Callable[[SX, SX], SX]
-    """(time, piece coefficients) -> pressure above the baseline [Pa]."""
+    full_volume: float
+    """Volume in front of the plunger at its start [m3]."""
+    bulk_modulus: float | None
+    """Of a liquid [Pa]; None for a gas, which follows ``exponent``."""
+    exponent: float = 1.0
+
+
+@dataclass(frozen=True)
+class Source:
+    """One inlet: a smooth formula inside each interval of the run."""
+
+    value: Callable[[SX, SX], SX]
+    """(time, piece coefficients) -> pressure above the baseline [Pa], or, with a
+    ``syringe``, volume that its plunger has pushed out [m3]."""
     coefficients: int
+    syringe: Syringe | None = None
 
 
 class System:
-    """Symbols and sums of one coupled model; `formulate` turns it into equations."""
+    """Symbols and sums of one coupled model; `formulate` turns it into equations.
+
+    Effects join first; what follows from all of them is then computed once, for all
+    nodes together, and kept.
+    """
 
     def __init__(
         self,
@@ -41,9 +65,11 @@ class System:
         bellow: BellowLaw,
         sources: Mapping[str, Source],
         baseline: float,
+        ambient: float,
         edges_per_section: int,
     ) -> None:
         self._parameters: dict[str, tuple[SX, float]] = {}
+        self._stored: dict[str, SX] = {}
         self.graph = graph
         self.body = body
         self.bellow = bellow
@@ -51,6 +77,7 @@ class System:
         self.load_factor = SX.sym("load_factor")
         self.pieces = SX.sym("pieces", sum(s.coefficients for s in sources.values()))
         self.baseline = self.parameter("gauge_pressure", baseline)
+        self.ambient = self.parameter("ambient_pressure", ambient)
         self.rod = ChainRod(
             body,
             edges_per_section,
@@ -59,22 +86,41 @@ class System:
             self.parameter("section_length", body.section_length),
             self.parameter("mass_per_length", body.mass_per_length),
         )
-        self.inlet_pressure = self._inlet_pressures(sources)
         self.pressure = {name: SX.sym(f"pressure_{name}") for name in graph.bellows_along_tubes()}
         self.junction_pressure = {name: SX.sym(f"pressure_{name}") for name in graph.junctions}
+        self.inlet_pressure: dict[str, SX] = {}
+        self.syringes: dict[str, Syringe] = {}
+        self.pushed: dict[str, SX] = {}
+        """Volume that each syringe's plunger has pushed out, a symbol [m3]."""
+        self.pushed_value: dict[str, SX] = {}
+        self._connect(sources)
         # Resultants of each section, positive in tension and in bending to the right.
         self.normal_force = [SX.sym(f"normal_force_{j + 1}") for j in range(graph.sections)]
         self.moment = [SX.sym(f"moment_{j + 1}") for j in range(graph.sections)]
+        self.flow = {tube.name: SX.sym(f"flow_{tube.name}") for tube in graph.tubes}
+
+        # What a node holds [m3 at ambient density]: a stand-in for `stored`, by which its
+        # mass can be named before all laws are known.
+        self.amount = {name: SX.sym(f"amount_{name}") for name in graph.bellows}
+
+        # Laws that an effect may replace.
+        self.fluid: FluidLaw = Incompressible()
+        self.wall: Wall = self.linear_wall()
 
         # The sums that effects join.
         self.kinetic_energy = SX(0)
         self.load_potential = SX(0)
         self.tip_moment = SX(0)
         self.dissipation_power = SX(0)
-        self.flow: dict[str, SX] = {}
-        self.linear_volume, self.fluid_energy = self._linear_storage()
-        self.volume = dict(self.linear_volume)
-        self.intrinsic_curvature, self.intrinsic_stretch = self._linear_strains()
+        self.extra_volume = {name: SX(0) for name in graph.bellows}
+        """What a bellow stores beyond the law of its wall [m3]."""
+        self.tube_volume: dict[str, SX] = {}
+        """What tubes store, at a node [m3]; `tube_energy` with it [J]."""
+        self.tube_energy = SX(0)
+        self.drop: dict[str, SX] = {}
+        """Loss of pressure along a tube as a function of its flow [Pa]."""
+        self.inertance: dict[str, SX] = {}
+        """Pressure per rate of flow of a tube [kg/m4]."""
 
     def parameter(self, name: str, value: float) -> SX:
         """A named number of the scene as a symbol, so that one build serves many values."""
@@ -87,6 +133,8 @@ class System:
         values = np.array([value for _, value in self._parameters.values()])
         return ca.vertcat(*symbols), values
 
+    # -- the network ----------------------------------------------------------
+
     def node_pressure(self, node: str) -> SX:
         """Gauge pressure of a node of the network, whatever its kind [Pa]."""
         for kind in (self.pressure, self.junction_pressure, self.inlet_pressure):
@@ -94,9 +142,84 @@ class System:
                 return kind[node]
         raise KeyError(node)
 
+    def driving_pressure(self, start: str, end: str) -> SX:
+        """What drives the flow from one node to another, over the fluid's density [Pa]."""
+        return self._driving(start) - self._driving(end)
+
+    def _driving(self, node: str) -> SX:
+        pressure = self.fluid.density_integral(self.node_pressure(node))
+        return pressure - self.load_factor * self.head(node)
+
+    def head(self, node: str) -> SX:
+        """Weight of the fluid from the clamp down to a node, taken as a pressure [Pa]."""
+        return -self._load_per_amount.get(node, SX(0))
+
+    def carried_energy(self, node: str) -> SX:
+        """Kinetic energy that a unit amount of fluid brings to a node [Pa]."""
+        return self._kinetic_per_amount.get(node, SX(0))
+
+    @cached_property
+    def _load_per_amount(self) -> dict[str, SX]:
+        return self._per_amount(self.load_potential)
+
+    @cached_property
+    def _kinetic_per_amount(self) -> dict[str, SX]:
+        return self._per_amount(self.kinetic_energy)
+
+    def _per_amount(self, energy: SX) -> dict[str, SX]:
+        slopes = ca.gradient(energy, ca.vertcat(*self.amount.values()))
+        return dict(zip(self.amount, ca.vertsplit(slopes), strict=True))
+
+    def specific_work(self, node: str) -> SX:
+        """Work that a unit amount of fluid can do at a node, its height included [Pa]."""
+        return self.fluid.specific_work(self.node_pressure(node)) - self.head(node)
+
+    def wall_volume(self, node: str) -> SX:
+        """Volume that the walls around a node give it [m3]; zero at a bare junction."""
+        volume = self.tube_volume.get(node, SX(0))
+        if node in self.pressure:
+            volume += self._bellow_volumes[node]
+        if node in self.syringes:
+            volume += self.barrel_volume(node)
+        return volume
+
+    @cached_property
+    def _bellow_volumes(self) -> dict[str, SX]:
+        volumes = self.wall.volume(ca.vertcat(*self.pressure.values()))
+        return dict(zip(self.pressure, ca.vertsplit(volumes), strict=True))
+
+    def volume(self, node: str) -> SX:
+        """The same, with what the rod's resultants add [m3]."""
+        return self.wall_volume(node) + self.extra_volume.get(node, SX(0))
+
+    def stored(self, node: str) -> SX:
+        """Amount of fluid at a node [m3 at ambient density]."""
+        if node not in self._stored:
+            self._stored[node] = self._amount_at(node)
+        return self._stored[node]
+
+    def _amount_at(self, node: str) -> SX:
+        if self._has_own_fluid(node):
+            # The barrel's own fluid yields, that of the network does not.
+            return self.volume(node)
+        return self.volume(node) * self.fluid.density(self.node_pressure(node))
+
+    def store(self, node: str, volume: SX, compliance: SX) -> None:
+        """Let tubes give a node a volume [m3], and more of it per pressure [m3/Pa]."""
+        if node in self.inlet_pressure and node not in self.syringes:
+            return  # an ideal source fills it, and nobody is later for it
+        pressure = self.node_pressure(node)
+        self.tube_volume[node] = self.tube_volume.get(node, SX(0)) + volume + compliance * pressure
+        self.tube_energy += compliance * pressure**2 / 2
+
+    def storing_nodes(self) -> list[str]:
+        """Nodes besides the bellows that hold fluid: junctions of soft tubes, syringes."""
+        own = {**self.junction_pressure, **self.syringes}
+        return [name for name in own if name in self.tube_volume or name in self.syringes]
+
     def net_inflows(self) -> dict[str, SX]:
-        """Sum of the tube flows into every node that is not an inlet [m3/s]."""
-        totals = {name: SX(0) for name in (*self.pressure, *self.junction_pressure)}
+        """Sum of the tube flows into every node whose pressure is not given [m3/s]."""
+        totals = {name: SX(0) for name in (*self.pressure, *self.junction_pressure, *self.syringes)}
         for tube in self.graph.tubes:
             if tube.end in totals:
                 totals[tube.end] += self.flow[tube.name]
@@ -104,26 +227,98 @@ class System:
                 totals[tube.start] -= self.flow[tube.name]
         return totals
 
-    def _inlet_pressures(self, sources: Mapping[str, Source]) -> dict[str, SX]:
-        pressures, used = {}, 0
+    # -- syringes -------------------------------------------------------------
+
+    def barrel_volume(self, name: str) -> SX:
+        """Volume in front of a plunger; where the network's fluid is stiff, at ambient density."""
+        left = self._space(name)
+        if not self._has_own_fluid(name):
+            return left
+        return left * self.barrel_fluid(name).density(self.inlet_pressure[name])
+
+    def _space(self, name: str) -> SX:
+        """Volume in front of a plunger [m3]."""
+        full = self.parameter(f"syringe.{name}", self.syringes[name].full_volume)
+        return full - self.pushed[name]
+
+    def barrel_fluid(self, name: str) -> FluidLaw:
+        """The fluid in a barrel, which always yields: the plunger's position is given."""
+        syringe = self.syringes[name]
+        if syringe.bulk_modulus is None:
+            return Gas(self.ambient, syringe.exponent)
+        return Liquid(self.parameter(f"syringe.{name}.bulk_modulus", syringe.bulk_modulus))
+
+    def barrel_energy(self, name: str) -> SX:
+        """What the barrel's own fluid stores; zero where the network's law covers it [J]."""
+        if not self._has_own_fluid(name):
+            return SX(0)
+        law, pressure = self.barrel_fluid(name), self.inlet_pressure[name]
+        return self._space(name) * (
+            pressure * law.density(pressure) - law.density_integral(pressure)
+        )
+
+    def plunger_pressure(self, name: str) -> SX:
+        """Work per volume that a plunger pushes out [Pa]."""
+        pressure = self.inlet_pressure[name]
+        if not self._has_own_fluid(name):
+            return pressure
+        return self.barrel_fluid(name).density_integral(pressure)
+
+    def _has_own_fluid(self, node: str) -> bool:
+        return node in self.syringes and isinstance(self.fluid, Incompressible)
+
+    def _connect(self, sources: Mapping[str, Source]) -> None:
+        used = 0
         for name, source in sources.items():
             piece = self.pieces[used : used + source.coefficients]
-            pressures[name] = self.baseline + source.pressure(self.time, piece)
             used += source.coefficients
-        return pressures
+            value = source.value(self.time, piece)
+            if source.syringe is None:
+                self.inlet_pressure[name] = self.baseline + value
+                continue
+            self.syringes[name] = source.syringe
+            self.inlet_pressure[name] = SX.sym(f"pressure_{name}")
+            self.pushed[name] = SX.sym(f"pushed_{name}")
+            self.pushed_value[name] = value
 
-    def _linear_storage(self) -> tuple[dict[str, SX], SX]:
-        """Volume of every bellow, and the energy that they hold together [J]."""
-        rest = self.parameter("rest_volume", self.bellow.rest_volume)
-        compliance = self.parameter("compliance", self.bellow.compliance)
-        volumes = {name: rest + compliance * p for name, p in self.pressure.items()}
-        return volumes, compliance * ca.sumsqr(ca.vertcat(*self.pressure.values())) / 2
+    # -- bellows --------------------------------------------------------------
 
-    def _linear_strains(self) -> tuple[list[SX], list[SX]]:
-        k = self.parameter("curvature_per_pressure", self.bellow.curvature_per_pressure)
-        z = self.parameter("stretch_per_pressure", self.bellow.stretch_per_pressure)
-        pairs = pair_pressures(self.graph, self.pressure)
-        return (
-            [k * (left - right) for left, right in pairs],
-            [z * (left + right) for left, right in pairs],
+    def linear_wall(self) -> LinearWall:
+        """The paper's laws of a bellow."""
+        law = self.bellow
+        return LinearWall(
+            self.parameter("rest_volume", law.rest_volume),
+            self.parameter("compliance", law.compliance),
+            self.parameter("curvature_per_pressure", law.curvature_per_pressure),
+            self.parameter("stretch_per_pressure", law.stretch_per_pressure),
         )
+
+    @cached_property
+    def intrinsic_curvature(self) -> SX:
+        """Curvature of every section that its pressures ask for (S,) [1/m]."""
+        left, right = self._columns
+        return self.wall.curvature(left) - self.wall.curvature(right)
+
+    @cached_property
+    def intrinsic_stretch(self) -> SX:
+        """Stretch of every section that its pressures ask for (S,) [1]."""
+        left, right = self._columns
+        return self.wall.stretch(left) + self.wall.stretch(right)
+
+    @cached_property
+    def _columns(self) -> tuple[SX, SX]:
+        """Pressures of the left and of the right bellows, clamp first (S,)."""
+        left, right = zip(*pair_pressures(self.graph, self.pressure), strict=True)
+        return ca.vertcat(*left), ca.vertcat(*right)
+
+    def fluid_energy(self) -> SX:
+        """Energy of walls and fluid whose rate is the work of what flows in [J]."""
+        energy = self.tube_energy + sum((self.barrel_energy(name) for name in self.syringes), SX(0))
+        energy += ca.sum1(self.wall.energy(ca.vertcat(*self.pressure.values())))
+        for name in (*self.pressure, *self.storing_nodes()):
+            pressure = self.node_pressure(name)
+            energy += pressure * (self.volume(name) - self.wall_volume(name))
+            if not isinstance(self.fluid, Incompressible):
+                energy += self.stored(name) * self.fluid.specific_work(pressure)
+                energy -= pressure * self.volume(name)
+        return energy

@@ -34,27 +34,33 @@ class Problem:
     equations: Equations
     body: Body
     bellows: tuple[str, ...]
+    bellows_along_tubes: tuple[str, ...]
+    """The same in the order of the unknowns."""
     places: np.ndarray
     """Where each of these stands among the unknowns (B,)."""
-    rest_volume: float
-    """Volume of a bellow at zero gauge pressure [m3]."""
     baseline: float
     """Gauge pressure about which the inputs cycle [Pa]."""
     schedule: Schedule
-    sealed_volumes: np.ndarray
-    """Volume held by each sealed island [m3]."""
     flow_shares: np.ndarray
     """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
 
     def numbers(self, load_factor: float = 1.0) -> np.ndarray:
         """The parameter vector of the integrator: load factor, sealed volumes, parameters."""
-        return np.concatenate([[load_factor], self.sealed_volumes, self.equations.parameter_values])
+        return np.concatenate(
+            [[load_factor], self.equations.sealed_volumes, self.equations.parameter_values]
+        )
 
     def tail(
         self, time: float, piece: np.ndarray, load_factor: float = 1.0
     ) -> tuple[float | np.ndarray, ...]:
         """Arguments that follow the unknowns in every function of the equations."""
-        return (time, piece, load_factor, self.sealed_volumes, self.equations.parameter_values)
+        return (
+            time,
+            piece,
+            load_factor,
+            self.equations.sealed_volumes,
+            self.equations.parameter_values,
+        )
 
 
 def evaluate(function: ca.Function, *arguments: float | np.ndarray) -> list[ca.DM]:

@@ -10,7 +10,8 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
-from viscodesign.model.formulation import RodForm, Unknowns
+from viscodesign.model.rod_equations import MOVING, RodForm
+from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.newton import NewtonError, continuation, newton
 from viscodesign.solve.problem import Problem, evaluate
 
@@ -78,7 +79,7 @@ def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
         [
             index
             for name, block in statics.blocks.items()
-            if "pressure" in name
+            if "pressure" in name or name == "flow"
             for index in range(block.span.start, block.span.stop)
         ],
         dtype=int,
@@ -125,14 +126,15 @@ def _arc_positions(
 def _from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarray) -> Start:
     """Spread the static unknowns over states and algebraic unknowns; all is still."""
     equations = problem.equations
-    _, _, volume, *_ = evaluate(equations.static_function, y, *problem.tail(time, piece))
+    _, _, amounts, *_ = evaluate(equations.static_function, y, *problem.tail(time, piece))
     known = {name: y[block.span] for name, block in equations.statics.blocks.items()}
     if "volume" in equations.states.blocks:
-        size = equations.states.blocks["volume"].size
-        known["volume"] = (np.asarray(volume).ravel() - problem.rest_volume) / size
+        held = np.asarray(amounts).ravel() / equations.states.blocks["volume"].size
+        known["volume"], known["node_volume"] = np.split(held, [len(problem.bellows)])
         known["inflow"] = np.zeros(len(equations.fed))
-    if equations.rod_form in (RodForm.DYNAMIC, RodForm.DAMPED):
+    if equations.rod_form in MOVING:
         known["velocity"] = np.zeros_like(known["position"])
+        known["acceleration"] = np.zeros_like(known["position"])
     return Start(_gather(equations.states, known), _gather(equations.algebraics, known))
 
 

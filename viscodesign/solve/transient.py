@@ -20,10 +20,13 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.solve.interrupt import gentle_interrupt
 from viscodesign.solve.problem import Problem
+from viscodesign.solve.silence import silence
 from viscodesign.solve.statics import Start, consistent
 
 MAX_STEPS = 500_000
 """Steps between two outputs after which a run is given up."""
+CAUTIOUS_STEP = 1e-12
+"""First step after a failure, in parts of the run."""
 MAX_STEPS_AFTER_FAILURE = 5_000
 """The same, once a part of the run has failed."""
 CHUNK_SECONDS = 0.4
@@ -182,17 +185,28 @@ class _Idas:
             "show_eval_warnings": False,
             "disable_internal_warnings": True,
             "quad_err_con": False,
+            # Accelerations are noisy, and nothing is integrated from them but through the
+            # velocities, whose error is controlled.
+            "suppress_algebraic": "acceleration" in equations.algebraics.blocks,
         }
+        self.remedies: tuple[dict[str, Any], ...] = (
+            # The first step is guessed from rates that may be about to jump: take less.
+            {"step0": CAUTIOUS_STEP * problem.schedule.edges[-1]},
+            {"suppress_algebraic": False},
+            {"max_multistep_order": 2},
+        )
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
         """Solve intervals first..stop, or as many as can be; columns exclude the start."""
         try:
-            return self._solve(here, first, stop, work), None
+            return self._solve(here, first, stop, work, self.options), None
+        except SolveError as error:
+            return self._nothing(), error
         except RuntimeError as error:
             if stop - first == 1:
-                return self._nothing(), self._failure(error, first)
+                return self._insist(here, first, work, error)
         # What failed once is sought with little patience: a stuck step is not a slow one.
         self.options["max_num_steps"] = MAX_STEPS_AFTER_FAILURE
         middle = (first + stop) // 2
@@ -207,21 +221,37 @@ class _Idas:
         integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
         return (joined[0], joined[1], integrals), failure
 
-    def _solve(self, here: Start, first: int, stop: int, work: Work) -> Columns:
+    def _insist(
+        self, here: Start, first: int, work: Work, error: RuntimeError
+    ) -> tuple[Columns, SolveError | None]:
+        """Try one interval again, each time with one more remedy."""
+        options = dict(self.options)
+        for remedy in self.remedies:
+            options |= remedy
+            try:
+                return self._solve(here, first, first + 1, work, options), None
+            except RuntimeError as again:
+                error = again
+        return self._nothing(), self._failure(error, first)
+
+    def _solve(
+        self, here: Start, first: int, stop: int, work: Work, options: dict[str, Any]
+    ) -> Columns:
         schedule = self.problem.schedule
         edges, pieces = schedule.edges, schedule.pieces
         there = consistent(self.problem, here, edges[first], pieces[first])
         began = clock.perf_counter()
         integrator = ca.integrator(
-            "motion", "idas", self.dae, edges[first], edges[first + 1 : stop + 1], self.options
+            "motion", "idas", self.dae, edges[first], edges[first + 1 : stop + 1], options
         )
         work.compile_s += clock.perf_counter() - began
-        result = integrator(
-            x0=there.states,
-            z0=there.algebraics,
-            p=self.problem.numbers(),
-            u=pieces[first:stop].T,
-        )
+        with silence():
+            result = integrator(
+                x0=there.states,
+                z0=there.algebraics,
+                p=self.problem.numbers(),
+                u=pieces[first:stop].T,
+            )
         work.add(integrator.stats())
         return np.array(result["xf"]), np.array(result["zf"]), np.array(result["qf"])
 

@@ -1,0 +1,76 @@
+"""What the balances need to know of the fluid: how its density follows pressure."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import casadi as ca
+
+from viscodesign.physics import gas
+
+SX = ca.SX
+
+
+class FluidLaw(ABC):
+    """A barotropic fluid; amounts are told as volume at the density of ambient pressure."""
+
+    @abstractmethod
+    def density(self, pressure: SX) -> SX:
+        """Density over that at ambient pressure [1]."""
+
+    @abstractmethod
+    def density_integral(self, pressure: SX) -> SX:
+        """Integral of the density over pressure, from zero gauge [Pa]: drives tube flow."""
+
+    @abstractmethod
+    def specific_work(self, pressure: SX) -> SX:
+        """Integral of one over the density [Pa]: work that an amount of fluid can do."""
+
+
+@dataclass(frozen=True)
+class Incompressible(FluidLaw):
+    """Density never changes: amounts are volumes."""
+
+    def density(self, pressure: SX) -> SX:
+        del pressure
+        return SX(1)
+
+    def density_integral(self, pressure: SX) -> SX:
+        return pressure
+
+    def specific_work(self, pressure: SX) -> SX:
+        return pressure
+
+
+@dataclass(frozen=True)
+class Gas(FluidLaw):
+    """A polytropic gas; ``ambient`` absolute [Pa]."""
+
+    ambient: SX
+    exponent: float
+
+    def density(self, pressure: SX) -> SX:
+        return SX(gas.density_ratio(pressure, self.ambient, self.exponent, ca))
+
+    def density_integral(self, pressure: SX) -> SX:
+        return SX(gas.density_integral(pressure, self.ambient, self.exponent, ca))
+
+    def specific_work(self, pressure: SX) -> SX:
+        return SX(gas.specific_work(pressure, self.ambient, self.exponent, ca))
+
+
+@dataclass(frozen=True)
+class Liquid(FluidLaw):
+    """A liquid of constant bulk modulus [Pa]: 1 + p/K of its ambient density."""
+
+    bulk_modulus: SX
+
+    def density(self, pressure: SX) -> SX:
+        return 1 + pressure / self.bulk_modulus
+
+    def density_integral(self, pressure: SX) -> SX:
+        return pressure + pressure**2 / (2 * self.bulk_modulus)
+
+    def specific_work(self, pressure: SX) -> SX:
+        return self.bulk_modulus * ca.log(self.density(pressure))

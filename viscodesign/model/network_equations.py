@@ -1,0 +1,400 @@
+"""The network's part of the equations: what its nodes hold, and what its tubes let through."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import Enum
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.errors import SpecError
+from viscodesign.model.graph import Component, Tube
+from viscodesign.model.system import System
+from viscodesign.model.unknowns import Sizes, Unknowns, column, substitute
+
+SX = ca.SX
+
+
+class NetworkForm(Enum):
+    """How the network enters the equations."""
+
+    DISTRIBUTED = "a pressure in every bellow"
+    UNIFORM = "one pressure per connected network"
+
+
+class NetworkEquations:
+    """Unknowns, balances and outputs of the network.
+
+    A tube whose loss is proportional to its flow needs no unknown: its flow is a
+    formula. Any other loss makes the flow an algebraic unknown, inertance a state.
+    """
+
+    def __init__(self, system: System, sizes: Sizes) -> None:
+        self.system = system
+        self.sizes = sizes
+        self.form = NetworkForm.DISTRIBUTED if system.drop else NetworkForm.UNIFORM
+        self.components = tuple(system.graph.components())
+        self.storing = system.storing_nodes()
+        self.bare = [name for name in system.junction_pressure if name not in self.storing]
+        self.fed = tuple(c for c in self.components if self._pressure_inlets(c))
+        self.sealed = tuple(c for c in self.components if c not in self.fed and self._nodes(c))
+        self.sealed_volumes = SX.sym("sealed_volumes", len(self.sealed))
+        tubes = system.graph.tubes if self.form is NetworkForm.DISTRIBUTED else ()
+        curved = self._measure_losses(tubes)
+        self.inertial = [t for t in tubes if t.name in system.inertance]
+        self.implicit = [t for t in tubes if t.name in curved - set(system.inertance)]
+        free = {t.name for t in (*self.inertial, *self.implicit)}
+        self.explicit = [t for t in tubes if t.name not in free]
+        self.dependent = self._dependent_flows()
+        self._shared: list[tuple[SX, SX]] = []
+
+    def _pressure_inlets(self, component: Component) -> list[str]:
+        return [name for name in component.inlets if name not in self.system.syringes]
+
+    def _nodes(self, component: Component) -> list[str]:
+        """Nodes of a component that hold fluid."""
+        own = {*component.bellows, *component.junctions, *component.inlets}
+        return [n for n in (*self.system.pressure, *self.storing) if n in own]
+
+    def _measure_losses(self, tubes: Sequence[Tube]) -> set[str]:
+        """Learn every tube's loss per flow at no flow; names of those that are no straight line."""
+        flows = column([self.system.flow[t.name] for t in tubes])
+        losses = column([self.system.drop[t.name] for t in tubes])
+        slopes = ca.diag(ca.jacobian(losses, flows)) if tubes else SX(0, 1)
+        still = substitute([slopes], [(flows, SX.zeros(flows.shape))])[0]
+        names = [t.name for t in tubes]
+        self._slope = dict(zip(names, ca.vertsplit(still) if tubes else [], strict=True))
+        curved = ca.which_depends(losses, flows, 2, True) if tubes else []
+        return {name for name, is_curved in zip(names, curved, strict=True) if is_curved}
+
+    def _dependent_flows(self) -> dict[str, SX]:
+        """Flows that follow from others, since a bare junction holds nothing.
+
+        One for each junction whose tubes all have flows of their own; taken out of the
+        unknowns they keep the balance there to the last digit.
+        """
+        tubes = [*self.inertial, *self.implicit]
+        own = {t.name for t in tubes}
+        rows = [n for n in self.bare if all(t.name in own for t in self._tubes_at(n))]
+        matrix = np.array([[_sign(t, n) for t in tubes] for n in rows])
+        pivots = _reduce(matrix)
+        flows = [self.system.flow[t.name] for t in tubes]
+        return {
+            tubes[pivot].name: -sum(
+                (float(matrix[k, j]) * flows[j] for j in np.flatnonzero(matrix[k]) if j != pivot),
+                SX(0),
+            )
+            for k, pivot in enumerate(pivots)
+        }
+
+    def _free(self, tubes: list[Tube]) -> list[Tube]:
+        """Those whose flow does not follow from others."""
+        return [t for t in tubes if t.name not in self.dependent]
+
+    # -- unknowns -------------------------------------------------------------
+
+    def name_unknowns(self, states: Unknowns, algebraics: Unknowns, statics: Unknowns) -> None:
+        """Add the network's unknowns to their vectors."""
+        size = self.sizes.pressure
+        if self.form is NetworkForm.UNIFORM:
+            self._share_pressures(algebraics, statics)
+            return
+        system, volume = self.system, self._volume_size()
+        self.amounts = SX.sym("amount", len(system.pressure))
+        self.node_amounts = SX.sym("node_amount", len(self.storing))
+        self.inflows = SX.sym("inflow", len(self.fed))
+        states.add("volume", self.amounts, volume)
+        states.add("node_volume", self.node_amounts, volume)
+        states.add("inflow", self.inflows, volume * len(system.pressure))
+        inertial, implicit = self._free(self.inertial), self._free(self.implicit)
+        states.add("flow", self._flows(inertial), self._flow_sizes(inertial))
+        for unknowns in (algebraics, statics):
+            unknowns.add("pressure", column(list(system.pressure.values())), size)
+            unknowns.add("junction_pressure", column(list(system.junction_pressure.values())), size)
+            unknowns.add("syringe_pressure", column(self._syringe_pressures()), size)
+        algebraics.add("flow", self._flows(implicit), self._flow_sizes(implicit))
+        free = [*inertial, *implicit]
+        statics.add("flow", self._flows(free), self._flow_sizes(free))
+
+    def _syringe_pressures(self) -> list[SX]:
+        return [self.system.inlet_pressure[name] for name in self.system.syringes]
+
+    def _flows(self, tubes: list[Tube]) -> SX:
+        return column([self.system.flow[t.name] for t in tubes])
+
+    def _volume_size(self) -> float:
+        return self.system.bellow.compliance * self.sizes.pressure
+
+    def _flow_sizes(self, tubes: list[Tube]) -> np.ndarray:
+        """Flow that the pressure drives, or that all bellows take in one swing, (tubes,)."""
+        symbols, values = self.system.parameters()
+        slopes = ca.Function("slopes", [symbols], [column([self._slope[t.name] for t in tubes])])
+        resistance = np.asarray(slopes(values), dtype=float).ravel()
+        compliance = self.system.bellow.compliance * len(self.system.pressure)
+        return np.asarray(self.sizes.pressure / (resistance + self.sizes.swing / compliance))
+
+    def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
+        """Give every connected network one pressure: its inlet's, or an unknown."""
+        system = self.system
+        shared = SX.sym("network_pressure", len(self.sealed))
+        algebraics.add("network_pressure", shared, self.sizes.pressure)
+        statics.add("network_pressure", shared, self.sizes.pressure)
+        for component in self.components:
+            inlets = self._pressure_inlets(component)
+            if len(inlets) > 1:
+                raise SpecError.plain(
+                    f"effects.pressure_distribution: off gives every connected network one "
+                    f"pressure, but the inlets {', '.join(inlets)} feed the same "
+                    f"network. Use 'on' or 'auto', or separate the inlets."
+                )
+            if inlets:
+                value = system.inlet_pressure[inlets[0]]
+            elif component in self.sealed:
+                value = shared[self.sealed.index(component)]
+            else:
+                continue
+            for node in (*component.bellows, *component.junctions, *component.inlets):
+                if node not in inlets:
+                    head = system.load_factor * system.head(node)
+                    self._shared.append((system.node_pressure(node), value + head))
+
+    def substitutions(self) -> list[list[tuple[SX, SX]]]:
+        """What replaces symbols before the unknowns do, in this order."""
+        system = self.system
+        explicit = [
+            (system.flow[t.name], system.driving_pressure(t.start, t.end) / self._slope[t.name])
+            for t in self.explicit
+        ]
+        amounts = [(symbol, system.stored(name)) for name, symbol in system.amount.items()]
+        pushed = [(system.pushed[name], value) for name, value in system.pushed_value.items()]
+        dependent = [(system.flow[name], value) for name, value in self.dependent.items()]
+        return [explicit, amounts, self._shared, pushed, dependent]
+
+    # -- amounts --------------------------------------------------------------
+
+    def rest_amounts(self, nodes: list[str]) -> SX:
+        """What nodes hold at zero gauge, with nothing loading and nothing pushed [m3]."""
+        return self._content(nodes, SX(0))
+
+    def _content(self, nodes: list[str], pressure: SX) -> SX:
+        system = self.system
+        pressures = [
+            *system.pressure.values(),
+            *system.junction_pressure.values(),
+            *self._syringe_pressures(),
+        ]
+        others = [*system.normal_force, *system.moment, *system.pushed.values()]
+        pairs = [(symbol, pressure) for symbol in pressures] + [(s, SX(0)) for s in others]
+        stored = column([system.stored(name) for name in nodes])
+        return substitute([stored], pairs)[0]
+
+    def filled(self) -> np.ndarray:
+        """What every sealed part was filled with: its content at the baseline [m3]."""
+        contents = [
+            ca.sum1(self._content(self._nodes(c), self.system.baseline)) for c in self.sealed
+        ]
+        symbols, values = self.system.parameters()
+        function = ca.Function("filled", [symbols], [column(contents)])
+        return np.asarray(function(values), dtype=float).ravel()
+
+    def departures(self) -> SX:
+        """What bellows and storing nodes hold beyond rest, from pressures [m3]."""
+        nodes = [*self.system.pressure, *self.storing]
+        return column([self.system.stored(name) for name in nodes]) - self.rest_amounts(nodes)
+
+    # -- balances -------------------------------------------------------------
+
+    def dynamics(self) -> tuple[list[SX], list[SX]]:
+        """Rates of the scaled states and scaled algebraic defects, not yet resolved."""
+        if self.form is NetworkForm.UNIFORM:
+            return [], self._sealed_defects()
+        inflow, size = self.system.net_inflows(), self._volume_size()
+        ode = [
+            column([inflow[name] for name in (*self.system.pressure, *self.storing)]) / size,
+        ]
+        if self.fed:
+            # A state, not a quadrature: only then do the same linear formulas carry
+            # it and the volumes, and the balance holds to round-off.
+            outflow = self._inlet_outflows()
+            sums = [sum((outflow[n] for n in self._pressure_inlets(c)), SX(0)) for c in self.fed]
+            ode.append(column(sums) / (size * len(self.system.pressure)))
+        rates, inertial = self._flow_rates(), self._free(self.inertial)
+        ode.append(column([rates[t.name] for t in inertial]) / self._sizes_of(inertial))
+        # The state is the amount beyond that at rest: small departures keep their digits.
+        held = ca.vertcat(self.amounts, self.node_amounts)
+        alg = [(held - self.departures()) / size, *self._junction_balances(rates)]
+        return ode, [*alg, *self._loss_defects(self.implicit)]
+
+    def _sizes_of(self, tubes: list[Tube]) -> ca.DM:
+        return ca.DM(self._flow_sizes(tubes)) if tubes else ca.DM(0, 1)
+
+    def _flow_rates(self) -> dict[str, SX]:
+        """Acceleration of the flow in every tube with inertance [m3/s2]."""
+        system = self.system
+        return {
+            t.name: (system.driving_pressure(t.start, t.end) - system.drop[t.name])
+            / system.inertance[t.name]
+            for t in self.inertial
+        }
+
+    def _loss_defects(self, tubes: list[Tube]) -> list[SX]:
+        """What drives a tube less what it loses, over the size of pressure."""
+        system = self.system
+        return [
+            (system.driving_pressure(t.start, t.end) - system.drop[t.name]) / self.sizes.pressure
+            for t in tubes
+        ]
+
+    def _junction_balances(self, rates: dict[str, SX]) -> list[SX]:
+        """What must vanish at junctions that hold nothing, over the flow of their own tubes.
+
+        Where the flows keep the balance by themselves, their accelerations must keep it
+        too (``rates``), or, without inertance, the losses of the tubes say all.
+        """
+        inflow = self.system.net_inflows()
+        balances = []
+        for name in self.bare:
+            tubes = self._tubes_at(name)
+            if not self._balances_itself(name):
+                scale = sum((self.sizes.pressure / self._slope[t.name] for t in tubes), SX(0))
+                balances.append(inflow[name] / scale)
+            elif all(t.name in rates for t in tubes):
+                inertances = (self.system.inertance[t.name] for t in tubes)
+                scale = sum((self.sizes.pressure / inertance for inertance in inertances), SX(0))
+                balances.append(self._sum_at(name, rates) / scale)
+        return balances
+
+    def _balances_itself(self, junction: str) -> bool:
+        """Whether a dependent flow keeps a junction's balance."""
+        own = {*(t.name for t in self.inertial), *(t.name for t in self.implicit)}
+        return all(t.name in own for t in self._tubes_at(junction))
+
+    def _tubes_at(self, node: str) -> list[Tube]:
+        return [t for t in self.system.graph.tubes if node in (t.start, t.end)]
+
+    def _sum_at(self, node: str, values: dict[str, SX]) -> SX:
+        return sum(
+            (values[t.name] * (1 if t.end == node else -1) for t in self._tubes_at(node)), SX(0)
+        )
+
+    def _sealed_defects(self) -> list[SX]:
+        """What a sealed part holds less what it was filled with."""
+        return [
+            (sum((self.system.stored(n) for n in self._nodes(c)), SX(0)) - self.sealed_volumes[k])
+            / (self._volume_size() * len(self._nodes(c)))
+            for k, c in enumerate(self.sealed)
+        ]
+
+    def equilibrium(self) -> list[SX]:
+        """Defects of the steady state in the static unknowns, not yet resolved."""
+        if self.form is NetworkForm.UNIFORM:
+            return self._sealed_defects()
+        return [
+            *self._steady_flows(list(self.system.pressure)),
+            *self._junction_lines(),
+            *self._steady_flows(list(self.system.syringes)),
+            *self._loss_defects([*self.inertial, *self.implicit]),
+        ]
+
+    def _junction_lines(self) -> list[SX]:
+        """Junctions in their order, those left out whose flows keep the balance."""
+        bare = [name for name in self.bare if not self._balances_itself(name)]
+        lines = dict(zip(bare, self._junction_balances({}), strict=True))
+        return [
+            lines[name] if name in lines else self._steady_flows([name])[0]
+            for name in self.system.junction_pressure
+            if name in lines or name in self.storing
+        ]
+
+    def _steady_flows(self, nodes: list[str]) -> list[SX]:
+        """No net flow anywhere; in a sealed part the first node's line is its content."""
+        inflow = self.system.net_inflows()
+        first = (self._nodes(c)[0] for c in self.sealed)
+        sealed = dict(zip(first, self._sealed_defects(), strict=True))
+        lines = []
+        for name in nodes:
+            if name in sealed:
+                lines.append(sealed[name])
+                continue
+            conductance = sum((1 / self._slope[t.name] for t in self._tubes_at(name)), SX(0))
+            lines.append(inflow[name] / (conductance * self.sizes.pressure))
+        return lines
+
+    # -- what is told ---------------------------------------------------------
+
+    def _inlet_outflows(self) -> dict[str, SX]:
+        """What leaves each inlet through its tubes [m3/s]."""
+        outflow = {name: SX(0) for name in self.system.inlet_pressure}
+        for tube in self.system.graph.tubes:
+            for end, sign in ((tube.start, 1), (tube.end, -1)):
+                if end in outflow:
+                    outflow[end] += sign * self.system.flow[tube.name]
+        return outflow
+
+    def rates(self) -> dict[str, SX]:
+        """Powers whose integrals the balances need [W]."""
+        system = self.system
+        if self.form is NetworkForm.UNIFORM:
+            return {}
+        outflow = self._inlet_outflows()
+        pump = sum(
+            (system.specific_work(n) * q for n, q in outflow.items() if n not in system.syringes),
+            SX(0),
+        )
+        for name, pushed in system.pushed_value.items():
+            pump += system.plunger_pressure(name) * ca.jacobian(pushed, system.time)
+        tubes = sum(
+            (
+                system.flow[t.name] * (system.specific_work(t.start) - system.specific_work(t.end))
+                for t in system.graph.tubes
+            ),
+            SX(0),
+        )
+        return {"pump_power": pump, "tube_loss": tubes}
+
+    def outputs(self, conjugate: SX) -> dict[str, SX]:
+        """What a motion is read from; ``conjugate`` volumes of the rod's resultants (B,)."""
+        system = self.system
+        names = list(system.pressure)
+        volume = column([system.volume(n) for n in names])
+        wall = column([system.wall_volume(n) for n in names])
+        tubes = column([system.tube_volume.get(n, SX(0)) for n in names])
+        distributed = self.form is NetworkForm.DISTRIBUTED
+        nodes = [*names, *self.storing]
+        return {
+            "pressure": column(list(system.pressure.values())),
+            "volume": volume - tubes,
+            "tube_volume": tubes,
+            "stored": column([system.stored(n) for n in nodes]),
+            "specific_work": column([system.specific_work(n) for n in nodes]),
+            "flow": column(list(system.flow.values())) if distributed else SX(0, 1),
+            "inlet_pressure": column(list(system.inlet_pressure.values())),
+            "junction_pressure": column(list(system.junction_pressure.values())),
+            "unpaired_volume": volume - wall - conjugate,
+            "fluid_energy": system.fluid_energy(),
+            "carried_energy": column([system.carried_energy(n) for n in nodes]),
+            "pushed": column(list(system.pushed.values())),
+            "plunger_pressure": column([system.plunger_pressure(n) for n in system.syringes]),
+        }
+
+
+def _sign(tube: Tube, node: str) -> float:
+    """Whether a tube's flow comes to a node (1), leaves it (-1), or neither (0)."""
+    return float(tube.end == node) - float(tube.start == node)
+
+
+def _reduce(matrix: np.ndarray) -> list[int]:
+    """Bring an incidence matrix (rows, columns) to reduced echelon form; its pivots' columns.
+
+    Entries stay 0 and +-1: the matrix of a graph is totally unimodular.
+    """
+    pivots: list[int] = []
+    for k in range(len(matrix)):
+        pivot = int(np.flatnonzero(matrix[k])[0])
+        matrix[k] /= matrix[k, pivot]
+        for other in range(len(matrix)):
+            if other != k:
+                matrix[other] -= matrix[other, pivot] * matrix[k]
+        pivots.append(pivot)
+    return pivots

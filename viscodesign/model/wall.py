@@ -1,0 +1,115 @@
+"""What a bellow does under its pressure alone: volume, and strain of its section.
+
+A wall is a law of one bellow, the same for all. Per section the strains of its two
+bellows add: curvature of the left less that of the right, stretch of both.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import casadi as ca
+
+from viscodesign.physics import bellow
+from viscodesign.physics.curves import PiecewiseCubic
+
+SX = ca.SX
+
+
+class Wall(ABC):
+    """Volume, strains and energy of one bellow as functions of its gauge pressure."""
+
+    @abstractmethod
+    def volume(self, pressure: SX) -> SX:
+        """Volume [m3]."""
+
+    @abstractmethod
+    def curvature(self, pressure: SX) -> SX:
+        """Intrinsic curvature of the section that this bellow adds, from the left [1/m]."""
+
+    @abstractmethod
+    def stretch(self, pressure: SX) -> SX:
+        """Intrinsic stretch of the section that this bellow adds [1]."""
+
+    @abstractmethod
+    def energy(self, pressure: SX) -> SX:
+        """Integral of pressure over volume from zero gauge, up to a constant [J]."""
+
+
+@dataclass(frozen=True)
+class LinearWall(Wall):
+    """The linear laws: equations (1), (9) and (10)."""
+
+    rest_volume: SX
+    compliance: SX
+    curvature_per_pressure: SX
+    stretch_per_pressure: SX
+
+    def volume(self, pressure: SX) -> SX:
+        return self.rest_volume + self.compliance * pressure
+
+    def curvature(self, pressure: SX) -> SX:
+        return self.curvature_per_pressure * pressure
+
+    def stretch(self, pressure: SX) -> SX:
+        return self.stretch_per_pressure * pressure
+
+    def energy(self, pressure: SX) -> SX:
+        return self.compliance * pressure**2 / 2
+
+
+@dataclass(frozen=True)
+class CollapsingWall(Wall):
+    """The linear laws down to where the walls meet; below, pressure does ever less."""
+
+    linear: LinearWall
+    floor: SX
+    """Gauge pressure of the floor [Pa]."""
+    fade: SX
+    """Range above the floor in which the walls meet [Pa]."""
+    give: SX
+    """Part of the compliance that is left when they have met [1]."""
+
+    def volume(self, pressure: SX) -> SX:
+        return self.linear.volume(self._effective(pressure))
+
+    def curvature(self, pressure: SX) -> SX:
+        return self.linear.curvature(self._effective(pressure))
+
+    def stretch(self, pressure: SX) -> SX:
+        return self.linear.stretch(self._effective(pressure))
+
+    def energy(self, pressure: SX) -> SX:
+        # By parts: p p_e - integral of p_e.
+        effective = pressure * self._effective(pressure)
+        below = bellow.effective_pressure_integral(pressure, self.floor, self.fade, ca, self.give)
+        start = self.floor + self.fade
+        return SX(self.linear.compliance * (effective - below - start**2 / 2))
+
+    def _effective(self, pressure: SX) -> SX:
+        return SX(bellow.effective_pressure(pressure, self.floor, self.fade, ca, self.give))
+
+
+@dataclass(frozen=True)
+class MeasuredWall(Wall):
+    """Laws through measured points: cubics per pressure, zero at zero gauge."""
+
+    rest_volume: SX
+    volume_curve: PiecewiseCubic
+    """Volume beyond that at rest [m3]."""
+    curvature_curve: PiecewiseCubic
+    stretch_curve: PiecewiseCubic
+
+    def volume(self, pressure: SX) -> SX:
+        return SX(self.rest_volume + self.volume_curve(pressure, ca))
+
+    def curvature(self, pressure: SX) -> SX:
+        return SX(self.curvature_curve(pressure, ca))
+
+    def stretch(self, pressure: SX) -> SX:
+        return SX(self.stretch_curve(pressure, ca))
+
+    def energy(self, pressure: SX) -> SX:
+        curve = self.volume_curve
+        return SX(pressure * curve(pressure, ca) - curve.integral(pressure, ca))
