@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from viscodesign.effects.select import RESERVED_EFFECTS, effect_names
+from viscodesign.effects.select import effect_names
 from viscodesign.scene.load import KnownEffects, load_scene
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.schema import spec_schema
@@ -14,7 +14,7 @@ from viscodesign.scene.schema import spec_schema
 
 def known_effects() -> KnownEffects:
     """Names that a spec may use under `effects:`."""
-    return KnownEffects(effect_names(), RESERVED_EFFECTS)
+    return KnownEffects(effect_names())
 
 
 def load(path: str | Path, overrides: Sequence[str] = ()) -> Scene:

@@ -45,6 +45,8 @@ def _inputs(valid: Fields) -> Iterator[Complaint]:
         yield from _periods(inputs, valid["Run", "duration"], several is None)
     if ("Scene", "network") in valid and ("Bellows", "count") in valid:
         yield from _graph(valid["Scene", "network"], valid["Bellows", "count"], inputs)
+    if ("Scene", "fluid_choice") in valid:
+        yield from _barrels(valid["Scene", "fluid_choice"], inputs, several is None)
     if ("Scene", "pump") in valid:
         yield from _servos(valid["Scene", "pump"], inputs)
 
@@ -55,11 +57,12 @@ def _fluid(valid: Fields) -> Iterator[Complaint]:
     if any(("Scene", name) not in valid for name in names):
         return
     fluid: Fluid = valid["Scene", "fluid_choice"]
-    if fluid.viscosity is None:
-        try:
-            fluid.properties(valid["Scene", "temperature"], valid["Scene", "ambient_pressure"])
-        except PydanticCustomError as error:
-            yield from complaints_of(error)
+    try:
+        fluid.properties(valid["Scene", "temperature"], valid["Scene", "ambient_pressure"])
+    except PydanticCustomError as error:
+        for found in complaints_of(error):
+            is_own = found.path != ("temperature",)
+            yield found._replace(path=("fluid", *found.path)) if is_own else found
 
 
 def _choice_of_inputs(single: Any, several: Any) -> Iterator[Complaint]:
@@ -97,6 +100,19 @@ def _graph(network: Network, count: int, inputs: Mapping[str, Input]) -> Iterato
         network.graph(count, tuple(inputs))
     except PydanticCustomError as error:
         yield from (c._replace(path=("network", *c.path)) for c in complaints_of(error))
+
+
+def _barrels(fluid: Fluid, inputs: Mapping[str, Input], is_single: bool) -> Iterator[Complaint]:
+    """A plunger needs a fluid that yields: its stiffness makes the pressure."""
+    yields = fluid.gas_constant or fluid.bulk_modulus
+    own = fluid.viscosity is not None
+    for name, source in inputs.items():
+        if not source.gives_pressure and not yields and (own or not fluid.library_knows_stiffness):
+            yield Complaint(
+                ("input",) if is_single else ("inputs", name),
+                f"a syringe drives {fluid.name}, whose stiffness is not known; state viscosity, "
+                "density and gas_constant or bulk_modulus under fluid",
+            )
 
 
 def _servos(pump: Pump | None, inputs: Mapping[str, Input]) -> Iterator[Complaint]:

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+import itertools
+from typing import Annotated, Any
 
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
-from viscodesign.scene.base import Part, refuse
+from viscodesign.scene.base import Part, refuse, refuse_at
+from viscodesign.scene.table_file import not_rising, refuse_rows, with_rows
 from viscodesign.units import (
     Angle,
+    Area,
     AreaPerForce,
     AreaPerMoment,
     AreaPerPressure,
     Fraction,
     Length,
+    Pressure,
 )
 
 MOST_BELLOWS = 4096
@@ -28,6 +32,51 @@ def _paired(count: int) -> int:
             f"Use {count - 1} or {count + 1}"
         )
     return count
+
+
+CURVE_COLUMNS = ("pressure_pa", "area_m2", "angle_rad", "extension_m")
+CLOSEST_ROWS = 1e-4
+"""Part of the range by which pressures must differ; closer ones would cost digits."""
+MOST_CURVE_ROWS = 60
+"""Every row costs a term in every bellow."""
+
+
+class MaterialCurve(Part):
+    """What was measured of one bellow against its gauge pressure, row by row."""
+
+    file: str | None = Field(
+        None, description=f"CSV with the columns {', '.join(CURVE_COLUMNS)}; relative to the spec"
+    )
+    rows: tuple[tuple[Pressure, Area, Angle, Length], ...] | None = Field(
+        None, description="Instead of a file: [pressure, area, angle, extension] rows"
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _read(cls, given: Any, info: ValidationInfo) -> Any:
+        if isinstance(given, dict) and ("file" in given) == ("rows" in given):
+            raise refuse("a curve needs one of 'file' and 'rows'")
+        return with_rows(given, info, CURVE_COLUMNS, not_rising)
+
+    @model_validator(mode="after")
+    def _fit_to_follow(self) -> MaterialCurve:
+        rows = self.rows or ()
+        refuse_rows(rows, not_rising)
+        if len(rows) > MOST_CURVE_ROWS:
+            raise refuse_at("rows", f"{len(rows)} rows; at most {MOST_CURVE_ROWS} are allowed")
+        if not rows[0][0] <= 0.0 <= rows[-1][0]:
+            raise refuse_at("rows", "the pressures must reach across zero gauge")
+        closest = CLOSEST_ROWS * (rows[-1][0] - rows[0][0])
+        for k, (before, after) in enumerate(itertools.pairwise(rows), start=2):
+            if after[0] - before[0] < closest:
+                raise refuse_at(
+                    "rows",
+                    f"rows {k - 1} and {k} are closer than {closest:.3g} Pa, a ten-thousandth of "
+                    "the measured range; leave one out",
+                )
+            if after[1] <= before[1]:
+                raise refuse_at("rows", f"row {k}: the area must rise with the pressure")
+        return self
 
 
 class Bellows(Part):
@@ -46,4 +95,7 @@ class Bellows(Part):
     area_per_moment: AreaPerMoment = Field(0.0, description="da1/dM_e, feedback of moment")
     collapse_fraction: Fraction = Field(
         0.1, ge=0, lt=1, description="Smallest volume of a bellow, of its rest volume"
+    )
+    curve: MaterialCurve | None = Field(
+        None, description="Measured laws of one bellow in the place of the linear ones"
     )

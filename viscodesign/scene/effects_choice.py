@@ -55,12 +55,9 @@ def _hint(given: Any) -> str:
 def _complaints(given: dict[Any, Any], context: dict[str, Any]) -> Iterator[Complaint]:
     """Unknown names and modes; names are judged where the caller said which there are."""
     known = context.get("effect_names")
-    reserved = context.get("reserved_effect_names", ())
     for name, value in given.items():
         mode, path = _mode(value), (str(name),)
-        if known is not None and name not in (*known, *reserved, OTHERS):
-            yield Complaint(path, f"no such effect{did_you_mean(str(name), (*known, *reserved))}")
+        if known is not None and name not in (*known, OTHERS):
+            yield Complaint(path, f"no such effect{did_you_mean(str(name), known)}")
         elif mode is None:
             yield Complaint(path, f"{value!r} is given; allowed are auto, on and off{_hint(value)}")
-        elif known is not None and name in reserved and mode != "off":
-            yield Complaint(path, f"'{mode}' is given, but this version can only leave it off")

@@ -11,7 +11,7 @@ from pydantic_core import ErrorDetails
 from viscodesign.errors import Fault
 from viscodesign.scene.agreement import disagreements
 from viscodesign.scene.base import Complaint, KeyPath, did_you_mean
-from viscodesign.scene.input import INPUT_KINDS, NOT_YET
+from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.keys import field_at, keys_beside, quantity_of
 from viscodesign.scene.yaml_text import Document
 
@@ -114,8 +114,6 @@ def _message(
 
 def _input_kind(given: str) -> str:
     allowed = f"allowed are {', '.join(INPUT_KINDS)}"
-    if given in NOT_YET:
-        return f"kind '{given}' is not in this version; {allowed}"
     return f"kind '{given}' is given; {allowed}{did_you_mean(given, INPUT_KINDS)}"
 
 
@@ -135,8 +133,9 @@ def _out_of_bounds(
     quantity = quantity_of(found) if found is not None else None
     is_fraction = quantity is not None and quantity.unit == "1"
     unit = f" {quantity.unit}" if quantity is not None and not is_fraction else ""
-    percent = "; a percentage needs its sign, like '50 %'" if is_fraction and given > 1 else ""
     written = document.given(path)
+    is_bare = is_fraction and isinstance(written, (int, float)) and written > 1
+    percent = "; a percentage needs its sign, like '50 %'" if is_bare else ""
     shown = written if isinstance(written, (int, float, str)) else given
     return f"{shown!r} is given; allowed are values {words} {context[name]:g}{unit}{percent}"
 

@@ -13,7 +13,5 @@ from viscodesign.scene.inputs import __name__ as inputs_package
 from viscodesign.scene.inputs.base import Input
 
 INPUT_KINDS: dict[str, type[Input]] = members(inputs_package, Input)  # type: ignore[type-abstract]
-NOT_YET = ("syringe",)
-"""Kinds of the public spec that this version does not drive."""
 
 AnyInput: Any = Annotated[reduce(or_, INPUT_KINDS.values()), Field(discriminator="kind")]

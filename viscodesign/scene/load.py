@@ -22,10 +22,9 @@ LARGEST_SPEC = 4 << 20
 
 @dataclass(frozen=True)
 class KnownEffects:
-    """Names that `effects:` may use: of this version, and reserved ones that may be off."""
+    """Names that `effects:` may use."""
 
     names: tuple[str, ...]
-    reserved: tuple[str, ...] = ()
 
 
 def load_scene(
@@ -51,7 +50,7 @@ def parse_scene(
     valid: dict[tuple[str, str | None], Any] = {}
     context: dict[str, Any] = {"folder": folder or Path(), VALID: valid}
     if known is not None:
-        context |= {"effect_names": known.names, "reserved_effect_names": known.reserved}
+        context |= {"effect_names": known.names}
     try:
         scene = Scene.model_validate(document.data, context=context)
     except ValidationError as error:

@@ -5,19 +5,20 @@ from __future__ import annotations
 import itertools
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Literal
 
 from pydantic import Field, model_validator
 
 from viscodesign.model.graph import Graph, Tube, bellow_names, crossed_order, straight_order
-from viscodesign.scene.base import Complaint, Part, refuse, refuse_any
+from viscodesign.scene.base import Complaint, Part, refuse, refuse_any, refuse_at
 from viscodesign.scene.network_faults import (
     chain_faults,
     change_faults,
     island_faults,
     node_faults,
 )
-from viscodesign.units import Length
+from viscodesign.units import Fraction, Length, Pressure
 
 MOST_TUBES = 20_000
 
@@ -38,6 +39,21 @@ class TubeEntry(Part):
     radius: Length | None = Field(None, gt=0, description="Else network.tube_radius")
 
 
+class TubeWall(Part):
+    """The wall of all tubes, where it is soft enough to give way."""
+
+    youngs_modulus: Pressure = Field(gt=0, description="Young's modulus of the tubes")
+    thickness: Length = Field(gt=0, description="Thickness of their wall")
+    poissons_ratio: Fraction = Field(0.5, ge=0, le=0.5, description="Poisson's ratio")
+
+
+class FeedLine(Part):
+    """One more tube between each inlet and the network: from the pump to the actuator."""
+
+    length: Length = Field(gt=0, description="Length of the line")
+    radius: Length = Field(gt=0, description="Inner radius of the line")
+
+
 class Network(Part):
     """A named chain with single changes, or any graph."""
 
@@ -48,6 +64,14 @@ class Network(Part):
         default_factory=dict, description="Single tubes of a named layout, as 'R1-R2'"
     )
     tubes: tuple[TubeEntry, ...] | None = Field(None, description="All tubes of a custom layout")
+    feed_line: FeedLine | None = Field(None, description="From the pump to the actuator")
+    tube_wall: TubeWall | None = Field(None, description="Soft wall of the tubes")
+    entrance_loss: Fraction = Field(
+        0.5, ge=0, le=10, description="Loss at a tube's entrance, in dynamic pressures"
+    )
+    exit_loss: Fraction = Field(
+        1.0, ge=0, le=10, description="Loss at a tube's exit, in dynamic pressures"
+    )
 
     @model_validator(mode="after")
     def _layout_has_what_it_needs(self) -> Network:
@@ -82,9 +106,26 @@ class Network(Part):
 
     def graph(self, count: int, inlets: tuple[str, ...]) -> Graph:
         """The network of ``count`` bellows; faults name their nodes and tubes."""
-        if self.layout == "custom":
-            return _custom_graph(self, count // 2, inlets)
-        return _chain_graph(self, count // 2, inlets)
+        make = _custom_graph if self.layout == "custom" else _chain_graph
+        graph = make(self, count // 2, inlets)
+        return graph if self.feed_line is None else _with_feed_lines(graph, self.feed_line)
+
+
+def _with_feed_lines(graph: Graph, line: FeedLine) -> Graph:
+    """A junction behind every inlet, to which the inlet's tubes move."""
+    joints = {name: "feed" if len(graph.inlets) == 1 else f"feed_{name}" for name in graph.inlets}
+    if taken := sorted(set(joints.values()) & set(graph.nodes)):
+        raise refuse_at("feed_line", f"the network has a node {taken[0]} already; rename it")
+    moved = [
+        replace(t, start=joints.get(t.start, t.start), end=joints.get(t.end, t.end))
+        for t in graph.tubes
+    ]
+    lines = [
+        Tube(f"{inlet}-{joint}", inlet, joint, line.length, line.radius)
+        for inlet, joint in joints.items()
+    ]
+    junctions = (*joints.values(), *graph.junctions)
+    return replace(graph, junctions=junctions, tubes=(*lines, *moved))
 
 
 def _chain_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> Graph:

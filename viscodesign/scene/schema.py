@@ -35,7 +35,6 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
                 "type": "object",
                 "properties": {
                     **dict.fromkeys(known.names, mode),
-                    **{name: {"enum": _OFF} for name in known.reserved},
                     OTHERS: {**mode, "description": "For every effect that is not named"},
                 },
                 "additionalProperties": False,

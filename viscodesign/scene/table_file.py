@@ -1,4 +1,4 @@
-"""A CSV of pressure against time; every fault names the file and the line."""
+"""A CSV of numbers; every fault names the file and the line."""
 
 from __future__ import annotations
 
@@ -6,30 +6,61 @@ import csv
 import io
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationInfo
 
 from viscodesign.scene.base import Complaint, did_you_mean, refuse_any, refuse_at
 
-COLUMNS = ("time_s", "pressure_pa")
+Order = Callable[[Sequence[float]], Iterator[tuple[int, str]]]
+"""Finds the places where a table's first column is out of order."""
 LARGEST_FILE = 64 << 20
 MOST_ROWS = 50_000
 """A resolved spec lists its rows, and has to stay a text that one can open."""
 
 
-def read_table(path: Path, shown: str) -> list[tuple[float, float]]:
-    """Rows (time [s], pressure [Pa]) of the file that the spec calls ``shown``."""
+def with_rows(given: Any, info: ValidationInfo, columns: Sequence[str], order: Order) -> Any:
+    """A mapping whose 'file' is replaced by its 'rows'; what is no mapping stays."""
+    if not isinstance(given, dict):
+        return given
+    if not isinstance(given.get("file", ""), str):
+        raise refuse_at("file", "the name of a CSV file is wanted, like 'table.csv'")
+    if "file" not in given:
+        return given
+    folder = (info.context or {}).get("folder", Path())
+    rest = {key: value for key, value in given.items() if key != "file"}
+    return {**rest, "rows": read_table(folder / given["file"], given["file"], columns, order)}
+
+
+def refuse_rows(rows: Sequence[tuple[float, ...]], order: Order) -> None:
+    """Raise a fault for too few or too many rows, or rows out of order."""
+    if len(rows) < 2 or len(rows) > MOST_ROWS:
+        raise refuse_at("rows", row_count(len(rows)))
+    refuse_any(
+        Complaint(("rows", str(k)), f"row {k + 1}: {found}")
+        for k, found in order([row[0] for row in rows])
+    )
+
+
+def read_table(
+    path: Path, shown: str, columns: Sequence[str], order: Order
+) -> list[tuple[float, ...]]:
+    """Rows of the file that the spec calls ``shown``, whose header is ``columns``."""
     text = _text(path, shown)
     try:
         lines = list(csv.reader(io.StringIO(text)))
     except csv.Error as error:
         raise refuse_at("file", f"{shown} is not a CSV: {error}") from error
-    _check_header(lines[0] if lines else [], shown)
+    _check_header(lines[0] if lines else [], columns, shown)
     numbered = [(k, cells) for k, cells in enumerate(lines[1:], start=2) if cells]
-    refuse_any(_faults(shown, k, found) for k, cells in numbered for found in _bad_cells(cells))
-    rows = [(float(cells[0]), float(cells[1])) for _, cells in numbered]
-    times = [time for time, _ in rows]
-    refuse_any(_faults(shown, numbered[k][0], found) for k, found in disorder(times))
+    refuse_any(
+        _faults(shown, k, found) for k, cells in numbered for found in _bad_cells(cells, columns)
+    )
+    rows = [tuple(float(cell) for cell in cells) for _, cells in numbered]
+    first = [row[0] for row in rows]
+    refuse_any(_faults(shown, numbered[k][0], found) for k, found in order(first))
     if len(rows) < 2 or len(rows) > MOST_ROWS:
         raise refuse_at("file", f"{shown}: {row_count(len(rows))}")
     return rows
@@ -44,6 +75,13 @@ def disorder(times: Sequence[float]) -> Iterator[tuple[int, str]]:
             yield k, f"time runs back from {before:g} s to {after:g} s"
         elif k > 1 and times[k - 2] == before == after:
             yield k, f"time {after:g} s stands a third time; a jump takes two rows"
+
+
+def not_rising(pressures: Sequence[float]) -> Iterator[tuple[int, str]]:
+    """Places where pressure does not rise from row to row."""
+    for k, (before, after) in enumerate(itertools.pairwise(pressures), start=1):
+        if after <= before:
+            yield k, f"pressure {after:g} Pa does not rise above the {before:g} Pa before it"
 
 
 def row_count(count: int) -> str:
@@ -63,22 +101,22 @@ def _text(path: Path, shown: str) -> str:
         raise refuse_at("file", f"{shown} cannot be read: {reason} (looked for {path})") from error
 
 
-def _check_header(cells: list[str], shown: str) -> None:
+def _check_header(cells: list[str], columns: Sequence[str], shown: str) -> None:
     header = [cell.strip() for cell in cells]
-    if tuple(header) != COLUMNS:
-        missing = [column for column in COLUMNS if column not in header]
-        hints = "".join(did_you_mean(cell, missing) for cell in header if cell not in COLUMNS)
+    if header != list(columns):
+        missing = [column for column in columns if column not in header]
+        hints = "".join(did_you_mean(cell, missing) for cell in header if cell not in columns)
         given = ",".join(header)[:80]
         raise refuse_at(
-            "file", f"{shown}, line 1 is '{given}'; '{','.join(COLUMNS)}' is wanted{hints}"
+            "file", f"{shown}, line 1 is '{given}'; '{','.join(columns)}' is wanted{hints}"
         )
 
 
-def _bad_cells(cells: list[str]) -> Iterator[str]:
-    if len(cells) != len(COLUMNS):
-        yield f"{len(cells)} values; {len(COLUMNS)} are wanted"
+def _bad_cells(cells: list[str], columns: Sequence[str]) -> Iterator[str]:
+    if len(cells) != len(columns):
+        yield f"{len(cells)} values; {len(columns)} are wanted"
         return
-    for column, cell in zip(COLUMNS, cells, strict=True):
+    for column, cell in zip(columns, cells, strict=True):
         if not cell.strip():
             yield f"{column} is empty"
             continue

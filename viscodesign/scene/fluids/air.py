@@ -22,7 +22,8 @@ class Air(NamedFluid):
     hottest: ClassVar[float] = 1000.0
 
     @classmethod
-    def properties(cls, temperature: float, pressure: float) -> FluidProperties:
+    def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:
+        del fraction
         from chemicals.air import lemmon2000_air_MW, lemmon2000_rho
         from chemicals.viscosity import mu_air_lemmon
 

@@ -26,6 +26,8 @@ class FluidProperties:
     """Absolute [Pa], of a liquid where it is known."""
     speed_of_sound: float | None = None
     """[m/s]"""
+    polytropic_exponent: float = 1.0
+    """Of a gas in its bellows: 1 keeps its temperature."""
 
     @property
     def is_gas(self) -> bool:
@@ -41,19 +43,32 @@ class NamedFluid(ABC):
     """Lowest temperature of the correlations [K]."""
     hottest: ClassVar[float]
     """Highest temperature of the correlations [K]."""
+    stiffness_known: ClassVar[bool] = True
+    """Whether a gas law or a bulk modulus comes with it."""
+    mixture: ClassVar[bool] = False
+    """Whether its properties depend on the mass fraction of a solute."""
 
     @classmethod
-    def at(cls, temperature: float, pressure: float) -> FluidProperties:
-        """Properties at ``temperature`` [K] and absolute ``pressure`` [Pa]; a fault outside."""
+    def at(
+        cls, temperature: float, pressure: float, fraction: float | None = None
+    ) -> FluidProperties:
+        """Properties at ``temperature`` [K] and absolute ``pressure`` [Pa]; a fault outside.
+
+        ``fraction`` is the mass fraction of a mixture's solute [1].
+        """
+        if cls.mixture and fraction is None:
+            raise refuse_at("fraction", f"missing; {cls.name} needs a mass fraction, like '50 %'")
+        if fraction is not None and not cls.mixture:
+            raise refuse_at("fraction", f"given, but {cls.name} is no mixture")
         if not cls.coldest <= temperature <= cls.hottest:
             raise refuse_at(
                 "temperature",
                 f"{temperature:g} K is given; the properties of {cls.name} are known from "
                 f"{cls.coldest:g} K to {cls.hottest:g} K",
             )
-        return cls.properties(temperature, pressure)
+        return cls.properties(temperature, pressure, fraction or 0.0)
 
     @classmethod
     @abstractmethod
-    def properties(cls, temperature: float, pressure: float) -> FluidProperties:
+    def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:
         """The same, inside of the range of temperatures."""

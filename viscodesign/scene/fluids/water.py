@@ -24,7 +24,8 @@ class Water(NamedFluid):
     hottest: ClassVar[float] = 640.0
 
     @classmethod
-    def properties(cls, temperature: float, pressure: float) -> FluidProperties:
+    def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:
+        del fraction
         from chemicals.iapws import iapws95_Psat, iapws95_rho
         from chemicals.viscosity import mu_IAPWS
 

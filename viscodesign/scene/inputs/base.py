@@ -1,4 +1,8 @@
-"""What an input is: a pressure against time, smooth between corners."""
+"""What an input is: a value against time, smooth between corners.
+
+The value is a pressure above the baseline [Pa]; of a syringe, the volume that its
+plunger has pushed out [m3].
+"""
 
 from __future__ import annotations
 
@@ -20,11 +24,13 @@ FIRST, LAST = 0.01, 0.99
 
 
 class Input(Part):
-    """Pressure of one inlet above the baseline [Pa]; a kind is a file with one subclass."""
+    """The drive of one inlet; a kind is a file with one subclass."""
 
     name: ClassVar[str]
     coefficients: ClassVar[int]
     """Numbers that tell one interval between corners from another."""
+    gives_pressure: ClassVar[bool] = True
+    """Whether its value is a pressure; if not, it is the volume that a plunger pushes out."""
 
     transient_time: Time | None = Field(
         None, gt=0, description="t_i, where it is known better than from the profile"
@@ -32,7 +38,7 @@ class Input(Part):
 
     @abstractmethod
     def expression(self, t: Any, piece: Any, functions: Any) -> Any:
-        """Pressure inside an interval, from numpy's or CasADi's functions."""
+        """Value inside an interval, from numpy's or CasADi's functions."""
 
     @abstractmethod
     def corners(self, duration: float) -> list[float]:
@@ -47,8 +53,8 @@ class Input(Part):
         """Coefficients (coefficients,) just before t = 0."""
 
     @abstractmethod
-    def pressure(self, t: np.ndarray) -> np.ndarray:
-        """Pressure at times (n,) [Pa]; after a jump its new value."""
+    def values(self, t: np.ndarray) -> np.ndarray:
+        """Value at times (n,); after a jump its new one."""
 
     @abstractmethod
     def swing_time(self) -> float:
@@ -71,11 +77,11 @@ class PiecewiseLinear(Input):
 
     @abstractmethod
     def vertices(self, duration: float) -> list[tuple[float, float]]:
-        """(time, pressure) from 0 on, to the duration or the last change."""
+        """(time, value) from 0 on, to the duration or the last change."""
 
     @abstractmethod
     def initial(self) -> float:
-        """Pressure just before t = 0."""
+        """Value just before t = 0."""
 
     @abstractmethod
     def profile(self) -> list[tuple[float, float]]:
@@ -100,7 +106,7 @@ class PiecewiseLinear(Input):
     def initial_piece(self) -> np.ndarray:
         return np.array([self.initial(), 0.0, 0.0])
 
-    def pressure(self, t: np.ndarray) -> np.ndarray:
+    def values(self, t: np.ndarray) -> np.ndarray:
         times = np.asarray(t, dtype=float)
         starts, values, slopes = self._lines(float(np.max(times, initial=0.0)) or 1.0)
         index = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)

@@ -47,7 +47,7 @@ class DoubleSigmoid(Input):
     def initial_piece(self) -> np.ndarray:
         return np.zeros(1)
 
-    def pressure(self, t: np.ndarray) -> np.ndarray:
+    def values(self, t: np.ndarray) -> np.ndarray:
         return np.asarray(self.expression(np.asarray(t), None, np))
 
     def swing_time(self) -> float:

@@ -41,7 +41,7 @@ class Sine(Input):
     def initial_piece(self) -> np.ndarray:
         return np.zeros(0)
 
-    def pressure(self, t: np.ndarray) -> np.ndarray:
+    def values(self, t: np.ndarray) -> np.ndarray:
         return np.asarray(self.expression(np.asarray(t), None, np))
 
     def swing_time(self) -> float:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
 
-from viscodesign.scene.base import Complaint, refuse, refuse_any, refuse_at
+from viscodesign.scene.base import refuse
 from viscodesign.scene.inputs.base import PiecewiseLinear
-from viscodesign.scene.table_file import MOST_ROWS, disorder, read_table, row_count
+from viscodesign.scene.table_file import disorder, refuse_rows, with_rows
 from viscodesign.units import Pressure, Time
+
+COLUMNS = ("time_s", "pressure_pa")
 
 
 class Table(PiecewiseLinear):
@@ -28,27 +29,13 @@ class Table(PiecewiseLinear):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, given: Any, info: ValidationInfo) -> Any:
-        if not isinstance(given, dict):
-            return given
-        if ("file" in given) == ("rows" in given):
+        if isinstance(given, dict) and ("file" in given) == ("rows" in given):
             raise refuse("a table needs one of 'file' and 'rows'")
-        if not isinstance(given.get("file", ""), str):
-            raise refuse_at("file", "the name of a CSV file is wanted, like 'pressure.csv'")
-        if "file" in given:
-            folder = (info.context or {}).get("folder", Path())
-            rest = {key: value for key, value in given.items() if key != "file"}
-            return {**rest, "rows": read_table(folder / given["file"], given["file"])}
-        return given
+        return with_rows(given, info, COLUMNS, disorder)
 
     @model_validator(mode="after")
     def _in_order(self) -> Table:
-        rows = self.rows or ()
-        if len(rows) < 2 or len(rows) > MOST_ROWS:
-            raise refuse_at("rows", row_count(len(rows)))
-        refuse_any(
-            Complaint(("rows", str(k)), f"row {k + 1}: {found}")
-            for k, found in disorder([time for time, _ in rows])
-        )
+        refuse_rows(self.rows or (), disorder)
         return self
 
     def vertices(self, duration: float) -> list[tuple[float, float]]:
