@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -10,11 +11,13 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
-from viscodesign.model.formulation import Equations, NetworkForm, Sizes, formulate
+from viscodesign.model.formulation import formulate
 from viscodesign.model.graph import Graph
+from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES
-from viscodesign.model.system import Source, System
-from viscodesign.scene.inputs.base import Input
+from viscodesign.model.system import Source, Syringe, System
+from viscodesign.model.unknowns import Sizes
+from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Problem, Schedule
 
@@ -55,43 +58,47 @@ def suggest_settings(conditions: Conditions) -> Settings:
     return Settings(per_section, accuracy * TOLERANCE_PER_ACCURACY)
 
 
-def build(conditions: Conditions, effects: list[Effect], settings: Settings) -> Problem:
+def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:
     """Assemble the system, let every effect join it, and formulate its equations."""
     scene = conditions.scene
     system = System(
         conditions.graph,
         conditions.body,
         conditions.bellow,
-        {name: _source(source) for name, source in scene.inputs.items()},
+        {name: _source(scene, name) for name in scene.inputs},
         scene.gauge_pressure,
+        scene.ambient_pressure,
         settings.edges_per_section,
     )
     for effect in effects:
         effect.join(system)
-    sizes = Sizes(pressure=conditions.swing, time=conditions.scales.t_s)
+    sizes = Sizes(
+        pressure=conditions.swing,
+        time=conditions.scales.t_s,
+        swing=min(conditions.scales.t_i, scene.run.duration),
+    )
     equations = formulate(system, sizes)
     return Problem(
         equations=equations,
         body=conditions.body,
         bellows=conditions.graph.bellows,
+        bellows_along_tubes=conditions.graph.bellows_along_tubes(),
         places=_places(conditions.graph),
-        rest_volume=conditions.bellow.rest_volume,
         baseline=scene.gauge_pressure,
         schedule=schedule(scene),
-        sealed_volumes=_sealed_volumes(conditions, equations),
         flow_shares=_flow_shares(conditions, equations.network_form),
     )
 
 
-def _source(source: Input) -> Source:
-    return Source(lambda time, piece: source.expression(time, piece, ca), source.coefficients)
-
-
-def _sealed_volumes(conditions: Conditions, equations: Equations) -> np.ndarray:
-    """Islands are filled at the baseline pressure, nothing loading the rod."""
-    one = conditions.bellow.rest_volume
-    one += conditions.bellow.compliance * conditions.scene.gauge_pressure
-    return np.array([one * len(component.bellows) for component in equations.sealed])
+def _source(scene: Scene, name: str) -> Source:
+    source, syringe = scene.inputs[name], None
+    if isinstance(source, SyringeInput):
+        fluid = scene.fluid
+        modulus, exponent = fluid.bulk_modulus, fluid.polytropic_exponent
+        syringe = Syringe(source.full_volume, modulus, exponent)
+    return Source(
+        lambda time, piece: source.expression(time, piece, ca), source.coefficients, syringe
+    )
 
 
 def _places(graph: Graph) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from viscodesign.classifying import classification
@@ -11,7 +11,7 @@ from viscodesign.effects.select import select_effects
 from viscodesign.report.tables import check_document
 from viscodesign.scene.scene import Scene
 from viscodesign.trajectory import Classification, Notice, Verdict
-from viscodesign.validity import refuse_unsolvable
+from viscodesign.validity import refuse_unsolvable, verdict_notices
 
 
 @dataclass(frozen=True)
@@ -35,10 +35,11 @@ def check(scene: Scene) -> Check:
     Raises `SpecError` where the scene has no bounded solution.
     """
     conditions = Conditions(scene)
-    _, verdicts = select_effects(conditions)
+    verdicts = select_effects(conditions).verdicts
     refuse_unsolvable(conditions)
     found = classification(conditions)
-    return Check(scene.name, found, tuple(verdicts), found.warnings, tuple(_facts(conditions)))
+    found = replace(found, warnings=(*verdict_notices(verdicts), *found.warnings))
+    return Check(scene.name, found, verdicts, found.warnings, tuple(_facts(conditions)))
 
 
 def _facts(conditions: Conditions) -> list[str]:

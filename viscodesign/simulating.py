@@ -2,133 +2,71 @@
 
 from __future__ import annotations
 
-import time as clock
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from viscodesign._version import __version__
-from viscodesign.build import Settings, build, suggest_settings
+from viscodesign.build import Settings, suggest_settings
 from viscodesign.classifying import classification
-from viscodesign.effects.base import Effect
+from viscodesign.course import Course, course_notices
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
-from viscodesign.motion import Motion, read_motion
+from viscodesign.model.graph import Graph
+from viscodesign.motion import Motion
+from viscodesign.proving import prove as prove_effects
 from viscodesign.scene.dump import resolved_yaml
 from viscodesign.scene.scene import Scene
-from viscodesign.solve.problem import Problem
-from viscodesign.solve.statics import equilibrium, rest
-from viscodesign.solve.transient import Solution, integrate
-from viscodesign.trajectory import Accuracy, Cost, Notice, Status, Trajectory, Verdict
-from viscodesign.validity import Course, course_notices, refuse_unsolvable
-
-Progress = Callable[[float], None]
-
-MAX_REFINEMENTS = 4
-"""Refinements after which a run is given up as not reaching the accuracy asked for."""
+from viscodesign.solving import MAX_REFINEMENTS, Progress, Refiner, Run
+from viscodesign.trajectory import Accuracy, Cost, Notice, Proof, Status, Trajectory, Verdict
+from viscodesign.validity import refuse_unsolvable, verdict_notices
 
 
-@dataclass
-class _Run:
-    """One solution of a scene at one setting."""
-
-    settings: Settings
-    problem: Problem
-    motion: Motion
-    solution: Solution
-    build_s: float
-    solve_s: float
-
-
-def simulate(scene: Scene, *, verify: bool = True, progress: Progress | None = None) -> Trajectory:
+def simulate(
+    scene: Scene,
+    *,
+    verify: bool = True,
+    prove: bool = False,
+    tolerance: float | None = None,
+    progress: Progress | None = None,
+) -> Trajectory:
     """Follow a scene's motion.
 
     With ``verify`` the scene is solved again on a finer mesh with a smaller
     tolerance until the tip moves by less than the accuracy asked for; the finer
-    solution is returned, the difference stated as the error. ``progress`` is told
-    the fraction done. A failure or an interrupt on the way is no exception: the
-    trajectory ends there, labelled. Raises `SpecError` for a scene without a
-    bounded solution, `SolveError` where not even a first equilibrium exists.
+    solution is returned, the difference stated as the error. With ``prove`` every
+    effect is switched, solved again, and its change at the tip measured.
+    ``tolerance`` is the integrator's, where it shall not follow from the accuracy.
+    ``progress`` is told the fraction done. A failure or an interrupt on the way is no
+    exception: the trajectory ends there, labelled. Raises `SpecError` for a scene
+    without a bounded solution, `SolveError` where not even a first equilibrium exists.
     """
     conditions = Conditions(scene)
-    effects, verdicts = select_effects(conditions)
+    selection = select_effects(conditions)
     refuse_unsolvable(conditions)
-    refiner = _Refiner(conditions, effects, progress)
-    run = refiner.solve(suggest_settings(conditions))
+    settings = suggest_settings(conditions)
+    if tolerance is not None:
+        settings = Settings(settings.edges_per_section, tolerance)
+    refiner = Refiner(conditions, selection.effects, progress)
+    run = refiner.solve(settings)
     error: float | None = None
-    if verify and _complete(run):
+    if verify and run.is_complete:
         run, error = refiner.refine(run)
-    verify_s = refiner.spent_s - run.build_s - run.solve_s
+    proof: tuple[Proof, ...] = ()
+    if prove and run.is_complete and not refiner.interrupted:
+        proof = prove_effects(conditions, selection, settings, progress)
+    verify_s = refiner.spent_s - run.spent_s
     stopped = refiner.interrupted
-    return _trajectory(conditions, tuple(verdicts), run, error, verify, verify_s, stopped)
-
-
-def _complete(run: _Run) -> bool:
-    return run.motion.failure is None and not run.solution.interrupted
-
-
-class _Refiner:
-    """Solves one scene at several settings."""
-
-    def __init__(
-        self, conditions: Conditions, effects: list[Effect], progress: Progress | None
-    ) -> None:
-        self.conditions = conditions
-        self.effects = effects
-        self.progress = progress
-        self.spent_s = 0.0
-        self.interrupted = False
-        """Whether verification was stopped; the solution before it is kept."""
-
-    def solve(self, settings: Settings) -> _Run:
-        """Build and solve once."""
-        began = clock.perf_counter()
-        problem = build(self.conditions, self.effects, settings)
-        built = clock.perf_counter()
-        schedule = problem.schedule
-        start = (
-            equilibrium(problem, 0.0, schedule.initial_piece)
-            if self.conditions.scene.run.start == "equilibrium"
-            else rest(problem, schedule.initial_piece)
-        )
-        solution = integrate(problem, start, settings.tolerance, self.progress)
-        solved = clock.perf_counter()
-        motion = read_motion(problem, solution)
-        compile_s = solution.work.compile_s
-        build_s, solve_s = built - began + compile_s, solved - built - compile_s
-        self.spent_s += build_s + solve_s
-        return _Run(settings, problem, motion, solution, build_s, solve_s)
-
-    def refine(self, run: _Run) -> tuple[_Run, float | None]:
-        """Refine until the tip no longer moves by more than the accuracy asked for."""
-        requested = self.conditions.accuracy * self.conditions.body.length
-        error: float | None = None
-        for _ in range(MAX_REFINEMENTS):
-            finer = self.solve(run.settings.finer())
-            if finer.solution.interrupted:
-                self.interrupted = True
-                return run, error
-            if not _complete(finer):
-                return finer, None
-            error = _tip_difference(run.motion, finer.motion)
-            run = finer
-            if error <= requested:
-                return run, error
-        return run, error
-
-
-def _tip_difference(coarse: Motion, fine: Motion) -> float:
-    """Largest distance between two tips over all output times [m]."""
-    apart = coarse.tip[:, :2] - fine.tip[:, :2]
-    return float(np.max(np.hypot(apart[:, 0], apart[:, 1])))
+    found = _trajectory(conditions, selection.verdicts, run, error, verify, verify_s, stopped)
+    return replace(found, proof=proof)
 
 
 def _trajectory(
     conditions: Conditions,
     verdicts: tuple[Verdict, ...],
-    run: _Run,
+    run: Run,
     error: float | None,
     verify: bool,
     verify_s: float,
@@ -138,6 +76,7 @@ def _trajectory(
     text = resolved_yaml(scene)
     status, failure = _outcome(conditions, run, error, stopped)
     found = classification(conditions)
+    forced = tuple(verdict_notices(verdicts))
     course = Course(
         motion.time,
         graph.bellows,
@@ -145,6 +84,7 @@ def _trajectory(
         motion.volume,
         tuple(t.name for t in graph.tubes),
         motion.flow,
+        _lower_ends(graph, motion, tuple(scene.inputs)),
         motion.section_stretch,
         motion.section_turn,
     )
@@ -168,17 +108,29 @@ def _trajectory(
         accuracy=_accuracy(conditions, error, verify),
         cost=_cost(run, verify_s),
         invariants=motion.invariants,
-        warnings=_merged(found.warnings, course_notices(conditions, course)),
+        warnings=_merged((*forced, *found.warnings), course_notices(conditions, course)),
         spec_text=text,
         spec_sha256=scene.source.sha256,
         version=__version__,
+        ambient_pressure=scene.ambient_pressure,
         settings=_settings(run),
         failure=failure,
     )
 
 
+def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...]) -> np.ndarray:
+    """Lower gauge pressure of each tube's ends (T, Q) [Pa]."""
+    columns = {
+        **dict(zip(graph.bellows, motion.pressure.T, strict=True)),
+        **dict(zip(inlets, motion.inlet_pressure.T, strict=True)),
+        **dict(zip(graph.junctions, motion.junction_pressure.T, strict=True)),
+    }
+    lower = [np.minimum(columns[t.start], columns[t.end]) for t in graph.tubes]
+    return np.array(lower).T.reshape(len(motion.time), len(graph.tubes))
+
+
 def _outcome(
-    conditions: Conditions, run: _Run, error: float | None, stopped: bool
+    conditions: Conditions, run: Run, error: float | None, stopped: bool
 ) -> tuple[Status, str | None]:
     """How the run ended, and the message where it ended badly."""
     requested = conditions.accuracy * conditions.body.length
@@ -214,7 +166,7 @@ def _accuracy(conditions: Conditions, error: float | None, verify: bool) -> Accu
     )
 
 
-def _cost(run: _Run, verify_s: float) -> Cost:
+def _cost(run: Run, verify_s: float) -> Cost:
     work = run.solution.work
     return Cost(
         build_s=run.build_s,
@@ -226,7 +178,7 @@ def _cost(run: _Run, verify_s: float) -> Cost:
     )
 
 
-def _settings(run: _Run) -> dict[str, Any]:
+def _settings(run: Run) -> dict[str, Any]:
     equations = run.problem.equations
     return {
         "rod": equations.rod_form.value,

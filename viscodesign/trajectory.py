@@ -57,6 +57,29 @@ class Verdict:
     weight: float
     formula: str
     reason: str
+    contribution_m: float = 0.0
+    """Estimate of how far the tip moves when this effect alone is switched [m]."""
+    budget_share: float = 0.0
+    """The same over the tip error asked for."""
+    present: bool = True
+    """Whether the scene has what the effect acts on."""
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What switching one effect did to the tip, measured by a second solution."""
+
+    name: str
+    taken: bool
+    """Whether the run has the effect; the second solution has it the other way round."""
+    estimated_m: float
+    """The verdict's contribution [m]."""
+    measured_m: float | None
+    """Largest distance of the tips over all output times [m]; None where there is no solution."""
+    solve_s: float
+    """Wall time of the second solution [s]."""
+    note: str = ""
+    """Why there is none, or up to when it reached."""
 
 
 @dataclass(frozen=True)
@@ -154,6 +177,10 @@ class Trajectory:
     """The spec as resolved, YAML, runnable again."""
     spec_sha256: str
     version: str
+    ambient_pressure: float = 101325.0
+    """Absolute [Pa]."""
+    proof: tuple[Proof, ...] = ()
+    """What every effect changes, where that was asked for."""
     settings: Mapping[str, Any] = field(default_factory=dict)
     """What the solver chose: edges, tolerance, form of rod and network."""
     failure: str | None = None

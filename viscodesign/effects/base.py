@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from viscodesign.model.system import System
+from viscodesign.sketch.sketch import Sketch
 
 if TYPE_CHECKING:
     from viscodesign.effects.conditions import Conditions
@@ -15,17 +16,29 @@ class Effect(ABC):
     """One term of a balance: its options, its weight, and how it joins a system.
 
     A new effect is a new file in this folder with one concrete subclass; the
-    catalogue, the verdicts and the contract tests find it there.
+    catalogue, the verdicts, the documentation and the contract tests find it there.
     """
 
     name: ClassVar[str]
     """Its key under `effects:` in a spec."""
     order: ClassVar[int] = 50
-    """Effects are judged and joined in this order: a later one may ask what was taken."""
+    """Effects are told and joined in this order."""
     formula: ClassVar[str]
     """The weight, in words of the field."""
     switchable: ClassVar[bool] = True
     """Whether a spec may name it; loads that a spec states are always carried."""
+    needs: ClassVar[str | None] = None
+    """Another effect without which this one has nothing to act on."""
+    companion: ClassVar[str | None] = None
+    """Another effect that comes along when this one is switched on, unless it is forbidden."""
+    free_with: ClassVar[str | None] = None
+    """Another effect beside which this one costs nothing, so that `auto` keeps it."""
+    validity: ClassVar[str] = ""
+    """Where the term as computed here holds, in one sentence."""
+    source: ClassVar[str] = ""
+    """Where it is taken from."""
+    keys: ClassVar[tuple[str, ...]] = ()
+    """Keys of the spec that it reads."""
 
     @classmethod
     @abstractmethod
@@ -36,23 +49,28 @@ class Effect(ABC):
     def weight(self, conditions: Conditions) -> float:
         """Dimensionless size of the term against the term it competes with; >= 0."""
 
-    def threshold(self, conditions: Conditions) -> float:
-        """Weight from which `auto` takes the effect: its share of the accuracy asked for."""
-        return SHARE_OF_ACCURACY * conditions.accuracy
-
     def present(self, conditions: Conditions) -> bool:
         """Whether the scene has what the effect acts on; if not, there is nothing to take."""
         del conditions
         return True
 
+    def indispensable(self, conditions: Conditions) -> bool:
+        """Whether the scene has no sense without it."""
+        del conditions
+        return False
+
     @abstractmethod
     def reason(self, conditions: Conditions) -> str:
         """What the weight says about this scene, in one clause."""
 
+    def sketch(self, sketch: Sketch) -> Sketch | None:
+        """The sketch with the term added; None where a sketch cannot show it.
+
+        Then the weight itself, in actuator lengths, stands for what it may do to the tip.
+        """
+        del sketch
+        return None
+
     @abstractmethod
     def join(self, system: System) -> None:
         """Add the term to the system's sums."""
-
-
-SHARE_OF_ACCURACY = 0.2
-"""Part of the accuracy that one omitted effect may spend."""

@@ -11,8 +11,11 @@ import numpy as np
 from viscodesign.model.coupling import BellowLaw
 from viscodesign.model.graph import Component, Graph
 from viscodesign.model.rod import Body
-from viscodesign.physics import beam, bellow, timescales, tube
+from viscodesign.physics import beam, bellow, gas, timescales, tube
+from viscodesign.scene.inputs.syringe import Syringe
 from viscodesign.scene.scene import Scene
+from viscodesign.sketch.ground import Ground
+from viscodesign.sketch.sketch import Sketch
 from viscodesign.trajectory import Scales
 
 
@@ -138,8 +141,45 @@ class Conditions:
             times += [corners, corners - 1e-9 * duration, corners + 1e-9 * duration]
         grid = np.clip(np.concatenate(times), 0.0, duration)
         baseline = self.scene.gauge_pressure
-        samples = [baseline + source.pressure(grid) for source in self.scene.inputs.values()]
+        samples = [
+            baseline + source.values(grid) * (1.0 if source.gives_pressure else self._yield(name))
+            for name, source in self.scene.inputs.items()
+        ]
         return np.concatenate([*samples, [baseline]])
+
+    def _yield(self, name: str) -> float:
+        """Pressure per volume that a plunger pushes into its closed network [Pa/m3]."""
+        part = next(c for c in self.graph.components() if name in c.inlets)
+        barrels = sum(self.barrel_compliance(n) for n in part.inlets if n in self.barrels)
+        return 1 / (barrels + len(part.bellows) * self.bellow.compliance)
+
+    @cached_property
+    def barrels(self) -> dict[str, Syringe]:
+        """Inlets that a plunger drives."""
+        inputs = self.scene.inputs.items()
+        return {name: source for name, source in inputs if isinstance(source, Syringe)}
+
+    def barrel_compliance(self, name: str) -> float:
+        """Volume per pressure of the fluid in a barrel at its start [m3/Pa]."""
+        fluid, volume = self.scene.fluid, self.barrels[name].full_volume
+        if fluid.bulk_modulus is not None:
+            return volume / fluid.bulk_modulus
+        absolute = self.scene.ambient_pressure + self.scene.gauge_pressure
+        return gas.gas_compliance(volume, absolute, fluid.polytropic_exponent)
+
+    # -- the sketch -----------------------------------------------------------
+
+    @cached_property
+    def bare_sketch(self) -> Sketch:
+        """The motion without any effect, for effects to add to."""
+        barrels = {name: self.barrel_compliance(name) for name in self.barrels}
+        ground = Ground(self.scene, self.body, self.bellow, self.resistances, barrels, self.swing)
+        return Sketch(ground, mass_per_length=self.body.mass_per_length)
+
+    @cached_property
+    def slow_flows(self) -> np.ndarray:
+        """Flows of all tubes that slow laminar flow would have (T, Q) [m3/s]."""
+        return self.bare_sketch.with_(uniform=False).flows()
 
     @cached_property
     def swing(self) -> float:
@@ -163,29 +203,29 @@ class Conditions:
         return math.hypot(force.x, force.z)
 
     @property
-    def weight_force(self) -> float:
-        """Weight of body and payload [N]; zero where gravity is not taken."""
-        gravity = self.scene.loads.gravity
-        if gravity is None or "gravity" not in self.taken:
-            return 0.0
-        mass = self.body.mass_per_length * self.body.length + self.scene.loads.payload
-        return mass * gravity.acceleration
+    def solid_mass(self) -> float:
+        """Mass of the body [kg]."""
+        return self.body.mass_per_length * self.body.length
 
     @property
-    def inertial_force(self) -> float:
-        """Mass times length over t_i squared [N]; zero where inertia is not taken."""
-        if "inertia" not in self.taken:
-            return 0.0
-        mass = self.body.mass_per_length * self.body.length + self.scene.loads.payload
-        shortest = max(self.scales.t_i, self.scales.t_s)
-        return mass * self.body.length / shortest**2
+    def carried_mass(self) -> float:
+        """Mass of body and payload [kg]."""
+        return self.solid_mass + self.scene.loads.payload
+
+    @property
+    def acceleration(self) -> float:
+        """Gravity that the scene states; zero without [m/s2]."""
+        gravity = self.scene.loads.gravity
+        return 0.0 if gravity is None else gravity.acceleration
 
     @property
     def suddenly_loaded(self) -> bool:
         """Whether loads meet a rod that was straight and at rest before."""
-        return self.scene.run.start == "rest" and self.tip_force + self.weight_force > 0.0
+        weight = self.carried_mass * self.acceleration
+        return self.scene.run.start == "rest" and self.tip_force + weight > 0.0
 
     @property
     def load_force(self) -> float:
         """Everything that may load the rod, added up without regard to direction [N]."""
-        return self.tip_force + self.weight_force + self.inertial_force
+        inertia = self.carried_mass * self.body.length / max(self.scales.t_i, self.scales.t_s) ** 2
+        return self.tip_force + self.carried_mass * self.acceleration + inertia

@@ -9,6 +9,7 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.coupling import places
 from viscodesign.model.system import System
+from viscodesign.sketch.sketch import Sketch
 
 
 @dataclass(frozen=True)
@@ -18,14 +19,22 @@ class Feedback(Effect):
     name: ClassVar[str] = "feedback"
     order: ClassVar[int] = 45
     formula: ClassVar[str] = "(da/dN N + da/dM M) / (da/dp p)"
+    validity: ClassVar[str] = "Small changes of a bellow's volume by the loads of its section."
+    source: ClassVar[str] = "The paper, equation (1)."
+    keys: ClassVar[tuple[str, ...]] = ("bellows.area_per_force", "bellows.area_per_moment")
 
     area_per_force: float
     area_per_moment: float
+    length: float
+    """Of a bellow along the stream [m]."""
 
     @classmethod
     def of(cls, conditions: Conditions) -> Self:
         bellows = conditions.scene.bellows
-        return cls(bellows.area_per_force, bellows.area_per_moment)
+        return cls(bellows.area_per_force, bellows.area_per_moment, bellows.length)
+
+    def present(self, conditions: Conditions) -> bool:
+        return (self.area_per_force, self.area_per_moment) != (0.0, 0.0)
 
     def weight(self, conditions: Conditions) -> float:
         force = conditions.load_force
@@ -35,9 +44,17 @@ class Feedback(Effect):
         return area / (conditions.scene.bellows.area_per_pressure * conditions.swing)
 
     def reason(self, conditions: Conditions) -> str:
+        if not self.present(conditions):
+            return "bellows.area_per_force and area_per_moment are zero"
         if conditions.load_force == 0.0:
             return "nothing loads the rod, so there is nothing to feed back"
         return f"forces up to about {conditions.load_force:.2g} N act on the sections"
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        return sketch.with_(
+            volume_per_force=self.length * self.area_per_force,
+            volume_per_moment=self.length * self.area_per_moment,
+        )
 
     def join(self, system: System) -> None:
         length = system.bellow.length
@@ -45,4 +62,5 @@ class Feedback(Effect):
         per_moment = system.parameter("area_per_moment", self.area_per_moment)
         for name, place in places(system.graph).items():
             force, moment = system.normal_force[place.section], system.moment[place.section]
-            system.volume[name] += length * (per_force * force + place.side * per_moment * moment)
+            area = per_force * force + place.side * per_moment * moment
+            system.extra_volume[name] += length * area

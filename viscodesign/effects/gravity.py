@@ -11,6 +11,7 @@ import casadi as ca
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.system import System
+from viscodesign.sketch.sketch import Sketch
 
 
 @dataclass(frozen=True)
@@ -20,6 +21,9 @@ class Gravity(Effect):
     name: ClassVar[str] = "gravity"
     order: ClassVar[int] = 20
     formula: ClassVar[str] = "m g l^3 / (E I)"
+    validity: ClassVar[str] = "Gravity in the plane of motion."
+    source: ClassVar[str] = "The paper, equation (4), as a distributed load."
+    keys: ClassVar[tuple[str, ...]] = ("loads.gravity",)
 
     acceleration: float
     tilt: float
@@ -34,13 +38,17 @@ class Gravity(Effect):
 
     def weight(self, conditions: Conditions) -> float:
         body = conditions.body
-        mass = body.mass_per_length * body.length + conditions.scene.loads.payload
-        return mass * self.acceleration * body.length**2 / body.bending_stiffness
+        force = conditions.carried_mass * self.acceleration
+        return force * body.length**2 / body.bending_stiffness
 
     def reason(self, conditions: Conditions) -> str:
         if not self.present(conditions):
             return "loads.gravity is off"
         return f"the weight acts at {math.degrees(self.tilt):.3g} deg from the clamped axis"
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        down = (math.sin(self.tilt), math.cos(self.tilt))
+        return sketch.with_(gravity=(self.acceleration * down[0], self.acceleration * down[1]))
 
     def join(self, system: System) -> None:
         acceleration = system.parameter("gravity.acceleration", self.acceleration)

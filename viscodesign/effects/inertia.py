@@ -9,6 +9,7 @@ import casadi as ca
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.system import System
+from viscodesign.sketch.sketch import Sketch
 
 
 class Inertia(Effect):
@@ -17,14 +18,20 @@ class Inertia(Effect):
     name: ClassVar[str] = "inertia"
     order: ClassVar[int] = 30
     formula: ClassVar[str] = "(t_s / t_i)^2"
+    # Without it a rod rings on, as none does.
+    companion: ClassVar[str] = "damping"
+    validity: ClassVar[str] = "A slender rod; points on its axis carry the mass."
+    source: ClassVar[str] = "The paper, equation (4)."
+    keys: ClassVar[tuple[str, ...]] = ("actuator.density", "actuator.solid_fraction")
 
     @classmethod
     def of(cls, conditions: Conditions) -> Self:
         return cls()
 
+    def indispensable(self, conditions: Conditions) -> bool:
+        return conditions.suddenly_loaded
+
     def weight(self, conditions: Conditions) -> float:
-        if conditions.suddenly_loaded:
-            return float("inf")
         return conditions.scales.ratios["ts_over_ti"] ** 2
 
     def reason(self, conditions: Conditions) -> str:
@@ -32,6 +39,9 @@ class Inertia(Effect):
         if conditions.suddenly_loaded:
             return "the loads act at once on a straight rod at rest (run.start: rest)"
         return f"the solid swings in {scales.t_s:.3g} s, the input in {scales.t_i:.3g} s"
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        return sketch.with_(moving=True)
 
     def join(self, system: System) -> None:
         for point in system.rod.masses():

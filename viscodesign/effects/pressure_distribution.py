@@ -8,15 +8,19 @@ from typing import ClassVar, Self
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.system import System
+from viscodesign.sketch.sketch import Sketch
 
 
 @dataclass(frozen=True)
 class PressureDistribution(Effect):
-    """Slow viscous flow between nodes of different pressure; off: one pressure a network."""
+    """Viscous flow between nodes of different pressure; off: one pressure a network."""
 
     name: ClassVar[str] = "pressure_distribution"
     order: ClassVar[int] = 10
     formula: ClassVar[str] = "t_net / t_i"
+    validity: ClassVar[str] = "Slow laminar flow of a Newtonian fluid in slender tubes."
+    source: ClassVar[str] = "Hagen and Poiseuille; the paper, equation (1)."
+    keys: ClassVar[tuple[str, ...]] = ("network", "fluid", "temperature")
 
     resistances: dict[str, float]
 
@@ -27,21 +31,29 @@ class PressureDistribution(Effect):
     def present(self, conditions: Conditions) -> bool:
         return bool(conditions.graph.tubes)
 
+    def indispensable(self, conditions: Conditions) -> bool:
+        # Two sources in one network differ by flow alone.
+        inputs = conditions.scene.inputs
+        parts = conditions.graph.components()
+        return any(sum(inputs[n].gives_pressure for n in part.inlets) > 1 for part in parts)
+
     def weight(self, conditions: Conditions) -> float:
-        if any(len(c.inlets) > 1 for c in conditions.graph.components()):
-            return float("inf")  # two sources in one network differ by flow alone
         return conditions.scales.ratios["tnet_over_ti"]
 
     def reason(self, conditions: Conditions) -> str:
         if not conditions.graph.tubes:
             return "no tube joins anything"
+        if self.indispensable(conditions):
+            return "two inlets feed one network, and only flow tells their pressures apart"
         scales = conditions.scales
         return (
             f"the network settles in {scales.t_net:.3g} s, the input swings in {scales.t_i:.3g} s"
         )
 
+    def sketch(self, sketch: Sketch) -> Sketch:
+        return sketch.with_(uniform=False)
+
     def join(self, system: System) -> None:
         for tube in system.graph.tubes:
             resistance = system.parameter(f"resistance.{tube.name}", self.resistances[tube.name])
-            drop = system.node_pressure(tube.start) - system.node_pressure(tube.end)
-            system.flow[tube.name] = drop / resistance
+            system.drop[tube.name] = resistance * system.flow[tube.name]

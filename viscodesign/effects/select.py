@@ -1,4 +1,9 @@
-"""Which effects a scene calls for, and why."""
+"""Which effects a scene calls for, and why.
+
+A sketch with everything that the spec allows is compared with sketches that lack one
+effect each. What moves the tip least is left out first, as long as all that is left
+out together may move it by no more than a part of the accuracy asked for.
+"""
 
 from __future__ import annotations
 
@@ -8,24 +13,23 @@ from viscodesign import effects
 from viscodesign.catalog import members
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
+from viscodesign.sketch.sketch import Sketch
 from viscodesign.trajectory import Verdict
 
-RESERVED_EFFECTS = (
-    "rotary_inertia",
-    "gas_compressibility",
-    "fluid_inertance",
-    "flow_regime",
-    "tube_compliance",
-    "collapse",
-    "material_curve",
-    "fluid_mass",
-)
-"""Names of the public spec that this version does not compute: legal only when off."""
+SHARE_OF_ACCURACY = 0.5
+"""Part of the accuracy that all omitted effects together may spend."""
+
+PASSES = 3
+MOST_BELLOWS_SKETCHED = 96
+"""Bellows beyond which a sketch would take too long: then weights alone decide."""
+FAR_TOO_MUCH = 10.0
+
+Names = frozenset[str]
 
 
 @cache
 def catalogue() -> dict[str, type[Effect]]:
-    """Every effect of this version by name, in the order of judgement."""
+    """Every effect of this version by name, in the order of telling and joining."""
     return members(effects.__name__, Effect)  # type: ignore[type-abstract]
 
 
@@ -34,47 +38,230 @@ def effect_names() -> tuple[str, ...]:
     return tuple(name for name, kind in catalogue().items() if kind.switchable)
 
 
-def select_effects(conditions: Conditions) -> tuple[list[Effect], list[Verdict]]:
+def select_effects(conditions: Conditions) -> Selection:
     """The effects to join, and a verdict for every one of the catalogue.
 
-    ``conditions.taken`` is filled on the way: a later effect may ask for it.
+    ``conditions.taken`` is filled with the names of those taken.
     """
-    chosen: list[Effect] = []
-    verdicts: list[Verdict] = []
-    for kind in catalogue().values():
-        effect = kind.of(conditions)
-        verdict = judge(effect, conditions)
-        verdicts.append(verdict)
-        if verdict.taken:
-            chosen.append(effect)
-            conditions.taken.add(effect.name)
-    return chosen, verdicts
+    choice = _Choice(conditions)
+    taken = choice.taken()
+    conditions.taken.update(taken)
+    verdicts = tuple(choice.verdict(name, taken) for name in choice.effects)
+    return Selection(choice, taken, verdicts)
 
 
-def judge(effect: Effect, conditions: Conditions) -> Verdict:
-    """Weigh one effect against its threshold and the spec's own word."""
-    mode = conditions.scene.effects.mode(effect.name) if effect.switchable else "on"
-    present = effect.present(conditions)
-    weight = effect.weight(conditions) if present else 0.0
-    threshold = effect.threshold(conditions)
-    wanted = weight > threshold if mode == "auto" else mode == "on"
-    return Verdict(
-        name=effect.name,
-        mode=mode,
-        taken=wanted and present,
-        weight=weight,
-        formula=effect.formula,
-        reason=_sentence(effect.reason(conditions), mode, present, weight, threshold),
-    )
+class Selection:
+    """The effects that were chosen for a scene, and why."""
+
+    def __init__(self, choice: _Choice, taken: Names, verdicts: tuple[Verdict, ...]) -> None:
+        self._choice = choice
+        self._taken = taken
+        self.verdicts = verdicts
+
+    @property
+    def effects(self) -> list[Effect]:
+        """Those to join, in order."""
+        return self._members(self._taken)
+
+    @property
+    def present(self) -> set[str]:
+        """Names of the effects that the scene has something for."""
+        return self._choice.present
+
+    @property
+    def provable(self) -> list[str]:
+        """Names of the effects that change something when they are switched alone."""
+        return [
+            v.name
+            for v in self.verdicts
+            if v.present and self._choice.acts_alone(v.name, self._taken)
+        ]
+
+    def switched(self, name: str) -> list[Effect]:
+        """The same with one effect switched, and with what it needs or what needs it."""
+        return self._members(self._choice.flipped(self._taken, name))
+
+    def _members(self, names: Names) -> list[Effect]:
+        return [effect for name, effect in self._choice.effects.items() if name in names]
 
 
-def _sentence(reason: str, mode: str, present: bool, weight: float, threshold: float) -> str:
-    if not present:
-        return f"absent: {reason}"
-    if mode != "auto":
-        return f"{'taken' if mode == 'on' else 'left out'} as the spec says; {reason}"
-    above = weight > threshold
-    return (
-        f"{'taken' if above else 'left out'}: weight {weight:.3g} "
-        f"{'above' if above else 'not above'} {threshold:.3g}; {reason}"
-    )
+class _Choice:
+    """Effects of one scene, and what a sketch says of leaving each of them out."""
+
+    def __init__(self, conditions: Conditions) -> None:
+        self.conditions = conditions
+        self.effects = {name: kind.of(conditions) for name, kind in catalogue().items()}
+        self.present = {n for n, e in self.effects.items() if e.present(conditions)}
+        self.budget = conditions.accuracy * conditions.body.length
+        self._sketches: dict[Names, Sketch] = {}
+
+    def mode(self, name: str) -> str:
+        """What the spec says."""
+        effect, choice = self.effects[name], self.conditions.scene.effects
+        if not effect.switchable:
+            return "on"
+        needing = [n for n, e in self.effects.items() if e.needs == name]
+        mode, asked = choice.mode(name), any(choice.modes.get(n) == "on" for n in needing)
+        # `others: off` does not mean what one asked for by name needs.
+        return "on" if mode == "off" and asked and name not in choice.modes else mode
+
+    # -- sets of effects ------------------------------------------------------
+
+    def without(self, names: Names, name: str) -> Names:
+        """A set less one effect, and less those that need it."""
+        return frozenset(n for n in names if n != name and self.effects[n].needs != name)
+
+    def with_(self, names: Names, name: str) -> Names:
+        """A set with one effect more, and with what it needs and what comes along."""
+        needed = self.effects[name].needs
+        more = {name} if needed is None else {name, needed}
+        along = {self.effects[n].companion for n in more - names} - {None}
+        return names | more | {n for n in along if n in self.present and self.mode(n) != "off"}
+
+    def flipped(self, names: Names, name: str) -> Names:
+        """A set with one effect switched."""
+        return self.without(names, name) if name in names else self.with_(names, name)
+
+    def _allowed(self) -> Names:
+        """Everything that the spec does not forbid and that acts on something."""
+        allowed = {n for n in self.present if self.mode(n) != "off"}
+        gone = {n for n in allowed if (needed := self.effects[n].needs) and needed not in allowed}
+        return frozenset(allowed - gone)
+
+    def _leads(self, name: str) -> bool:
+        """Whether it follows no other effect, whose omission might change what it does."""
+        followed = {e.companion for e in self.effects.values()}
+        return self.effects[name].needs is None and name not in followed
+
+    def _is_free(self, name: str, names: Names) -> bool:
+        return self.effects[name].free_with in names
+
+    def _kept(self, names: Names) -> set[str]:
+        """Effects that stay whatever the sketch says, and what they need."""
+        own = {
+            n
+            for n in names
+            if self.mode(n) == "on" or self.effects[n].indispensable(self.conditions)
+        }
+        return own | {needed for n in own if (needed := self.effects[n].needs) is not None}
+
+    # -- what a sketch says ---------------------------------------------------
+
+    def _sketch(self, names: Names) -> Sketch:
+        if names not in self._sketches:
+            sketch = self.conditions.bare_sketch
+            for name in self.effects:
+                if name in names:
+                    sketch = self.effects[name].sketch(sketch) or sketch
+            self._sketches[names] = sketch
+        return self._sketches[names]
+
+    def distance(self, one: Names, other: Names) -> float:
+        """How far the tip moves from one set of effects to another [m].
+
+        What a sketch cannot show counts by its weight.
+        """
+        if one == other:
+            return 0.0
+        blank, too_large = self.conditions.bare_sketch, self._is_too_large()
+        unseen = [n for n in one ^ other if too_large or self.effects[n].sketch(blank) is None]
+        guess = sum(self._guess(n, one | other) for n in unseen)
+        return guess if too_large else self._sketch(one).distance(self._sketch(other)) + guess
+
+    def _guess(self, name: str, names: Names) -> float:
+        """What the weight alone says that an effect among others may do to the tip [m]."""
+        leads = [n for n, e in self.effects.items() if e.companion == name]
+        if leads and not names & set(leads):
+            return 0.0  # alone it has nothing to accompany
+        weight = self.effects[name].weight(self.conditions)
+        return min(weight, 1.0) * self.conditions.body.length
+
+    def _is_too_large(self) -> bool:
+        return len(self.conditions.graph.bellows) > MOST_BELLOWS_SKETCHED
+
+    def taken(self) -> Names:
+        """The fewest effects whose omissions fit into the share of the accuracy."""
+        everything = self._allowed()
+        names, spent = everything, 0.0
+        # What one effect does may depend on another that a first pass leaves out.
+        kept = self._kept(everything)
+        for _ in range(PASSES):
+            before = names
+            names, spent = self._thinned(everything, names, spent, kept)
+            if names == before:
+                break
+        return names
+
+    def _thinned(
+        self, everything: Names, names: Names, spent: float, kept: set[str]
+    ) -> tuple[Names, float]:
+        """Leave out what still fits, least first; and what all omissions then may do [m].
+
+        ``kept`` gains what does far too much ever to be left out.
+        """
+        share = SHARE_OF_ACCURACY * self.budget
+        cost = {n: self.distance(names, self.without(names, n)) for n in names if n not in kept}
+        kept |= {n for n, moved in cost.items() if moved > FAR_TOO_MUCH * share and self._leads(n)}
+        left: list[str] = []
+        for name in sorted(cost, key=lambda n: cost[n]):
+            if spent + cost[name] <= share and not self._is_free(name, names):
+                left.append(name)
+                spent += cost[name]
+        # Omissions may add up to more than each does alone: then the last is taken back.
+        while left and self.distance(everything, self._without_all(names, left)) > share:
+            spent -= cost[left.pop()]
+        return self._without_all(names, left), spent
+
+    def _without_all(self, names: Names, left: list[str]) -> Names:
+        for name in left:
+            names = self.without(names, name)
+        return names
+
+    # -- verdicts -------------------------------------------------------------
+
+    def acts_alone(self, name: str, taken: Names) -> bool:
+        """Whether it has something to act on in a set of effects."""
+        needed = self.effects[name].needs
+        return needed is None or needed in taken
+
+    def verdict(self, name: str, taken: Names) -> Verdict:
+        """What is told of one effect."""
+        effect, present = self.effects[name], name in self.present
+        alone = present and self.acts_alone(name, taken)
+        contribution = self.distance(taken, self.flipped(taken, name)) if alone else 0.0
+        return Verdict(
+            name=name,
+            mode=self.mode(name),  # type: ignore[arg-type]
+            taken=name in taken,
+            weight=effect.weight(self.conditions) if present else 0.0,
+            formula=effect.formula,
+            reason=self._sentence(name, taken, contribution),
+            contribution_m=contribution,
+            budget_share=contribution / self.budget,
+            present=present,
+        )
+
+    def _sentence(self, name: str, taken: Names, contribution: float) -> str:
+        effect, reason = self.effects[name], self.effects[name].reason(self.conditions)
+        if name not in self.present:
+            return f"absent: {reason}"
+        if not self.acts_alone(name, taken):
+            return f"left out with {effect.needs}, without which it acts on nothing; {reason}"
+        mode = self.mode(name)
+        if mode != "auto":
+            return f"{'taken' if mode == 'on' else 'left out'} as the spec says; {reason}"
+        moves = f"{1e3 * contribution:.3g} mm, {_share(contribution / self.budget)}"
+        if name not in taken:
+            return f"left out: it moves the tip by about {moves}; {reason}"
+        if effect.indispensable(self.conditions):
+            return f"taken, the scene has no sense without it: {reason}"
+        if self._is_free(name, taken):
+            return f"taken, since it costs nothing beside {effect.free_with}: {moves}; {reason}"
+        return f"taken: it moves the tip by about {moves}; {reason}"
+
+
+def _share(share: float) -> str:
+    """A part of the accuracy asked for, or a multiple of it."""
+    if share < 1.0:
+        return f"{100 * share:.2g} % of the accuracy"
+    return f"{share:.3g} times the accuracy"

@@ -8,16 +8,22 @@ from typing import ClassVar, Self
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.system import System
+from viscodesign.sketch.sketch import Sketch
 
 
 @dataclass(frozen=True)
 class TipLoad(Effect):
-    """A force of fixed direction; a payload adds mass, which gravity and inertia then act on."""
+    """A force of fixed direction and a payload at the tip.
+
+    The payload adds mass, which gravity and inertia then act on.
+    """
 
     name: ClassVar[str] = "tip_load"
     order: ClassVar[int] = 5  # before everything that acts on masses
     formula: ClassVar[str] = "F l^2 / (E I)"
     switchable: ClassVar[bool] = False
+    validity: ClassVar[str] = "A force that keeps its direction; a payload without size."
+    keys: ClassVar[tuple[str, ...]] = ("loads.tip_force", "loads.payload")
 
     force_x: float
     force_z: float
@@ -31,19 +37,21 @@ class TipLoad(Effect):
     def present(self, conditions: Conditions) -> bool:
         return (self.force_x, self.force_z, self.payload) != (0.0, 0.0, 0.0)
 
+    def indispensable(self, conditions: Conditions) -> bool:
+        return True  # a stated load is carried, however small
+
     def weight(self, conditions: Conditions) -> float:
-        gravity = conditions.scene.loads.gravity
-        carried = self.payload * gravity.acceleration if gravity is not None else 0.0
+        carried = self.payload * conditions.acceleration
         body = conditions.body
         return (conditions.tip_force + carried) * body.length**2 / body.bending_stiffness
-
-    def threshold(self, conditions: Conditions) -> float:
-        return 0.0  # a stated load is carried, however small
 
     def reason(self, conditions: Conditions) -> str:
         if not self.present(conditions):
             return "the tip is free"
         return f"{conditions.tip_force:.3g} N and {1000 * self.payload:.3g} g act at the tip"
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        return sketch.with_(tip_force=(self.force_x, self.force_z), payload=self.payload)
 
     def join(self, system: System) -> None:
         if self.payload:

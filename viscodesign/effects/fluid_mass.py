@@ -1,0 +1,61 @@
+"""Fluid mass: what the bellows hold has weight and inertia."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from casadi import SX
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.coupling import places
+from viscodesign.model.system import System
+from viscodesign.sketch.sketch import Sketch
+
+
+@dataclass(frozen=True)
+class FluidMass(Effect):
+    """The fluid in the bellows as a mass on the axis, as much as they hold at each instant.
+
+    Gravity and inertia act on it where they are taken. Its weight also presses: the
+    pressure of a network at rest grows downwards. What flows in brings the speed of
+    the section that it comes to.
+    """
+
+    name: ClassVar[str] = "fluid_mass"
+    order: ClassVar[int] = 6  # before everything that acts on masses
+    formula: ClassVar[str] = "n V_0 rho_f / (m l)"
+    validity: ClassVar[str] = (
+        "The fluid of a section is spread evenly along its axis; that in the tubes is left out."
+    )
+    source: ClassVar[str] = "Lagrange's equations with the mass that each bellow holds."
+    keys: ClassVar[tuple[str, ...]] = ("fluid", "bellows.height", "bellows.width", "bellows.length")
+
+    density: float
+    amount: float
+    """Volume at rest of all bellows [m3]."""
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        amount = len(conditions.graph.bellows) * conditions.bellow.rest_volume
+        return cls(conditions.scene.fluid.density, amount)
+
+    def weight(self, conditions: Conditions) -> float:
+        return self.amount * self.density / conditions.solid_mass
+
+    def reason(self, conditions: Conditions) -> str:
+        held, solid = 1e3 * self.amount * self.density, 1e3 * conditions.solid_mass
+        return f"the bellows hold {held:.3g} g at rest, the body weighs {solid:.3g} g"
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        held = self.amount * self.density / sketch.ground.length
+        heavier = sketch.mass_per_length + held
+        return sketch.with_(mass_per_length=heavier, fluid_density=self.density)
+
+    def join(self, system: System) -> None:
+        density = system.parameter("fluid.density", self.density)
+        held = [SX(0) for _ in range(system.graph.sections)]
+        for name, place in places(system.graph).items():
+            held[place.section] += density * system.amount[name]
+        system.rod.add_carried_mass(held)

@@ -1,0 +1,85 @@
+"""Material curve: measured laws of a bellow in the place of the linear ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+import numpy as np
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.system import System
+from viscodesign.model.wall import MeasuredWall
+from viscodesign.physics.curves import PiecewiseCubic
+from viscodesign.sketch.sketch import Sketch
+
+
+@dataclass(frozen=True, eq=False)
+class MaterialCurve(Effect):
+    """Area, angle and extension of one bellow against its pressure, as measured.
+
+    Monotone cubics through the rows, straight beyond them; zero at zero gauge. The angle
+    and the extension are those of a section when one of its bellows, the left one, has
+    the pressure and the other none; the two bellows of a section add.
+    """
+
+    name: ClassVar[str] = "material_curve"
+    order: ClassVar[int] = 12
+    formula: ClassVar[str] = "largest departure from the linear law over the range / its swing"
+    validity: ClassVar[str] = "Inside of the measured range; beyond it a warning is given."
+    source: ClassVar[str] = "Interpolation by Fritsch and Butland (1984)."
+    keys: ClassVar[tuple[str, ...]] = ("bellows.curve",)
+
+    volume: PiecewiseCubic | None
+    curvature: PiecewiseCubic | None
+    stretch: PiecewiseCubic | None
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        curve = conditions.scene.bellows.curve
+        if curve is None:
+            return cls(None, None, None)
+        rows = np.array(curve.rows, dtype=float)
+        section = conditions.body.section_length
+        factors = (conditions.bellow.length, 1 / section, 1 / section)
+        found = (
+            PiecewiseCubic.monotone(rows[:, 0], rows[:, k + 1]).zeroed().scaled(factor)
+            for k, factor in enumerate(factors)
+        )
+        return cls(*found)
+
+    def present(self, conditions: Conditions) -> bool:
+        return self.volume is not None
+
+    def weight(self, conditions: Conditions) -> float:
+        low, high = float(conditions.inlet_samples.min()), float(conditions.inlet_samples.max())
+        pressure = np.linspace(min(low, 0.0), max(high, 0.0), 101)
+        law = conditions.bellow
+        linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)
+        found = []
+        for slope, measured in zip(linear, self.wall(pressure), strict=True):
+            straight = slope * pressure
+            size = float(np.ptp(straight)) or 1.0
+            found.append(float(np.max(np.abs(measured - straight))) / size)
+        return max(found)
+
+    def reason(self, conditions: Conditions) -> str:
+        if self.volume is None:
+            return "no curve is given (bellows.curve)"
+        return "measured rows stand in the place of the linear coefficients"
+
+    def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Volume beyond rest, curvature and stretch at gauge pressures, any shape."""
+        if self.volume is None or self.curvature is None or self.stretch is None:
+            raise ValueError("no curve is given")
+        return self.volume(pressure), self.curvature(pressure), self.stretch(pressure)
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        return sketch.with_(wall=self.wall)
+
+    def join(self, system: System) -> None:
+        if self.volume is None or self.curvature is None or self.stretch is None:
+            raise ValueError("no curve is given")
+        rest = system.parameter("rest_volume", system.bellow.rest_volume)
+        system.wall = MeasuredWall(rest, self.volume, self.curvature, self.stretch)

@@ -1,0 +1,55 @@
+"""Rotary inertia: a cross section resists being turned."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.system import System
+from viscodesign.sketch.sketch import Sketch
+
+
+@dataclass(frozen=True)
+class RotaryInertia(Effect):
+    """Kinetic energy of turning, m h_s^2/12 per length; off: point masses on the axis."""
+
+    name: ClassVar[str] = "rotary_inertia"
+    order: ClassVar[int] = 32
+    formula: ClassVar[str] = "(t_s / t_i)^2 h_s^2 / (12 l^2)"
+    needs: ClassVar[str] = "inertia"
+    validity: ClassVar[str] = "A cross section of even mass that stays plane, without shear."
+    source: ClassVar[str] = "Rayleigh's beam."
+    keys: ClassVar[tuple[str, ...]] = ("actuator.height",)
+
+    gyration: float
+    """Radius of gyration of the cross section [m]."""
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        return cls(conditions.scene.actuator.height / math.sqrt(12))
+
+    def weight(self, conditions: Conditions) -> float:
+        slender = (self.gyration / conditions.body.length) ** 2
+        return conditions.scales.ratios["ts_over_ti"] ** 2 * slender
+
+    def reason(self, conditions: Conditions) -> str:
+        ratio = self.gyration / conditions.body.length
+        return f"the cross section's radius of gyration is {ratio:.2g} of the length"
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        return sketch.with_(gyration=self.gyration)
+
+    def join(self, system: System) -> None:
+        rod = system.rod
+        per_length = system.parameter("mass_per_length", system.body.mass_per_length)
+        radius = system.parameter("gyration", self.gyration)
+        inertia = per_length * radius**2 * rod.h
+        rates = rod.edge_turn_rates()
+        # Along an edge the rate changes by half of what its neighbours differ by; the clamp
+        # mirrors it, and the free tip bends no further.
+        around = [-rates[0], *rates, rates[-1]]
+        for before, rate, after in zip(around, rates, around[2:], strict=False):
+            system.kinetic_energy += inertia * (rate**2 + (after - before) ** 2 / 48) / 2

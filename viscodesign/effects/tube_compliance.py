@@ -1,0 +1,98 @@
+"""Tube compliance: tubes hold fluid of their own, in soft walls or as a gas."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from typing import ClassVar, Self
+
+from viscodesign.effects.base import Effect
+from viscodesign.effects.conditions import Conditions
+from viscodesign.model.fluid import Incompressible
+from viscodesign.model.graph import Tube
+from viscodesign.model.system import System
+from viscodesign.physics import tube
+from viscodesign.scene.network import TubeWall
+from viscodesign.sketch.sketch import Sketch
+
+
+@dataclass(frozen=True, eq=False)
+class TubeCompliance(Effect):
+    """What tubes and feed lines store, half at each of their ends.
+
+    A soft wall gives way to pressure; a gas that yields fills a tube more or less, however
+    stiff its wall.
+    """
+
+    name: ClassVar[str] = "tube_compliance"
+    order: ClassVar[int] = 15
+    formula: ClassVar[str] = "storage of all tubes / storage of all bellows"
+    needs: ClassVar[str] = "pressure_distribution"
+    validity: ClassVar[str] = (
+        "Small strain of the wall; tubes short against a pressure wave, whose storage may be "
+        "taken to their ends."
+    )
+    source: ClassVar[str] = "Lame's thick-walled tube in plane strain; ideal gas."
+    keys: ClassVar[tuple[str, ...]] = ("network.tube_wall", "network.feed_line")
+
+    wall: TubeWall | None
+    gas_yields: bool
+    tubes: tuple[Tube, ...]
+    absolute: float
+    """Pressure at which a gas's own compliance is told [Pa]."""
+
+    @classmethod
+    def of(cls, conditions: Conditions) -> Self:
+        scene = conditions.scene
+        yields = scene.fluid.is_gas and scene.effects.mode("gas_compressibility") != "off"
+        absolute = scene.ambient_pressure + scene.gauge_pressure
+        return cls(
+            scene.network.tube_wall,
+            yields,
+            conditions.graph.tubes,
+            absolute * scene.fluid.polytropic_exponent,
+        )
+
+    def present(self, conditions: Conditions) -> bool:
+        return bool(self.tubes) and (self.wall is not None or self.gas_yields)
+
+    def _wall_stores(self, t: Tube) -> float:
+        """Volume per pressure of a tube's wall [m3/Pa]."""
+        wall = self.wall
+        if wall is None:
+            return 0.0
+        return tube.wall_compliance(
+            wall.youngs_modulus, wall.poissons_ratio, wall.thickness, t.length, t.radius
+        )
+
+    def _stores(self, t: Tube) -> float:
+        """The same with what its gas takes up."""
+        own = tube.inner_volume(t.length, t.radius) / self.absolute if self.gas_yields else 0.0
+        return self._wall_stores(t) + own
+
+    def weight(self, conditions: Conditions) -> float:
+        bellows = len(conditions.graph.bellows) * conditions.bellow.compliance
+        return sum(self._stores(t) for t in self.tubes) / bellows
+
+    def reason(self, conditions: Conditions) -> str:
+        if not self.present(conditions):
+            return "the tubes are rigid (no network.tube_wall) and nothing in them yields"
+        return f"the tubes store {100 * self.weight(conditions):.3g} % of what the bellows store"
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        at: defaultdict[str, float] = defaultdict(float)
+        for t in self.tubes:
+            for end in (t.start, t.end):
+                at[end] += self._stores(t) / 2
+        return sketch.with_(capacity=tuple(sorted(at.items())))
+
+    def join(self, system: System) -> None:
+        yields = not isinstance(system.fluid, Incompressible)
+        for t in self.tubes:
+            if self.wall is None and not yields:
+                continue  # a stiff tube full of a fluid that does not yield
+            store = system.parameter(f"tube_storage.{t.name}", self._wall_stores(t))
+            volume = tube.inner_volume(t.length, t.radius) if yields else 0.0
+            held = system.parameter(f"tube_volume.{t.name}", volume)
+            for end in (t.start, t.end):
+                system.store(end, held / 2, store / 2)
