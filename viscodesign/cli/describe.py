@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from viscodesign.cli.text import blocks, number, table, wrap
-from viscodesign.trajectory import Classification, Notice, Verdict
+from viscodesign.trajectory import Classification, Notice, Proof, Verdict
 
 TIMES = {
     "t_s": "elastic-inertial time of the solid",
@@ -19,6 +19,11 @@ RATIOS = {
     "ts_over_ti": ("t_s/t_i", "above 1: the solid's inertia matters; below: quasi-static"),
     "tnet_over_ti": ("t_net/t_i", "far above 1: the far bellows never move; far below: uniform"),
 }
+
+SMALLEST_MM = 1e-6
+SMALLEST_PERCENT = 0.001
+LARGEST_PERCENT = 1000
+"""Beyond them a number is told by its bound."""
 
 
 def quadrant_lines(found: Classification) -> list[str]:
@@ -38,16 +43,52 @@ def scale_lines(found: Classification) -> list[str]:
 
 
 def verdict_lines(effects: Sequence[Verdict]) -> list[str]:
-    """Every effect: what the spec asks, what was decided, its weight; then why."""
-    rows = [("effect", "mode", "verdict", "weight", "formula")]
-    for v in effects:
-        decision = "taken" if v.taken else "left out"
-        rows.append((v.name, v.mode, decision, number(v.weight), v.formula))
-    heading, *bodies = blocks(rows)
-    lines = ["effects", *heading]
-    for body, verdict in zip(bodies, effects, strict=True):
-        lines += [*body, *wrap(verdict.reason, "      ")]
+    """A table of the decisions, one effect a line; then every reason.
+
+    Taken ones come first, those that do nothing to the tip last.
+    """
+    told = sorted(effects, key=lambda v: (not v.taken, v.contribution_m == 0.0))
+    rows = [("effect", "verdict", "mode", "tip [mm]", "of budget", "weight")]
+    rows += [
+        (v.name, decision(v), v.mode, millimetres(v.contribution_m), share(v.budget_share),
+         number(v.weight)) for v in told
+    ]  # fmt: skip
+    caption = "effects: how far each alone moves the tip, also in parts of the error asked for"
+    return [*wrap(caption, hanging="  "), *table(rows), "", "why", *_reason_lines(told)]
+
+
+def _reason_lines(effects: Sequence[Verdict]) -> list[str]:
+    heads = blocks([(v.name, f"weight = {v.formula}") for v in effects])
+    lines: list[str] = []
+    for head, verdict in zip(heads, effects, strict=True):
+        lines += [*head, *wrap(verdict.reason, "      ")]
     return lines
+
+
+def decision(found: Verdict | Proof) -> str:
+    """Whether a run has the effect."""
+    if isinstance(found, Verdict) and not found.present:
+        return "absent"
+    return "taken" if found.taken else "left out"
+
+
+def millimetres(length: float) -> str:
+    """A distance at the tip [m] as a number of mm, without the unit."""
+    if 0.0 < length < 1e-3 * SMALLEST_MM:
+        return f"< {SMALLEST_MM:.0e}"
+    return number(1e3 * length)
+
+
+def share(part: float) -> str:
+    """A part of the error asked for in percent, as far as a percentage says something."""
+    if math.isinf(part):
+        return "needed"
+    percentage = 100 * part
+    if percentage > LARGEST_PERCENT:
+        return f"> {LARGEST_PERCENT} %"
+    if 0.0 < percentage < SMALLEST_PERCENT:
+        return f"< {SMALLEST_PERCENT} %"
+    return f"{percentage:.0f} %" if percentage >= 100 else number(percentage, "%")
 
 
 def notice_lines(notices: Iterable[Notice]) -> list[str]:

@@ -37,7 +37,8 @@ def command(
 ) -> None:
     """Write a commented spec to start from.
 
-    It is a copy of a bundled scene, complete and ready to run; its path is printed.
+    It is a copy of a bundled scene, complete and ready to run, with the tables that it
+    reads; their paths are printed.
     """
     from viscodesign.cli.output import json_text, say, write_text
     from viscodesign.cli.templates import template
@@ -50,10 +51,17 @@ def command(
     if target.is_dir():
         target = target / f"{chosen.name}.yaml"
     written = write_text(target, chosen.text(), overwrite=force)
+    beside = [
+        write_text(
+            written.with_name(table.name), table.read_text(encoding="utf-8"), overwrite=force
+        )
+        for table in chosen.tables()
+    ]
     if json:
-        say(json_text({"path": str(written), "template": chosen.name}))
+        tables = [str(table) for table in beside]
+        say(json_text({"path": str(written), "template": chosen.name, "tables": tables}))
     elif not quiet:
-        say(str(written))
+        say("\n".join(map(str, [written, *beside])))
 
 
 def _list(json: bool) -> None:

@@ -17,6 +17,8 @@ REDRAW_S = 0.1
 class Bar:
     """One line on standard error, redrawn in place."""
 
+    later: str = "verifying"
+    """What the passes after the first do."""
     passes: int = 1
     fraction: float = 0.0
     drawn_at: float = -REDRAW_S
@@ -33,7 +35,7 @@ class Bar:
 
     def _draw(self) -> None:
         done = round(CELLS * min(max(self.fraction, 0.0), 1.0))
-        label = "solving" if self.passes == 1 else f"verifying, pass {self.passes}"
+        label = "solving" if self.passes == 1 else f"{self.later}, pass {self.passes}"
         bar = "#" * done + "." * (CELLS - done)
         sys.stderr.write(f"\r\x1b[K[{bar}] {self.fraction:4.0%}  {label}")
         sys.stderr.flush()
@@ -45,12 +47,15 @@ class Bar:
 
 
 @contextmanager
-def progress(quiet: bool) -> Iterator[Callable[[float], None]]:
-    """A function to call with the fraction done; it draws where somebody watches."""
+def progress(quiet: bool, later: str = "verifying") -> Iterator[Callable[[float], None]]:
+    """A function to call with the fraction done; it draws where somebody watches.
+
+    ``later`` names what follows the first pass.
+    """
     if quiet or not sys.stderr.isatty():
         yield lambda fraction: None
         return
-    bar = Bar()
+    bar = Bar(later)
     try:
         yield bar.advance
     finally:

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 EXAMPLE = """\b
 Examples:
   viscodesign simulate leg.yaml
-  viscodesign simulate leg.yaml -o runs/water --set fluid=water"""
+  viscodesign simulate leg.yaml -o runs/water --set fluid=water
+  viscodesign simulate leg.yaml --prove"""
 
 
 class RunFailedError(ViscodesignError):
@@ -35,6 +36,12 @@ def command(
             "--output", "-o", metavar="DIR", help="The run's folder; runs/<name> by default."
         ),
     ] = None,
+    prove: Annotated[
+        bool,
+        typer.Option(
+            "--prove", help="Switch each effect, solve again, and measure what it changes."
+        ),
+    ] = False,
     no_verify: Annotated[
         bool, typer.Option("--no-verify", help="Skip the estimate of the tip's error.")
     ] = False,
@@ -56,20 +63,22 @@ def command(
     from viscodesign import simulate as solve
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
+    from viscodesign.cli.proof import proof_lines
     from viscodesign.cli.summary import summary_lines
     from viscodesign.report.files import prepare_folder, write_run
 
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
     prepare_folder(folder, force=force)
-    with progress(quiet) as advance:
-        trajectory = solve(scene, verify=not no_verify, progress=advance)
+    with progress(quiet, "verifying and proving" if prove else "verifying") as advance:
+        trajectory = solve(scene, verify=not no_verify, prove=prove, progress=advance)
     files = write_run(trajectory, folder, plots=not no_plots, force=force)
     if json:
         say(json_text({**trajectory.summary(), "files": [str(file) for file in files]}))
         _warn(trajectory, quiet)
     elif not quiet:
-        say("\n".join(summary_lines(trajectory, folder, files)))
+        proof = ["", *proof_lines(trajectory)] if prove else []
+        say("\n".join([*summary_lines(trajectory, folder, files), *proof]))
     _end(trajectory, folder)
 
 
@@ -81,10 +90,12 @@ def folder_name(name: str) -> str:
 def _warn(trajectory: Trajectory, quiet: bool) -> None:
     from viscodesign.cli.describe import notice_lines
     from viscodesign.cli.output import complain
+    from viscodesign.cli.proof import alarm_lines
 
     lines = notice_lines(trajectory.warnings)
-    if lines and not quiet:
-        complain("\n".join(["warnings", *lines]))
+    told = [*(["warnings", *lines] if lines else []), *alarm_lines(trajectory)]
+    if told and not quiet:
+        complain("\n".join(told))
 
 
 def _end(trajectory: Trajectory, folder: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,6 +26,11 @@ class Template:
     def text(self) -> str:
         """The spec with its comments, as it stands in the file."""
         return self.path.read_text(encoding="utf-8")
+
+    def tables(self) -> list[Path]:
+        """Tables beside the spec that it reads by name (`file: table.csv`)."""
+        named = re.findall(r"\bfile:\s*['\"]?([\w.-]+\.csv)", self.text())
+        return [self.path.with_name(name) for name in named]
 
     def summary(self) -> str:
         """The first sentence of its header: the comment's lines up to the first empty one."""

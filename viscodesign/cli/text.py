@@ -53,9 +53,9 @@ def _block(row: Sequence[str], sizes: Sequence[int], indent: str) -> list[str]:
 
 def _last_column(head: str, cell: str) -> list[str]:
     columns = width()
-    room = columns is not None and columns - len(head) >= NARROWEST // 2
-    hanging = " " * (len(head) if room else 6)
-    return wrap(cell, head, hanging) or [head]
+    if columns is not None and columns - len(head) >= NARROWEST // 2:
+        return wrap(cell, head, " " * len(head)) or [head]
+    return wrap(head + cell, hanging=" " * 6)
 
 
 def number(value: float | None, unit: str = "") -> str:

@@ -16,8 +16,10 @@ from viscodesign.trajectory import Trajectory
 
 TABLES = ("trajectory.csv", "shape.csv", "spec.yaml")
 PICTURES = ("tip.png", "pressures.png", "shapes.png")
+PROOF_PICTURE = "effects.png"
+"""Drawn where a run measured its effects."""
 SUMMARY = "summary.json"
-OURS = {*TABLES, *PICTURES, SUMMARY}
+OURS = {*TABLES, *PICTURES, PROOF_PICTURE, SUMMARY}
 
 
 def write_run(
@@ -36,14 +38,13 @@ def write_run(
         text_bytes(trajectory.spec_text),
     )
     tables = [folder / name for name in TABLES]
-    pictures = [folder / name for name in PICTURES]
     summary = folder / SUMMARY
-    write_all(dict(zip(tables, contents, strict=True)), first=lambda: _remove([summary, *pictures]))
-    if plots:
-        _draw(trajectory, folder)
+    old = [summary, *(folder / name for name in (*PICTURES, PROOF_PICTURE))]
+    write_all(dict(zip(tables, contents, strict=True)), first=lambda: _remove(old))
+    pictures = _draw(trajectory, folder) if plots else []
     document = json.dumps(summary_document(trajectory), indent=2, ensure_ascii=False)
     write_bytes(summary, text_bytes(document + "\n"))
-    return [*tables, *(pictures if plots else []), summary]
+    return [*tables, *pictures, summary]
 
 
 def _remove(files: list[Path]) -> None:
@@ -52,14 +53,20 @@ def _remove(files: list[Path]) -> None:
             file.unlink(missing_ok=True)
 
 
-def _draw(trajectory: Trajectory, folder: Path) -> None:
+def _draw(trajectory: Trajectory, folder: Path) -> list[Path]:
+    """Draw what there is to draw; the files, in order."""
     # Drawing is slow to import, and a run without pictures does not need it.
+    from viscodesign.report.effects_chart import draw_effects
     from viscodesign.report.pressures import draw_pressures
     from viscodesign.report.shapes import draw_shapes
     from viscodesign.report.tip import draw_tip
 
-    for name, draw in zip(PICTURES, (draw_tip, draw_pressures, draw_shapes), strict=True):
+    drawers = dict(zip(PICTURES, (draw_tip, draw_pressures, draw_shapes), strict=True))
+    if trajectory.proof:
+        drawers[PROOF_PICTURE] = draw_effects
+    for name, draw in drawers.items():
         draw(trajectory, folder / name)
+    return [folder / name for name in drawers]
 
 
 def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -107,10 +106,7 @@ def _draw_levels(axes: Axes, trajectory: Trajectory, limits: tuple[float, float]
     """Grid, the ambient, and the vacuum that no gauge pressure can pass."""
     axes.grid(color="#e6e6e6", lw=0.6)
     axes.set_axisbelow(True)
-    levels = {"ambient": 0.0}
-    ambient = ambient_pressure(trajectory.spec_text)
-    if ambient is not None:
-        levels["vacuum"] = -ambient / 1e3
+    levels = {"ambient": 0.0, "vacuum": -trajectory.ambient_pressure / 1e3}
     for name, level in levels.items():
         if limits[0] < level < limits[1]:
             axes.axhline(level, color=GREY, lw=0.9, ls=(0, (6, 2)), zorder=1)
@@ -120,12 +116,6 @@ def _draw_levels(axes: Axes, trajectory: Trajectory, limits: tuple[float, float]
                 bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
                 zorder=5,
             )  # fmt: skip
-
-
-def ambient_pressure(spec_text: str) -> float | None:
-    """The absolute ambient pressure [Pa] that a resolved spec states, if it does."""
-    stated = re.search(r"^ambient_pressure: ([-+.\deE]+)( Pa)?$", spec_text, re.MULTILINE)
-    return float(stated[1]) if stated else None
 
 
 def _draw_legend(made: Figure, axes: Axes) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from viscodesign.trajectory import Classification, Notice, Trajectory, Verdict
+from viscodesign.trajectory import Classification, Notice, Proof, Trajectory, Verdict
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -32,6 +32,11 @@ def plain(value: Any) -> Any:
 def verdict_documents(verdicts: Iterable[Verdict]) -> list[dict[str, Any]]:
     """Verdicts as objects."""
     return [plain(asdict(verdict)) for verdict in verdicts]
+
+
+def proof_documents(proofs: Iterable[Proof]) -> list[dict[str, Any]]:
+    """Proofs as objects: name, taken, estimated_m, measured_m, solve_s, note."""
+    return [plain(asdict(proof)) for proof in proofs]
 
 
 def notice_documents(notices: Iterable[Notice]) -> list[dict[str, Any]]:
@@ -66,7 +71,7 @@ def check_document(
 
 
 def summary_document(trajectory: Trajectory) -> dict[str, Any]:
-    """The run without its arrays."""
+    """The run without its arrays; ``proof`` is there where it was asked for."""
     document = {
         "name": trajectory.name,
         "version": trajectory.version,
@@ -79,6 +84,7 @@ def summary_document(trajectory: Trajectory) -> dict[str, Any]:
             if key not in ("name", "warnings")
         },
         "effects": verdict_documents(trajectory.effects),
+        **({"proof": proof_documents(trajectory.proof)} if trajectory.proof else {}),
         "accuracy": asdict(trajectory.accuracy),
         "cost": asdict(trajectory.cost),
         "invariants": asdict(trajectory.invariants),

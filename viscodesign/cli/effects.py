@@ -1,0 +1,128 @@
+"""`viscodesign effects`: the catalogue of effects, documented by the classes themselves."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from viscodesign.cli.options import Debug, Json, Output, Quiet
+
+if TYPE_CHECKING:
+    from viscodesign.effects.base import Effect
+
+EXAMPLE = """\b
+Examples:
+  viscodesign effects
+  viscodesign effects gas_compressibility
+  viscodesign effects --json"""
+
+
+def command(
+    name: Annotated[
+        str | None, typer.Argument(metavar="NAME", help="The effect to tell all about.")
+    ] = None,
+    output: Output = None,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Tell what effects there are, or all about one.
+
+    Of each: what it is, the weight that says when it matters, where it holds, its source
+    and its keys in a spec. With -o the same goes to DIR/effects.json.
+    """
+    from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.effects.select import catalogue
+
+    known = catalogue()
+    chosen = known if name is None else {name: _found(name, known)}
+    document = json_text({"effects": [_document(kind) for kind in chosen.values()]})
+    if output is not None:
+        write_text(output / "effects.json", document + "\n", overwrite=True)
+    if json:
+        say(document)
+    elif not quiet:
+        say("\n".join(_table(chosen) if name is None else _page(chosen[name])))
+
+
+def _found(name: str, known: Mapping[str, type[Effect]]) -> type[Effect]:
+    from viscodesign.errors import UsageError
+    from viscodesign.scene.base import did_you_mean
+
+    if name not in known:
+        hint = did_you_mean(name, known) or "."
+        raise UsageError(f"{name}: no such effect{hint} `viscodesign effects` names them all")
+    return known[name]
+
+
+def _document(kind: type[Effect]) -> dict[str, Any]:
+    """All that a class tells of itself."""
+    return {
+        "name": kind.name,
+        "summary": _paragraphs(kind)[0],
+        "documentation": "\n\n".join(_paragraphs(kind)),
+        "formula": kind.formula,
+        "validity": kind.validity,
+        "source": kind.source,
+        "keys": _keys(kind),
+        "needs": kind.needs,
+        "switchable": kind.switchable,
+        "decision": _decision(kind),
+    }
+
+
+def _paragraphs(kind: type[Effect]) -> list[str]:
+    """What the class says of itself; the first is one sentence."""
+    text = inspect.cleandoc(kind.__doc__ or kind.name)
+    return [" ".join(part.split()) for part in text.split("\n\n")]
+
+
+def _keys(kind: type[Effect]) -> list[str]:
+    return [*([f"effects.{kind.name}"] if kind.switchable else []), *kind.keys]
+
+
+def _decision(kind: type[Effect]) -> str:
+    """How a run comes to have the effect or not."""
+    from viscodesign.effects import select
+    from viscodesign.effects.base import Effect
+
+    if not kind.switchable:
+        return "It is carried wherever a spec states it; nothing switches it off."
+    parts = [f"`effects.{kind.name}: on` takes it, `off` leaves it out, `auto` weighs it."]
+    parts += inspect.cleandoc(select.__doc__ or "").split("\n\n")[1:]
+    if kind.sketch is Effect.sketch:
+        parts.append("No sketch shows it: its weight, in actuator lengths, stands for its move.")
+    if kind.indispensable is not Effect.indispensable:
+        parts.append("Where a scene has no sense without it, it is taken.")
+    if kind.needs is not None:
+        parts.append(f"Without {kind.needs} it is left out, for it acts on nothing.")
+    return " ".join(" ".join(parts).split())
+
+
+def _table(known: Mapping[str, type[Effect]]) -> list[str]:
+    from viscodesign.cli.text import table
+
+    rows: list[tuple[str, str]] = []
+    for name, kind in known.items():
+        rows += [(name, _paragraphs(kind)[0]), ("", f"weight = {kind.formula}")]
+    return [*table(rows, indent=""), "", "`viscodesign effects NAME` tells all about one."]
+
+
+def _page(kind: type[Effect]) -> list[str]:
+    from viscodesign.cli.text import table, wrap
+
+    facts = {
+        "weight": kind.formula,
+        "validity": kind.validity,
+        "source": kind.source,
+        "spec keys": ", ".join(_keys(kind)),
+        "decision": _decision(kind),
+    }
+    first, *others = _paragraphs(kind)
+    lines = wrap(f"{kind.name}: {first}", hanging="  ")
+    for paragraph in others:
+        lines += wrap(paragraph, "  ")
+    return [*lines, "", *table([(word, fact) for word, fact in facts.items() if fact])]
