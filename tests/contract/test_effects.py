@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import casadi as ca
@@ -11,28 +12,53 @@ import numpy as np
 import pytest
 
 from tests.scenes import LEG_LENGTH, leg
-from viscodesign import check, effects
+from viscodesign import Scene, check, effects, simulate
 from viscodesign.build import Settings, build
+from viscodesign.cli.main import main
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import catalogue, select_effects
-from viscodesign.model.formulation import RodForm
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium
+from viscodesign.trajectory import Verdict
 
 # Every effect of the catalogue has something to act on here.
 LOADED = (
     "loads.gravity.tilt=30 deg",
     "loads.tip_force.x=0.1 N",
     "loads.payload=5 g",
+    "network.tube_wall={youngs_modulus: 1 MPa, thickness: 0.3 mm}",
     "effects={others: on}",
 )
-EFFECTS = sorted(catalogue())
+CURVE = (
+    "bellows.curve={rows: [[-20 kPa, -5e-5, -0.1, -0.3 mm], [0, 0, 0, 0], "
+    "[30 kPa, 2e-4, 0.3, 2 mm], [60 kPa, 3e-4, 0.4, 3 mm]]}"
+)
+
+
+def every_effect() -> list[str]:
+    """Names of those that have to keep the contract."""
+    return sorted(catalogue())
+
+
+EFFECTS = every_effect()
+
+
+def scene_of(name: str, *overrides: str) -> Scene:
+    """A scene in which the effect has something to act on; a curve would hide collapse."""
+    return leg(*LOADED, *([CURVE] if name == "material_curve" else []), *overrides)
 
 
 def made(name: str) -> tuple[Effect, Conditions]:
-    conditions = Conditions(leg(*LOADED))
+    conditions = Conditions(scene_of(name))
     return catalogue()[name].of(conditions), conditions
+
+
+def joined(name: str, conditions: Conditions) -> list[Effect]:
+    """The effect with what it needs, and inertia, which gives every term something to push."""
+    names = {name, "inertia", catalogue()[name].needs}
+    return [kind.of(conditions) for other, kind in catalogue().items() if other in names]
 
 
 def problem_with(*chosen: Effect, edges: int = 1) -> Problem:
@@ -57,7 +83,24 @@ def test_weight_is_finite_and_explained(name: str) -> None:
     assert weight >= 0
     assert effect.formula
     assert effect.reason(conditions)
-    assert (type(effect).__doc__ or "").strip()
+    assert effect.validity
+    assert effect.keys
+    assert len((type(effect).__doc__ or "").splitlines()[0]) in range(10, 100)
+
+
+@pytest.mark.parametrize("name", EFFECTS)
+def test_a_sketch_shows_it_and_its_contribution_is_told(name: str) -> None:
+    effect, conditions = made(name)
+    changed = effect.sketch(conditions.bare_sketch)
+    told = {v.name: v for v in check(scene_of(name)).effects}[name]
+    if changed is None:
+        # Its weight, in actuator lengths, stands for what it may do.
+        guess = effect.weight(conditions) * LEG_LENGTH
+        assert told.contribution_m == pytest.approx(guess)
+    assert changed != conditions.bare_sketch
+    assert math.isfinite(told.contribution_m)
+    assert told.contribution_m > 0.0
+    assert told.budget_share == pytest.approx(told.contribution_m / (0.005 * LEG_LENGTH))
 
 
 @pytest.mark.parametrize("name", EFFECTS)
@@ -65,21 +108,16 @@ def test_verdict_obeys_the_spec(name: str) -> None:
     if not catalogue()[name].switchable:
         pytest.skip("stated loads are always carried")
     for mode, expected in (("on", True), ("off", False)):
-        verdicts = {v.name: v for v in check(leg(*LOADED, f"effects.{name}={mode}")).effects}
+        verdicts = {v.name: v for v in check(scene_of(name, f"effects.{name}={mode}")).effects}
         assert verdicts[name].taken is expected
         assert verdicts[name].mode == mode
 
 
 @pytest.mark.parametrize("name", [*EFFECTS, "all"])
 def test_jacobian_equals_differences(name: str) -> None:
-    """With the effect joined to the rod's inertia, which gives every term something to push."""
-    effect, conditions = made("inertia")
-    chosen = [effect]
-    if name == "all":
-        chosen, _ = select_effects(conditions)
-    elif name != "inertia":
-        chosen = [made(name)[0], effect]
-    problem = problem_with(*chosen)
+    conditions = Conditions(scene_of(name))
+    chosen = select_effects(conditions).effects if name == "all" else joined(name, conditions)
+    problem = build(conditions, chosen, Settings(1, 1e-6))
     equations = problem.equations
     x, z = equations.states.vector, equations.algebraics.vector
     unknowns = ca.vertcat(x, z)
@@ -108,10 +146,9 @@ def test_jacobian_equals_differences(name: str) -> None:
 @pytest.mark.parametrize("name", [n for n in EFFECTS if n not in ("gravity", "tip_load")])
 def test_no_force_at_rest_but_steady_load(name: str) -> None:
     """Without pressure and load a straight rod stays where it is."""
-    still = leg("input={kind: constant, value: 0}", "effects={others: on}", "loads=null")
+    still = scene_of(name, "input={kind: constant, value: 0}", "loads=null")
     conditions = Conditions(still)
-    chosen = [catalogue()[name].of(conditions), catalogue()["inertia"].of(conditions)]
-    problem = build(conditions, chosen if name != "inertia" else chosen[:1], Settings(1, 1e-6))
+    problem = build(conditions, joined(name, conditions), Settings(1, 1e-6))
     equations = problem.equations
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     ode, alg = equations.function.call(
@@ -188,7 +225,7 @@ def test_what_is_off_is_absent() -> None:
 
     def form(*modes: str) -> tuple[RodForm, int]:
         conditions = Conditions(leg(*LOADED[:3], f"effects={{{', '.join(modes)}, others: off}}"))
-        chosen, _ = select_effects(conditions)
+        chosen = select_effects(conditions).effects
         equations = build(conditions, chosen, Settings(1, 1e-4)).equations
         return equations.rod_form, equations.states.count + equations.algebraics.count
 
@@ -199,7 +236,7 @@ def test_what_is_off_is_absent() -> None:
     assert quasi_static[0] is RodForm.STATIC
     assert everything[1] > quasi_static[1] > uniform[1]
     bare = Conditions(leg("effects={others: off}"))
-    chosen, _ = select_effects(bare)
+    chosen = select_effects(bare).effects
     equations = build(bare, chosen, Settings(1, 1e-4)).equations
     assert equations.rod_form is RodForm.ARCS
     assert equations.states.count + equations.algebraics.count == 0
@@ -210,16 +247,19 @@ NEW_EFFECT = '''
 from viscodesign.effects.base import Effect
 
 class TipDrag(Effect):
-    """Drag."""
+    """Drag of the air around the tip."""
     name = "tip_drag"
     formula = "d l^2 / (E I t_s)"
+    needs = "inertia"
+    validity = "A tip in the air."
+    keys = ("ambient.density",)
 
     @classmethod
     def of(cls, conditions):
         return cls()
 
     def weight(self, conditions):
-        return 1.0
+        return 0.125
 
     def reason(self, conditions):
         return "for a test"
@@ -229,12 +269,67 @@ class TipDrag(Effect):
 '''
 
 
-def test_a_new_effect_is_one_new_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def tip_drag(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+    """A catalogue with one file more; its name."""
     (tmp_path / "tip_drag.py").write_text(NEW_EFFECT)
     monkeypatch.setattr(effects, "__path__", [*effects.__path__, str(tmp_path)])
     catalogue.cache_clear()
-    try:
-        assert "tip_drag" in {v.name for v in check(leg("effects.tip_drag=on")).effects}
-    finally:
-        catalogue.cache_clear()
-        sys.modules.pop("viscodesign.effects.tip_drag", None)
+    yield "tip_drag"
+    catalogue.cache_clear()
+    sys.modules.pop("viscodesign.effects.tip_drag", None)
+
+
+def test_a_new_effect_is_one_new_file(tip_drag: str) -> None:
+    """Verdicts tell of it, and the contract holds it to every promise."""
+    assert tip_drag in {v.name for v in check(leg("effects.tip_drag=on")).effects}
+    assert set(every_effect()) == {*EFFECTS, tip_drag}
+    for promise in (
+        test_weight_is_finite_and_explained,
+        test_a_sketch_shows_it_and_its_contribution_is_told,
+        test_verdict_obeys_the_spec,
+        test_jacobian_equals_differences,
+        test_no_force_at_rest_but_steady_load,
+    ):
+        promise(tip_drag)
+
+
+def test_a_new_effect_without_a_sketch_counts_by_its_weight(tip_drag: str) -> None:
+    def told(*overrides: str) -> Verdict:
+        return {v.name: v for v in check(leg("effects=auto", *overrides)).effects}[tip_drag]
+
+    found = told()
+    assert found.taken
+    assert found.weight == 0.125
+    assert found.contribution_m == pytest.approx(0.125 * LEG_LENGTH)
+    assert found.budget_share == pytest.approx(25.0)
+    without = told("effects.inertia=off")
+    assert not without.taken
+    assert "left out with inertia" in without.reason
+    run = simulate(
+        leg(
+            "bellows.count=4",
+            "effects={tip_drag: on, inertia: on, others: off}",
+            "run.duration=0.1 s",
+        ),
+        verify=False,
+    )
+    assert run.status == "complete", run.failure
+    assert {v.name for v in run.effects if v.taken} == {tip_drag, "inertia"}
+
+
+def test_a_new_effect_is_told_by_the_command_line(
+    tip_drag: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["effects"]) == 0
+    assert f"weight = {catalogue()[tip_drag].formula}" in capsys.readouterr().out
+    assert main(["effects", tip_drag]) == 0
+    page = " ".join(capsys.readouterr().out.split())
+    assert page.startswith("tip_drag: Drag of the air around the tip.")
+    assert "spec keys effects.tip_drag, ambient.density" in page
+    assert "No sketch shows it" in page
+    assert "Without inertia it is left out" in page
+
+
+def test_the_file_is_gone_afterwards() -> None:
+    assert every_effect() == EFFECTS

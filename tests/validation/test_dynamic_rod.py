@@ -33,7 +33,7 @@ REFERENCE_DENSITY = 0.269 / (0.03 * 0.02 * 0.47)
 
 def problem_of(edges_per_section: int, *overrides: str) -> Problem:
     conditions = Conditions(leg(*overrides))
-    effects, _ = select_effects(conditions)
+    effects = select_effects(conditions).effects
     return build(conditions, effects, Settings(edges_per_section, 1e-8))
 
 

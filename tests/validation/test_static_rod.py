@@ -90,7 +90,7 @@ def elastica(load: float) -> tuple[float, float]:
 def chain_tip(edges_per_section: int, *overrides: str) -> np.ndarray:
     """Tip (x, z)/L of the chain of a given number of edges at rest."""
     conditions = Conditions(leg(STILL, STATIC, SHORT, *overrides))
-    effects, _ = select_effects(conditions)
+    effects = select_effects(conditions).effects
     problem = build(conditions, effects, Settings(edges_per_section, 1e-6))
     start: Start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     position = problem.equations.algebraics.physical("position", start.algebraics)

@@ -63,6 +63,7 @@ def test_json(call: Call, tmp_path: Path) -> None:
     assert json.loads(call("init", path, "--json").out) == {
         "path": str(path),
         "template": "leg_16_straight_air",
+        "tables": [],
     }
     listed = json.loads(call("init", "--list", "--json").out)["templates"]
     assert all(item["name"] and item["summary"] for item in listed)
@@ -78,3 +79,14 @@ def test_a_place_that_cannot_be_written(call: Call, tmp_path: Path) -> None:
     outcome = call("init", tmp_path / "file" / "leg.yaml")
     assert outcome.status == 2
     assert "cannot write" in outcome.err
+
+
+def test_a_template_brings_the_tables_that_it_reads(call: Call, tmp_path: Path) -> None:
+    from viscodesign import load
+
+    outcome = call("init", tmp_path / "own.yaml", "--template", "measured_bellow")
+    assert outcome.status == 0
+    tables = [path.name for path in tmp_path.glob("*.csv")]
+    assert len(tables) == 1
+    assert tables[0] in outcome.out
+    assert load(tmp_path / "own.yaml").bellows.curve is not None

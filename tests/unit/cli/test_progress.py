@@ -48,3 +48,13 @@ def test_a_fall_back_is_the_next_pass() -> None:
     for fraction in (0.1, 0.9, 0.05, 0.5, 0.2):
         bar.advance(fraction)
     assert bar.passes == 3
+
+
+def test_later_passes_are_named(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("viscodesign.cli.progress.REDRAW_S", 0.0)
+    bar = Bar("proving")
+    for fraction in (0.9, 0.1):
+        bar.advance(fraction)
+    assert capsys.readouterr().err.endswith(" 10%  proving, pass 2")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.trajectories import PROOFS, made_run, proven_run
 from viscodesign.cli.simulate import folder_name
 from viscodesign.trajectory import Trajectory
 
@@ -101,6 +102,44 @@ def test_warnings_go_to_stderr_beside_json(
     quiet = call("simulate", leg, "-o", tmp_path / "run", "--no-plots", "--json", "-q")
     assert quiet.err == ""
     assert json.loads(quiet.out)["name"] == "leg"
+
+
+def test_the_proof_is_asked_for_and_told(
+    call: Call, tmp_path: Path, leg: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[object] = []
+
+    def solve(scene: object, *, prove: bool, **_: object) -> Trajectory:
+        asked.append(prove)
+        return proven_run() if prove else made_run()
+
+    monkeypatch.setattr("viscodesign.simulate", solve)
+    plain = call("simulate", leg, "-o", tmp_path, "--no-plots")
+    proven = call("simulate", leg, "-o", tmp_path, "--no-plots", "--prove")
+    assert asked == [False, True]
+    assert "proof:" not in plain.out
+    for words in ("proof: each effect switched", "MISSING", "--set effects.gravity=on"):
+        assert words in proven.out
+    assert len(json.loads((tmp_path / "summary.json").read_text())["proof"]) == len(PROOFS)
+
+
+def test_the_proof_is_in_the_document_and_its_alarm_beside_it(
+    call: Call, tmp_path: Path, leg: Path, solved: Callable[[Trajectory], None]
+) -> None:
+    solved(proven_run())
+    outcome = call("simulate", leg, "-o", tmp_path, "--no-plots", "--prove", "--json")
+    assert [p["name"] for p in json.loads(outcome.out)["proof"]] == [p.name for p in PROOFS]
+    assert outcome.err.count("WARNING: gravity was left out") == 1
+    quiet = call("simulate", leg, "-o", tmp_path, "--no-plots", "--prove", "-q")
+    assert (quiet.out, quiet.err) == ("", "")
+
+
+def test_a_real_proof(call: Call, tmp_path: Path) -> None:
+    spec = CONFIGS / "leg_4_air.yaml"
+    outcome = call("simulate", spec, "-o", tmp_path, "--set", "run.duration=0.1 s", "--prove")
+    assert outcome.status == 0
+    assert "pressure_distribution  taken" in outcome.out
+    assert (tmp_path / "effects.png").exists()
 
 
 def test_a_foreign_folder_is_refused_before_the_work(

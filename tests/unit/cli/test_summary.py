@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from tests.trajectories import VERDICTS
 from viscodesign.cli.describe import (
     full_notice_lines,
     notice_lines,
     scale_lines,
+    share,
     verdict_lines,
 )
 from viscodesign.cli.summary import summary_lines
@@ -70,17 +73,47 @@ def test_a_constant_input_has_no_swing(classification: Classification) -> None:
     assert "t_s/t_i    0  " in text
 
 
-@pytest.mark.parametrize("columns", [None, "60", "100"])
-def test_verdicts_name_effect_mode_weight_and_reason(
-    trajectory: Trajectory, monkeypatch: pytest.MonkeyPatch, columns: str | None
+@pytest.mark.parametrize("columns", [None, "60", "80", "100"])
+def test_verdicts_are_a_table_and_then_reasons(
+    monkeypatch: pytest.MonkeyPatch, columns: str | None
 ) -> None:
     if columns is not None:
         monkeypatch.setenv("COLUMNS", columns)
         monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
-    text = "\n".join(verdict_lines(trajectory.effects))
+    text = "\n".join(verdict_lines(VERDICTS))
     words = " ".join(text.split())
-    assert "inertia auto left out 0.0019 (t_s/t_i)^2" in words
-    assert "left out: weight small" in words
-    assert "feedback on taken 0.3" in words
+    assert "effect verdict mode tip [mm] of budget weight" in words
+    assert "pressure_distribution taken auto 114 > 1000 % 0.5" in words
+    assert "flow_regime taken auto infinite needed 0.5" in words
+    assert "gravity left out off 0.2 36.7 % 0.5" in words
+    assert "fluid_inertance left out auto < 1e-06 < 0.001 % 0.5" in words
+    assert "tip_load left out on 0 0 % 0.5" in words
+    assert "gravity weight = a / b left out: made up" in words
     if columns is not None:
         assert all(len(line) <= int(columns) for line in text.splitlines())
+
+
+def test_an_effect_is_one_line_of_the_table_and_taken_ones_come_first() -> None:
+    lines = verdict_lines(VERDICTS)
+    names = [line.split()[0] for line in lines[2 : 2 + len(VERDICTS)]]
+    assert names == [
+        "pressure_distribution", "gas_compressibility", "flow_regime", "inertia", "damping",
+        "fluid_mass", "fluid_inertance", "gravity", "feedback", "tip_load", "material_curve",
+    ]  # fmt: skip
+    assert [line.split()[0] for line in lines if " weight = " in line] == names
+
+
+@pytest.mark.parametrize(
+    ("part", "shown"),
+    [
+        (0.0, "0 %"),
+        (1e-6, "< 0.001 %"),
+        (0.1873, "18.7 %"),
+        (9.996, "1000 %"),
+        (10.1, "> 1000 %"),
+        (math.inf, "needed"),
+        (math.nan, "unknown"),
+    ],
+)
+def test_a_share_says_no_more_than_it_means(part: float, shown: str) -> None:
+    assert share(part) == shown

@@ -25,6 +25,17 @@ def test_a_terminal_is_never_overrun(monkeypatch: pytest.MonkeyPatch, columns: i
     assert all(len(line) <= room for line in lines)
 
 
+def test_a_terminal_narrower_than_the_columns_gets_wrapped_rows(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("COLUMNS", "40")
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    for head in ("x" * 30, "x" * 45):
+        lines = text.table([(head[:20], head[20:], "last", "a few words")])
+        assert all(len(line) <= 40 for line in lines)
+        assert " ".join(" ".join(lines).split()) == f"{head[:20]} {head[20:]} last a few words"
+
+
 def test_columns_are_aligned_and_lines_end_bare() -> None:
     assert text.table([("a", "long", "z"), ("abc", "b", "")]) == ["  a    long  z", "  abc  b"]
 

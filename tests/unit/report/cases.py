@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tests.unit.report.conftest import made_run
+from tests.trajectories import made_run
 from viscodesign.trajectory import Trajectory
 
 
@@ -24,7 +24,8 @@ CASES: dict[str, Callable[[], Trajectory]] = {
     "leg": made_run,
     "one_time": lambda: made_run(time=np.zeros(1), inlet=lambda t: 0 * t + 2e4),
     "two_times": lambda: made_run(time=np.array([0.0, 0.5])),
-    "two_bellows": lambda: made_run(bellows=2, lag=0.5, spec_text="name: x"),
+    "two_bellows": lambda: made_run(bellows=2, lag=0.5),
+    "thin_air": lambda: made_run(bellows=2, ambient_pressure=6e4),
     "many_bellows": lambda: made_run(bellows=128, lag=0.001),
     "all_equal": lambda: made_run(inlet=lambda t: 0 * t + 3e4),
     "all_zero": lambda: made_run(inlet=lambda t: 0 * t),

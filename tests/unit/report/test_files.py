@@ -16,11 +16,19 @@ from typing import IO, Any
 import numpy as np
 import pytest
 
+from tests.trajectories import proven_run
 from tests.unit.report.conftest import Made
 from viscodesign.errors import UsageError
 from viscodesign.report import files
 from viscodesign.report.atomic import write_bytes
-from viscodesign.report.files import OURS, PICTURES, TABLES, csv_text, prepare_folder, write_run
+from viscodesign.report.files import (
+    PICTURES,
+    PROOF_PICTURE,
+    TABLES,
+    csv_text,
+    prepare_folder,
+    write_run,
+)
 from viscodesign.trajectory import Trajectory
 
 
@@ -60,9 +68,10 @@ def fill_disk(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
 def sketched(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pictures that cost no time."""
 
-    def sketch(_: Trajectory, folder: Path) -> None:
+    def sketch(_: Trajectory, folder: Path) -> list[Path]:
         for name in PICTURES:
             write_bytes(folder / name, b"a picture")
+        return [folder / name for name in PICTURES]
 
     monkeypatch.setattr(files, "_draw", sketch)
 
@@ -70,7 +79,7 @@ def sketched(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_all_files_are_written_and_returned_in_order(run: Trajectory, tmp_path: Path) -> None:
     written = write_run(run, tmp_path / "deep" / "run")
     assert [file.name for file in written] == [*TABLES, *PICTURES, "summary.json"]
-    assert names(tmp_path / "deep" / "run") == OURS
+    assert names(tmp_path / "deep" / "run") == {*TABLES, *PICTURES, "summary.json"}
     assert (written[2]).read_text() == run.spec_text
     assert json.loads(written[-1].read_text())["name"] == run.name
 
@@ -130,6 +139,25 @@ def test_old_pictures_go_when_none_are_drawn(run: Trajectory, tmp_path: Path) ->
     assert names(tmp_path) == {*TABLES, "summary.json", "notes.txt"}
 
 
+def test_effects_are_drawn_only_where_they_were_measured(run: Trajectory, tmp_path: Path) -> None:
+    written = write_run(proven_run(), tmp_path)
+    assert [file.name for file in written] == [*TABLES, *PICTURES, PROOF_PICTURE, "summary.json"]
+    assert (tmp_path / PROOF_PICTURE).read_bytes().startswith(b"\x89PNG")
+    assert PROOF_PICTURE not in {file.name for file in write_run(run, tmp_path)}
+    assert names(tmp_path) == {*TABLES, *PICTURES, "summary.json"}
+
+
+def test_an_old_picture_of_effects_goes_when_none_are_drawn(tmp_path: Path) -> None:
+    write_run(proven_run(), tmp_path)
+    write_run(proven_run(), tmp_path, plots=False)
+    assert names(tmp_path) == {*TABLES, "summary.json"}
+
+
+def test_a_picture_of_effects_alone_is_no_stranger(tmp_path: Path) -> None:
+    (tmp_path / PROOF_PICTURE).write_bytes(b"a picture")
+    assert prepare_folder(tmp_path) == tmp_path
+
+
 def test_a_folder_of_other_things_is_not_written_into(run: Trajectory, tmp_path: Path) -> None:
     for name in ("a.txt", "b", "c.csv", "d"):
         (tmp_path / name).write_text("mine")
@@ -177,7 +205,7 @@ def test_half_a_surrogate_pair_in_a_name_is_no_obstacle(made: Made, tmp_path: Pa
 def test_writing_needs_neither_data_frames_nor_a_window(run: Trajectory, tmp_path: Path) -> None:
     code = (
         "import sys; from pathlib import Path\n"
-        "from tests.unit.report.conftest import made_run\n"
+        "from tests.trajectories import made_run\n"
         "from viscodesign.report.files import write_run\n"
         f"write_run(made_run(), {str(tmp_path)!r})\n"
         "print({'pandas', 'matplotlib.pyplot', 'scipy'} & set(sys.modules))"

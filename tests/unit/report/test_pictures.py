@@ -118,12 +118,13 @@ def test_the_pressures_picture_names_columns_inlet_and_levels(drawn: Drawn) -> N
     assert len(curves.get_segments()) == 8
 
 
-def test_vacuum_is_left_out_where_it_is_far_or_not_known(
-    drawn: Drawn,
-) -> None:
+def test_vacuum_is_as_far_below_the_ambient_as_the_ambient_pressure(drawn: Drawn) -> None:
     assert not has(drawn("far_above", "pressures"), "vacuum")
-    assert has(drawn("leg", "pressures"), "vacuum")
-    assert not has(drawn("two_bellows", "pressures"), "vacuum")
+    for case, level in (("leg", -101.325), ("thin_air", -60.0)):
+        axes = drawn(case, "pressures").axes[0]
+        label = next(text for text in axes.texts if text.get_text() == "vacuum")
+        assert label.xy[1] == pytest.approx(level)  # type: ignore[attr-defined]
+        assert any(line.get_ydata()[0] == pytest.approx(level) for line in axes.lines)
 
 
 def test_several_inlets_are_told_apart(drawn: Drawn) -> None:

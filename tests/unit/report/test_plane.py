@@ -12,7 +12,7 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
-from tests.unit.report.conftest import CLASSIFICATION
+from tests.trajectories import CLASSIFICATION
 from viscodesign.errors import UsageError
 from viscodesign.report.labels import place_labels, text_box
 from viscodesign.report.plane import draw_plane, power_of_ten

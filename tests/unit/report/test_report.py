@@ -18,12 +18,13 @@ from tests.scenes import CONFIGS, leg
 from viscodesign import Trajectory, classify, load, simulate
 from viscodesign.errors import UsageError
 from viscodesign.report import atomic
-from viscodesign.report.files import OURS, write_run
+from viscodesign.report.files import PICTURES, SUMMARY, TABLES, write_run
 from viscodesign.report.instants import normals, outline, spread_instants
 from viscodesign.report.plane import draw_plane
 from viscodesign.trajectory import Notice
 
 PNG = b"\x89PNG"
+ALL = {*TABLES, *PICTURES, SUMMARY}
 
 
 @cache
@@ -34,7 +35,7 @@ def trajectory(*overrides: str) -> Trajectory:
 def test_a_run_has_its_files_and_columns(tmp_path: Path) -> None:
     found = trajectory()
     written = write_run(found, tmp_path / "run")
-    assert {p.name for p in written} == OURS == {p.name for p in (tmp_path / "run").iterdir()}
+    assert {p.name for p in written} == ALL == {p.name for p in (tmp_path / "run").iterdir()}
     table = pd.read_csv(tmp_path / "run" / "trajectory.csv")
     pressures = [f"pressure_{side}{j}_pa" for side in "RL" for j in range(1, 9)]
     assert list(table.columns[:21]) == [
@@ -51,7 +52,10 @@ def test_a_run_has_its_files_and_columns(tmp_path: Path) -> None:
     assert set(summary["ratios"]) == {"ts_over_tf", "ts_over_ti", "tnet_over_ti"}
     assert {"requested_m", "estimated_tip_error_m", "method"} <= set(summary["accuracy"])
     assert {"build_s", "solve_s", "verify_s", "steps", "residual_calls"} <= set(summary["cost"])
-    assert {"name", "mode", "taken", "weight", "formula", "reason"} == set(summary["effects"][0])
+    assert set(summary["effects"][0]) == {
+        "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present"
+    }  # fmt: skip
+    assert "proof" not in summary
     assert summary["spec_sha256"]
 
 
@@ -156,12 +160,12 @@ def test_few_and_many_bellows_are_drawn(tmp_path: Path, bellows: int) -> None:
         "run={duration: 1 s}",
         "actuator.length=0.3 m",
     )
-    assert len(write_run(found, tmp_path)) == len(OURS)
+    assert len(write_run(found, tmp_path)) == len(ALL)
 
 
 def test_a_still_actuator_is_drawn(tmp_path: Path) -> None:
     found = trajectory("input={kind: constant, value: 0}", "run={duration: 1 s}")
-    assert len(write_run(found, tmp_path)) == len(OURS)
+    assert len(write_run(found, tmp_path)) == len(ALL)
 
 
 def test_instants_are_few_where_little_moves_and_spread_where_much_does() -> None:

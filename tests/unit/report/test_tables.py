@@ -8,7 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from tests.unit.report.conftest import CLASSIFICATION, Made
+from tests.trajectories import CLASSIFICATION, PROOFS, proven_run
+from tests.unit.report.conftest import Made
 from viscodesign.report.tables import (
     check_document,
     classification_document,
@@ -62,9 +63,26 @@ def test_a_summary_has_its_sections_and_no_number_that_json_lacks(run: Trajector
         "name", "version", "spec_sha256", "status", "scales", "ratios", "quadrant", "effects",
         "accuracy", "cost", "invariants", "warnings",
     }  # fmt: skip
-    assert set(document["effects"][0]) == {"name", "mode", "taken", "weight", "formula", "reason"}
+    assert set(document["effects"][0]) == {
+        "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present"
+    }  # fmt: skip
     assert document["effects"][0]["taken"] is False
     assert set(document["warnings"][0]) == {"code", "message", "where", "time_s"}
+
+
+def test_a_proof_is_told_only_where_there_is_one(run: Trajectory) -> None:
+    assert "proof" not in summary_document(run)
+    proof = summary_document(proven_run())["proof"]
+    assert [p["name"] for p in proof] == [p.name for p in PROOFS]
+    assert proof[0] == {
+        "name": "fluid_mass", "taken": False, "estimated_m": 4.3e-6, "measured_m": 3.9e-6,
+        "solve_s": 1.1, "note": "",
+    }  # fmt: skip
+    told = {p["name"]: p for p in proof}
+    assert told["flow_regime"]["estimated_m"] is None
+    assert told["gas_compressibility"]["measured_m"] is None
+    assert told["gas_compressibility"]["note"] == "bellows empty at t = 0.7 s"
+    assert json.dumps(proof, allow_nan=False)
 
 
 def test_a_check_and_a_classification_use_the_same_names() -> None:

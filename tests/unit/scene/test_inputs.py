@@ -20,6 +20,7 @@ SPECS = {
     "trapezoid": "{kind: trapezoid, high: 2 kPa, low: -1 kPa, rise: 0.5 s, hold: 1 s, fall: 0.25 s, rest: 0.25 s}",
     "double_sigmoid": "{kind: double_sigmoid, start: 40.41 kPa, drop: 141.3 kPa, fall_time: 0.5 s, rise_time: 4 s, transition: 0.875 s}",
     "table": "{kind: table, rows: [[0.5, 1 kPa], [1, 2 kPa], [1, 0], [2, -1 kPa]]}",
+    "syringe": "{kind: syringe, diameter: 20 mm, start: 40 mm, dead_volume: 1 mL, rows: [[0.5, 1 mm], [1, 3 mm], [2, -1 mm]]}",
 }  # fmt: skip
 
 
@@ -40,7 +41,7 @@ def test_expression_and_pressure_agree_inside_every_interval(kind: str) -> None:
     assert pieces.shape == (len(edges) - 1, source.coefficients)
     for k, piece in enumerate(pieces):
         times = edges[k] + (edges[k + 1] - edges[k]) * np.array([0.01, 0.3, 0.5, 0.99])
-        direct = source.pressure(times)
+        direct = source.values(times)
         by_piece = [source.expression(t, piece, np) for t in times]
         assert by_piece == pytest.approx(direct, rel=1e-9, abs=1e-6)
 
@@ -53,14 +54,14 @@ def test_corners_lie_inside_and_ascend(kind: str) -> None:
 
 
 def test_values() -> None:
-    assert made("square").pressure(np.array([0, 0.2, 0.25, 0.9, 1.0])) == pytest.approx(
+    assert made("square").values(np.array([0, 0.2, 0.25, 0.9, 1.0])) == pytest.approx(
         [2e3, 2e3, -1e3, -1e3, 2e3]
     )
-    trapezoid = made("trapezoid").pressure(np.array([0, 0.25, 0.5, 1.4, 1.625, 1.75, 2.0, 2.25]))
+    trapezoid = made("trapezoid").values(np.array([0, 0.25, 0.5, 1.4, 1.625, 1.75, 2.0, 2.25]))
     assert trapezoid == pytest.approx([-1e3, 500, 2e3, 2e3, 500, -1e3, -1e3, 500])
-    table = made("table").pressure(np.array([0, 0.5, 0.75, 1.0, 1.5, 2, 9]))
+    table = made("table").values(np.array([0, 0.5, 0.75, 1.0, 1.5, 2, 9]))
     assert table == pytest.approx([1e3, 1e3, 1.5e3, 0, -500, -1e3, -1e3])
-    assert made("sine").pressure(np.array([0.0, 1.0])) == pytest.approx([4e3, -2e3])
+    assert made("sine").values(np.array([0.0, 1.0])) == pytest.approx([4e3, -2e3])
 
 
 @pytest.mark.parametrize(
@@ -80,7 +81,7 @@ def test_transient_time_is_the_shortest_swing(kind: str, expected: float) -> Non
 
 
 def test_paper_pulse_at_its_start() -> None:
-    assert made("double_sigmoid").pressure(np.zeros(1))[0] == pytest.approx(40261.52, abs=0.01)
+    assert made("double_sigmoid").values(np.zeros(1))[0] == pytest.approx(40261.52, abs=0.01)
 
 
 def test_small_wiggles_do_not_count_as_swings() -> None:
@@ -125,7 +126,7 @@ def test_a_stated_transient_time_wins() -> None:
 def test_a_step_starts_from_the_baseline() -> None:
     at_once = leg("input={kind: step, value: 3 kPa}").inputs["inlet"]
     assert at_once.expression(0.0, at_once.initial_piece(), np) == 0.0
-    assert at_once.pressure(np.zeros(1))[0] == 3e3
+    assert at_once.values(np.zeros(1))[0] == 3e3
 
 
 @pytest.mark.parametrize(

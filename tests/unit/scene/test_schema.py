@@ -33,7 +33,7 @@ def test_bundled_specs_are_valid(config: str, validator: jsonschema.Draft202012V
         {"name": 3},
         {"network": {**SPEC["network"], "layout": "strait"}},
         {"input": {"kind": "wobble"}},
-        {"effects": {"collapse": "on"}},
+        {"effects": {"collapse": "sometimes"}},
         {"effects": {"nonsense": "on"}},
     ],
 )

@@ -1,0 +1,372 @@
+"""Which effects a scene calls for: what may be left out, what stays, and what is told of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from itertools import pairwise
+from typing import ClassVar
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.scenes import LEG_LENGTH, leg
+from viscodesign import check
+from viscodesign.checking import Check
+from viscodesign.effects import select
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.gravity import Gravity
+from viscodesign.effects.select import SHARE_OF_ACCURACY, Selection, catalogue, select_effects
+from viscodesign.sketch.sketch import Sketch
+from viscodesign.trajectory import Verdict
+
+AUTO = "effects=auto"
+SLOW = ("input={kind: sine, amplitude: 3 kPa, frequency: 0.001 Hz}", "fluid=water",
+        "run={duration: 2000 s, output_interval: 10 s}")  # fmt: skip
+SMALL = ("bellows.count=4", "input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}")
+STILL = "input={kind: constant, value: 0}"
+SCENES = {
+    "the paper's leg": (),
+    "water, on its side": ("bellows.count=4", "fluid=water", "loads.gravity={tilt: 60 deg}", "network.tube_radius=1 mm"),
+    "payload": ("bellows.count=4", "loads.payload=20 g", "loads.gravity=on"),
+    "small swing": ("bellows.count=4", "input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}",),
+    "soft tubes": ("bellows.count=4", "input={kind: sine, amplitude: 30 kPa, frequency: 0.1 Hz}",
+                   "network.tube_wall={youngs_modulus: 1 MPa, thickness: 0.3 mm}"),
+    "let go": ("bellows.count=4", "input={kind: step, value: 500 Pa}", "loads.gravity={tilt: 90 deg}", "run.start=rest"),
+}  # fmt: skip
+ACCURACIES = (0.2, 0.02, 0.005, 1e-4, 1e-7)
+
+
+def selection(*overrides: str) -> Selection:
+    return select_effects(Conditions(leg(*overrides)))
+
+
+def verdicts(*overrides: str) -> dict[str, Verdict]:
+    return {v.name: v for v in check(leg(*overrides)).effects}
+
+
+def taken(*overrides: str) -> set[str]:
+    return {name for name, verdict in verdicts(*overrides).items() if verdict.taken}
+
+
+def sketched(conditions: Conditions, names: Iterable[str]) -> Sketch:
+    """The sketch with these effects, in the order of the catalogue."""
+    sketch, own = conditions.bare_sketch, set(names)
+    for name, kind in catalogue().items():
+        if name in own:
+            sketch = kind.of(conditions).sketch(sketch) or sketch
+    return sketch
+
+
+# -- what may be left out ---------------------------------------------------
+
+
+@cache
+def ladder(scene: str) -> tuple[tuple[Conditions, Selection], ...]:
+    """Selections at ever smaller accuracies."""
+    several = [
+        Conditions(leg(*SCENES[scene], AUTO, f"accuracy={accuracy}")) for accuracy in ACCURACIES
+    ]
+    return tuple((conditions, select_effects(conditions)) for conditions in several)
+
+
+def together(conditions: Conditions, found: Selection) -> float:
+    """How far the tip moves by all omissions, over what they may spend."""
+    everything = sketched(conditions, found.present)
+    apart = sketched(conditions, (e.name for e in found.effects)).distance(everything)
+    return apart / (SHARE_OF_ACCURACY * conditions.accuracy * LEG_LENGTH)
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_omissions_fit_into_their_share_together(scene: str) -> None:
+    for conditions, found in ladder(scene):
+        assert together(conditions, found) <= 1.0
+        names = {e.name for e in found.effects}
+        for verdict in found.verdicts:
+            needed = catalogue()[verdict.name].needs
+            if verdict.name in found.present - names and (needed is None or needed in names):
+                assert verdict.budget_share <= SHARE_OF_ACCURACY
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_a_smaller_accuracy_never_leaves_out_more(scene: str) -> None:
+    """Counted: what one effect does depends on the others, so one may give way to two."""
+    counts = [len(found.effects) for _, found in ladder(scene)]
+    assert counts == sorted(counts)
+    assert counts[0] < counts[-1]
+
+
+@pytest.mark.parametrize("scene", [s for s in SCENES if s != "small swing"])
+def test_a_smaller_accuracy_mostly_keeps_what_a_larger_one_took(scene: str) -> None:
+    names = [{e.name for e in found.effects} for _, found in ladder(scene)]
+    assert all(coarse <= fine for coarse, fine in pairwise(names))
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_the_finest_accuracy_leaves_out_only_what_does_nothing(scene: str) -> None:
+    _, found = ladder(scene)[-1]
+    assert found.present - {e.name for e in found.effects} <= {"collapse"}
+
+
+@given(
+    amplitude=st.floats(200.0, 3e4),
+    frequency=st.floats(0.02, 20.0),
+    tilt=st.floats(0.0, 90.0),
+    accuracy=st.sampled_from(ACCURACIES),
+)
+@settings(max_examples=5, deadline=None)
+def test_omissions_fit_whatever_the_scene(
+    amplitude: float, frequency: float, tilt: float, accuracy: float
+) -> None:
+    wave = f"input={{kind: sine, amplitude: {amplitude}, frequency: {frequency}}}"
+    run = f"run.duration={2 / frequency}"
+    interval = f"run.output_interval={0.05 / frequency}"
+    conditions = Conditions(
+        leg("bellows.count=4", wave, run, interval, f"loads.gravity.tilt={tilt} deg", AUTO,
+            f"accuracy={accuracy}")
+    )  # fmt: skip
+    assert together(conditions, select_effects(conditions)) <= 1.0
+
+
+class Push(Gravity):
+    """A force that it takes two to leave out: either of them alone is enough."""
+
+    name: ClassVar[str] = "push"
+
+    def present(self, conditions: Conditions) -> bool:
+        return True
+
+    def sketch(self, sketch: Sketch) -> Sketch:
+        return sketch.with_(tip_force=(1.0, 0.0))
+
+
+class Shove(Push):
+    """The other one."""
+
+    name: ClassVar[str] = "shove"
+
+
+def test_omissions_may_add_up_to_more_than_each_does_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    known = {**select.catalogue(), "push": Push, "shove": Shove}
+    monkeypatch.setattr(select, "catalogue", lambda: known)
+    found = {e.name for e in selection(AUTO, STILL).effects}
+    assert len(found & {"push", "shove"}) == 1
+
+
+# -- what costs nothing -----------------------------------------------------
+
+
+def test_weight_along_a_straight_leg_is_left_out() -> None:
+    hanging = verdicts(AUTO, STILL, "loads.gravity=on")["gravity"]
+    assert not hanging.taken
+    assert hanging.budget_share < 0.1  # the weight draws it a little longer
+    across = verdicts(AUTO, STILL, "loads.gravity.tilt=90 deg")["gravity"]
+    assert across.taken
+    assert across.contribution_m > 30 * hanging.contribution_m
+
+
+def test_nothing_is_fed_back_where_nothing_loads_the_rod() -> None:
+    assert not verdicts(AUTO, *SLOW)["feedback"].taken
+    assert verdicts(AUTO, *SLOW)["feedback"].contribution_m == 0.0
+    loaded = verdicts(AUTO, *SLOW, "loads.tip_force.x=2 N")["feedback"]
+    assert loaded.contribution_m > 0.0
+
+
+def test_a_slow_input_needs_no_inertia() -> None:
+    found = verdicts(AUTO, *SLOW)
+    for name in ("inertia", "rotary_inertia", "damping", "fluid_inertance"):
+        assert not found[name].taken
+        assert found[name].budget_share < 1e-2
+    assert found["pressure_distribution"].taken
+
+
+def test_a_pressure_that_never_moves_calls_for_nothing() -> None:
+    assert taken(AUTO, STILL) == set()
+
+
+def test_a_collapse_that_no_pressure_reaches_does_nothing() -> None:
+    """Up to the iteration by which a sketch finds its means over the motion."""
+    assert verdicts(AUTO, *SMALL)["collapse"].budget_share <= 1e-3
+
+
+# -- what belongs together --------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("needed", "dependants"),
+    [
+        ("pressure_distribution", ["tube_compliance", "flow_regime", "fluid_inertance"]),
+        ("inertia", ["rotary_inertia"]),
+    ],
+)
+def test_dependants_go_with_what_they_need(needed: str, dependants: list[str]) -> None:
+    assert {n for n, kind in catalogue().items() if kind.needs == needed} == set(dependants)
+    # So fine that nothing else would be left out.
+    everything = (AUTO, "accuracy=1e-6")
+    assert set(dependants) <= taken(*everything)
+    without = verdicts(*everything, f"effects={{{needed}: off}}")
+    for name in dependants:
+        assert not without[name].taken
+        assert f"left out with {needed}, without which it acts on nothing" in without[name].reason
+
+
+@pytest.mark.parametrize("name", [n for n, kind in catalogue().items() if kind.needs])
+def test_a_dependant_that_is_wanted_keeps_what_it_needs(name: str) -> None:
+    needed = catalogue()[name].needs
+    assert needed is not None
+    still = (
+        STILL,
+        "loads.gravity=off",
+        "network.tube_wall={youngs_modulus: 1 MPa, thickness: 1 mm}",
+    )
+    assert needed not in taken(AUTO, *still)
+    found = verdicts(*still, f"effects={{{name}: on}}")
+    assert found[name].taken
+    assert found[needed].taken
+    assert found[needed].mode == "auto"
+
+
+def test_off_of_what_is_needed_wins_over_on_of_a_dependant() -> None:
+    found = verdicts("effects={rotary_inertia: on, inertia: off}")
+    assert not found["rotary_inertia"].taken
+    assert found["rotary_inertia"].mode == "on"
+    assert "without which it acts on nothing" in found["rotary_inertia"].reason
+
+
+def test_inertance_stays_beside_losses_of_fast_flow() -> None:
+    """It spares the solver unknown flows, so it is kept though it hardly moves the tip."""
+    found = verdicts(AUTO, "bellows.count=4")
+    assert found["flow_regime"].taken
+    assert found["fluid_inertance"].taken
+    assert found["fluid_inertance"].budget_share < SHARE_OF_ACCURACY
+    assert "costs nothing beside flow_regime" in found["fluid_inertance"].reason
+    alone = verdicts("bellows.count=4", "effects={flow_regime: off}")["fluid_inertance"]
+    assert not alone.taken
+
+
+def test_inertia_brings_damping_unless_it_is_forbidden() -> None:
+    def names(*overrides: str) -> tuple[set[str], set[str]]:
+        found = selection(*SLOW, *overrides)
+        return {e.name for e in found.effects}, {e.name for e in found.switched("inertia")}
+
+    before, after = names(AUTO)
+    assert not before & {"inertia", "damping"}
+    assert after == before | {"inertia", "damping"}
+    before, after = names("effects={damping: off}")
+    assert after == before | {"inertia"}
+    before, after = names(AUTO, "actuator.damping_time=0")
+    assert after == before | {"inertia"}
+
+
+def test_switching_takes_dependants_along_and_brings_what_is_needed() -> None:
+    found = selection("effects={others: on}")
+    gone = {e.name for e in found.effects} - {e.name for e in found.switched("inertia")}
+    assert gone == {"inertia", "rotary_inertia"}
+    still = selection(AUTO, STILL)
+    assert [e.name for e in still.effects] == []
+    brought = [e.name for e in still.switched("flow_regime")]
+    assert brought == ["pressure_distribution", "flow_regime"]
+
+
+def test_effects_join_in_the_order_of_the_catalogue() -> None:
+    order = list(catalogue())
+    names = [e.name for e in selection("effects={others: on}").effects]
+    assert names == sorted(names, key=order.index)
+    assert len(names) > 8
+
+
+# -- what has to stay -------------------------------------------------------
+
+
+def test_loads_that_meet_a_straight_rod_need_inertia() -> None:
+    found = verdicts(AUTO, STILL, "run.start=rest", "loads.tip_force.x=1e-9", "accuracy=20 %")
+    assert found["inertia"].taken
+    assert found["inertia"].budget_share < SHARE_OF_ACCURACY
+    assert "no sense without it" in found["inertia"].reason
+    assert found["tip_load"].taken
+
+
+def test_two_inlets_of_one_network_need_its_flow() -> None:
+    tubes = ", ".join(f"{{from: {a}, to: {b}, length: 4 cm, radius: 1 mm}}"
+                      for a, b in (("a", "R1"), ("R1", "L1"), ("L1", "b")))  # fmt: skip
+    found = verdicts(
+        AUTO, "bellows.count=2", "input=null", "accuracy=20 %",
+        "inputs={a: {kind: constant, value: 1}, b: {kind: constant, value: 2}}",
+        f"network={{layout: custom, tubes: [{tubes}]}}",
+    )["pressure_distribution"]  # fmt: skip
+    assert found.taken
+    assert "no sense without it" in found.reason
+
+
+# -- what is told -----------------------------------------------------------
+
+
+@pytest.mark.parametrize("modes", ["auto", "on", "off"])
+def test_a_verdict_for_every_member(modes: str) -> None:
+    found = check(leg(*SCENES["soft tubes"], f"effects={modes}")).effects
+    assert [v.name for v in found] == list(catalogue())
+    for verdict in found:
+        assert verdict.reason
+        assert verdict.contribution_m >= 0.0
+        assert verdict.budget_share == pytest.approx(verdict.contribution_m / (0.005 * LEG_LENGTH))
+        if catalogue()[verdict.name].switchable:
+            assert verdict.mode == modes
+            assert modes != "off" or not verdict.taken
+
+
+def needed_off(found: Check) -> dict[str, str]:
+    return {w.where: w.message for w in found.warnings if w.code == "needed_effect_off"}
+
+
+def test_what_is_off_although_needed_is_warned_of_in_millimetres() -> None:
+    off = check(leg("effects={collapse: off, gas_compressibility: off}"))
+    told = {v.name: v for v in off.effects}
+    warned = needed_off(off)
+    assert set(warned) == {"effects.collapse", "effects.gas_compressibility"}
+    for name in ("collapse", "gas_compressibility"):
+        message = warned[f"effects.{name}"]
+        assert told[name].budget_share > 1.0
+        assert f"effects.{name} is off" in message
+        assert f"about {1e3 * told[name].contribution_m:.2g} mm" in message
+        assert f"{told[name].budget_share:.2g} times the accuracy asked for" in message
+
+
+def test_what_is_off_and_not_needed_is_not_warned_of() -> None:
+    assert needed_off(check(leg("effects={feedback: off, fluid_mass: off}"))) == {}
+    assert needed_off(check(leg(AUTO))) == {}
+    # Twice the accuracy is a reason, a hundredth of it is none.
+    assert "effects.inertia" in needed_off(check(leg("effects={inertia: off}")))
+    assert needed_off(check(leg("effects={inertia: off}", "accuracy=10 %"))) == {}
+
+
+def test_reasons_say_how_the_choice_was_made() -> None:
+    found = verdicts("effects={inertia: on, collapse: off}")
+    assert found["inertia"].reason.startswith("taken as the spec says; ")
+    assert found["collapse"].reason.startswith("left out as the spec says; ")
+    assert found["tip_load"].reason == "absent: the tip is free"
+    assert found["pressure_distribution"].reason.startswith("taken: it moves the tip by about ")
+    assert "times the accuracy" in found["pressure_distribution"].reason
+    assert found["feedback"].reason.startswith("left out: it moves the tip by about ")
+    assert "% of the accuracy" in found["feedback"].reason
+
+
+def test_what_is_absent_has_no_weight() -> None:
+    found = verdicts(AUTO, STILL)["gravity"]
+    assert (found.taken, found.weight, found.contribution_m) == (False, 0.0, 0.0)
+    assert found.reason.startswith("absent: ")
+
+
+def test_conditions_learn_what_was_taken() -> None:
+    conditions = Conditions(leg(AUTO))
+    assert conditions.taken == {e.name for e in select_effects(conditions).effects}
+
+
+def test_the_choice_is_the_same_every_time() -> None:
+    first, second = (selection(AUTO).verdicts for _ in range(2))
+    assert first == second
+    modes = ["inertia: on", "collapse: off", "feedback: on"]
+    ordered, reversed_ = (
+        verdicts(f"effects={{{', '.join(m)}}}") for m in (modes, list(reversed(modes)))
+    )
+    assert ordered == reversed_

@@ -1,0 +1,123 @@
+"""Mass fractions, polytropic exponents, and glycerol in water against published tables."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.scenes import leg
+from tests.unit.scene.coming_back import comes_back
+from viscodesign.errors import SpecError
+
+OWN_GAS = "fluid={{name: mine, viscosity: 1e-5, density: 1, gas_constant: 287{}}}"
+
+
+def glycerol(percent: float, celsius: float = 20.0) -> tuple[float, float]:
+    """Viscosity [Pa s] and density [kg/m3]."""
+    pytest.importorskip("CoolProp")
+    words = f"fluid={{name: glycerol-water, fraction: {percent} %}}"
+    fluid = leg(words, f"temperature={celsius} degC").fluid
+    return fluid.viscosity, fluid.density
+
+
+@pytest.mark.parametrize(
+    ("percent", "viscosity", "density"),
+    [
+        (10, 1.31e-3, 1022.1),  # Segur and Oberstar 1951; Bosart and Snoddy 1928: 20 degC
+        (20, 1.76e-3, 1046.9),
+        (30, 2.50e-3, 1072.7),
+        (40, 3.72e-3, 1099.3),
+        (50, 6.00e-3, 1126.3),
+        (60, 10.8e-3, 1153.8),
+    ],
+)
+def test_glycerol_in_water_at_20_degrees(percent: float, viscosity: float, density: float) -> None:
+    found = glycerol(percent)
+    assert found[0] == pytest.approx(viscosity, rel=0.05)
+    assert found[1] == pytest.approx(density, rel=3e-3)
+
+
+def test_without_glycerol_it_is_nearly_water() -> None:
+    water = leg("fluid=water", "temperature=20 degC").fluid
+    viscosity, density = glycerol(0.0)
+    assert viscosity == pytest.approx(water.viscosity, rel=0.05)
+    assert density == pytest.approx(water.density, rel=3e-3)
+
+
+def test_warmth_thins_it() -> None:
+    several = [glycerol(50, celsius) for celsius in (0.0, 10.0, 20.0, 30.0, 40.0)]
+    assert several == sorted(several, reverse=True)
+
+
+def test_it_is_a_liquid_of_unknown_stiffness() -> None:
+    pytest.importorskip("CoolProp")
+    fluid = leg("fluid={name: glycerol-water, fraction: 0.5}", "temperature=20 degC").fluid
+    assert not fluid.is_gas
+    assert fluid.bulk_modulus is None
+    assert fluid.speed_of_sound is None
+
+
+@pytest.mark.parametrize(
+    ("overrides", "words"),
+    [
+        (["fluid={name: glycerol-water}"], "fluid.fraction: missing; glycerol-water needs a mass fraction, like '50 %'"),
+        (["fluid=glycerol-water"], "needs a mass fraction"),
+        (["fluid={name: glycerol-water, fraction: 61 %}"], "fluid.fraction: 61 % is given; the properties of glycerol-water are known up to 60 %"),
+        (["fluid={name: glycerol-water, fraction: 110 %}"], "fluid.fraction"),
+        (["fluid={name: glycerol-water, fraction: -1 %}"], "fluid.fraction"),
+        (["fluid={name: glycerol-water, fraction: 50}"], "a percentage needs its sign"),
+        (["fluid={name: glycerol-water, fraction: 50 %}", "temperature=50 degC"], "are known from 253.15 K to 313.15 K"),
+        (["fluid={name: water, fraction: 10 %}"], "fluid.fraction: given, but water is no mixture"),
+        (["fluid={name: air, fraction: 10 %}"], "given, but air is no mixture"),
+        (["fluid={name: honey, viscosity: 10, density: 1400, fraction: 10 %}"], "given, but only a named mixture has one"),
+        (["fluid={name: water, polytropic_exponent: 1.4}"], "fluid.polytropic_exponent: given, but water is no gas"),
+        (["fluid={name: honey, viscosity: 10, density: 1400, polytropic_exponent: 1.2}"], "given, but honey is no gas"),
+        (["fluid={name: air, polytropic_exponent: 0.9}"], "fluid.polytropic_exponent"),
+        (["fluid={name: air, polytropic_exponent: 1.7}"], "fluid.polytropic_exponent"),
+        (["fluid={name: water, bulk_modulus: 1 GPa}"], "state viscosity and density as well"),
+    ],
+)  # fmt: skip
+def test_faults(overrides: list[str], words: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        leg(*overrides)
+    assert words in str(caught.value)
+    assert len(caught.value.faults) == 1
+
+
+def test_a_frozen_solution_says_so() -> None:
+    pytest.importorskip("CoolProp")
+    with pytest.raises(SpecError, match="it may be frozen"):
+        leg("fluid={name: glycerol-water, fraction: 10 %}", "temperature=-15 degC")
+
+
+def test_a_syringe_needs_the_stiffness_of_a_mixture_stated() -> None:
+    pytest.importorskip("CoolProp")
+    push = "input={kind: syringe, diameter: 2 cm, start: 4 cm, rows: [[0, 0], [1, 1 mm]]}"
+    with pytest.raises(SpecError, match=r"input: a syringe drives glycerol-water, whose stiffness"):
+        leg(push, "fluid={name: glycerol-water, fraction: 50 %}", "temperature=20 degC")
+    stated = "fluid={name: glycerol-water, viscosity: 6e-3, density: 1126, bulk_modulus: 3 GPa}"
+    assert leg(push, stated).fluid.bulk_modulus == 3e9
+
+
+@pytest.mark.parametrize("exponent", [1.0, 1.2, 5 / 3])
+def test_the_exponent_is_taken_by_gases(exponent: float) -> None:
+    for words in (
+        f"fluid={{name: air, polytropic_exponent: {exponent!r}}}",
+        OWN_GAS.format(f", polytropic_exponent: {exponent!r}"),
+    ):
+        scene = leg(words)
+        assert scene.fluid.polytropic_exponent == exponent
+        comes_back(scene)
+
+
+def test_without_an_exponent_a_gas_keeps_its_temperature() -> None:
+    assert leg("fluid=air").fluid.polytropic_exponent == 1.0
+    scene = leg(OWN_GAS.format(""))
+    assert scene.fluid.polytropic_exponent == 1.0
+    assert "polytropic_exponent" not in comes_back(scene)
+
+
+def test_a_mixture_comes_back() -> None:
+    pytest.importorskip("CoolProp")
+    scene = leg("fluid={name: glycerol-water, fraction: 37.5 %}", "temperature=20 degC")
+    assert scene.fluid_choice.fraction == 0.375
+    assert "fraction: 0.375" in comes_back(scene)
