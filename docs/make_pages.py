@@ -1,0 +1,191 @@
+"""Make what is computed in these pages: python docs/make_pages.py
+
+A page is written by hand but for blocks between `<!-- made: NAME -->` and
+`<!-- made: end -->`; these are replaced. Pictures go to docs/published_and_called_for/.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from tip_pair import draw_tips
+
+from viscodesign import Trajectory, load, simulate
+
+DOCS = Path(__file__).parent
+CONFIGS = DOCS.parent / "configs"
+PICTURES = DOCS / "published_and_called_for"
+BLOCK = re.compile(r"(<!-- made: ((?!end)\S+) -->\n)(.*?)<!-- made: end -->", re.DOTALL)
+PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
+
+
+def main() -> None:
+    """Fill both pages."""
+    fill(DOCS / "effects.md", {"effects": effects_table()})
+    fill(DOCS / "published_and_called_for.md", comparison_blocks())
+
+
+def fill(page: Path, blocks: dict[str, str]) -> None:
+    """Replace the blocks of a page; each has to be there."""
+    text = page.read_text(encoding="utf-8")
+    found = {name for _, name, _ in blocks_of(text)}
+    if missing := found - set(blocks):
+        raise ValueError(f"{page.name} asks for {', '.join(sorted(missing))}, which is not made")
+    text = BLOCK.sub(lambda m: f"{m[1]}\n{blocks[m[2]]}\n\n<!-- made: end -->", text)
+    page.write_text(text, encoding="utf-8")
+
+
+def blocks_of(text: str) -> list[tuple[str, str, str]]:
+    """Opening mark, name and content of every block of a page."""
+    return [(mark, name, content.strip()) for mark, name, content in BLOCK.findall(text)]
+
+
+# -- the table of effects ----------------------------------------------------------------
+
+
+def effects_table() -> str:
+    """Every effect of this version, from `viscodesign effects --json`."""
+    command = [sys.executable, "-m", "viscodesign", "effects", "--json"]
+    said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    rows = [_effect_row(effect) for effect in json.loads(said)["effects"]]
+    return table(("effect", "what it is", "weight", "where it holds", "keys"), rows)
+
+
+def _effect_row(effect: dict[str, Any]) -> tuple[str, ...]:
+    needs = f" Needs `{effect['needs']}`." if effect["needs"] else ""
+    keys = [key for key in effect["keys"] if key != f"effects.{effect['name']}"]
+    return (
+        f"`{effect['name']}`",
+        effect["summary"] + needs,
+        f"`{effect['formula']}`",
+        effect["validity"],
+        ", ".join(f"`{key}`" for key in keys) or "none but its own",
+    )
+
+
+def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    """A Markdown table."""
+    lines = [head, ("---",) * len(head), *rows]
+    return "\n".join(f"| {' | '.join(cell.replace('|', '/') for cell in line)} |" for line in lines)
+
+
+# -- published and called for ------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A scene with the published model, and with the effects that it calls for."""
+
+    name: str
+    published: Trajectory
+    called_for: Trajectory
+
+    @property
+    def apart(self) -> np.ndarray:
+        """Distance of the two tips at every output time (T,) [m]."""
+        return np.asarray(np.hypot(*(self.published.tip - self.called_for.tip)[:, :2].T))
+
+
+def comparison_blocks() -> dict[str, str]:
+    """What the page of comparisons asks for, by name."""
+    told = set(re.findall(r"<!-- made: (leg_\S+) -->", (DOCS / PAGE).read_text(encoding="utf-8")))
+    blocks, rows = {}, []
+    for twin in sorted(CONFIGS.glob("*_auto.yaml")):
+        name = twin.stem.removesuffix("_auto")
+        print(name, flush=True)
+        pair = _solved(name, prove=name in told)
+        rows.append(_summary_row(pair))
+        if name in told:
+            blocks[name] = _section(pair)
+    head = ("scene", "calls for besides", "does without", "tips apart", "of the accuracy")
+    return blocks | {"all": table(head, rows)}
+
+
+PAGE = "published_and_called_for.md"
+
+
+def _solved(name: str, prove: bool) -> Pair:
+    published = simulate(load(CONFIGS / f"{name}.yaml"))
+    called_for = simulate(load(CONFIGS / f"{name}_auto.yaml"), prove=prove)
+    for run in (published, called_for):
+        if run.status != "complete":
+            raise RuntimeError(f"{run.name}: {run.failure}")
+    return Pair(name, published, called_for)
+
+
+def _taken(run: Trajectory) -> set[str]:
+    return {verdict.name for verdict in run.effects if verdict.taken}
+
+
+def _summary_row(pair: Pair) -> tuple[str, ...]:
+    before, after = _taken(pair.published), _taken(pair.called_for)
+    order = [verdict.name for verdict in pair.published.effects]
+    added, left = (
+        ", ".join(n for n in order if n in names) or "none"
+        for names in (after - before, before - after)
+    )
+    apart = float(np.max(pair.apart))
+    share = apart / pair.called_for.accuracy.requested_m
+    return f"`{pair.name}`", added, left, millimetres(apart), multiple(share)
+
+
+def _section(pair: Pair) -> str:
+    picture = PICTURES / f"{pair.name}.png"
+    picture.parent.mkdir(exist_ok=True)
+    draw_tips(pair.published, pair.called_for, picture)
+    worst = int(np.argmax(pair.apart))
+    words = (
+        f"The tips are {millimetres(float(pair.apart[worst]))} apart at the most, at "
+        f"t = {pair.called_for.time[worst]:.3g} s. {_extent('Published', pair.published)}; "
+        f"{_extent('called for', pair.called_for)}."
+    )
+    image = f"![Tip of {pair.name}, published and called for]({PICTURES.name}/{picture.name})"
+    head = ("effect", "published model", "called for", "estimated", "measured")
+    return f"{image}\n\n{words}\n\n{table(head, _verdict_rows(pair))}"
+
+
+def _extent(words: str, run: Trajectory) -> str:
+    x, z = 1e3 * run.tip[:, 0], 1e3 * run.tip[:, 1]
+    return f"{words}: x {x.min():.1f} to {x.max():.1f} mm, z {z.min():.1f} to {z.max():.1f} mm"
+
+
+def _verdict_rows(pair: Pair) -> list[tuple[str, ...]]:
+    """Effects that the scene has, those first that move the tip most."""
+    published = _taken(pair.published)
+    proofs = sorted(pair.called_for.proof, key=lambda proof: -proof.estimated_m)
+    return [
+        (
+            f"`{proof.name}`",
+            "in" if proof.name in published else "out",
+            "in" if proof.taken else "out",
+            millimetres(proof.estimated_m),
+            "none" if proof.measured_m is None else millimetres(proof.measured_m)
+            + (f" ({proof.note})" if proof.note else ""),
+        )
+        for proof in proofs
+    ]  # fmt: skip
+
+
+def millimetres(length: float) -> str:
+    """Three digits, never in powers of ten; below a nanometre nothing."""
+    value = 1e3 * length
+    if value < 1e-6:
+        return "0 mm"
+    digits = max(0, 2 - int(np.floor(np.log10(value))))
+    return f"{value:.{digits}f} mm"
+
+
+def multiple(share: float) -> str:
+    """So many times the accuracy asked for."""
+    return f"{share:.3g} times" if share >= 0.01 else "nothing"
+
+
+if __name__ == "__main__":
+    main()
