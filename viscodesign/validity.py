@@ -103,7 +103,9 @@ def _pressure_notices(conditions: Conditions) -> Iterator[Notice]:
             "input",
         )
     lowest_volume = law.rest_volume + law.compliance * low
-    follows_law = not conditions.taken & {"collapse", "material_curve"}
+    # Where the floor is weighed and left out, no bellow comes near it.
+    forced = conditions.scene.effects.mode("collapse") == "off"
+    follows_law = forced and not conditions.taken & {"collapse", "material_curve"}
     if lowest_volume < law.floor_volume and follows_law:
         empty = -law.rest_volume / law.compliance
         yield Notice(
