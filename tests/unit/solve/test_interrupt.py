@@ -30,7 +30,8 @@ def test_a_wish_is_noted_and_obeyed_when_asked() -> None:
 
 def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
     spec, folder = CONFIGS / "workspace_middle.yaml", tmp_path / "run"
-    words = ["simulate", str(spec), "-o", str(folder), "--no-plots", "--set", "run.duration=900 s"]
+    words = ["simulate", str(spec), "-o", str(folder), "--no-plots"]
+    words += ["--set", "run.duration=4000 s", "--set", "run.output_interval=1 s"]
     process = subprocess.Popen(
         [sys.executable, "-m", "viscodesign", *words],
         stdout=subprocess.PIPE,
@@ -53,4 +54,4 @@ def _wait_for(folder: Path) -> None:
     limit = time.monotonic() + 30
     while not folder.exists() and time.monotonic() < limit:
         time.sleep(0.05)
-    time.sleep(1.0)
+    time.sleep(3.0)
