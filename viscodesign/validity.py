@@ -30,7 +30,7 @@ def verdict_notices(verdicts: Iterable[Verdict]) -> Iterator[Notice]:
             yield Notice(
                 "needed_effect_off",
                 f"effects.{verdict.name} is off, but it would move the tip by about "
-                f"{1e3 * verdict.contribution_m:.2g} mm, {verdict.budget_share:.2g} times the "
+                f"{1e3 * verdict.contribution_m:.3g} mm, {verdict.budget_share:.3g} times the "
                 "accuracy asked for; use auto",
                 f"effects.{verdict.name}",
             )

@@ -328,8 +328,8 @@ def test_what_is_off_although_needed_is_warned_of_in_millimetres() -> None:
         message = warned[f"effects.{name}"]
         assert told[name].budget_share > 1.0
         assert f"effects.{name} is off" in message
-        assert f"about {1e3 * told[name].contribution_m:.2g} mm" in message
-        assert f"{told[name].budget_share:.2g} times the accuracy asked for" in message
+        assert f"about {1e3 * told[name].contribution_m:.3g} mm" in message
+        assert f"{told[name].budget_share:.3g} times the accuracy asked for" in message
 
 
 def test_what_is_off_and_not_needed_is_not_warned_of() -> None:
