@@ -13,6 +13,7 @@ import numpy as np
 from viscodesign import Trajectory
 from viscodesign.report.labels import DIRECTIONS, DISTANCES, POINTS, Box, text_box
 from viscodesign.report.style import ACCENT, INK, axes_at, picture
+from viscodesign.report.tip_path import travelled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,7 +57,7 @@ def _limits(paths: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 def _draw_heads(axes: Axes, points: np.ndarray, colour: str, side: float) -> None:
     """Two arrow heads that tell the direction."""
-    way = _travelled(points)
+    way = travelled(points)
     if way[-1] < 0.1 * side:
         return
     for target in (0.25 * way[-1], 0.7 * way[-1]):
@@ -136,14 +137,9 @@ def _grown(box: Box, by: float) -> Box:
 
 def _some(points: np.ndarray) -> np.ndarray:
     """Points at equal distances along a path, as many as names keep away from."""
-    way = _travelled(points)
+    way = travelled(points)
     even = np.linspace(0.0, way[-1], NEAR)
     return np.column_stack([np.interp(even, way, points[:, i]) for i in (0, 1)])
-
-
-def _travelled(points: np.ndarray) -> np.ndarray:
-    """Length of the path up to each point."""
-    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
 
 
 def _inside(points: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:

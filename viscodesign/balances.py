@@ -54,7 +54,7 @@ def _volume_imbalance(problem: Problem, solution: Solution, rows: Rows, end: int
 
 def _columns(problem: Problem, component: Component) -> list[int]:
     """Where a component's nodes stand among those that hold fluid."""
-    own = {*component.bellows, *component.junctions, *component.inlets}
+    own = set(component.nodes)
     names = [*problem.bellows_along_tubes, *problem.equations.storing]
     return [k for k, name in enumerate(names) if name in own]
 

@@ -12,7 +12,6 @@ import numpy as np
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.formulation import formulate
-from viscodesign.model.graph import Graph
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES
 from viscodesign.model.system import Source, Syringe, System
@@ -83,7 +82,6 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         body=conditions.body,
         bellows=conditions.graph.bellows,
         bellows_along_tubes=conditions.graph.bellows_along_tubes(),
-        places=_places(conditions.graph),
         baseline=scene.gauge_pressure,
         schedule=schedule(scene),
         flow_shares=_flow_shares(conditions, equations.network_form),
@@ -99,12 +97,6 @@ def _source(scene: Scene, name: str) -> Source:
     return Source(
         lambda time, piece: source.expression(time, piece, ca), source.coefficients, syringe
     )
-
-
-def _places(graph: Graph) -> np.ndarray:
-    """Where each bellow of the graph stands among the unknowns (B,)."""
-    order = graph.bellows_along_tubes()
-    return np.array([order.index(name) for name in graph.bellows])
 
 
 def _flow_shares(conditions: Conditions, form: NetworkForm) -> np.ndarray:

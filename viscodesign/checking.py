@@ -50,9 +50,7 @@ def _facts(conditions: Conditions) -> list[str]:
         f"{len(graph.junctions)} junctions, {len(graph.inlets)} inlets"
     ]
     for component in graph.components():
-        loops = len(component.tubes) - (
-            len(component.inlets) + len(component.bellows) + len(component.junctions) - 1
-        )
+        loops = len(component.tubes) - (len(component.nodes) - 1)
         source = f"fed by {', '.join(component.inlets)}" if component.inlets else "sealed"
         shape = "a tree" if loops == 0 else f"{loops} loop{'s' if loops > 1 else ''}"
         facts.append(f"network of {len(component.bellows)} bellows, {source}: {shape}")

@@ -28,25 +28,23 @@ def prove(
     """
     finer = Settings(settings.edges_per_section, settings.tolerance / FINER)
     base = solve(conditions, selection.effects, finer)
-    names = selection.provable
+    if base.solution.interrupted:
+        return ()
+    verdicts = [v for v in selection.verdicts if v.name in selection.provable]
     proofs: list[Proof] = []
-    for k, name in enumerate(names):
-        if base.solution.interrupted:
-            break
-        verdict = next(v for v in selection.verdicts if v.name == name)
+    for k, verdict in enumerate(verdicts):
         proof, run = _switched(conditions, selection, finer, base, verdict)
         if run is not None and run.solution.interrupted:
             break
         proofs.append(proof)
         if progress is not None:
-            progress((k + 1) / len(names))
+            progress((k + 1) / len(verdicts))
     return tuple(proofs)
 
 
 def _switched(
     conditions: Conditions, selection: Selection, settings: Settings, base: Run, verdict: Verdict
 ) -> tuple[Proof, Run | None]:
-    measured: float | None = None
     try:
         run = solve(conditions, selection.switched(verdict.name), settings)
     except ViscodesignError as error:

@@ -68,7 +68,7 @@ class FlowRegime(Effect):
 
     def _reynolds(self, flow: np.ndarray) -> np.ndarray:
         radius = np.array(list(self.radii.values()))
-        return tube.reynolds_number(flow, self.density, self.viscosity, radius)
+        return np.asarray(tube.reynolds_number(flow, self.density, self.viscosity, radius))
 
     def multiplier(self, flow: np.ndarray) -> np.ndarray:
         """Loss over that of slow laminar flow, at flows (T, Q) [m3/s]."""
@@ -90,7 +90,7 @@ class FlowRegime(Effect):
         for name, radius in self.radii.items():
             flow = system.flow[name]
             size = system.parameter(f"radius.{name}", radius)
-            reynolds = 2 * density * ca.fabs(flow) / (ca.pi * viscosity * size)
+            reynolds = tube.reynolds_number(flow, density, viscosity, size, ca)
             ends = system.parameter(f"end_loss.{name}", self._ends(radius))
             system.drop[name] *= tube.friction_multiplier(reynolds, ca)
             system.drop[name] += ends * flow * ca.fabs(flow)

@@ -31,26 +31,25 @@ class MaterialCurve(Effect):
     source: ClassVar[str] = "Interpolation by Fritsch and Butland (1984)."
     keys: ClassVar[tuple[str, ...]] = ("bellows.curve",)
 
-    volume: PiecewiseCubic | None
-    curvature: PiecewiseCubic | None
-    stretch: PiecewiseCubic | None
+    curves: tuple[PiecewiseCubic, ...]
+    """Volume beyond rest, curvature and stretch against gauge pressure; none without a curve."""
 
     @classmethod
     def of(cls, conditions: Conditions) -> Self:
         curve = conditions.scene.bellows.curve
         if curve is None:
-            return cls(None, None, None)
+            return cls(())
         rows = np.array(curve.rows, dtype=float)
         section = conditions.body.section_length
         factors = (conditions.bellow.length, 1 / section, 1 / section)
-        found = (
+        found = tuple(
             PiecewiseCubic.monotone(rows[:, 0], rows[:, k + 1]).zeroed().scaled(factor)
             for k, factor in enumerate(factors)
         )
-        return cls(*found)
+        return cls(found)
 
     def present(self, conditions: Conditions) -> bool:
-        return self.volume is not None
+        return bool(self.curves)
 
     def weight(self, conditions: Conditions) -> float:
         low, high = float(conditions.inlet_samples.min()), float(conditions.inlet_samples.max())
@@ -65,21 +64,18 @@ class MaterialCurve(Effect):
         return max(found)
 
     def reason(self, conditions: Conditions) -> str:
-        if self.volume is None:
+        if not self.curves:
             return "no curve is given (bellows.curve)"
         return "measured rows stand in the place of the linear coefficients"
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Volume beyond rest, curvature and stretch at gauge pressures, any shape."""
-        if self.volume is None or self.curvature is None or self.stretch is None:
-            raise ValueError("no curve is given")
-        return self.volume(pressure), self.curvature(pressure), self.stretch(pressure)
+        volume, curvature, stretch = (curve(pressure) for curve in self.curves)
+        return volume, curvature, stretch
 
     def sketch(self, sketch: Sketch) -> Sketch:
         return sketch.with_(wall=self.wall)
 
     def join(self, system: System) -> None:
-        if self.volume is None or self.curvature is None or self.stretch is None:
-            raise ValueError("no curve is given")
         rest = system.parameter("rest_volume", system.bellow.rest_volume)
-        system.wall = MeasuredWall(rest, self.volume, self.curvature, self.stretch)
+        system.wall = MeasuredWall(rest, *self.curves)

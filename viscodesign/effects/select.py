@@ -200,7 +200,9 @@ class _Choice:
         ``kept`` gains what does far too much ever to be left out.
         """
         share = SHARE_OF_ACCURACY * self.budget
-        cost = {n: self.distance(names, self.without(names, n)) for n in names if n not in kept}
+        # In the catalogue's order, so that equal costs are always met in the same one.
+        loose = [n for n in self.effects if n in names and n not in kept]
+        cost = {n: self.distance(names, self.without(names, n)) for n in loose}
         kept |= {n for n, moved in cost.items() if moved > FAR_TOO_MUCH * share and self._leads(n)}
         left: list[str] = []
         for name in sorted(cost, key=lambda n: cost[n]):

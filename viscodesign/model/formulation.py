@@ -63,7 +63,6 @@ class Equations:
     """Like `function`, returning (alg, d alg/d z)."""
     output_function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
-    components: tuple[Component, ...]
     fed: tuple[Component, ...]
     sealed: tuple[Component, ...]
     sealed_volumes: np.ndarray
@@ -171,7 +170,6 @@ class _Formulation:
             output_function=ca.Function(
                 "outputs", [x, z, *tail], list(outputs.values()), _names(7), list(outputs)
             ),
-            components=network.components,
             fed=network.fed,
             sealed=network.sealed,
             sealed_volumes=network.filled(),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from functools import cached_property
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,11 @@ class Component:
     tubes: tuple[Tube, ...]
 
     @property
+    def nodes(self) -> tuple[str, ...]:
+        """All of its nodes: bellows, junctions, inlets."""
+        return (*self.bellows, *self.junctions, *self.inlets)
+
+    @property
     def fed(self) -> bool:
         """Whether an inlet reaches it; if not, it is sealed."""
         return bool(self.inlets)
@@ -46,6 +52,15 @@ class Graph:
     def nodes(self) -> tuple[str, ...]:
         """All nodes: inlets, bellows, junctions."""
         return (*self.inlets, *self.bellows, *self.junctions)
+
+    @cached_property
+    def tubes_at(self) -> dict[str, list[Tube]]:
+        """The tubes that end at each node, in their order."""
+        at: dict[str, list[Tube]] = {node: [] for node in self.nodes}
+        for tube in self.tubes:
+            at[tube.start].append(tube)
+            at[tube.end].append(tube)
+        return at
 
     def bellows_along_tubes(self) -> tuple[str, ...]:
         """All bellows, in the order in which the tubes reach them.

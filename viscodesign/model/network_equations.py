@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import Enum
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -34,9 +35,9 @@ class NetworkEquations:
         self.system = system
         self.sizes = sizes
         self.form = NetworkForm.DISTRIBUTED if system.drop else NetworkForm.UNIFORM
-        self.components = tuple(system.graph.components())
         self.storing = system.storing_nodes()
         self.bare = [name for name in system.junction_pressure if name not in self.storing]
+        self.components = tuple(system.graph.components())
         self.fed = tuple(c for c in self.components if self._pressure_inlets(c))
         self.sealed = tuple(c for c in self.components if c not in self.fed and self._nodes(c))
         self.sealed_volumes = SX.sym("sealed_volumes", len(self.sealed))
@@ -44,8 +45,8 @@ class NetworkEquations:
         curved = self._measure_losses(tubes)
         self.inertial = [t for t in tubes if t.name in system.inertance]
         self.implicit = [t for t in tubes if t.name in curved - set(system.inertance)]
-        free = {t.name for t in (*self.inertial, *self.implicit)}
-        self.explicit = [t for t in tubes if t.name not in free]
+        self._unknown = {t.name for t in (*self.inertial, *self.implicit)}
+        self.explicit = [t for t in tubes if t.name not in self._unknown]
         self.dependent = self._dependent_flows()
         self._shared: list[tuple[SX, SX]] = []
 
@@ -54,7 +55,7 @@ class NetworkEquations:
 
     def _nodes(self, component: Component) -> list[str]:
         """Nodes of a component that hold fluid."""
-        own = {*component.bellows, *component.junctions, *component.inlets}
+        own = set(component.nodes)
         return [n for n in (*self.system.pressure, *self.storing) if n in own]
 
     def _measure_losses(self, tubes: Sequence[Tube]) -> set[str]:
@@ -75,8 +76,7 @@ class NetworkEquations:
         unknowns they keep the balance there to the last digit.
         """
         tubes = [*self.inertial, *self.implicit]
-        own = {t.name for t in tubes}
-        rows = [n for n in self.bare if all(t.name in own for t in self._tubes_at(n))]
+        rows = [n for n in self.bare if self._balances_itself(n)]
         matrix = np.array([[_sign(t, n) for t in tubes] for n in rows])
         pivots = _reduce(matrix)
         flows = [self.system.flow[t.name] for t in tubes]
@@ -126,13 +126,19 @@ class NetworkEquations:
     def _volume_size(self) -> float:
         return self.system.bellow.compliance * self.sizes.pressure
 
-    def _flow_sizes(self, tubes: list[Tube]) -> np.ndarray:
-        """Flow that the pressure drives, or that all bellows take in one swing, (tubes,)."""
+    @cached_property
+    def _flow_size(self) -> dict[str, float]:
+        """Flow that the pressure drives, or that all bellows take in one swing, by tube."""
+        names = [t.name for t in (*self.inertial, *self.implicit)]
         symbols, values = self.system.parameters()
-        slopes = ca.Function("slopes", [symbols], [column([self._slope[t.name] for t in tubes])])
+        slopes = ca.Function("slopes", [symbols], [column([self._slope[n] for n in names])])
         resistance = np.asarray(slopes(values), dtype=float).ravel()
         compliance = self.system.bellow.compliance * len(self.system.pressure)
-        return np.asarray(self.sizes.pressure / (resistance + self.sizes.swing / compliance))
+        sizes = self.sizes.pressure / (resistance + self.sizes.swing / compliance)
+        return dict(zip(names, sizes.tolist(), strict=True))
+
+    def _flow_sizes(self, tubes: list[Tube]) -> np.ndarray:
+        return np.array([self._flow_size[t.name] for t in tubes])
 
     def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
         """Give every connected network one pressure: its inlet's, or an unknown."""
@@ -154,7 +160,7 @@ class NetworkEquations:
                 value = shared[self.sealed.index(component)]
             else:
                 continue
-            for node in (*component.bellows, *component.junctions, *component.inlets):
+            for node in component.nodes:
                 if node not in inlets:
                     head = system.load_factor * system.head(node)
                     self._shared.append((system.node_pressure(node), value + head))
@@ -209,25 +215,22 @@ class NetworkEquations:
         """Rates of the scaled states and scaled algebraic defects, not yet resolved."""
         if self.form is NetworkForm.UNIFORM:
             return [], self._sealed_defects()
-        inflow, size = self.system.net_inflows(), self._volume_size()
+        inflow, size = self.system.net_inflow, self._volume_size()
         ode = [
             column([inflow[name] for name in (*self.system.pressure, *self.storing)]) / size,
         ]
         if self.fed:
             # A state, not a quadrature: only then do the same linear formulas carry
             # it and the volumes, and the balance holds to round-off.
-            outflow = self._inlet_outflows()
-            sums = [sum((outflow[n] for n in self._pressure_inlets(c)), SX(0)) for c in self.fed]
+            sums = [sum((-inflow[n] for n in self._pressure_inlets(c)), SX(0)) for c in self.fed]
             ode.append(column(sums) / (size * len(self.system.pressure)))
         rates, inertial = self._flow_rates(), self._free(self.inertial)
-        ode.append(column([rates[t.name] for t in inertial]) / self._sizes_of(inertial))
+        sizes = ca.DM(self._flow_sizes(inertial).reshape(-1, 1))
+        ode.append(column([rates[t.name] for t in inertial]) / sizes)
         # The state is the amount beyond that at rest: small departures keep their digits.
         held = ca.vertcat(self.amounts, self.node_amounts)
         alg = [(held - self.departures()) / size, *self._junction_balances(rates)]
         return ode, [*alg, *self._loss_defects(self.implicit)]
-
-    def _sizes_of(self, tubes: list[Tube]) -> ca.DM:
-        return ca.DM(self._flow_sizes(tubes)) if tubes else ca.DM(0, 1)
 
     def _flow_rates(self) -> dict[str, SX]:
         """Acceleration of the flow in every tube with inertance [m3/s2]."""
@@ -252,31 +255,22 @@ class NetworkEquations:
         Where the flows keep the balance by themselves, their accelerations must keep it
         too (``rates``), or, without inertance, the losses of the tubes say all.
         """
-        inflow = self.system.net_inflows()
         balances = []
         for name in self.bare:
-            tubes = self._tubes_at(name)
+            tubes = self.system.graph.tubes_at[name]
             if not self._balances_itself(name):
                 scale = sum((self.sizes.pressure / self._slope[t.name] for t in tubes), SX(0))
-                balances.append(inflow[name] / scale)
+                balances.append(self.system.net_inflow[name] / scale)
             elif all(t.name in rates for t in tubes):
                 inertances = (self.system.inertance[t.name] for t in tubes)
                 scale = sum((self.sizes.pressure / inertance for inertance in inertances), SX(0))
-                balances.append(self._sum_at(name, rates) / scale)
+                total = sum((_sign(t, name) * rates[t.name] for t in tubes), SX(0))
+                balances.append(total / scale)
         return balances
 
     def _balances_itself(self, junction: str) -> bool:
         """Whether a dependent flow keeps a junction's balance."""
-        own = {*(t.name for t in self.inertial), *(t.name for t in self.implicit)}
-        return all(t.name in own for t in self._tubes_at(junction))
-
-    def _tubes_at(self, node: str) -> list[Tube]:
-        return [t for t in self.system.graph.tubes if node in (t.start, t.end)]
-
-    def _sum_at(self, node: str, values: dict[str, SX]) -> SX:
-        return sum(
-            (values[t.name] * (1 if t.end == node else -1) for t in self._tubes_at(node)), SX(0)
-        )
+        return all(t.name in self._unknown for t in self.system.graph.tubes_at[junction])
 
     def _sealed_defects(self) -> list[SX]:
         """What a sealed part holds less what it was filled with."""
@@ -301,15 +295,12 @@ class NetworkEquations:
         """Junctions in their order, those left out whose flows keep the balance."""
         bare = [name for name in self.bare if not self._balances_itself(name)]
         lines = dict(zip(bare, self._junction_balances({}), strict=True))
-        return [
-            lines[name] if name in lines else self._steady_flows([name])[0]
-            for name in self.system.junction_pressure
-            if name in lines or name in self.storing
-        ]
+        storing = [name for name in self.system.junction_pressure if name in self.storing]
+        lines |= dict(zip(storing, self._steady_flows(storing), strict=True))
+        return [lines[name] for name in self.system.junction_pressure if name in lines]
 
     def _steady_flows(self, nodes: list[str]) -> list[SX]:
         """No net flow anywhere; in a sealed part the first node's line is its content."""
-        inflow = self.system.net_inflows()
         first = (self._nodes(c)[0] for c in self.sealed)
         sealed = dict(zip(first, self._sealed_defects(), strict=True))
         lines = []
@@ -317,31 +308,20 @@ class NetworkEquations:
             if name in sealed:
                 lines.append(sealed[name])
                 continue
-            conductance = sum((1 / self._slope[t.name] for t in self._tubes_at(name)), SX(0))
-            lines.append(inflow[name] / (conductance * self.sizes.pressure))
+            tubes = self.system.graph.tubes_at[name]
+            conductance = sum((1 / self._slope[t.name] for t in tubes), SX(0))
+            lines.append(self.system.net_inflow[name] / (conductance * self.sizes.pressure))
         return lines
 
     # -- what is told ---------------------------------------------------------
-
-    def _inlet_outflows(self) -> dict[str, SX]:
-        """What leaves each inlet through its tubes [m3/s]."""
-        outflow = {name: SX(0) for name in self.system.inlet_pressure}
-        for tube in self.system.graph.tubes:
-            for end, sign in ((tube.start, 1), (tube.end, -1)):
-                if end in outflow:
-                    outflow[end] += sign * self.system.flow[tube.name]
-        return outflow
 
     def rates(self) -> dict[str, SX]:
         """Powers whose integrals the balances need [W]."""
         system = self.system
         if self.form is NetworkForm.UNIFORM:
             return {}
-        outflow = self._inlet_outflows()
-        pump = sum(
-            (system.specific_work(n) * q for n, q in outflow.items() if n not in system.syringes),
-            SX(0),
-        )
+        driven = [n for n in system.inlet_pressure if n not in system.syringes]
+        pump = sum((-system.net_inflow[n] * system.specific_work(n) for n in driven), SX(0))
         for name, pushed in system.pushed_value.items():
             pump += system.plunger_pressure(name) * ca.jacobian(pushed, system.time)
         tubes = sum(

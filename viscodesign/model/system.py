@@ -217,14 +217,13 @@ class System:
         own = {**self.junction_pressure, **self.syringes}
         return [name for name in own if name in self.tube_volume or name in self.syringes]
 
-    def net_inflows(self) -> dict[str, SX]:
-        """Sum of the tube flows into every node whose pressure is not given [m3/s]."""
-        totals = {name: SX(0) for name in (*self.pressure, *self.junction_pressure, *self.syringes)}
+    @cached_property
+    def net_inflow(self) -> dict[str, SX]:
+        """Sum of the tube flows into every node; out of an inlet it is negative [m3/s]."""
+        totals = {name: SX(0) for name in self.graph.nodes}
         for tube in self.graph.tubes:
-            if tube.end in totals:
-                totals[tube.end] += self.flow[tube.name]
-            if tube.start in totals:
-                totals[tube.start] -= self.flow[tube.name]
+            totals[tube.end] += self.flow[tube.name]
+            totals[tube.start] -= self.flow[tube.name]
         return totals
 
     # -- syringes -------------------------------------------------------------

@@ -21,15 +21,15 @@ def hydraulic_resistance(viscosity: float, length: float, radius: float) -> floa
 
 
 def reynolds_number(
-    flow: np.ndarray, density: float, viscosity: float, radius: np.ndarray
-) -> np.ndarray:
+    flow: Any, density: Any, viscosity: Any, radius: Any, functions: Any = np
+) -> Any:
     r"""Reynolds number of the mean flow on the tube's diameter [1].
 
     .. math:: Re = 2 \rho |Q| / (\pi \mu r)
 
     ``flow`` Q [m3/s]. Pipe flow stays laminar below about 2300.
     """
-    return np.asarray(2 * density * np.abs(flow) / (math.pi * viscosity * radius))
+    return 2 * density * functions.fabs(flow) / (math.pi * viscosity * radius)
 
 
 def mean_speed(flow: np.ndarray, radius: np.ndarray) -> np.ndarray:

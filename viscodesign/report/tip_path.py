@@ -27,7 +27,7 @@ def draw_path(axes: Axes, trajectory: Trajectory, size: float = 1.0) -> LineColl
     points, time = trajectory.tip[:, :2] * 1e3, trajectory.time
     stride = -(-len(points) // PIECES)
     starts = range(0, len(points) - 1, stride)
-    rounds = _travelled(points)[-1] / max(float(np.sum(np.ptp(points, axis=0))), 1e-300)
+    rounds = travelled(points)[-1] / max(float(np.sum(np.ptp(points, axis=0))), 1e-300)
     lines = LineCollection(
         [points[k : k + stride + 1] for k in starts],
         cmap=SEQUENTIAL,
@@ -52,23 +52,23 @@ def time_range(trajectory: Trajectory) -> tuple[float, float]:
     return start, (end if end > start else start + 1.0)
 
 
-def _travelled(points: np.ndarray) -> np.ndarray:
+def travelled(points: np.ndarray) -> np.ndarray:
     """Length of the path up to each point."""
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
 
 
 def _draw_arrows(axes: Axes, points: np.ndarray, size: float) -> None:
     """Heads along the path at equal distances tell its direction."""
-    travelled = _travelled(points)
+    way = travelled(points)
     side = abs(float(np.subtract(*axes.get_ylim())))
-    if travelled[-1] < 0.08 * side:
+    if way[-1] < 0.08 * side:
         return
     # A periodic run retraces its path: heads on its last round alone stay legible.
     extent = float(np.sum(np.ptp(points, axis=0))) * 2.0
-    first = max(0.0, travelled[-1] - extent)
-    for target in first + (travelled[-1] - first) * np.array([0.2, 0.5, 0.8]):
+    first = max(0.0, way[-1] - extent)
+    for target in first + (way[-1] - first) * np.array([0.2, 0.5, 0.8]):
         end, start = (
-            [float(np.interp(at, travelled, points[:, i])) for i in (0, 1)]
+            [float(np.interp(at, way, points[:, i])) for i in (0, 1)]
             for at in (target, target - 0.003 * side)
         )
         axes.annotate(

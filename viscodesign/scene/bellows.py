@@ -54,9 +54,7 @@ class MaterialCurve(Part):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, given: Any, info: ValidationInfo) -> Any:
-        if isinstance(given, dict) and ("file" in given) == ("rows" in given):
-            raise refuse("a curve needs one of 'file' and 'rows'")
-        return with_rows(given, info, CURVE_COLUMNS, not_rising)
+        return with_rows(given, info, CURVE_COLUMNS, not_rising, "a curve")
 
     @model_validator(mode="after")
     def _fit_to_follow(self) -> MaterialCurve:

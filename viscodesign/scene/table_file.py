@@ -12,7 +12,7 @@ from typing import Any
 
 from pydantic import ValidationInfo
 
-from viscodesign.scene.base import Complaint, did_you_mean, refuse_any, refuse_at
+from viscodesign.scene.base import Complaint, did_you_mean, refuse, refuse_any, refuse_at
 
 Order = Callable[[Sequence[float]], Iterator[tuple[int, str]]]
 """Finds the places where a table's first column is out of order."""
@@ -21,10 +21,24 @@ MOST_ROWS = 50_000
 """A resolved spec lists its rows, and has to stay a text that one can open."""
 
 
-def with_rows(given: Any, info: ValidationInfo, columns: Sequence[str], order: Order) -> Any:
-    """A mapping whose 'file' is replaced by its 'rows'; what is no mapping stays."""
+def with_rows(
+    given: Any,
+    info: ValidationInfo,
+    columns: Sequence[str],
+    order: Order,
+    owner: str,
+    others: Sequence[str] = (),
+) -> Any:
+    """A mapping whose 'file' is replaced by its 'rows'; what is no mapping stays.
+
+    Of 'file', 'rows' and ``others`` the ``owner`` ('a table') needs just one.
+    """
     if not isinstance(given, dict):
         return given
+    *first, last = ("file", "rows", *others)
+    if sum(key in given for key in (*first, last)) != 1:
+        words = ", ".join(f"'{key}'" for key in first)
+        raise refuse(f"{owner} needs one of {words} and '{last}'")
     if not isinstance(given.get("file", ""), str):
         raise refuse_at("file", "the name of a CSV file is wanted, like 'table.csv'")
     if "file" not in given:

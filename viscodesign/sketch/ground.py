@@ -10,7 +10,6 @@ from typing import Any, TypeVar
 import numpy as np
 
 from viscodesign.model.coupling import BellowLaw
-from viscodesign.model.graph import Component
 from viscodesign.model.rod import Body
 from viscodesign.scene.scene import Scene
 from viscodesign.sketch.network import LinearNetwork, UniformNetwork
@@ -177,12 +176,14 @@ class Ground:
         resistance = self.resistance * multiplier
         late = inertance / (TIME_OF_MODES * self.time[-1]) if inertance.size else 0.0
         impedance = resistance + late
-        tubes = self._tubes(nodes, 1 / impedance)
-        conductance, feed = self._balance(nodes, tubes)
+        key = tuple(nodes)
+        incidence = self.remembered(("incidence", key), lambda: self._incidence(key))
+        tubes = self._tubes(incidence, len(nodes) + len(self.pressure_inlets), 1 / impedance)
+        leaving = incidence[:, : len(nodes)].T @ tubes
         return LinearNetwork(
             self.time,
-            conductance,
-            feed,
+            leaving[:, : len(nodes)],
+            -leaving[:, len(nodes) :],
             everything,
             self.drive,
             pushed,
@@ -200,7 +201,8 @@ class Ground:
         held = np.full((len(self.time), len(nodes)), self.baseline)
         sealed = []
         for part in self.graph.components():
-            own = np.array([k for k, n in enumerate(nodes) if n in _names(part)], dtype=int)
+            names = set(part.nodes)
+            own = np.array([k for k, n in enumerate(nodes) if n in names], dtype=int)
             inlets = [n for n in part.inlets if n in self.pressure_inlets]
             if inlets:
                 column = self.pressure_inlets.index(inlets[0])
@@ -209,33 +211,23 @@ class Ground:
                 sealed.append(own)
         return UniformNetwork(held, tuple(sealed), capacity, pushed, self.baseline)
 
-    def _tubes(self, nodes: list[str], conductance: np.ndarray) -> np.ndarray:
-        """Flow of every tube per pressure of nodes and inlets (Q, N + U), junctions out."""
-        graph = self.graph
-        bare = [n for n in graph.junctions if n not in nodes]
+    def _incidence(self, nodes: tuple[str, ...]) -> np.ndarray:
+        """Which tube leaves (1) or comes to (-1) which node: storing, inlets, bare (Q, ...)."""
+        bare = [n for n in self.graph.junctions if n not in nodes]
         names = {n: k for k, n in enumerate([*nodes, *self.pressure_inlets, *bare])}
-        incidence = np.zeros((len(graph.tubes), len(names)))
-        for k, tube in enumerate(graph.tubes):
+        incidence = np.zeros((len(self.graph.tubes), len(names)))
+        for k, tube in enumerate(self.graph.tubes):
             incidence[k, names[tube.start]], incidence[k, names[tube.end]] = 1.0, -1.0
+        return incidence
+
+    def _tubes(self, incidence: np.ndarray, kept: int, conductance: np.ndarray) -> np.ndarray:
+        """Flow of every tube per pressure of the first ``kept`` nodes, bare ones out (Q, kept)."""
         flows = conductance[:, None] * incidence
-        if not bare:
+        if kept == incidence.shape[1]:
             return np.asarray(flows)
-        kept = len(names) - len(bare)
         balance = incidence[:, kept:].T @ flows
         follow = -np.linalg.solve(balance[:, kept:], balance[:, :kept])
         return np.asarray(flows[:, :kept] + flows[:, kept:] @ follow)
-
-    def _balance(self, nodes: list[str], tubes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Conductance matrix of the nodes, and what the inlets feed them."""
-        out = np.zeros((len(nodes), len(tubes)))
-        index = {n: k for k, n in enumerate(nodes)}
-        for k, tube in enumerate(self.graph.tubes):
-            if tube.start in index:
-                out[index[tube.start], k] += 1.0
-            if tube.end in index:
-                out[index[tube.end], k] -= 1.0
-        leaving = out @ tubes
-        return leaving[:, : len(nodes)], -leaving[:, len(nodes) :]
 
     @cached_property
     def straight(self) -> np.ndarray:
@@ -251,7 +243,3 @@ class Ground:
         upper = np.minimum(ends[1:, None], joints[None, 1:])
         lower = np.maximum(ends[:-1, None], joints[None, :-1])
         return np.asarray(np.maximum(upper - lower, 0.0) * self.pieces)
-
-
-def _names(part: Component) -> set[str]:
-    return {*part.bellows, *part.junctions, *part.inlets}

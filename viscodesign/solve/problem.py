@@ -36,13 +36,17 @@ class Problem:
     bellows: tuple[str, ...]
     bellows_along_tubes: tuple[str, ...]
     """The same in the order of the unknowns."""
-    places: np.ndarray
-    """Where each of these stands among the unknowns (B,)."""
     baseline: float
     """Gauge pressure about which the inputs cycle [Pa]."""
     schedule: Schedule
     flow_shares: np.ndarray
     """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
+
+    @property
+    def places(self) -> np.ndarray:
+        """Where each of the bellows stands among the unknowns (B,)."""
+        place = {name: k for k, name in enumerate(self.bellows_along_tubes)}
+        return np.array([place[name] for name in self.bellows])
 
     def numbers(self, load_factor: float = 1.0) -> np.ndarray:
         """The parameter vector of the integrator: load factor, sealed volumes, parameters."""

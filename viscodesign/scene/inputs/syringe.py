@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
 
-from viscodesign.scene.base import Complaint, refuse, refuse_any
+from viscodesign.scene.base import Complaint, refuse_any
 from viscodesign.scene.inputs.base import PiecewiseLinear
 from viscodesign.scene.table_file import disorder, refuse_rows, with_rows
 from viscodesign.units import Length, Speed, Time, Volume
@@ -43,9 +43,7 @@ class Syringe(PiecewiseLinear):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, given: Any, info: ValidationInfo) -> Any:
-        if isinstance(given, dict) and sum(k in given for k in ("file", "rows", "speeds")) != 1:
-            raise refuse("a syringe needs one of 'file', 'rows' and 'speeds'")
-        return with_rows(given, info, COLUMNS, disorder)
+        return with_rows(given, info, COLUMNS, disorder, "a syringe", ["speeds"])
 
     @model_validator(mode="after")
     def _in_order(self) -> Syringe:

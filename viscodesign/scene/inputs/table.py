@@ -6,7 +6,6 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
 
-from viscodesign.scene.base import refuse
 from viscodesign.scene.inputs.base import PiecewiseLinear
 from viscodesign.scene.table_file import disorder, refuse_rows, with_rows
 from viscodesign.units import Pressure, Time
@@ -29,9 +28,7 @@ class Table(PiecewiseLinear):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, given: Any, info: ValidationInfo) -> Any:
-        if isinstance(given, dict) and ("file" in given) == ("rows" in given):
-            raise refuse("a table needs one of 'file' and 'rows'")
-        return with_rows(given, info, COLUMNS, disorder)
+        return with_rows(given, info, COLUMNS, disorder, "a table")
 
     @model_validator(mode="after")
     def _in_order(self) -> Table:
