@@ -155,13 +155,9 @@ class Sketch:
         low, high = pressure.min(axis=0), pressure.max(axis=0)
         spread = np.maximum(high - low, 1e-3 * ground.swing)
         middle = (low + high) / 2
-        if self.wall is None:
-            stored = np.full(ground.bellows, ground.compliance)
-            volume = ground.rest_volume + ground.compliance * pressure
-        else:
-            ends = [self.wall(middle + side * spread / 2)[0] for side in (-1, 1)]
-            stored = np.maximum((ends[1] - ends[0]) / spread, 1e-3 * ground.compliance)
-            volume = ground.rest_volume + self.wall(pressure)[0]
+        ends = [self._law(middle + side * spread / 2)[0] for side in (-1, 1)]
+        stored = np.maximum((ends[1] - ends[0]) / spread, 1e-3 * ground.compliance)
+        volume = ground.rest_volume + self._law(pressure)[0]
         if self.gas_exponent is not None:
             absolute = np.maximum(ground.ambient + pressure, 0.02 * ground.ambient)
             volume = np.maximum(volume, 0.02 * ground.rest_volume)
@@ -172,13 +168,20 @@ class Sketch:
 
     # -- shape ----------------------------------------------------------------
 
+    def _law(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Volume beyond rest, curvature and stretch that each bellow has at its pressure."""
+        if self.wall is not None:
+            return self.wall(pressure)
+        ground = self.ground
+        return (
+            ground.compliance * pressure,
+            ground.curvature * pressure,
+            ground.stretch * pressure,
+        )
+
     def _strains(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Curvature and stretch of every section (T, S)."""
-        ground = self.ground
-        if self.wall is None:
-            bend, extend = ground.curvature * pressure, ground.stretch * pressure
-        else:
-            _, bend, extend = self.wall(pressure)
+        _, bend, extend = self._law(pressure)
         right, left = np.split(bend, 2, axis=1)
         return left - right, sum(np.split(extend, 2, axis=1), np.zeros_like(left))
 
