@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 import numpy as np
@@ -19,6 +19,7 @@ from viscodesign.model.unknowns import Sizes
 from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Problem, Schedule
+from viscodesign.solve.transient import DEFAULT_SOLVER
 
 TOLERANCE_PER_ACCURACY = 1 / 40
 """Tip errors of a coupled leg are about twenty times the integrator's tolerance (measured
@@ -35,10 +36,13 @@ class Settings:
 
     edges_per_section: int
     tolerance: float
+    solver: str = DEFAULT_SOLVER
 
     def finer(self) -> Settings:
         """Half the edge length, a tenth of the tolerance."""
-        return Settings(2 * self.edges_per_section, self.tolerance / 10)
+        return replace(
+            self, edges_per_section=2 * self.edges_per_section, tolerance=self.tolerance / 10
+        )
 
 
 def suggest_settings(conditions: Conditions) -> Settings:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from viscodesign.build import Settings
 from viscodesign.effects.conditions import Conditions
@@ -26,7 +27,7 @@ def prove(
     A scene that cannot be solved with the effect switched says so in the note; an
     interrupt ends the list. Raises `SolveError` where the scene itself cannot start.
     """
-    finer = Settings(settings.edges_per_section, settings.tolerance / FINER)
+    finer = replace(settings, tolerance=settings.tolerance / FINER)
     base = solve(conditions, selection.effects, finer)
     if base.solution.interrupted:
         return ()

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from viscodesign._version import __version__
-from viscodesign.build import Settings, suggest_settings
+from viscodesign.build import suggest_settings
 from viscodesign.classifying import classification
 from viscodesign.course import Course, course_notices
 from viscodesign.effects.conditions import Conditions
@@ -48,7 +48,7 @@ def simulate(
     refuse_unsolvable(conditions)
     settings = suggest_settings(conditions)
     if tolerance is not None:
-        settings = Settings(settings.edges_per_section, tolerance)
+        settings = replace(settings, tolerance=tolerance)
     refiner = Refiner(conditions, selection.effects, progress)
     run = refiner.solve(settings)
     error: float | None = None
@@ -185,6 +185,7 @@ def _settings(run: Run) -> dict[str, Any]:
         "network": equations.network_form.value,
         "edges_per_section": run.settings.edges_per_section,
         "tolerance": run.settings.tolerance,
+        "solver": run.settings.solver,
         "states": equations.states.count,
         "algebraic_unknowns": equations.algebraics.count,
     }

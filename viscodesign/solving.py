@@ -57,7 +57,7 @@ def solve(
     piece = problem.schedule.initial_piece
     steady = conditions.scene.run.start == "equilibrium"
     start = equilibrium(problem, 0.0, piece) if steady else rest(problem, piece)
-    solution = integrate(problem, start, settings.tolerance, progress)
+    solution = integrate(problem, start, settings.tolerance, progress, settings.solver)
     solved = clock.perf_counter()
     motion = read_motion(problem, solution)
     compile_s = solution.work.compile_s

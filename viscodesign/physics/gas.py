@@ -21,7 +21,7 @@ def density_ratio(pressure: Any, ambient: Any, exponent: float, functions: Any =
 
     ``pressure`` p gauge [Pa], ``ambient`` P_0 absolute [Pa]; ``exponent`` n is 1 for a
     gas that keeps its temperature, the ratio of heat capacities for one that exchanges
-    no heat. ``functions`` offers `fmax` and `log` (numpy or CasADi).
+    no heat. ``functions`` offers `fmax`, `log` and `expm1` (numpy or CasADi).
     """
     ratio = functions.fmax(1 + pressure / ambient, VACUUM)
     return ratio if exponent == 1.0 else ratio ** (1 / exponent)
@@ -52,7 +52,9 @@ def specific_work(pressure: Any, ambient: Any, exponent: float, functions: Any =
     """
     ratio = functions.fmax(1 + pressure / ambient, VACUUM)
     power = 1 - 1 / exponent
-    done = functions.log(ratio) if exponent == 1.0 else (ratio**power - 1) / power
+    logarithm = functions.log(ratio)
+    # Not ratio**power - 1: beside 1, a power near 0 would lose its digits.
+    done = logarithm if exponent == 1.0 else functions.expm1(power * logarithm) / power
     beyond = 1 + pressure / ambient - ratio
     return ambient * (done + beyond / density_ratio(pressure, ambient, exponent, functions))
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
@@ -54,6 +54,7 @@ def test_a_stiff_gas_is_a_liquid(exponent: float) -> None:
     assert gas.specific_work(1e3, 1e12, exponent) == pytest.approx(1e3, rel=1e-6)
 
 
+@example(low=1.0, high=2.0, exponent=1.0000000000000002)
 @given(low=st.floats(-0.99, 5.0), high=st.floats(-0.99, 5.0), exponent=st.floats(1.0, 5 / 3))
 def test_more_pressure_is_more_of_everything(low: float, high: float, exponent: float) -> None:
     if high - low < 1e-6:

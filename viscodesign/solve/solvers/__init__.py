@@ -1,0 +1,1 @@
+"""Ways through time, one file each."""

@@ -1,0 +1,75 @@
+"""What a solver is: it follows the scaled equations over intervals of a schedule."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from viscodesign.errors import SolveError
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.statics import Start
+
+Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
+"""States (nx, m), algebraic unknowns (nz, m) and integrals since the start (nq, m) at m edges."""
+
+
+@dataclass
+class Work:
+    """Counts of work done, which no clock disturbs."""
+
+    steps: int = 0
+    residual_calls: int = 0
+    jacobian_calls: int = 0
+    chunks: int = 0
+    compile_s: float = 0.0
+    """Wall time spent on making integrators, which is building, not solving [s]."""
+
+
+class Solver(ABC):
+    """One way through time. A new one is a new file in this folder.
+
+    It restarts at every corner, where the coefficients of the inputs change: no step
+    ever passes over one. It never raises for a failure on the way: it returns what it
+    reached, with the failure.
+    """
+
+    name: ClassVar[str]
+    """Its word in settings and tables."""
+    title: ClassVar[str]
+    """What it is, in one line."""
+
+    def __init__(self, problem: Problem, tolerance: float) -> None:
+        self.problem = problem
+        self.tolerance = tolerance
+
+    @abstractmethod
+    def __call__(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """Solve intervals first..stop, or as many as can be; columns exclude the start.
+
+        ``here``: unknowns at edge ``first``, whose algebraic part may be stale.
+        """
+
+    def nothing(self) -> Columns:
+        """No column at all."""
+        equations = self.problem.equations
+        return (
+            np.zeros((equations.states.count, 0)),
+            np.zeros((equations.algebraics.count, 0)),
+            np.zeros((len(equations.rates), 0)),
+        )
+
+    def failure(self, reason: str, edge: int) -> SolveError:
+        """The failure of an interval that begins at an edge."""
+        time = float(self.problem.schedule.edges[edge])
+        return SolveError(
+            f"the motion cannot be followed past t = {time:.6g} s: {reason}",
+            quantity="motion",
+            where="integrator",
+            time_s=time,
+            remedy="Look at the last shapes; lower the pressure or the loads, or take inertia in.",
+        )

@@ -1,0 +1,141 @@
+"""SUNDIALS IDAS through CasADi: the default.
+
+IDAS steps freely inside an interval of smooth input and starts afresh at every
+corner, because there the coefficients of the input change. An interval that fails is
+halved until the output before the failure is found.
+"""
+
+from __future__ import annotations
+
+import time as clock
+from typing import Any, ClassVar
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.errors import SolveError
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.silence import silence
+from viscodesign.solve.solvers.base import Columns, Solver, Work
+from viscodesign.solve.statics import Start, consistent
+
+MAX_STEPS = 500_000
+"""Steps between two outputs after which a run is given up."""
+CAUTIOUS_STEP = 1e-12
+"""First step after a failure, in parts of the run."""
+MAX_STEPS_AFTER_FAILURE = 5_000
+"""The same, once a part of the run has failed."""
+
+
+class Idas(Solver):
+    """Variable-order BDF of SUNDIALS on the whole system of equations."""
+
+    name: ClassVar[str] = "idas"
+    order: ClassVar[int] = 10
+    title: ClassVar[str] = "SUNDIALS IDAS: BDF of order 1 to 5, exact Jacobian"
+
+    def __init__(self, problem: Problem, tolerance: float) -> None:
+        super().__init__(problem, tolerance)
+        equations = problem.equations
+        self.dae = {
+            "t": equations.time,
+            "x": equations.states.vector,
+            "z": equations.algebraics.vector,
+            "p": equations.parameters,
+            "u": equations.pieces,
+            "ode": equations.ode,
+            "alg": equations.alg,
+            "quad": ca.vertcat(*equations.rates.values()),
+        }
+        self.options: dict[str, Any] = {
+            "abstol": tolerance,
+            "reltol": tolerance,
+            "newton_scheme": "direct",
+            # LU by CSparse: the pivots do not mind a mirrored sign, Householder's QR does.
+            "linear_solver": "csparse",
+            "max_num_steps": MAX_STEPS,
+            "show_eval_warnings": False,
+            "disable_internal_warnings": True,
+            "quad_err_con": False,
+            # Accelerations are noisy, and nothing is integrated from them but through the
+            # velocities, whose error is controlled.
+            "suppress_algebraic": "acceleration" in equations.algebraics.blocks,
+        }
+        self.remedies: tuple[dict[str, Any], ...] = (
+            # The first step is guessed from rates that may be about to jump: take less.
+            {"step0": CAUTIOUS_STEP * problem.schedule.edges[-1]},
+            {"suppress_algebraic": False},
+            {"max_multistep_order": 2},
+        )
+
+    def __call__(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """Solve intervals first..stop, or as many as can be; columns exclude the start."""
+        try:
+            return self._solve(here, first, stop, work, self.options), None
+        except SolveError as error:
+            return self.nothing(), error
+        except RuntimeError as error:
+            if stop - first == 1:
+                return self._insist(here, first, work, error)
+        # What failed once is sought with little patience: a stuck step is not a slow one.
+        self.options["max_num_steps"] = MAX_STEPS_AFTER_FAILURE
+        middle = (first + stop) // 2
+        before, failure = self(here, first, middle, work)
+        if failure is not None or not before[0].shape[1]:
+            return before, failure
+        there = Start(before[0][:, -1], before[1][:, -1])
+        after, failure = self(there, middle, stop, work)
+        joined = tuple(
+            np.concatenate(pair, axis=1) for pair in zip(before[:2], after[:2], strict=True)
+        )
+        integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
+        return (joined[0], joined[1], integrals), failure
+
+    def _insist(
+        self, here: Start, first: int, work: Work, error: RuntimeError
+    ) -> tuple[Columns, SolveError | None]:
+        """Try one interval again, each time with one more remedy."""
+        options = dict(self.options)
+        for remedy in self.remedies:
+            options |= remedy
+            try:
+                return self._solve(here, first, first + 1, work, options), None
+            except RuntimeError as again:
+                error = again
+        return self.nothing(), self.failure(_last_words(error), first)
+
+    def _solve(
+        self, here: Start, first: int, stop: int, work: Work, options: dict[str, Any]
+    ) -> Columns:
+        schedule = self.problem.schedule
+        edges, pieces = schedule.edges, schedule.pieces
+        there = consistent(self.problem, here, edges[first], pieces[first])
+        began = clock.perf_counter()
+        integrator = ca.integrator(
+            "motion", "idas", self.dae, edges[first], edges[first + 1 : stop + 1], options
+        )
+        work.compile_s += clock.perf_counter() - began
+        with silence():
+            result = integrator(
+                x0=there.states,
+                z0=there.algebraics,
+                p=self.problem.numbers(),
+                u=pieces[first:stop].T,
+            )
+        _count(work, integrator.stats())
+        return np.array(result["xf"]), np.array(result["zf"]), np.array(result["qf"])
+
+
+def _count(work: Work, stats: dict[str, Any]) -> None:
+    """Add one call of the integrator."""
+    work.steps += int(stats["nsteps"])
+    work.residual_calls += int(stats["n_call_daeF"])
+    work.jacobian_calls += int(stats["n_call_jacF"])
+
+
+def _last_words(error: RuntimeError) -> str:
+    """The integrator's own reason, one line."""
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    return lines[-1][:200] if lines else "no reason given"
