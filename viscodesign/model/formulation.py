@@ -21,7 +21,9 @@ no pressure drops            one pressure per connected network
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections import OrderedDict
+from collections.abc import Hashable
+from dataclasses import dataclass, fields
 
 import casadi as ca
 import numpy as np
@@ -31,14 +33,18 @@ from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkEquations, NetworkForm
 from viscodesign.model.rod_equations import RodEquations, RodForm
 from viscodesign.model.system import System
-from viscodesign.model.unknowns import Sizes, Unknowns, column, substitute
+from viscodesign.model.unknowns import Sizes, SizeSymbols, Unknowns, column, substitute
 
 SX = ca.SX
 
 
+MOST_KEPT = 16
+"""Structures whose formulas are kept for the next scene of the same kind."""
+
+
 @dataclass(frozen=True)
-class Equations:
-    """The equations of one system, with everything a solver needs to know."""
+class Formulas:
+    """The equations of one structure: symbols alone, good for every scene of its kind."""
 
     rod_form: RodForm
     network_form: NetworkForm
@@ -49,7 +55,6 @@ class Equations:
     time: SX
     pieces: SX
     parameters: SX
-    parameter_values: np.ndarray
     ode: SX
     alg: SX
     rates: dict[str, SX]
@@ -63,32 +68,91 @@ class Equations:
     """Like `function`, returning (alg, d alg/d z)."""
     output_function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
+    quantity_function: ca.Function
+    """parameters -> (sealed_volumes, rest_amounts, motion time, swing time, and the sizes
+    of all blocks of states, algebraics and statics)."""
     fed: tuple[Component, ...]
     sealed: tuple[Component, ...]
-    sealed_volumes: np.ndarray
-    """What each sealed part was filled with [m3 at ambient density]."""
     storing: tuple[str, ...]
     """Nodes besides the bellows that hold fluid."""
     incompressible: bool
     """Whether an amount in a bellow is its volume."""
+    made: dict[Hashable, ca.Function]
+    """What solvers have compiled of these formulas, by their own keys."""
+
+    def with_numbers(self, values: np.ndarray) -> Equations:
+        """The equations of a scene with these parameter values."""
+        found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
+        sealed, rest, motion, swing = found[:4]
+        groups = [self.states, self.algebraics, self.statics]
+        ends = 4 + np.cumsum([0, *(len(group.blocks) for group in groups)])
+        sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
+        own = {f.name: getattr(self, f.name) for f in fields(self)}
+        names = ("states", "algebraics", "statics")
+        return Equations(
+            **{**own, **dict(zip(names, sized, strict=True))},
+            parameter_values=values,
+            sealed_volumes=sealed,
+            rest_amounts=rest,
+            motion_time=float(motion[0]),
+            swing_time=float(swing[0]),
+        )
+
+
+@dataclass(frozen=True)
+class Equations(Formulas):
+    """Formulas with the numbers of one scene: everything that a solver needs to know."""
+
+    parameter_values: np.ndarray
+    sealed_volumes: np.ndarray
+    """What each sealed part was filled with [m3 at ambient density]."""
     rest_amounts: np.ndarray
     """What bellows and storing nodes hold at zero gauge [m3]."""
+    motion_time: float
+    """Time in which the rod moves by itself: the size of its velocities is length over it [s]."""
+    swing_time: float
+    """Time in which the inlets may change by all of the pressure [s]."""
+
+
+_kept: OrderedDict[Hashable, Formulas] = OrderedDict()
 
 
 def formulate(system: System, sizes: Sizes) -> Equations:
     """Turn a system's sums into equations.
 
+    Derivatives and substitutions are made once for every structure and kept; a system
+    that differs from an earlier one by its numbers alone takes them over.
     Raises `SpecError` where one pressure per network is asked for and two inlets
     feed the same network.
     """
-    return _Formulation(system, sizes).equations()
+    symbols = SizeSymbols(
+        pressure=system.parameter("size.pressure", sizes.pressure),
+        time=system.parameter("size.time", sizes.time),
+        swing=system.parameter("size.swing", sizes.swing),
+    )
+    system.parameter("length", system.body.length)
+    key = _structure(system)
+    if key not in _kept:
+        _kept[key] = _Formulation(system, symbols).formulas()
+        if len(_kept) > MOST_KEPT:
+            _kept.popitem(last=False)
+    _kept.move_to_end(key)
+    return _kept[key].with_numbers(system.parameters()[1])
+
+
+def _structure(system: System) -> Hashable:
+    """What two systems share that have the same formulas: all but the parameters' values."""
+    sums = system.sums()
+    function = ca.Function("sums", ca.symvar(ca.veccat(*sums)), sums)
+    return system.shape(), function.serialize()
 
 
 class _Formulation:
     """One pass over a system; kept together because every step needs the same symbols."""
 
-    def __init__(self, system: System, sizes: Sizes) -> None:
+    def __init__(self, system: System, sizes: SizeSymbols) -> None:
         self.system = system
+        self.sizes = sizes
         self.rod = RodEquations(system, sizes)
         self.network = NetworkEquations(system, sizes)
         self.states, self.algebraics, self.statics = Unknowns(), Unknowns(), Unknowns()
@@ -128,17 +192,28 @@ class _Formulation:
             (self.statics,),
         )
 
-    def _rest_amounts(self, symbols: SX, values: np.ndarray) -> np.ndarray:
+    def _quantities(self) -> list[SX]:
+        """Numbers that follow from the parameters alone."""
         nodes = [*self.system.pressure, *self.network.storing]
-        function = ca.Function("rest", [symbols], [self.network.rest_amounts(nodes)])
-        return np.asarray(function(values), dtype=float).ravel()
+        return [
+            self.network.filled(),
+            self.network.rest_amounts(nodes),
+            self.sizes.time,
+            self.sizes.swing,
+            *(
+                size
+                for group in (self.states, self.algebraics, self.statics)
+                for size in group.sizes
+            ),
+        ]
 
-    def equations(self) -> Equations:
+    def formulas(self) -> Formulas:
         """Assemble, resolve and compile."""
         (ode, alg), rates, outputs = self._balances()
         static, *static_values = self._statics()
         system, network = self.system, self.network
-        parameters, values = system.parameters()
+        quantities = self._quantities()
+        parameters, _ = system.parameters()
         x, z, y = self.states.vector, self.algebraics.vector, self.statics.vector
         tail = [
             system.time,
@@ -147,7 +222,7 @@ class _Formulation:
             network.sealed_volumes,
             parameters,
         ]
-        return Equations(
+        return Formulas(
             rod_form=self.rod.form,
             network_form=network.form,
             states=self.states,
@@ -156,7 +231,6 @@ class _Formulation:
             time=system.time,
             pieces=system.pieces,
             parameters=ca.vertcat(system.load_factor, network.sealed_volumes, parameters),
-            parameter_values=values,
             ode=ode,
             alg=alg,
             rates=rates,
@@ -170,12 +244,12 @@ class _Formulation:
             output_function=ca.Function(
                 "outputs", [x, z, *tail], list(outputs.values()), _names(7), list(outputs)
             ),
+            quantity_function=ca.Function("quantities", [parameters], quantities),
             fed=network.fed,
             sealed=network.sealed,
-            sealed_volumes=network.filled(),
-            incompressible=isinstance(system.fluid, Incompressible),
             storing=tuple(network.storing),
-            rest_amounts=self._rest_amounts(parameters, values),
+            incompressible=isinstance(system.fluid, Incompressible),
+            made={},
         )
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import Enum
-from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -12,7 +11,7 @@ import numpy as np
 from viscodesign.errors import SpecError
 from viscodesign.model.graph import Component, Tube
 from viscodesign.model.system import System
-from viscodesign.model.unknowns import Sizes, Unknowns, column, substitute
+from viscodesign.model.unknowns import SizeSymbols, Unknowns, column, substitute
 
 SX = ca.SX
 
@@ -31,7 +30,7 @@ class NetworkEquations:
     formula. Any other loss makes the flow an algebraic unknown, inertance a state.
     """
 
-    def __init__(self, system: System, sizes: Sizes) -> None:
+    def __init__(self, system: System, sizes: SizeSymbols) -> None:
         self.system = system
         self.sizes = sizes
         self.form = NetworkForm.DISTRIBUTED if system.drop else NetworkForm.UNIFORM
@@ -123,22 +122,17 @@ class NetworkEquations:
     def _flows(self, tubes: list[Tube]) -> SX:
         return column([self.system.flow[t.name] for t in tubes])
 
-    def _volume_size(self) -> float:
-        return self.system.bellow.compliance * self.sizes.pressure
+    @property
+    def _compliance(self) -> SX:
+        return self.system.parameter("compliance", self.system.bellow.compliance)
 
-    @cached_property
-    def _flow_size(self) -> dict[str, float]:
+    def _volume_size(self) -> SX:
+        return self._compliance * self.sizes.pressure
+
+    def _flow_sizes(self, tubes: list[Tube]) -> SX:
         """Flow that the pressure drives, or that all bellows take in one swing, by tube."""
-        names = [t.name for t in (*self.inertial, *self.implicit)]
-        symbols, values = self.system.parameters()
-        slopes = ca.Function("slopes", [symbols], [column([self._slope[n] for n in names])])
-        resistance = np.asarray(slopes(values), dtype=float).ravel()
-        compliance = self.system.bellow.compliance * len(self.system.pressure)
-        sizes = self.sizes.pressure / (resistance + self.sizes.swing / compliance)
-        return dict(zip(names, sizes.tolist(), strict=True))
-
-    def _flow_sizes(self, tubes: list[Tube]) -> np.ndarray:
-        return np.array([self._flow_size[t.name] for t in tubes])
+        filling = self.sizes.swing / (self._compliance * len(self.system.pressure))
+        return self.sizes.pressure / (column([self._slope[t.name] for t in tubes]) + filling)
 
     def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
         """Give every connected network one pressure: its inlet's, or an unknown."""
@@ -195,14 +189,11 @@ class NetworkEquations:
         stored = column([system.stored(name) for name in nodes])
         return substitute([stored], pairs)[0]
 
-    def filled(self) -> np.ndarray:
+    def filled(self) -> SX:
         """What every sealed part was filled with: its content at the baseline [m3]."""
-        contents = [
-            ca.sum1(self._content(self._nodes(c), self.system.baseline)) for c in self.sealed
-        ]
-        symbols, values = self.system.parameters()
-        function = ca.Function("filled", [symbols], [column(contents)])
-        return np.asarray(function(values), dtype=float).ravel()
+        return column(
+            [ca.sum1(self._content(self._nodes(c), self.system.baseline)) for c in self.sealed]
+        )
 
     def departures(self) -> SX:
         """What bellows and storing nodes hold beyond rest, from pressures [m3]."""
@@ -225,8 +216,7 @@ class NetworkEquations:
             sums = [sum((-inflow[n] for n in self._pressure_inlets(c)), SX(0)) for c in self.fed]
             ode.append(column(sums) / (size * len(self.system.pressure)))
         rates, inertial = self._flow_rates(), self._free(self.inertial)
-        sizes = ca.DM(self._flow_sizes(inertial).reshape(-1, 1))
-        ode.append(column([rates[t.name] for t in inertial]) / sizes)
+        ode.append(column([rates[t.name] for t in inertial]) / self._flow_sizes(inertial))
         # The state is the amount beyond that at rest: small departures keep their digits.
         held = ca.vertcat(self.amounts, self.node_amounts)
         alg = [(held - self.departures()) / size, *self._junction_balances(rates)]

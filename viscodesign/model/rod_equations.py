@@ -7,7 +7,7 @@ from enum import Enum
 import casadi as ca
 
 from viscodesign.model.system import System
-from viscodesign.model.unknowns import Sizes, Unknowns, column, substitute
+from viscodesign.model.unknowns import SizeSymbols, Unknowns, column, substitute
 
 SX = ca.SX
 
@@ -37,10 +37,11 @@ def rod_form(system: System) -> RodForm:
 class RodEquations:
     """Unknowns, balances and outputs of the rod."""
 
-    def __init__(self, system: System, sizes: Sizes) -> None:
+    def __init__(self, system: System, sizes: SizeSymbols) -> None:
         self.system = system
         self.sizes = sizes
         self.form = rod_form(system)
+        self.length = system.parameter("length", system.body.length)
         self.acceleration = SX.sym("acceleration", *system.rod.velocity.shape)
         self.coupled = self.form is RodForm.DYNAMIC and not self._masses_stand_alone()
 
@@ -61,7 +62,7 @@ class RodEquations:
         """Add the rod's unknowns to their vectors."""
         if self.form is RodForm.ARCS:
             return
-        rod, length = self.system.rod, self.system.body.length
+        rod, length = self.system.rod, self.length
         speed = length / self.sizes.time
         algebraics.add("elastic_curvature", rod.elastic_curvature, 1.0 / length)
         statics.add("elastic_curvature", rod.elastic_curvature, 1.0 / length)
@@ -127,7 +128,7 @@ class RodEquations:
         return forces
 
     def _force_size(self) -> SX:
-        return self.system.rod.EI / self.system.body.length**2
+        return self.system.rod.EI / self.length**2
 
     def _momentum_defect(self) -> SX:
         """Lagrange's equations where the nodes' velocities are coupled, over a force."""
@@ -145,7 +146,7 @@ class RodEquations:
         """Rates of the scaled states and scaled algebraic defects, not yet resolved."""
         if self.form is RodForm.ARCS:
             return [], []
-        length, time = self.system.body.length, self.sizes.time
+        length, time = self.length, self.sizes.time
         velocity = ca.vec(self.system.rod.velocity)
         alg = [self._compatibility()]
         if self.form is RodForm.STATIC:

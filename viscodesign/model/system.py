@@ -133,6 +133,44 @@ class System:
         values = np.array([value for _, value in self._parameters.values()])
         return ca.vertcat(*symbols), values
 
+    def sums(self) -> list[SX]:
+        """Everything that equations are made of: two systems equal in these are one structure."""
+        nodes = [*self.pressure, *self.storing_nodes()]
+        return [
+            self.kinetic_energy,
+            self.load_potential,
+            self.tip_moment,
+            self.dissipation_power,
+            self.tube_energy,
+            self.fluid_energy(),
+            self.intrinsic_curvature,
+            self.intrinsic_stretch,
+            *(self.driving_pressure(tube.start, tube.end) for tube in self.graph.tubes),
+            *(law[name] for law in (self.drop, self.inertance) for name in sorted(law)),
+            *(self.specific_work(name) for name in self.graph.nodes),
+            *(self.carried_energy(name) for name in nodes),
+            *(self.wall_volume(name) for name in nodes),
+            *(self.stored(name) for name in nodes),
+            *(self.plunger_pressure(name) for name in self.syringes),
+            *self.pushed_value.values(),
+            *self.inlet_pressure.values(),
+        ]
+
+    def shape(self) -> tuple[object, ...]:
+        """Names that go with the sums: what is joined to what, and which law is which."""
+        return (
+            self.graph.sections,
+            self.rod.edges_per_section,
+            self.graph.nodes,
+            tuple((tube.name, tube.start, tube.end) for tube in self.graph.tubes),
+            tuple(self.storing_nodes()),
+            tuple(sorted(self.drop)),
+            tuple(sorted(self.inertance)),
+            tuple(self.syringes),
+            type(self.fluid).__name__,
+            tuple(self._parameters),
+        )
+
     # -- the network ----------------------------------------------------------
 
     def node_pressure(self, node: str) -> SX:

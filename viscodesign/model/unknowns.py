@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import casadi as ca
 import numpy as np
@@ -20,6 +21,15 @@ class Sizes:
     """Of the rod's motion [s]."""
     swing: float
     """Time in which the inlets may change by all of the pressure [s]."""
+
+
+@dataclass(frozen=True)
+class SizeSymbols:
+    """The same as parameters of a system."""
+
+    pressure: SX
+    time: SX
+    swing: SX
 
 
 @dataclass(frozen=True)
@@ -45,17 +55,30 @@ class Unknowns:
     blocks: dict[str, Block] = field(default_factory=dict)
     symbols: list[SX] = field(default_factory=list)
     values: list[SX] = field(default_factory=list)
+    sizes: list[SX] = field(default_factory=list)
 
-    def add(self, name: str, symbol: SX, size: float | np.ndarray) -> None:
-        """Let ``symbol`` be ``size`` times a new scaled unknown; nothing for no symbol."""
+    def add(self, name: str, symbol: SX, size: SX) -> None:
+        """Let ``symbol`` be ``size`` times a new scaled unknown; nothing for no symbol.
+
+        ``size``: one for all or one for each, a formula of the system's parameters.
+        """
         flat = ca.vec(symbol)
         if not flat.numel():
             return
         hat = SX.sym(f"{name}_hat", flat.numel())
-        self.blocks[name] = Block(name, self.count, flat.numel(), size)
+        self.blocks[name] = Block(name, self.count, flat.numel(), np.nan)
         self.hats.append(hat)
         self.symbols.append(flat)
-        self.values.append(ca.DM(size) * hat)
+        self.values.append(size * hat)
+        self.sizes.append(SX(size))
+
+    def sized(self, sizes: Sequence[np.ndarray]) -> Unknowns:
+        """The same with numbers for the blocks' sizes, in the order of `sizes`."""
+        blocks = {
+            name: replace(block, size=float(size[0]) if size.size == 1 else size)
+            for (name, block), size in zip(self.blocks.items(), sizes, strict=True)
+        }
+        return replace(self, blocks=blocks)
 
     @property
     def vector(self) -> SX:

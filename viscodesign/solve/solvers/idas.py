@@ -25,6 +25,8 @@ CAUTIOUS_STEP = 1e-12
 """First step after a failure, in parts of the run."""
 MAX_STEPS_AFTER_FAILURE = 5_000
 """The same, once a part of the run has failed."""
+MOST_KEPT = 8
+"""Integrators kept for scenes of one structure."""
 
 
 class Idas(Solver):
@@ -93,6 +95,16 @@ class Idas(Solver):
         integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
         return (joined[0], joined[1], integrals), failure
 
+    def _integrator(self, edges: np.ndarray, options: dict[str, Any]) -> ca.Function:
+        """One for these times and options, made once for all scenes of a structure."""
+        key = ("idas", edges.tobytes(), tuple(sorted(options.items())))
+        made = self.problem.equations.made
+        if key not in made:
+            if len(made) >= MOST_KEPT:
+                made.clear()
+            made[key] = ca.integrator("motion", "idas", self.dae, edges[0], edges[1:], options)
+        return made[key]
+
     def _insist(
         self, here: Start, first: int, work: Work, error: RuntimeError
     ) -> tuple[Columns, SolveError | None]:
@@ -113,9 +125,7 @@ class Idas(Solver):
         edges, pieces = schedule.edges, schedule.pieces
         there = consistent(self.problem, here, edges[first], pieces[first])
         began = clock.perf_counter()
-        integrator = ca.integrator(
-            "motion", "idas", self.dae, edges[first], edges[first + 1 : stop + 1], options
-        )
+        integrator = self._integrator(edges[first : stop + 1], options)
         work.compile_s += clock.perf_counter() - began
         with silence():
             result = integrator(

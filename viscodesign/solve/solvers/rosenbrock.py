@@ -1,0 +1,243 @@
+"""Rodas5P, a Rosenbrock method, with a whole step as one compiled formula.
+
+BDF of order three and above is not stable for undamped vibrations; this method is, at
+order five. A step has one Jacobian, one elimination and eight stages, no iteration.
+Elimination is written out as formulas, so that a step is one call without any search.
+"""
+
+from __future__ import annotations
+
+import itertools
+import time as clock
+from typing import Any, ClassVar
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.errors import SolveError
+from viscodesign.model.formulation import Equations
+from viscodesign.solve.elimination import Elimination
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.solvers import rodas
+from viscodesign.solve.solvers.base import Columns, Solver, Work
+from viscodesign.solve.statics import Start, consistent
+
+SX = ca.SX
+
+FIRST_STEP = 1e-3
+"""First step, in parts of the shortest time that the equations know."""
+SMALLEST_STEP = 1e-14
+"""Step, in parts of the run, below which it is given up."""
+SAFETY = 0.9
+GROWTH, SHRINKING = 5.0, 0.2
+"""Largest and smallest factor between two steps."""
+MEMORY = 0.08
+"""Exponent by which the last error tempers the next step (a PI controller)."""
+MAX_STEPS = 500_000
+"""Steps in one call after which a run is given up."""
+
+
+class Rosenbrock(Solver):
+    """Steps of Rodas5P, as long as the embedded error allows."""
+
+    name: ClassVar[str] = "rosenbrock"
+    order: ClassVar[int] = 20
+    title: ClassVar[str] = "Rodas5P: Rosenbrock of order 5, A-stable, exact Jacobian"
+
+    def __init__(self, problem: Problem, tolerance: float) -> None:
+        super().__init__(problem, tolerance)
+        equations = problem.equations
+        began = clock.perf_counter()
+        self.step = Step(equations)
+        self.making_s = clock.perf_counter() - began
+        self.size: float | None = None
+        self.states = equations.states.count
+        self.unknowns = self.states + equations.algebraics.count
+        self._shortest_time = min(equations.motion_time, equations.swing_time)
+        self._velocity = equations.states.blocks.get("velocity")
+
+    def __call__(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """Solve the stretches of smooth input in first..stop one after the other."""
+        work.compile_s, self.making_s = work.compile_s + self.making_s, 0.0
+        columns: list[np.ndarray] = []
+        total = np.zeros(len(self.problem.equations.rates))
+        failure: SolveError | None = None
+        for begin, end in smooth_stretches(self.problem.schedule.pieces, first, stop):
+            try:
+                here = consistent(
+                    self.problem,
+                    here,
+                    self.problem.schedule.edges[begin],
+                    self.problem.schedule.pieces[begin],
+                )
+            except SolveError as error:
+                failure = error
+                break
+            y = np.concatenate([here.states, here.algebraics, total])
+            found, failure = self._stretch(y, begin, end, work)
+            columns += found
+            if failure is not None:
+                break
+            x, z = found[-1][: self.states], found[-1][self.states : self.unknowns]
+            here, total = Start(x, z), found[-1][self.unknowns :]
+        if not columns:
+            return self.nothing(), failure
+        x, z, q = np.split(np.array(columns).T, [self.states, self.unknowns])
+        return (x, z, q), failure
+
+    def _stretch(
+        self, y: np.ndarray, begin: int, end: int, work: Work
+    ) -> tuple[list[np.ndarray], SolveError | None]:
+        """Unknowns at edges begin+1..end, or as many as can be."""
+        schedule = self.problem.schedule
+        edges, whole = schedule.edges, schedule.edges[-1]
+        self.step.bind(schedule.pieces[begin], self.problem.numbers())
+        time, last = edges[begin], edges[end]
+        size = self._first_size(last - time)
+        found: list[np.ndarray] = []
+        before = 1.0
+        for _ in range(MAX_STEPS):
+            remaining = last - time
+            final = size >= remaining * (1 - 1e-9)
+            taken = (
+                remaining if final else min(size, remaining / 2) if size > remaining / 2 else size
+            )
+            after, stages = self.step(y, time, taken)
+            work.steps += 1
+            work.residual_calls += rodas.STAGES
+            work.jacobian_calls += 1
+            error = self._error(y, after, stages[-1], taken)
+            if not error <= 1.0:
+                size = taken * _factor(error, 1.0)
+                if size < SMALLEST_STEP * whole:
+                    return found, self.failure("the steps shrink to nothing", begin + len(found))
+                continue
+            until = last if final else time + taken
+            found += self._outputs(y, after, stages, time, until, begin + 1 + len(found), end)
+            if final:
+                self.size = max(size, taken) * min(_factor(error, before), 1.0 / SAFETY)
+                return found, None
+            size = taken * _factor(error, before)
+            y, time, before = after, until, max(error, 1e-4)
+        return found, self.failure(f"{MAX_STEPS} steps were not enough", begin + len(found))
+
+    def _first_size(self, stretch: float) -> float:
+        if self.size is not None:
+            return min(self.size, stretch)
+        return min(FIRST_STEP * self._shortest_time, stretch)
+
+    def _outputs(
+        self,
+        before: np.ndarray,
+        after: np.ndarray,
+        stages: np.ndarray,
+        time: float,
+        until: float,
+        edge: int,
+        end: int,
+    ) -> list[np.ndarray]:
+        """Unknowns at the edges inside a step, by its dense output."""
+        edges = self.problem.schedule.edges[edge : end + 1]
+        count = int(np.searchsorted(edges, until * (1 + 1e-15), side="right"))
+        if count == 0:
+            return []
+        theta = np.minimum((edges[:count, None] - time) / (until - time), 1.0)
+        d = rodas.DENSE @ stages
+        inner = d[0] + theta * (d[1] + theta * d[2])
+        dense = (1 - theta) * before + theta * (after + (1 - theta) * inner)
+        dense[theta[:, 0] == 1.0] = after
+        return list(dense)
+
+    def _error(self, before: np.ndarray, after: np.ndarray, apart: np.ndarray, h: float) -> float:
+        """Largest of the states' error estimates, over what is allowed.
+
+        Not their root mean square: many still unknowns must not hide one that is wrong.
+        """
+        count = self.states
+        size = np.maximum(np.abs(before[:count]), np.abs(after[:count]))
+        weighted = apart[:count] / (self.tolerance * (1 + size))
+        if self._velocity is not None:
+            # A velocity counts by how far it leads astray within the step.
+            weighted[self._velocity.span] *= min(1.0, h / self.problem.equations.motion_time)
+        return float(np.max(np.abs(weighted)))
+
+
+def smooth_stretches(pieces: np.ndarray, first: int, stop: int) -> list[tuple[int, int]]:
+    """Runs of intervals in first..stop that share their inputs' coefficients."""
+    new = np.any(pieces[first + 1 : stop] != pieces[first : stop - 1], axis=1)
+    marks = [first, *(first + 1 + np.flatnonzero(new)).tolist(), stop]
+    return list(itertools.pairwise(marks))
+
+
+def _factor(error: float, before: float) -> float:
+    """By how much the next step may differ from the one of this error."""
+    if not np.isfinite(error):
+        return SHRINKING
+    wanted = SAFETY * max(error, 1e-10) ** (MEMORY - 1 / rodas.ORDER) * before**-MEMORY
+    wanted = SAFETY * max(error, 1e-10) ** (-1 / rodas.ORDER) if before == 1.0 else wanted
+    return float(min(GROWTH, max(SHRINKING, wanted)))
+
+
+class Step:
+    """One step as a compiled function, its numbers kept in place between calls."""
+
+    def __init__(self, equations: Equations) -> None:
+        if "rosenbrock" not in equations.made:
+            equations.made["rosenbrock"] = step_function(equations)
+        function = equations.made["rosenbrock"]
+        self._buffer, self._run = function.buffer()
+        self._arguments = [np.zeros(function.nnz_in(k)) for k in range(function.n_in())]
+        self._after = np.zeros(function.nnz_out(0))
+        self._stages = np.zeros(function.nnz_out(1))
+        for k, argument in enumerate(self._arguments):
+            self._buffer.set_arg(k, memoryview(argument))  # type: ignore[call-arg, arg-type]
+        for k, result in enumerate((self._after, self._stages)):
+            self._buffer.set_res(k, memoryview(result))  # type: ignore[call-arg, arg-type]
+
+    def bind(self, piece: np.ndarray, numbers: np.ndarray) -> None:
+        """Set the inputs' coefficients and all parameters."""
+        self._arguments[3][:] = piece
+        self._arguments[4][:] = numbers
+
+    def __call__(self, y: np.ndarray, time: float, size: float) -> tuple[np.ndarray, np.ndarray]:
+        """Unknowns and integrals after a step, and the stages (STAGES, n)."""
+        self._arguments[0][:] = y
+        self._arguments[1][0] = time
+        self._arguments[2][0] = size
+        self._run()
+        return self._after.copy(), self._stages.reshape(rodas.STAGES, -1).copy()
+
+
+def step_function(equations: Equations) -> ca.Function:
+    """A whole step: (y, t, h, pieces, parameters) -> (y after it, stages).
+
+    y (n,): states, algebraic unknowns, integrals of the rates; stages (STAGES n,).
+    """
+    integrals = SX.sym("integrals", len(equations.rates))
+    y = ca.vertcat(equations.states.vector, equations.algebraics.vector, integrals)
+    rates = ca.vertcat(equations.ode, equations.alg, *equations.rates.values())
+    t, h, tail = equations.time, SX.sym("step"), [equations.pieces, equations.parameters]
+    balances = ca.Function("balances", [y, t, *tail], [rates])
+    mass = ca.DM.ones(y.numel())
+    states, algebraics = equations.states.count, equations.algebraics.count
+    mass[states : states + algebraics] = 0
+    jacobian, drift = ca.jacobian(rates, y), ca.jacobian(rates, t)
+    matrix = ca.sparsify(ca.diag(mass)) / (h * rodas.GAMMA) - jacobian
+    elimination = Elimination(matrix.sparsity())
+    factors = elimination.factors(matrix)
+    stages: list[SX] = []
+    for i in range(rodas.STAGES):
+        place = y + _combined(rodas.A[i], stages)
+        pull = balances(place, t + rodas.NODES[i] * h, *tail)
+        pull += mass * _combined(rodas.C[i], stages) / h + h * rodas.SLOPES[i] * drift
+        stages.append(elimination.solution(factors, pull))
+    after = place + stages[-1]
+    return ca.Function(
+        "step", [y, t, h, *tail], [ca.densify(after), ca.densify(ca.vertcat(*stages))]
+    )
+
+
+def _combined(weights: tuple[float, ...], stages: list[SX]) -> Any:
+    return sum((w * s for w, s in zip(weights, stages, strict=True)), SX(0))
