@@ -10,20 +10,14 @@ report (Markdown and a figure) is computed from these lines alone.
 
 from __future__ import annotations
 
-import argparse
-import json
-import subprocess
-import sys
-import tempfile
 import time
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import yaml
-from effects_report import Record, read, write_report
+from effects_report import Record, write_report
+from scene_runs import drawn, options, run_all, say
 
 HERE = Path(__file__).parent
 RESULTS = HERE / "results" / "effects_study.jsonl"
@@ -31,65 +25,26 @@ FINER = 20
 """By how much the tolerance is cut where two tips are compared."""
 REPEATS = 3
 """Costs are the least of so many runs."""
+LIMIT = 180.0
+"""Time for one scene [s]."""
 
 
 def main() -> None:
     """Run and report."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--scenes", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=2026)
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--timeout", type=float, default=180.0, help="seconds for one scene")
-    parser.add_argument("--only", type=int, help="run one scene here, and print its lines")
-    parser.add_argument("--report", action="store_true", help="run nothing")
-    parser.add_argument("--output", type=Path, default=RESULTS)
-    given = parser.parse_args()
+    given = options(__doc__.splitlines()[0], LIMIT, RESULTS).parse_args()
     if given.only is not None:
-        for record in study(given.seed, given.only):
-            print(json.dumps(record), flush=True)
+        say(study(given.seed, given.only))
         return
     if not given.report:
-        run_all(given)
+        run_all(given, __file__)
     write_report(given.output)
-
-
-def run_all(given: argparse.Namespace) -> None:
-    """Run the scenes that have no line yet."""
-    given.output.parent.mkdir(parents=True, exist_ok=True)
-    done = {r["index"] for r in read(given.output) if r["kind"] == "end"}
-    wanted = [k for k in range(given.scenes) if k not in done]
-    with ThreadPoolExecutor(given.jobs) as pool, given.output.open("a") as file:
-        for lines in pool.map(lambda k: _in_process(given, k), wanted):
-            file.write(lines)
-            file.flush()
-
-
-def _in_process(given: argparse.Namespace, index: int) -> str:
-    """One scene's lines; what a killed process had said is kept."""
-    command = [sys.executable, __file__, "--only", str(index), "--seed", str(given.seed)]
-    began = time.monotonic()
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=given.timeout)
-        said, note = done.stdout, "" if done.returncode == 0 else done.stderr[-300:]
-    except subprocess.TimeoutExpired as late:
-        said = late.stdout.decode() if isinstance(late.stdout, bytes) else late.stdout or ""
-        note = f"stopped after {given.timeout:g} s"
-    whole = [line for line in said.splitlines() if line.endswith("}")]
-    end = {"kind": "end", "index": index, "wall_s": time.monotonic() - began, "note": note}
-    print(f"{index}: {end['wall_s']:.1f} s {note}", flush=True)
-    return "\n".join([*whole, json.dumps(end)]) + "\n"
 
 
 def study(seed: int, index: int) -> Iterator[Record]:
     """Lines of one scene: cost of both, distance of their tips, and every effect's proof."""
-    from scene_draw import draw
+    from viscodesign import simulate
 
-    from viscodesign import load, simulate
-
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "scene.yaml"
-        path.write_text(yaml.safe_dump(draw(seed, index)))
-        scenes = {"auto": load(path), "all": load(path, ["effects={others: on}"])}
+    scenes = {"auto": drawn(seed, index), "all": drawn(seed, index, ["effects={others: on}"])}
     costs = {name: _cost(scene) for name, scene in scenes.items()}
     yield {"kind": "cost", "index": index, **_facts(scenes["auto"]), **costs}
     finer = scenes["auto"].accuracy / 40 / FINER

@@ -17,7 +17,9 @@ from typing import Any
 import numpy as np
 from tip_pair import draw_tips
 
-from viscodesign import Trajectory, load, simulate
+from viscodesign import AccuracyStudy, Trajectory, accuracy, load, simulate
+from viscodesign.cli.price import seconds
+from viscodesign.report.accuracy_chart import draw_accuracy
 
 DOCS = Path(__file__).parent
 CONFIGS = DOCS.parent / "configs"
@@ -27,8 +29,9 @@ PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
 
 
 def main() -> None:
-    """Fill both pages."""
+    """Fill all pages."""
     fill(DOCS / "effects.md", {"effects": effects_table()})
+    fill(DOCS / "accuracy.md", {"accuracy": accuracy_block()})
     fill(DOCS / "published_and_called_for.md", comparison_blocks())
 
 
@@ -74,6 +77,28 @@ def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     """A Markdown table."""
     lines = [head, ("---",) * len(head), *rows]
     return "\n".join(f"| {' | '.join(cell.replace('|', '/') for cell in line)} |" for line in lines)
+
+
+# -- what accuracy costs -----------------------------------------------------------------
+
+
+def accuracy_block() -> str:
+    """The picture of the paper's leg, and the price of every error; on a quiet machine."""
+    study = accuracy(load(CONFIGS / "leg_16_straight_air.yaml"))
+    draw_accuracy(study, DOCS / "accuracy.png")
+    return table(("error", "time to solve", "cheapest setting"), accuracy_rows(study))
+
+
+def accuracy_rows(study: AccuracyStudy) -> list[tuple[str, ...]]:
+    """One for each error that a study tells the price of."""
+    rows = []
+    for error in study.errors:
+        point = study.cheapest(error)
+        time, words = ("", "not reached") if point is None else (
+            seconds(point.solve_s), study.words(point)
+        )  # fmt: skip
+        rows.append((f"{100 * error:g} %", time, words))
+    return rows
 
 
 # -- published and called for ------------------------------------------------------------

@@ -5,7 +5,7 @@
     trajectory.frame()
 
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
-follows its motion. Nothing here prints.
+follows its motion, `accuracy` measures what accuracy costs in time. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -20,14 +20,18 @@ if TYPE_CHECKING:
     from viscodesign.loading import load
     from viscodesign.scene.scene import Scene
     from viscodesign.simulating import simulate
+    from viscodesign.studies.accuracy import accuracy
+    from viscodesign.tradeoff import AccuracyStudy
     from viscodesign.trajectory import Classification, Trajectory
 
 __all__ = [
+    "AccuracyStudy",
     "Check",
     "Classification",
     "Scene",
     "Trajectory",
     "__version__",
+    "accuracy",
     "check",
     "classify",
     "load",
@@ -35,10 +39,12 @@ __all__ = [
 ]
 
 _HOMES = {
+    "AccuracyStudy": "tradeoff",
     "Check": "checking",
     "Classification": "trajectory",
     "Scene": "scene.scene",
     "Trajectory": "trajectory",
+    "accuracy": "studies.accuracy",
     "check": "checking",
     "classify": "classifying",
     "load": "loading",

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import catalogue
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES
@@ -19,11 +20,10 @@ from viscodesign.model.unknowns import Sizes
 from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Problem, Schedule
-from viscodesign.solve.transient import DEFAULT_SOLVER
+from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue
 
-TOLERANCE_PER_ACCURACY = 1 / 40
-"""Tip errors of a coupled leg are about twenty times the integrator's tolerance (measured
-on the paper's leg from 1e-3 to 1e-6); half of the accuracy is left for space."""
+SHARE_OF_TIME = 0.5
+"""Part of the accuracy that a first solution may spend on its steps through time."""
 COARSE_EDGES = 8
 COARSE_ACCURACY = 1e-3
 """Eight edges leave about a thousandth of the length at moderate loads; the error falls
@@ -37,12 +37,6 @@ class Settings:
     edges_per_section: int
     tolerance: float
     solver: str = DEFAULT_SOLVER
-
-    def finer(self) -> Settings:
-        """Half the edge length, a tenth of the tolerance."""
-        return replace(
-            self, edges_per_section=2 * self.edges_per_section, tolerance=self.tolerance / 10
-        )
 
 
 def suggest_settings(conditions: Conditions) -> Settings:
@@ -58,7 +52,15 @@ def suggest_settings(conditions: Conditions) -> Settings:
     per_section = max(
         math.ceil(wanted / body.sections - 1e-9), math.ceil(turn / LARGEST_TURN_PER_EDGE), 1
     )
-    return Settings(per_section, accuracy * TOLERANCE_PER_ACCURACY)
+    solver = RINGING_SOLVER if _rings_on(conditions) else DEFAULT_SOLVER
+    tolerance = SHARE_OF_TIME * accuracy / solver_catalogue()[solver].tip_error_per_tolerance
+    return Settings(per_section, tolerance, solver)
+
+
+def _rings_on(conditions: Conditions) -> bool:
+    """Whether something moves the rod without what always comes along to calm it."""
+    kinds = [catalogue()[name] for name in conditions.taken]
+    return any(kind.companion and kind.companion not in conditions.taken for kind in kinds)
 
 
 def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:

@@ -13,15 +13,16 @@ from viscodesign.build import suggest_settings
 from viscodesign.classifying import classification
 from viscodesign.course import Course, course_notices
 from viscodesign.effects.conditions import Conditions
-from viscodesign.effects.select import select_effects
+from viscodesign.effects.select import OMISSIONS_SURE, select_effects
 from viscodesign.model.graph import Graph
 from viscodesign.motion import Motion
 from viscodesign.proving import prove as prove_effects
 from viscodesign.scene.dump import resolved_yaml
 from viscodesign.scene.scene import Scene
-from viscodesign.solving import MAX_REFINEMENTS, Progress, Refiner, Run
+from viscodesign.solving import Progress, Run
 from viscodesign.trajectory import Accuracy, Cost, Notice, Proof, Status, Trajectory, Verdict
 from viscodesign.validity import refuse_unsolvable, verdict_notices
+from viscodesign.verifying import LEFT_BY_SPACE, LEFT_BY_TIME, ErrorParts, Verifier
 
 
 def simulate(
@@ -34,9 +35,9 @@ def simulate(
 ) -> Trajectory:
     """Follow a scene's motion.
 
-    With ``verify`` the scene is solved again on a finer mesh with a smaller
-    tolerance until the tip moves by less than the accuracy asked for; the finer
-    solution is returned, the difference stated as the error. With ``prove`` every
+    With ``verify`` the scene is solved again with a smaller tolerance and on a finer mesh
+    until the error estimated from it is below the accuracy asked for; the finest
+    solution is returned. With ``prove`` every
     effect is switched, solved again, and its change at the tip measured.
     ``tolerance`` is the integrator's, where it shall not follow from the accuracy.
     ``progress`` is told the fraction done. A failure or an interrupt on the way is no
@@ -49,32 +50,31 @@ def simulate(
     settings = suggest_settings(conditions)
     if tolerance is not None:
         settings = replace(settings, tolerance=tolerance)
-    refiner = Refiner(conditions, selection.effects, progress)
-    run = refiner.solve(settings)
-    error: float | None = None
+    verifier = Verifier(conditions, selection.effects, selection.omitted_m, progress)
+    run = verifier.solve(settings)
+    parts: ErrorParts | None = None
     if verify and run.is_complete:
-        run, error = refiner.refine(run)
+        run, parts = verifier.verify(run)
     proof: tuple[Proof, ...] = ()
-    if prove and run.is_complete and not refiner.interrupted:
+    if prove and run.is_complete and not verifier.interrupted:
         proof = prove_effects(conditions, selection, settings, progress)
-    verify_s = refiner.spent_s - run.spent_s
-    stopped = refiner.interrupted
-    found = _trajectory(conditions, selection.verdicts, run, error, verify, verify_s, stopped)
-    return replace(found, proof=proof)
+    accuracy = _accuracy(verifier, parts, verify)
+    status, failure = _outcome(verifier, run, accuracy)
+    found = _trajectory(conditions, selection.verdicts, run)
+    return replace(
+        found,
+        status=status,
+        failure=failure,
+        accuracy=accuracy,
+        cost=_cost(run, verifier.spent_s - run.spent_s),
+        proof=proof,
+    )
 
 
-def _trajectory(
-    conditions: Conditions,
-    verdicts: tuple[Verdict, ...],
-    run: Run,
-    error: float | None,
-    verify: bool,
-    verify_s: float,
-    stopped: bool,
-) -> Trajectory:
+def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run) -> Trajectory:
+    """The motion with what it met; how it ended and how exact it is come later."""
     scene, motion, graph = conditions.scene, run.motion, conditions.graph
     text = resolved_yaml(scene)
-    status, failure = _outcome(conditions, run, error, stopped)
     found = classification(conditions)
     forced = tuple(verdict_notices(verdicts))
     course = Course(
@@ -90,7 +90,7 @@ def _trajectory(
     )
     return Trajectory(
         name=scene.name,
-        status=status,
+        status="complete",
         time=motion.time,
         tip=motion.tip,
         inlet_pressure=dict(zip(scene.inputs, motion.inlet_pressure.T, strict=True)),
@@ -105,8 +105,8 @@ def _trajectory(
         width=scene.actuator.height,
         classification=found,
         effects=verdicts,
-        accuracy=_accuracy(conditions, error, verify),
-        cost=_cost(run, verify_s),
+        accuracy=Accuracy(conditions.accuracy * conditions.body.length, None, NOT_VERIFIED),
+        cost=_cost(run, 0.0),
         invariants=motion.invariants,
         warnings=_merged((*forced, *found.warnings), course_notices(conditions, course)),
         spec_text=text,
@@ -114,7 +114,6 @@ def _trajectory(
         version=__version__,
         ambient_pressure=scene.ambient_pressure,
         settings=_settings(run),
-        failure=failure,
     )
 
 
@@ -129,40 +128,59 @@ def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...]) -> np.nda
     return np.array(lower).T.reshape(len(motion.time), len(graph.tubes))
 
 
-def _outcome(
-    conditions: Conditions, run: Run, error: float | None, stopped: bool
-) -> tuple[Status, str | None]:
+def _outcome(verifier: Verifier, run: Run, accuracy: Accuracy) -> tuple[Status, str | None]:
     """How the run ended, and the message where it ended badly."""
-    requested = conditions.accuracy * conditions.body.length
     if run.solution.interrupted:
         return "interrupted", f"interrupted at t = {run.motion.time[-1]:.6g} s"
-    if stopped:
+    if verifier.interrupted:
         return "interrupted", (
             "interrupted while verifying: the motion is there to its end, its error is not known"
         )
     if run.motion.failure is not None:
         return "failed", str(run.motion.failure)
-    if error is not None and error > requested:
-        return "failed", (
-            f"the accuracy asked for, {1e3 * requested:.3g} mm at the tip, was not reached: "
-            f"after {MAX_REFINEMENTS} refinements the tip still moves by {1e3 * error:.3g} mm. "
-            "Ask for less accuracy, or look at the last shapes for an instability."
-        )
+    error = accuracy.estimated_tip_error_m
+    if error is not None and error > accuracy.requested_m:
+        return "failed", _missed(verifier, accuracy, error)
     return "complete", None
 
 
-def _accuracy(conditions: Conditions, error: float | None, verify: bool) -> Accuracy:
-    requested = conditions.accuracy * conditions.body.length
-    if not verify:
-        return Accuracy(requested, None, "not verified")
-    if error is None:
+def _missed(verifier: Verifier, accuracy: Accuracy, error: float) -> str:
+    """The message of a run whose error stayed above the one asked for."""
+    parts = (
+        ("time", accuracy.time_m, "look at the last shapes for an instability"),
+        ("space", accuracy.space_m, "look at the last shapes for a kink"),
+        ("omitted effects", accuracy.omitted_m, "--set effects.others=on takes them all in"),
+    )
+    _, _, remedy = max(parts, key=lambda part: part[1] or 0.0)
+    told = ", ".join(f"{name} {1e3 * (size or 0.0):.3g} mm" for name, size, _ in parts)
+    return (
+        f"the accuracy asked for, {1e3 * accuracy.requested_m:.3g} mm at the tip, was not "
+        f"reached: after {verifier.solutions} solutions the error is estimated at "
+        f"{1e3 * error:.3g} mm ({told}). Ask for less accuracy, or {remedy}."
+    )
+
+
+NOT_VERIFIED = "not verified"
+METHOD = (
+    f"time: {LEFT_BY_TIME:g} of the tip's last move when the tolerance was cut to a tenth; "
+    f"space: {LEFT_BY_SPACE:g} of its last move when the edges were halved; omitted effects: "
+    f"{OMISSIONS_SURE:g} times the distance of two sketches, with and without them"
+)
+
+
+def _accuracy(verifier: Verifier, parts: ErrorParts | None, verify: bool) -> Accuracy:
+    if parts is None:
+        ended = "" if not verify else ": the solution or its check did not reach the end"
         return Accuracy(
-            requested, None, "not verified: the solution or its check did not reach the end"
+            verifier.requested_m, None, NOT_VERIFIED + ended, omitted_m=verifier.omitted_m
         )
     return Accuracy(
-        requested,
-        error,
-        "largest move of the tip when edges are halved and the tolerance is cut to a tenth",
+        verifier.requested_m,
+        parts.total_m,
+        METHOD,
+        time_m=parts.time_m,
+        space_m=parts.space_m,
+        omitted_m=parts.omitted_m,
     )
 
 

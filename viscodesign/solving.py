@@ -1,4 +1,4 @@
-"""One scene solved at one setting, or at ever finer ones until its tip stands still."""
+"""One scene solved at one setting."""
 
 from __future__ import annotations
 
@@ -11,15 +11,13 @@ import numpy as np
 from viscodesign.build import Settings, build
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.motion import Motion, read_motion
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium, rest
 from viscodesign.solve.transient import Solution, integrate
 
 Progress = Callable[[float], None]
-
-MAX_REFINEMENTS = 4
-"""Refinements after which a run is given up as not reaching the accuracy asked for."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +35,11 @@ class Run:
     def is_complete(self) -> bool:
         """Whether it came to the end."""
         return self.motion.failure is None and not self.solution.interrupted
+
+    @property
+    def is_exact_in_space(self) -> bool:
+        """Whether the rod is a row of arcs, which no mesh divides."""
+        return self.problem.equations.rod_form is RodForm.ARCS
 
     @property
     def spent_s(self) -> float:
@@ -63,43 +66,6 @@ def solve(
     compile_s = solution.work.compile_s
     build_s, solve_s = built - began + compile_s, solved - built - compile_s
     return Run(settings, problem, motion, solution, build_s, solve_s)
-
-
-class Refiner:
-    """Solves one scene at ever finer settings."""
-
-    def __init__(
-        self, conditions: Conditions, effects: Sequence[Effect], progress: Progress | None
-    ) -> None:
-        self.conditions = conditions
-        self.effects = effects
-        self.progress = progress
-        self.spent_s = 0.0
-        self.interrupted = False
-        """Whether verification was stopped; the solution before it is kept."""
-
-    def solve(self, settings: Settings) -> Run:
-        """Build and solve once."""
-        run = solve(self.conditions, self.effects, settings, self.progress)
-        self.spent_s += run.spent_s
-        return run
-
-    def refine(self, run: Run) -> tuple[Run, float | None]:
-        """Refine until the tip no longer moves by more than the accuracy asked for."""
-        requested = self.conditions.accuracy * self.conditions.body.length
-        error: float | None = None
-        for _ in range(MAX_REFINEMENTS):
-            finer = self.solve(run.settings.finer())
-            if finer.solution.interrupted:
-                self.interrupted = True
-                return run, error
-            if not finer.is_complete:
-                return finer, None
-            error = tip_difference(run.motion, finer.motion)
-            run = finer
-            if error <= requested:
-                return run, error
-        return run, error
 
 
 def tip_difference(coarse: Motion, fine: Motion) -> float:

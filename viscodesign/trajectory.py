@@ -106,11 +106,19 @@ class Classification:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """The error asked for and the error estimated, at the tip."""
+    """The error asked for and the error estimated, at the tip over all output times [m]."""
 
     requested_m: float
     estimated_tip_error_m: float | None
+    """Sum of the parts below; None where the run was not verified."""
     method: str
+    time_m: float | None = None
+    """Part of the steps through time."""
+    space_m: float | None = None
+    """Part of the mesh along the rod."""
+    omitted_m: float | None = None
+    """Part of the effects that were left out by choice; those that the spec forbids
+    are none of it."""
 
 
 @dataclass(frozen=True)

@@ -88,6 +88,7 @@ def test_fluid_slows_the_swing(pressure: float) -> None:
             "accuracy=5e-5",
         ),
         verify=False,
+        tolerance=1e-9,
     )
     assert found.status == "complete", found.failure
     tip = found.tip[:, 0]

@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 
 from viscodesign._version import __version__
-from viscodesign.cli import check, classify, effects, init, schema, simulate
+from viscodesign.cli import accuracy, check, classify, effects, init, schema, simulate
 from viscodesign.cli.options import Debug
 
 app = typer.Typer(
@@ -58,6 +58,7 @@ COMMANDS = {
     "check": check,
     "classify": classify,
     "simulate": simulate,
+    "accuracy": accuracy,
     "effects": effects,
     "schema": schema,
 }

@@ -19,6 +19,7 @@ class Bar:
 
     later: str = "verifying"
     """What the passes after the first do."""
+    first: str = "solving"
     passes: int = 1
     fraction: float = 0.0
     drawn_at: float = -REDRAW_S
@@ -35,7 +36,7 @@ class Bar:
 
     def _draw(self) -> None:
         done = round(CELLS * min(max(self.fraction, 0.0), 1.0))
-        label = "solving" if self.passes == 1 else f"{self.later}, pass {self.passes}"
+        label = self.first if self.passes == 1 else f"{self.later}, pass {self.passes}"
         bar = "#" * done + "." * (CELLS - done)
         sys.stderr.write(f"\r\x1b[K[{bar}] {self.fraction:4.0%}  {label}")
         sys.stderr.flush()
@@ -47,15 +48,17 @@ class Bar:
 
 
 @contextmanager
-def progress(quiet: bool, later: str = "verifying") -> Iterator[Callable[[float], None]]:
+def progress(
+    quiet: bool, later: str = "verifying", first: str = "solving"
+) -> Iterator[Callable[[float], None]]:
     """A function to call with the fraction done; it draws where somebody watches.
 
-    ``later`` names what follows the first pass.
+    ``first`` names the first pass, ``later`` what follows it.
     """
     if quiet or not sys.stderr.isatty():
         yield lambda fraction: None
         return
-    bar = Bar(later)
+    bar = Bar(later, first)
     try:
         yield bar.advance
     finally:

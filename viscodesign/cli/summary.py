@@ -19,6 +19,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         ("timescales", _times(trajectory)),
         ("tip", _tip_extents(trajectory)),
         ("tip error", _tip_error(trajectory)),
+        ("made of", _error_parts(trajectory)),
         ("effects", ", ".join(v.name for v in trajectory.effects if v.taken) or "none"),
         ("left out", ", ".join(v.name for v in trajectory.effects if not v.taken) or "none"),
         ("files", f"{folder}: {', '.join(file.name for file in files)}"),
@@ -65,5 +66,18 @@ def _tip_error(trajectory: Trajectory) -> str:
     )
     error = accuracy.estimated_tip_error_m
     if error is None:
-        return f"not estimated ({asked})"
+        return f"{accuracy.method} ({asked})"
     return f"{number(1e3 * error, 'mm')}, {percent(error, length)} of the length ({asked})"
+
+
+def _error_parts(trajectory: Trajectory) -> str:
+    """What the error is made of, and what it cost to know it."""
+    accuracy, cost = trajectory.accuracy, trajectory.cost
+    parts = (
+        ("time", accuracy.time_m),
+        ("space", accuracy.space_m),
+        ("omitted effects", accuracy.omitted_m),
+    )
+    told = [f"{name} {number(1e3 * size, 'mm')}" for name, size in parts if size is not None]
+    price = [f"known after {number(cost.verify_s, 's')} more"] if cost.verify_s else []
+    return "; ".join([", ".join(told), *price])

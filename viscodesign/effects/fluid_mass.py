@@ -49,9 +49,7 @@ class FluidMass(Effect):
         return f"the bellows hold {held:.3g} g at rest, the body weighs {solid:.3g} g"
 
     def sketch(self, sketch: Sketch) -> Sketch:
-        held = self.amount * self.density / sketch.ground.length
-        heavier = sketch.mass_per_length + held
-        return sketch.with_(mass_per_length=heavier, fluid_density=self.density)
+        return sketch.with_(fluid_density=self.density)
 
     def join(self, system: System) -> None:
         density = system.parameter("fluid.density", self.density)

@@ -69,8 +69,8 @@ class Formulas:
     output_function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
     quantity_function: ca.Function
-    """parameters -> (sealed_volumes, rest_amounts, motion time, swing time, and the sizes
-    of all blocks of states, algebraics and statics)."""
+    """parameters -> (sealed_volumes, rest_amounts, motion time, and the sizes of all
+    blocks of states, algebraics and statics)."""
     fed: tuple[Component, ...]
     sealed: tuple[Component, ...]
     storing: tuple[str, ...]
@@ -83,9 +83,9 @@ class Formulas:
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
         found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
-        sealed, rest, motion, swing = found[:4]
+        sealed, rest, motion = found[:3]
         groups = [self.states, self.algebraics, self.statics]
-        ends = 4 + np.cumsum([0, *(len(group.blocks) for group in groups)])
+        ends = 3 + np.cumsum([0, *(len(group.blocks) for group in groups)])
         sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
         own = {f.name: getattr(self, f.name) for f in fields(self)}
         names = ("states", "algebraics", "statics")
@@ -95,7 +95,6 @@ class Formulas:
             sealed_volumes=sealed,
             rest_amounts=rest,
             motion_time=float(motion[0]),
-            swing_time=float(swing[0]),
         )
 
 
@@ -110,8 +109,6 @@ class Equations(Formulas):
     """What bellows and storing nodes hold at zero gauge [m3]."""
     motion_time: float
     """Time in which the rod moves by itself: the size of its velocities is length over it [s]."""
-    swing_time: float
-    """Time in which the inlets may change by all of the pressure [s]."""
 
 
 _kept: OrderedDict[Hashable, Formulas] = OrderedDict()
@@ -199,7 +196,6 @@ class _Formulation:
             self.network.filled(),
             self.network.rest_amounts(nodes),
             self.sizes.time,
-            self.sizes.swing,
             *(
                 size
                 for group in (self.states, self.algebraics, self.statics)

@@ -19,7 +19,9 @@ PICTURES = ("tip.png", "pressures.png", "shapes.png")
 PROOF_PICTURE = "effects.png"
 """Drawn where a run measured its effects."""
 SUMMARY = "summary.json"
-OURS = {*TABLES, *PICTURES, PROOF_PICTURE, SUMMARY}
+STUDY_FILES = ("accuracy.csv", "accuracy.json", "accuracy.png")
+"""Of a study of accuracy, which may share the folder; a run leaves them alone."""
+OURS = {*TABLES, *PICTURES, PROOF_PICTURE, SUMMARY, *STUDY_FILES}
 
 
 def write_run(
@@ -81,7 +83,7 @@ def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
         names = sorted(file.name for file in folder.iterdir())
     strangers = [name for name in names if not _is_ours(name)]
-    if strangers and not force and SUMMARY not in names:
+    if strangers and not force and not {SUMMARY, STUDY_FILES[1]} & set(names):
         shown = ", ".join(strangers[:3]) + (", ..." if len(strangers) > 3 else "")
         raise UsageError(
             f"{folder} holds other files ({shown}); nothing was written. "

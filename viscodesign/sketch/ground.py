@@ -243,3 +243,8 @@ class Ground:
         upper = np.minimum(ends[1:, None], joints[None, 1:])
         lower = np.maximum(ends[:-1, None], joints[None, :-1])
         return np.asarray(np.maximum(upper - lower, 0.0) * self.pieces)
+
+    @cached_property
+    def share(self) -> np.ndarray:
+        """Part of every section that each piece is (K, S): each column adds up to one."""
+        return np.asarray(self.spread / self.spread.sum(axis=0))

@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from viscodesign.model.arcs import arc_nodes
+from viscodesign.physics.gas import density_ratio
 from viscodesign.sketch.network import LinearNetwork, UniformNetwork
 from viscodesign.sketch.response import first_order, second_order
 
@@ -86,7 +87,7 @@ class Sketch:
     tip_force: tuple[float, float] = (0.0, 0.0)
     mass_per_length: float = 0.0
     fluid_density: float = 0.0
-    """Of a fluid whose weight counts [kg/m3]."""
+    """Of a fluid whose mass counts [kg/m3]."""
     payload: float = 0.0
     moving: bool = False
     """Whether masses resist acceleration."""
@@ -190,21 +191,36 @@ class Sketch:
         ground = self.ground
         curvature, stretch = (s @ ground.spread.T for s in self._strains(pressure))
         length = ground.length / ground.pieces
-        force = self._masses()[:, None] * np.array(self.gravity)
-        force[-1] += self.tip_force
+        force = self._masses()[..., None] * np.array(self.gravity)
+        force[:, -1] += self.tip_force
         shape = _shape(curvature, 1 + stretch, length)
         for _ in range(LOAD_ROUNDS if np.any(force) else 0):
-            bent, drawn = self._elastic(shape, force[None])
+            bent, drawn = self._elastic(shape, force)
             shape = _shape(curvature + bent, 1 + stretch + drawn, length)
             shape = replace(shape, bent=bent, drawn=drawn)
         return shape
 
     def _masses(self) -> np.ndarray:
-        """Masses at the ends of the pieces (K,) [kg]."""
+        """Masses at the ends of the pieces (T or 1, K) [kg]."""
         ground = self.ground
         mass = np.full(ground.pieces, self.mass_per_length * ground.length / ground.pieces)
         mass[-1] = mass[-1] / 2 + self.payload
-        return mass
+        return mass + self._held() if self.fluid_density else mass[None]
+
+    def _held(self) -> np.ndarray:
+        """Mass of the fluid in every piece (T, K) [kg]."""
+        ground = self.ground
+        amount = np.maximum(ground.rest_volume + self._law(self.pressure)[0], 0.0)
+        if self.gas_exponent is not None:
+            amount *= density_ratio(self.pressure, ground.ambient, self.gas_exponent)
+        per_section = sum(np.split(amount, 2, axis=1), np.zeros((1, 1)))
+        return np.asarray(self.fluid_density * per_section @ ground.share.T)
+
+    @cached_property
+    def _carried(self) -> float:
+        """Mass that is spread along the rod, the fluid's by its mean over the motion [kg]."""
+        held = float(np.mean(np.sum(self._held(), axis=1))) if self.fluid_density else 0.0
+        return self.mass_per_length * self.ground.length + held
 
     def _elastic(self, shape: Shape, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Curvature and stretch that forces (T, K, 2) beyond each piece ask for (T, K)."""
@@ -223,7 +239,8 @@ class Sketch:
     def tip(self) -> np.ndarray:
         """The tip at every sample (T, 2) [m]."""
         heavy = self.fluid_density * math.hypot(*self.gravity)
-        loads = (self.gravity, self.tip_force, self.mass_per_length, self.payload)
+        masses = (self.mass_per_length, self.fluid_density, self.payload)
+        loads = (self.gravity, self.tip_force, *masses)
         shape = self.ground.remembered(
             (*self._network_key(), *loads), lambda: self._loaded(self.pressure)
         )
@@ -242,7 +259,7 @@ class Sketch:
         # Inertial forces: of the first mode they are its stiffness times what it lags.
         rate = self._bending_rate()
         lag = self._lag(shape.nodes, rate, self.ground.straight)
-        bent, drawn = self._elastic(shape, self._masses()[:, None] * rate**2 * lag)
+        bent, drawn = self._elastic(shape, self._masses()[..., None] * rate**2 * lag)
         moved = self._moved(shape, bent, drawn) + self._stretched(shape)
         return tip + moved, replace(shape, bent=shape.bent + bent, drawn=shape.drawn + drawn)
 
@@ -289,25 +306,24 @@ class Sketch:
 
     def _bending_rate(self) -> float:
         """Angular frequency of the first bending mode, with payload and turning [1/s]."""
-        length, mass = self.ground.length, self.mass_per_length * self.ground.length
-        carried = EFFECTIVE_MASS * mass * (1 + MODE_SLOPE * (self.gyration / length) ** 2)
+        length = self.ground.length
+        carried = EFFECTIVE_MASS * self._carried * (1 + MODE_SLOPE * (self.gyration / length) ** 2)
         stiffness = 3 * self.ground.bending_stiffness / length**3
         return math.sqrt(stiffness / (carried + self.payload))
 
     def _axial_rate(self) -> float:
         """The same of the first stretching mode."""
-        mass = 4 / math.pi**2 * self.mass_per_length * self.ground.length + self.payload
+        mass = 4 / math.pi**2 * self._carried + self.payload
         return math.sqrt(self.ground.extension_stiffness / self.ground.length / mass)
 
     def _answered(self, shape: Shape) -> np.ndarray:
         """Pressures with what the axis does to the fluid: volumes taken up, height (T, B)."""
         ground = self.ground
-        share = ground.spread / ground.spread.sum(axis=0)
-        moment = ground.bending_stiffness * shape.bent @ share
-        normal = ground.extension_stiffness * shape.drawn @ share
+        moment = ground.bending_stiffness * shape.bent @ ground.share
+        normal = ground.extension_stiffness * shape.drawn @ ground.share
         force, turn = self.volume_per_force * normal, self.volume_per_moment * moment
         taken = np.concatenate([force - turn, force + turn], axis=1)
-        depth = (shape.middle @ np.array(self.gravity)) @ share
+        depth = (shape.middle @ np.array(self.gravity)) @ ground.share
         head = self.fluid_density * np.concatenate([depth, depth], axis=1)
         return self._network[0].pressures(taken, head)[:, : ground.bellows]
 

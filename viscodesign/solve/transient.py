@@ -57,6 +57,8 @@ class _Record:
 
 
 DEFAULT_SOLVER = "idas"
+RINGING_SOLVER = "rosenbrock"
+"""For vibrations that nothing damps: BDF of high order is not stable there."""
 
 
 @cache

@@ -35,7 +35,7 @@ def test_common_options_are_everywhere(name: str) -> None:
     page = CliRunner().invoke(app, [name, "--help"]).stdout
     for option in ("--json", "--quiet", "-q", "--output", "-o", "--debug", "--help"):
         assert option in page
-    assert ("--set" in page) == (name in ("check", "classify", "simulate"))
+    assert ("--set" in page) == (name in ("check", "classify", "simulate", "accuracy"))
 
 
 def test_help_imports_nothing_heavy() -> None:

@@ -39,8 +39,8 @@ def test_a_run_in_a_dozen_lines(trajectory: Trajectory) -> None:
 
 
 def test_an_error_that_was_not_estimated(trajectory: Trajectory) -> None:
-    text = _summary(replace(trajectory, accuracy=Accuracy(0.000545, None, "none")))
-    assert "not estimated (asked for 0.545 mm, 0.5 %)" in text
+    text = _summary(replace(trajectory, accuracy=Accuracy(0.000545, None, "not verified")))
+    assert "not verified (asked for 0.545 mm, 0.5 %)" in text
 
 
 def test_a_run_that_never_began(trajectory: Trajectory) -> None:

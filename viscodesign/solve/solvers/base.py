@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
@@ -40,6 +41,8 @@ class Solver(ABC):
     """Its word in settings and tables."""
     title: ClassVar[str]
     """What it is, in one line."""
+    tip_error_per_tolerance: ClassVar[float]
+    """Tip error in actuator lengths that a tolerance commonly leaves, over the tolerance."""
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         self.problem = problem
@@ -73,3 +76,10 @@ class Solver(ABC):
             time_s=time,
             remedy="Look at the last shapes; lower the pressure or the loads, or take inertia in.",
         )
+
+
+def smooth_stretches(pieces: np.ndarray, first: int, stop: int) -> list[tuple[int, int]]:
+    """Runs of intervals in first..stop that share their inputs' coefficients."""
+    new = np.any(pieces[first + 1 : stop] != pieces[first : stop - 1], axis=1)
+    marks = [first, *(first + 1 + np.flatnonzero(new)).tolist(), stop]
+    return list(itertools.pairwise(marks))

@@ -1,0 +1,119 @@
+"""The report of growth.py: a table and a figure, computed from its lines alone."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+Record = dict[str, Any]
+SMALLEST_FITTED = {"bellows": 16, "edges": 32, "duration": 10}
+"""Size from which on an exponent is fitted: below, fixed costs rule."""
+TITLES = {
+    "bellows_arcs": "Bellows, quasi-static arcs",
+    "bellows_dynamic": "Bellows, dynamic with gravity",
+    "edges": "Edges, 16 bellows, dynamic with gravity",
+    "duration_arcs": "Duration [s], sine of 0.5 Hz, quasi-static arcs",
+    "duration_dynamic": "Duration [s], sine of 0.5 Hz, dynamic with gravity",
+}
+ABOUT = """# How the cost grows with the work
+
+Solve and build are warm: the fastest of up to three further solutions, in the same process,
+of a scene that was solved before. Cold build is the first one, which makes the formulas.
+Peak memory is the whole process's. Exponents are least squares in log-log over the upper
+sizes, the first of which is told. What each family is: benchmarks/peers/growth.py.
+"""
+
+
+def read(path: Path) -> dict[str, list[Record]]:
+    """Records by family, ascending in size."""
+    records = [json.loads(line) for line in path.read_text().splitlines()]
+    return {
+        family: sorted((r for r in records if r["family"] == family), key=lambda r: r["size"])
+        for family in TITLES
+        if any(r["family"] == family for r in records)
+    }
+
+
+def write_report(path: Path) -> None:
+    """Markdown and figure beside the lines."""
+    families = read(path)
+    parts = [ABOUT, f"![Growth]({path.stem}.png)\n", _summary(families)]
+    parts += [_table(family, records) for family, records in families.items()]
+    path.with_suffix(".md").write_text("\n".join(parts))
+    _draw(families, path.with_suffix(".png"))
+
+
+def exponent(records: list[Record], key: str, smallest: float) -> float:
+    """Slope of log(cost) over log(size); nan with fewer than two points."""
+    fitted = [r for r in records if not r["note"] and r["size"] >= smallest]
+    if len(fitted) < 2:
+        return float("nan")
+    size, cost = (np.log([r[k] for r in fitted]) for k in ("size", key))
+    return float(np.polyfit(size, cost, 1)[0])
+
+
+def _smallest(family: str) -> int:
+    return SMALLEST_FITTED[family.split("_")[0]]
+
+
+def _summary(families: dict[str, list[Record]]) -> str:
+    keys = ("solve_s", "build_s", "cold_build_s", "peak_memory_mb", "steps")
+    lines = [
+        "| family | fitted from | solve | build | cold build | memory | steps |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for family, records in families.items():
+        smallest = _smallest(family)
+        powers = " | ".join(f"{exponent(records, key, smallest):.2f}" for key in keys)
+        lines.append(f"| {TITLES[family]} | {smallest} | {powers} |")
+    return "\n".join(lines) + "\n"
+
+
+def _table(family: str, records: list[Record]) -> str:
+    lines = [
+        f"## {TITLES[family]}\n",
+        "| size | solve | build | cold build | peak memory | steps | unknowns | solver |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    return "\n".join(lines + [_row(r) for r in records]) + "\n"
+
+
+def _row(r: Record) -> str:
+    if r["note"]:
+        return f"| {r['size']} | {r['note']} | | | | | | |"
+    times = " | ".join(f"{1e3 * r[k]:.3g} ms" for k in ("solve_s", "build_s", "cold_build_s"))
+    counts = f"{r['peak_memory_mb']:.0f} MB | {r['steps']} | {r['unknowns']} | {r['solver']}"
+    return f"| {r['size']} | {times} | {counts} |"
+
+
+def _draw(families: dict[str, list[Record]], path: Path) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(1, 3, figsize=(12, 4), layout="constrained", sharey=True)
+    names = {"bellows": "bellows [1]", "edges": "edges [1]", "duration": "simulated time [s]"}
+    for ax, (kind, name) in zip(axes, names.items(), strict=True):
+        for colour, family in enumerate(f for f in families if f.startswith(kind)):
+            records = [r for r in families[family] if not r["note"]]
+            label = family.partition("_")[2] or "dynamic"
+            for key, style in (("solve_s", "o-"), ("build_s", "x:")):
+                power = exponent(records, key, _smallest(family))
+                ax.loglog(
+                    [r["size"] for r in records],
+                    [r[key] for r in records],
+                    style,
+                    color=f"C{colour}",
+                    label=f"{label}, {key[:-2]}: exponent {power:.2f}",
+                )
+        ax.set_xlabel(name)
+        ax.grid(alpha=0.3)
+        if ax.has_data():
+            ax.legend(fontsize=8)
+    axes[0].set_ylabel("wall time, warm [s]")
+    figure.savefig(path, dpi=120)
+    plt.close(figure)

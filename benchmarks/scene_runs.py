@@ -1,0 +1,91 @@
+"""What the studies over drawn scenes share: a process per scene, a limit, lines of JSON.
+
+Every scene runs in a process of its own, which prints a line of JSON for whatever it
+finds. The lines go to one file as they come, closed by an `end` line with the wall time
+and what went wrong; a second call goes on where the first ended.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+if TYPE_CHECKING:
+    from viscodesign.scene.scene import Scene
+
+Record = dict[str, Any]
+
+
+def options(title: str, timeout: float, output: Path) -> argparse.ArgumentParser:
+    """Options of every study; ``timeout`` [s] and ``output`` are what they start with."""
+    parser = argparse.ArgumentParser(description=title)
+    parser.add_argument("--scenes", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=2026)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--timeout", type=float, default=timeout, help="seconds for one scene")
+    parser.add_argument("--only", type=int, help="run one scene here, and print its lines")
+    parser.add_argument("--report", action="store_true", help="run nothing")
+    parser.add_argument("--output", type=Path, default=output)
+    return parser
+
+
+def say(records: Iterable[Record]) -> None:
+    """Print lines as they come, for the process that waits for them."""
+    for record in records:
+        print(json.dumps(record), flush=True)
+
+
+def read(path: Path) -> list[Record]:
+    """All lines that are there."""
+    if not path.exists():
+        return []
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def run_all(given: argparse.Namespace, script: str, more: Sequence[str] = ()) -> None:
+    """Run the scenes that have no `end` line yet; ``more`` are options of the process."""
+    given.output.parent.mkdir(parents=True, exist_ok=True)
+    done = {r["index"] for r in read(given.output) if r["kind"] == "end"}
+    wanted = [k for k in range(given.scenes) if k not in done]
+    with ThreadPoolExecutor(given.jobs) as pool, given.output.open("a") as file:
+        for lines in pool.map(lambda k: _in_process(given, script, more, k), wanted):
+            file.write(lines)
+            file.flush()
+
+
+def _in_process(given: argparse.Namespace, script: str, more: Sequence[str], index: int) -> str:
+    """One scene's lines; what a killed process had said is kept."""
+    command = [sys.executable, script, "--only", str(index), "--seed", str(given.seed), *more]
+    began = time.monotonic()
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=given.timeout)
+        said, note = done.stdout, "" if done.returncode == 0 else done.stderr[-300:]
+    except subprocess.TimeoutExpired as late:
+        said = late.stdout.decode() if isinstance(late.stdout, bytes) else late.stdout or ""
+        note = f"stopped after {given.timeout:g} s"
+    whole = [line for line in said.splitlines() if line.endswith("}")]
+    end = {"kind": "end", "index": index, "wall_s": time.monotonic() - began, "note": note}
+    print(f"{index}: {end['wall_s']:.1f} s {note}", flush=True)
+    return "\n".join([*whole, json.dumps(end)]) + "\n"
+
+
+def drawn(seed: int, index: int, overrides: Sequence[str] = ()) -> Scene:
+    """One drawn scene, read as a spec from a file would be."""
+    from scene_draw import draw
+
+    from viscodesign import load
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.yaml"
+        path.write_text(yaml.safe_dump(draw(seed, index)))
+        return load(path, overrides)

@@ -1,0 +1,97 @@
+"""Every solver of the folder keeps the same promises, and they check each other."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign.build import Settings, suggest_settings
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.scene.scene import Scene
+from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue
+from viscodesign.solving import Run, solve, tip_difference
+
+SHORT = "run={duration: 1.2 s, output_interval: 0.05 s}"
+CORNERS = "input={kind: square, high: 20 kPa, low: 0, frequency: 2, duty: 0.3}"
+SCENES = {
+    "one-way": (SHORT, "effects={pressure_distribution: on, others: off}"),
+    "damped, two-way": (SHORT, "effects={pressure_distribution: on, inertia: on, damping: on, feedback: on, others: off}"),
+    "massless": (SHORT, "loads.gravity=on", "effects={pressure_distribution: on, gravity: on, others: off}"),
+    "gas, turbulent, with corners": (SHORT, CORNERS, "effects={pressure_distribution: on, gas_compressibility: on, fluid_inertance: on, flow_regime: on, others: off}"),
+}  # fmt: skip
+SOLVERS = list(solver_catalogue())
+
+
+def solved(scene: Scene, solver: str, tolerance: float) -> Run:
+    conditions = Conditions(scene)
+    effects = select_effects(conditions).effects
+    return solve(conditions, effects, Settings(1, tolerance, solver))
+
+
+def test_the_default_comes_first() -> None:
+    assert SOLVERS[0] == DEFAULT_SOLVER
+    assert RINGING_SOLVER in SOLVERS
+    assert len(SOLVERS) >= 3
+
+
+@pytest.mark.parametrize("overrides", SCENES.values(), ids=SCENES)
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_solvers_agree(solver: str, overrides: tuple[str, ...]) -> None:
+    """Different methods by different authors come to one motion, tip and pressures."""
+    scene = leg(*overrides)
+    other = DEFAULT_SOLVER if solver != DEFAULT_SOLVER else RINGING_SOLVER
+    one, two = solved(scene, solver, 1e-7), solved(scene, other, 1e-8)
+    assert one.is_complete
+    length = scene.actuator.length
+    assert tip_difference(one.motion, two.motion) <= 2e-5 * length
+    apart = np.max(np.abs(one.motion.pressure - two.motion.pressure))
+    assert apart <= 1e-4 * np.max(np.abs(two.motion.pressure))
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_balances_hold(solver: str) -> None:
+    run = solved(leg(*SCENES["damped, two-way"]), solver, 1e-6)
+    assert run.motion.invariants.volume_imbalance_rel is not None
+    assert run.motion.invariants.volume_imbalance_rel <= 1e-12
+    assert run.motion.invariants.energy_imbalance_rel is not None
+    assert run.motion.invariants.energy_imbalance_rel <= 1e-4
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_error_follows_the_tolerance(solver: str) -> None:
+    scene = leg(*SCENES["damped, two-way"])
+    exact = solved(scene, DEFAULT_SOLVER, 1e-10)
+    errors = [
+        tip_difference(solved(scene, solver, tolerance).motion, exact.motion)
+        for tolerance in (1e-3, 1e-5)
+    ]
+    assert errors[1] <= errors[0] / 8
+    per_tolerance = solver_catalogue()[solver].tip_error_per_tolerance
+    assert errors[1] <= 3 * per_tolerance * 1e-5 * scene.actuator.length
+
+
+UNDAMPED = (
+    "actuator.damping_time=0", "loads.tip_force.x=0.3 N", "input={kind: constant, value: 0}",
+    "run={duration: 0.5 s, output_interval: 10 ms, start: rest}",
+    "effects={inertia: on, others: off}", "accuracy=0.1 %",
+)  # fmt: skip
+
+
+def test_undamped_vibration_costs_no_small_steps() -> None:
+    """What BDF needs thousands of steps for: nine periods of a beam that is let go."""
+    conditions = Conditions(leg(*UNDAMPED))
+    effects = select_effects(conditions).effects
+    settings = suggest_settings(conditions)
+    assert settings.solver == RINGING_SOLVER
+    run = solve(conditions, effects, settings)
+    assert run.is_complete
+    assert run.solution.work.steps <= 400
+    assert (run.motion.invariants.energy_imbalance_rel or 0.0) <= 2e-2
+
+
+def test_what_is_damped_keeps_the_default() -> None:
+    conditions = Conditions(leg(*SCENES["damped, two-way"]))
+    select_effects(conditions)
+    assert suggest_settings(conditions).solver == DEFAULT_SOLVER

@@ -1,0 +1,153 @@
+"""Radau IIA of SciPy on the states alone, as a check by another author's method.
+
+The algebraic unknowns are solved for inside every evaluation, with the exact Jacobian
+of the reduced system. In Python throughout: for comparison, not for work.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import casadi as ca
+import numpy as np
+from scipy.integrate import Radau as ScipyRadau
+
+from viscodesign.errors import SolveError
+from viscodesign.solve.newton import NewtonError, newton
+from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
+from viscodesign.solve.statics import Start, consistent
+
+SMALLEST_RTOL = 3e-14
+FREE = 1e30
+"""Tolerance of what no error test shall see."""
+MAX_STEPS = 200_000
+"""Steps in one stretch of smooth input after which a run is given up."""
+
+
+class Radau(Solver):
+    """SciPy's Radau of order 5, restarted at every corner."""
+
+    name: ClassVar[str] = "radau"
+    order: ClassVar[int] = 30
+    title: ClassVar[str] = "SciPy's Radau IIA: order 5, exact Jacobian, in Python"
+    tip_error_per_tolerance: ClassVar[float] = 5.0
+
+    def __init__(self, problem: Problem, tolerance: float) -> None:
+        super().__init__(problem, tolerance)
+        if "radau" not in problem.equations.made:
+            problem.equations.made["radau"] = _reduced(problem)
+        self.function = problem.equations.made["radau"]
+        self.states = problem.equations.states.count
+
+    def __call__(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """Solve the stretches of smooth input in first..stop one after the other."""
+        schedule = self.problem.schedule
+        columns: list[np.ndarray] = []
+        total = np.zeros(len(self.problem.equations.rates))
+        failure: SolveError | None = None
+        for begin, end in smooth_stretches(schedule.pieces, first, stop):
+            try:
+                here = consistent(self.problem, here, schedule.edges[begin], schedule.pieces[begin])
+                found = _Stretch(self, here, total, schedule.pieces[begin], work).follow(begin, end)
+            except (SolveError, NewtonError) as error:
+                failure = (
+                    error if isinstance(error, SolveError) else self.failure(str(error), begin)
+                )
+                break
+            columns += found
+            if len(found) < end - begin:
+                failure = self.failure("the steps shrink to nothing", begin + len(found))
+                break
+            x, z, total = np.split(found[-1], [self.states, len(found[-1]) - len(total)])
+            here = Start(x, z)
+        if not columns:
+            return self.nothing(), failure
+        x, z, q = np.split(np.array(columns).T, [self.states, len(columns[0]) - len(total)])
+        return (x, z, q), failure
+
+
+class _Stretch:
+    """One run of SciPy's solver over smooth input."""
+
+    def __init__(
+        self, solver: Radau, here: Start, total: np.ndarray, piece: np.ndarray, work: Work
+    ) -> None:
+        self.solver, self.piece, self.work = solver, piece, work
+        self.guess = here.algebraics
+        self.start = np.concatenate([here.states, total])
+        self.numbers = solver.problem.numbers()
+
+    def _evaluate(self, time: float, x: np.ndarray, z: np.ndarray) -> list[ca.DM]:
+        return evaluate(self.solver.function, x, z, time, self.piece, self.numbers)
+
+    def _algebraics(self, time: float, x: np.ndarray) -> np.ndarray:
+        """Algebraic unknowns of these states, from those last found."""
+        if not self.guess.size:
+            return self.guess
+
+        def constraints(z: np.ndarray) -> tuple[np.ndarray, ca.DM]:
+            _, defect, _, slope, *_ = self._evaluate(time, x, z)
+            return np.array(defect).ravel(), slope
+
+        self.guess = newton(constraints, self.guess)
+        return self.guess
+
+    def _rates(self, time: float, y: np.ndarray) -> np.ndarray:
+        self.work.residual_calls += 1
+        x = y[: self.solver.states]
+        return np.array(self._evaluate(time, x, self._algebraics(time, x))[0]).ravel()
+
+    def _jacobian(self, time: float, y: np.ndarray) -> np.ndarray:
+        """d rates/d y with the algebraic unknowns following (n, n)."""
+        self.work.jacobian_calls += 1
+        x = y[: self.solver.states]
+        _, _, by_z, slope, by_x, pull = self._evaluate(time, x, self._algebraics(time, x))
+        own = np.array(by_x.full())
+        if self.guess.size:
+            own -= by_z.full() @ np.linalg.solve(slope.full(), pull.full())
+        return np.hstack([own, np.zeros((len(y), len(y) - len(x)))])
+
+    def follow(self, begin: int, end: int) -> list[np.ndarray]:
+        """States, algebraic unknowns and integrals at edges begin+1..end, or fewer."""
+        edges = self.solver.problem.schedule.edges
+        allowed = np.full(len(self.start), FREE)
+        allowed[: self.solver.states] = self.solver.tolerance
+        method = ScipyRadau(
+            self._rates,
+            edges[begin],
+            self.start,
+            edges[end],
+            rtol=max(self.solver.tolerance, SMALLEST_RTOL),
+            atol=allowed,  # type: ignore[arg-type]
+            jac=self._jacobian,
+        )
+        found: list[np.ndarray] = []
+        for _ in range(MAX_STEPS):
+            if method.step() is not None and method.status == "failed":
+                break
+            self.work.steps += 1
+            dense = method.dense_output()
+            while len(found) < end - begin and edges[begin + 1 + len(found)] <= method.t:
+                time = edges[begin + 1 + len(found)]
+                y = dense(time)
+                z = self._algebraics(time, y[: self.solver.states])
+                found.append(np.insert(y, self.solver.states, z))
+            if method.status == "finished":
+                break
+        return found
+
+
+def _reduced(problem: Problem) -> ca.Function:
+    """(x, z, t, pieces, parameters) -> rates and defects with their four Jacobians.
+
+    In the order: rates (states, then integrals), defects, d rates/d z, d defects/d z,
+    d rates/d x, d defects/d x.
+    """
+    e = problem.equations
+    x, z = e.states.vector, e.algebraics.vector
+    rates = ca.vertcat(e.ode, *e.rates.values())
+    results = [rates, e.alg, *(ca.jacobian(f, v) for v in (z, x) for f in (rates, e.alg))]
+    return ca.Function("reduced", [x, z, e.time, e.pieces, e.parameters], results)

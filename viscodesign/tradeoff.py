@@ -1,0 +1,223 @@
+"""What a study of accuracy leaves behind: points of error and time, and what they say.
+
+Plain data. Nothing here knows how a number was measured; `report` draws it, the
+command line prints it, and a script reads it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+ERRORS = (1e-2, 1e-3, 1e-4)
+"""Tip errors, in actuator lengths, whose price every study tells."""
+COLUMNS = (
+    "model", "edges", "tolerance", "solver", "solve_s", "build_s", "tip_error_m",
+    "tip_error_rel", "dominated",
+)  # fmt: skip
+"""Of `accuracy.csv`; `edges` are those of one section."""
+
+
+@dataclass(frozen=True)
+class Model:
+    """A set of effects under a name."""
+
+    name: str
+    """`auto`: what the spec's `effects` take; `everything`: all that the spec allows;
+    I to IV: the form of a quadrant, on top of `auto`."""
+    effects: tuple[str, ...]
+    also: tuple[str, ...] = ()
+    """Other names of the same set."""
+
+    @property
+    def is_distributed(self) -> bool:
+        """Whether pressures differ along the network."""
+        return "pressure_distribution" in self.effects
+
+    @property
+    def is_inertial(self) -> bool:
+        """Whether the rod resists acceleration."""
+        return "inertia" in self.effects
+
+    @property
+    def words(self) -> str:
+        """What kind of model it is."""
+        pressure = "distributed" if self.is_distributed else "uniform"
+        return f"{pressure}, {'inertial' if self.is_inertial else 'quasi-static'}"
+
+    @property
+    def title(self) -> str:
+        """Name and kind."""
+        return f"{self.name} ({self.words})"
+
+
+@dataclass(frozen=True)
+class Point:
+    """One setting, what it costs, and how wrong its tip is."""
+
+    model: str
+    edges: int
+    """Per section."""
+    tolerance: float
+    solver: str
+    solve_s: float
+    """Wall time of solving, the least of several where it is short [s]."""
+    build_s: float
+    """Wall time of making the equations and the integrator for the first time [s]."""
+    tip_error_m: float
+    """Largest distance from the reference's tip over the output times [m]."""
+    tip_error_rel: float
+    """The same in actuator lengths."""
+    is_bound: bool = False
+    """Whether the error is at most this: the reference cannot tell it better."""
+    is_exact_in_space: bool = False
+    """Whether the rod is a row of arcs, to which edges mean nothing."""
+    is_stepless: bool = False
+    """Whether every output time is solved on its own: solver and tolerance mean nothing."""
+    steps: int = 0
+    """Steps through time, which no clock disturbs."""
+    dominated: bool = False
+    """Whether another point is both cheaper and more accurate."""
+
+    @property
+    def setting(self) -> str:
+        """Solver, edges and tolerance in words."""
+        edges = f"{self.edges} edge{'s' * (self.edges != 1)} a section"
+        mesh = "arcs" if self.is_exact_in_space else edges
+        if self.is_stepless:
+            return f"no steps, {mesh}"
+        return f"{self.solver}, {mesh}, tolerance {tolerance_words(self.tolerance)}"
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The solution that errors are measured against."""
+
+    effects: tuple[str, ...]
+    edges: int
+    """Per section."""
+    tolerance: float
+    solver: str
+    solve_s: float
+    convergence_m: float
+    """How far its tip is from that of the next coarser one, at most [m]."""
+    convergence_rel: float
+    """The same in actuator lengths."""
+    smallest_error_m: float
+    """Smallest error that it can tell [m]; what is below is told as at most this."""
+    is_converged: bool
+    """Whether that is well below the smallest error that the study tells the price of."""
+
+
+@dataclass(frozen=True)
+class AccuracyStudy:
+    """What accuracy costs in time, for one scene."""
+
+    name: str
+    version: str
+    spec_sha256: str
+    status: Literal["complete", "interrupted"]
+    length: float
+    """Actuator length [m]."""
+    requested_rel: float
+    """Tip error that the spec asks for, in actuator lengths."""
+    models: tuple[Model, ...]
+    taken: tuple[str, ...]
+    """Effects that the spec's `effects` take."""
+    reference: Reference | None
+    """None where it was interrupted before there was one."""
+    points: tuple[Point, ...]
+    start: Point | None
+    """The setting that `simulate` starts with, measured."""
+    notes: tuple[str, ...]
+    """What was not measured, and why."""
+    limit_s: float
+    spent_s: float
+
+    @property
+    def requested_m(self) -> float:
+        """Tip error that the spec asks for [m]."""
+        return self.requested_rel * self.length
+
+    @property
+    def errors(self) -> tuple[float, ...]:
+        """The errors whose price is told, the largest first, in actuator lengths."""
+        return tuple(sorted({*ERRORS, self.requested_rel}, reverse=True))
+
+    @property
+    def front(self) -> list[Point]:
+        """Points that no other beats in both time and error, the cheapest first."""
+        return sorted((p for p in self.points if not p.dominated), key=lambda p: p.solve_s)
+
+    @property
+    def recommended(self) -> Point | None:
+        """The cheapest setting with the accuracy that the spec asks for."""
+        return self.cheapest(self.requested_rel)
+
+    @property
+    def recommended_changes(self) -> tuple[str, ...]:
+        """What to change in the spec for the recommended effects, as for `--set`."""
+        if self.recommended is None:
+            return ()
+        wanted = set(self.model(self.recommended).effects)
+        order = sorted(wanted ^ set(self.taken))
+        return tuple(f"effects.{name}={'on' if name in wanted else 'off'}" for name in order)
+
+    def model(self, point: Point) -> Model:
+        """The model of a point."""
+        return next(model for model in self.models if model.name == point.model)
+
+    def words(self, point: Point) -> str:
+        """All of a setting in words."""
+        return f"{self.model(point).title}; {point.setting}"
+
+    def cheapest(self, error_rel: float) -> Point | None:
+        """The fastest point whose error is at most this, in actuator lengths."""
+        good = [point for point in self.points if point.tip_error_rel <= error_rel]
+        return min(good, key=lambda point: point.solve_s, default=None)
+
+    def most_accurate(self, budget_s: float) -> Point | None:
+        """The point with the smallest error whose solve takes at most this time [s]."""
+        quick = [point for point in self.points if point.solve_s <= budget_s]
+        return min(quick, key=lambda point: (point.tip_error_m, point.solve_s), default=None)
+
+    def frame(self) -> pd.DataFrame:
+        """All points: the columns of `accuracy.csv`."""
+        import pandas as pd
+
+        rows = [[asdict(point)[name] for name in COLUMNS] for point in self.points]
+        return pd.DataFrame(rows, columns=list(COLUMNS))
+
+
+def with_dominated(points: Iterable[Point]) -> tuple[Point, ...]:
+    """The points, each of which knows whether another one is faster and no less accurate.
+
+    Of two with the same time the more accurate one wins, of two with the same error the
+    faster one; of two with both the same the first.
+    """
+    given = list(points)
+    order = sorted(range(len(given)), key=lambda k: (given[k].solve_s, given[k].tip_error_m, k))
+    best, beaten = float("inf"), set[int]()
+    for k in order:
+        if given[k].tip_error_m >= best:
+            beaten.add(k)
+        best = min(best, given[k].tip_error_m)
+    return tuple(replace(point, dominated=k in beaten) for k, point in enumerate(given))
+
+
+def tolerance_words(tolerance: float) -> str:
+    """A tolerance as people write it: 1e-3, 1.25e-4."""
+    digits, _, exponent = f"{tolerance:.2e}".partition("e")
+    return f"{float(digits):g}e{int(exponent)}"
+
+
+def spread(front: Sequence[Point], most: int) -> list[Point]:
+    """At most so many points of a front, its ends among them, evenly in their order."""
+    if len(front) <= most:
+        return list(front)
+    last = len(front) - 1
+    return [front[round(k * last / (most - 1))] for k in range(most)]
