@@ -54,7 +54,7 @@ class Rosenbrock(Solver):
         self.size: float | None = None
         self.states = equations.states.count
         self.unknowns = self.states + equations.algebraics.count
-        self._velocity = equations.states.blocks.get("velocity")
+        self._powers = _weight_powers(equations)
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
@@ -151,17 +151,40 @@ class Rosenbrock(Solver):
         return list(dense)
 
     def _error(self, before: np.ndarray, after: np.ndarray, apart: np.ndarray, h: float) -> float:
-        """Largest of the states' error estimates, over what is allowed.
+        """Largest error estimate of an unknown, over what is allowed; infinite where one is lost.
 
         Not their root mean square: many still unknowns must not hide one that is wrong.
+        Algebraic unknowns count too: nothing else brings them back to their equations.
         """
-        count = self.states
+        count = self.unknowns
+        if not (np.isfinite(after).all() and np.isfinite(apart).all()):
+            return np.inf
         size = np.maximum(np.abs(before[:count]), np.abs(after[:count]))
         weighted = apart[:count] / (self.tolerance * (1 + size))
-        if self._velocity is not None:
-            # A velocity counts by how far it leads astray within the step.
-            weighted[self._velocity.span] *= min(1.0, h / self.problem.equations.motion_time)
+        # Rates count by how far they lead astray within the step.
+        lead = min(1.0, h / self.problem.equations.motion_time)
+        for span, power in self._powers:
+            weighted[span] *= lead**power if np.isfinite(power) else 0.0
         return float(np.max(np.abs(weighted)))
+
+
+LEADS = {"velocity": 1, "acceleration": 2}
+"""Rates, and how often they are integrated on the way to a place."""
+
+
+def _weight_powers(equations: Equations) -> list[tuple[slice, float]]:
+    """Unknowns whose errors count less than their size, and by which power of the step.
+
+    Elastic curvature not at all: it follows linearly from the places, which do count.
+    """
+    powers = {**LEADS, "elastic_curvature": np.inf}
+    found: list[tuple[slice, float]] = []
+    for group, offset in ((equations.states, 0), (equations.algebraics, equations.states.count)):
+        for name, block in group.blocks.items():
+            if name in powers:
+                span = slice(offset + block.span.start, offset + block.span.stop)
+                found.append((span, powers[name]))
+    return found
 
 
 def _factor(error: float, before: float) -> float:

@@ -23,7 +23,12 @@ ABOUT = """# How the cost grows with the work
 Solve and build are warm: the fastest of up to three further solutions, in the same process,
 of a scene that was solved before. Cold build is the first one, which makes the formulas.
 Peak memory is the whole process's. Exponents are least squares in log-log over the upper
-sizes, the first of which is told. What each family is: benchmarks/peers/growth.py.
+sizes, the first of which is told. One thread.
+
+More bellows divide the same actuator more finely: its length, its total turn and extension
+at a pressure, its total tube length, storage and rest volume stay, so that the network's
+slowest time is nearly the same at any count. Dynamic is inertia, damping, feedback and
+gravity. More of each family: benchmarks/growth.py.
 """
 
 

@@ -1,7 +1,7 @@
 """How viscodesign's cost grows with the work.
 
-    python benchmarks/peers/growth.py            # measure what is missing, then report
-    python benchmarks/peers/growth.py --report   # report what is there
+    python benchmarks/growth.py            # measure what is missing, then report
+    python benchmarks/growth.py --report   # report what is there
 
 Five families, each from configs/leg_16_straight_air.yaml, at its accuracy of 0.5 %:
 
@@ -33,9 +33,9 @@ import time
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).parents[2]
-SCENE = ROOT / "configs" / "leg_16_straight_air.yaml"
-RESULTS = ROOT / "benchmarks" / "results" / "growth.jsonl"
+HERE = Path(__file__).parent
+SCENE = HERE.parent / "configs" / "leg_16_straight_air.yaml"
+RESULTS = HERE / "results" / "growth.jsonl"
 TIME_LIMIT = 120.0
 """Wall time of one point [s]."""
 WARM_RUNS, PATIENCE = 3, 20.0
