@@ -104,9 +104,7 @@ def refine(seed: int, index: int, folder: Path, stated_m: float | None) -> Itera
     conditions = Conditions(drawn(seed, index, EVERYTHING))
     selection = select_effects(conditions)
     requested_m = conditions.accuracy * conditions.body.length
-    wanted_m = AGREED * requested_m
-    if stated_m is not None:
-        wanted_m = min(wanted_m, CONVERGED * stated_m)
+    wanted_m = AGREED * requested_m if stated_m is None else CONVERGED * stated_m
     settings, tip = suggest_settings(conditions), None
     path = reference_path(folder, index)
     if path.exists():

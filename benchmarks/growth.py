@@ -152,13 +152,15 @@ def measure(family: str, size: int) -> Record:
 
     changes, edges = overrides(family, size)
     began = time.perf_counter()
-    conditions = Conditions(load(SCENE, changes))
+    scene = load(SCENE, changes)
+    conditions = Conditions(scene)
     effects = select_effects(conditions).effects
     chosen = time.perf_counter() - began
     settings = replace(suggest_settings(conditions), edges_per_section=edges)
     runs = [solve(conditions, effects, settings)]
     while len(runs) <= WARM_RUNS and (len(runs) == 1 or time.perf_counter() - began < PATIENCE):
-        runs.append(solve(conditions, effects, settings))
+        # Another scene of this structure: a scene's own equations are kept along with it.
+        runs.append(solve(Conditions(scene), effects, settings))
     last, warm = runs[-1], runs[1:]
     equations = last.problem.equations
     return {

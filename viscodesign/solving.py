@@ -55,7 +55,7 @@ def solve(
 ) -> Run:
     """Build and solve once. Raises `SolveError` where not even a first equilibrium exists."""
     began = clock.perf_counter()
-    problem = build(conditions, effects, settings)
+    problem = _problem(conditions, effects, settings)
     built = clock.perf_counter()
     piece = problem.schedule.initial_piece
     steady = conditions.scene.run.start == "equilibrium"
@@ -66,6 +66,14 @@ def solve(
     compile_s = solution.work.compile_s
     build_s, solve_s = built - began + compile_s, solved - built - compile_s
     return Run(settings, problem, motion, solution, build_s, solve_s)
+
+
+def _problem(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:
+    """The scene's equations, made once for every set of effects and mesh."""
+    key = (tuple(effect.name for effect in effects), settings.edges_per_section)
+    if key not in conditions.problems:
+        conditions.problems[key] = build(conditions, effects, settings)
+    return conditions.problems[key]
 
 
 def tip_difference(coarse: Motion, fine: Motion) -> float:

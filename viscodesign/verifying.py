@@ -79,6 +79,9 @@ class Verifier:
         space_m = 0.0 if run.is_exact_in_space else None
         time_m: float | None = None
         while self.solutions <= MAX_REFINEMENTS:
+            if run.solution.asked_to_stop:
+                self.interrupted = True
+                return run, None
             in_space = time_m is not None and (space_m is None or space_m > time_m)
             if in_space:
                 settings = replace(

@@ -1,8 +1,8 @@
 """The coupled problem by viscodesign: the published scene as it is.
 
 `prepare` reads the scene and solves it once, as whoever works with it does; measured is
-a whole further solution: assembling the system, its equations' numbers, the equilibrium
-at the start, the steps through time, and reading all outputs and balances.
+a whole further solution with the equations at hand: the equilibrium at the start, the
+steps through time, and reading all outputs and balances.
 """
 
 from __future__ import annotations

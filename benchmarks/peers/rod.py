@@ -68,8 +68,10 @@ class RodCase(Case):
 CONTESTANTS = [
     "rod_viscodesign:Idas",
     "rod_viscodesign:Rosenbrock",
+    "rod_exudyn:Cables",
     "rod_exudyn:Beams",
-    "rod_mujoco:Chain",
+    "rod_mujoco:ChainImplicit",
+    "rod_mujoco:ChainRungeKutta",
     "rod_pyelastica:Verlet",
     "rod_soromox:PiecewiseStrain",
     "rod_scipy:Radau",

@@ -9,6 +9,7 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import Trajectory, simulate
+from viscodesign.build import Settings, suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
 from viscodesign.scene.scene import Scene
@@ -111,11 +112,22 @@ def test_a_coarse_first_solution_is_refined_until_it_serves() -> None:
     conditions = Conditions(scene)
     selection = select_effects(conditions)
     verifier = Verifier(conditions, selection.effects, selection.omitted_m, None)
-    from viscodesign.build import Settings
-
     run = verifier.solve(Settings(1, 1e-2))
     finest, parts = verifier.verify(run)
     assert isinstance(parts, ErrorParts)
     assert parts.total_m <= verifier.requested_m
     assert finest.settings.tolerance <= 1e-4
     assert verifier.solutions >= 4
+
+
+def test_a_wish_to_stop_in_the_last_moment_is_obeyed() -> None:
+    scene = leg(*SCENES["arcs"])
+    conditions = Conditions(scene)
+    verifier = Verifier(conditions, select_effects(conditions).effects, 0.0, None)
+    run = verifier.solve(suggest_settings(conditions))
+    run.solution.asked_to_stop = True
+    kept, parts = verifier.verify(run)
+    assert kept is run
+    assert parts is None
+    assert verifier.interrupted
+    assert verifier.solutions == 1

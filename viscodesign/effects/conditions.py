@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Hashable
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -16,6 +17,7 @@ from viscodesign.scene.inputs.syringe import Syringe
 from viscodesign.scene.scene import Scene
 from viscodesign.sketch.ground import Ground
 from viscodesign.sketch.sketch import Sketch
+from viscodesign.solve.problem import Problem
 from viscodesign.trajectory import Scales
 
 
@@ -25,6 +27,8 @@ class Conditions:
 
     scene: Scene
     taken: set[str] = field(default_factory=set)
+    problems: dict[Hashable, Problem] = field(default_factory=dict)
+    """What was built for this scene, for those who solve it again."""
 
     @property
     def accuracy(self) -> float:

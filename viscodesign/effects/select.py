@@ -23,6 +23,9 @@ OMISSIONS_SURE = 2.5
 """By how much the stated error of omissions exceeds the sketches' distance: over a hundred
 scenes the measured one was below that in 95 % (`benchmarks/results/error_study.md`)."""
 
+UNSEEN = 0.005
+"""Part of the accuracy that is stated at least where anything was left out: sketches do not
+see how one small effect changes another."""
 PASSES = 3
 MOST_BELLOWS_SKETCHED = 96
 """Bellows beyond which a sketch would take too long: then weights alone decide."""
@@ -79,8 +82,11 @@ class Selection:
 
     @property
     def omitted_m(self) -> float:
-        """Estimate of how far the tip moves when all that was left out is taken in [m]."""
-        return OMISSIONS_SURE * self._choice.distance(self._choice.everything, self._taken)
+        """How far the tip may move when all that was left out by choice is taken in [m]."""
+        if self._taken == self._choice.everything:
+            return 0.0
+        seen = self._choice.distance(self._choice.everything, self._taken)
+        return max(OMISSIONS_SURE * seen, UNSEEN * self._choice.budget)
 
     @property
     def present(self) -> set[str]:

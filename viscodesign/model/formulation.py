@@ -69,8 +69,8 @@ class Formulas:
     output_function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
     quantity_function: ca.Function
-    """parameters -> (sealed_volumes, rest_amounts, motion time, and the sizes of all
-    blocks of states, algebraics and statics)."""
+    """parameters -> (sealed_volumes, rest_amounts, motion time, swing time, and the
+    sizes of all blocks of states, algebraics and statics)."""
     fed: tuple[Component, ...]
     sealed: tuple[Component, ...]
     storing: tuple[str, ...]
@@ -83,9 +83,9 @@ class Formulas:
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
         found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
-        sealed, rest, motion = found[:3]
+        sealed, rest, motion, swing = found[:4]
         groups = [self.states, self.algebraics, self.statics]
-        ends = 3 + np.cumsum([0, *(len(group.blocks) for group in groups)])
+        ends = 4 + np.cumsum([0, *(len(group.blocks) for group in groups)])
         sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
         own = {f.name: getattr(self, f.name) for f in fields(self)}
         names = ("states", "algebraics", "statics")
@@ -94,6 +94,7 @@ class Formulas:
             parameter_values=values,
             sealed_volumes=sealed,
             rest_amounts=rest,
+            swing_time=float(swing[0]),
             motion_time=float(motion[0]),
         )
 
@@ -107,6 +108,8 @@ class Equations(Formulas):
     """What each sealed part was filled with [m3 at ambient density]."""
     rest_amounts: np.ndarray
     """What bellows and storing nodes hold at zero gauge [m3]."""
+    swing_time: float
+    """Time in which the inlets may change by all of their pressure [s]."""
     motion_time: float
     """Time in which the rod moves by itself: the size of its velocities is length over it [s]."""
 
@@ -196,6 +199,7 @@ class _Formulation:
             self.network.filled(),
             self.network.rest_amounts(nodes),
             self.sizes.time,
+            self.sizes.swing,
             *(
                 size
                 for group in (self.states, self.algebraics, self.statics)

@@ -45,6 +45,9 @@ class Solution:
     work: Work
     failure: SolveError | None = None
     interrupted: bool = False
+    """Whether it ended early because the user asked."""
+    asked_to_stop: bool = False
+    """Whether the user asked at all, be it when all was done: nothing more should follow."""
 
 
 @dataclass
@@ -111,6 +114,7 @@ def integrate(
         work,
         failure,
         interrupt.asked and done < len(edges) - 1,
+        interrupt.asked,
     )
 
 

@@ -30,6 +30,8 @@ SMALLEST_STEP = 1e-14
 SAFETY = 0.9
 GROWTH, SHRINKING = 5.0, 0.2
 """Largest and smallest factor between two steps."""
+FEWEST_STEPS = 50
+"""Steps in a stretch of smooth input that are taken at least, if its swings are short."""
 MEMORY = 0.08
 """Exponent by which the last error tempers the next step (a PI controller)."""
 MAX_STEPS = 500_000
@@ -96,6 +98,9 @@ class Rosenbrock(Solver):
         self.step.bind(schedule.pieces[begin], self.problem.numbers())
         time, last = edges[begin], edges[end]
         size = self._first_size(last - time)
+        # No step passes over a swing of the input, however smooth all was before; a swing
+        # far shorter than the stretch has corners of its own.
+        largest = max(self.problem.equations.swing_time, (last - time) / FEWEST_STEPS)
         found: list[np.ndarray] = []
         before = 1.0
         for _ in range(MAX_STEPS):
@@ -119,7 +124,7 @@ class Rosenbrock(Solver):
             if final:
                 self.size = max(size, taken) * min(_factor(error, before), 1.0 / SAFETY)
                 return found, None
-            size = taken * _factor(error, before)
+            size = min(taken * _factor(error, before), largest)
             y, time, before = after, until, max(error, 1e-4)
         return found, self.failure(f"{MAX_STEPS} steps were not enough", begin + len(found))
 

@@ -1,0 +1,120 @@
+"""Tables and a figure of the races, from their lines of JSON alone."""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+import matplotlib.pyplot as plt
+
+Record = dict[str, Any]
+WANTED = (1e-2, 1e-3, 1e-4)
+"""Errors for which the cheapest setting is told, over the case's scale."""
+OURS = "viscodesign"
+MARKERS = "osD^vP*X<>ph"
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999999")
+"""Okabe and Ito's, which colour-blind readers tell apart."""
+
+
+def write_report(path: Path) -> None:
+    """Write `peers.md` and `peers.png` beside the lines."""
+    lines = [json.loads(line) for line in path.read_text().splitlines()]
+    header = next(line for line in lines if line["kind"] == "header")
+    cases = [line for line in lines if line["kind"] == "case"]
+    results: dict[str, list[Record]] = defaultdict(list)
+    for line in lines:
+        if line["kind"] == "result":
+            results[line["case"]].append(line)
+    words = [_head(header)]
+    for case in cases:
+        words += _case(case, results[case["case"]])
+    words.append("![error against time](peers.png)\n")
+    path.with_suffix(".md").write_text("\n".join(words))
+    _draw(cases, results, path.with_suffix(".png"))
+
+
+def _head(header: Record) -> str:
+    versions = ", ".join(f"{k} {v}" for k, v in header["versions"].items() if v != "absent")
+    return (
+        "# viscodesign beside other tools\n\n"
+        "Each solves the same motion; of its settings, coarse to fine, the cheapest counts whose "
+        "error against a common converged reference is small enough. Times are of one solution in "
+        "a process that has solved before (warm), on one thread; cold is import, building and "
+        "first solution in a fresh process. Regenerate with `python benchmarks/peers/race.py`.\n\n"
+        f"Python {header['python']}, {header['cpu']}; {versions}.\n"
+    )
+
+
+def _case(case: Record, results: list[Record]) -> list[str]:
+    words = [
+        f"## {case['title']}\n",
+        f"Compared: {case['quantity']}; errors over {case['scale']:g}; the reference is good to "
+        f"{case['reference_error']:.1g}.\n",
+    ]
+    good = [r for r in results if r.get("warm_s") is not None and r.get("error_rel") is not None]
+    for wanted in WANTED:
+        best = {}
+        for r in sorted(good, key=lambda r: r["warm_s"]):
+            if r["error_rel"] <= wanted:
+                best.setdefault(r["name"], r)
+        ours = min((r["warm_s"] for n, r in best.items() if OURS in n), default=None)
+        words += [
+            f"Error at most {100 * wanted:g} %:\n",
+            "| tool | setting | error | warm | cold | over viscodesign |",
+            "|---|---|---|---|---|---|",
+        ]
+        for name in dict.fromkeys(r["name"] for r in results):
+            words.append(_row(name, best.get(name), ours))
+        words.append("")
+    return words
+
+
+def _row(name: str, found: Record | None, ours: float | None) -> str:
+    if found is None:
+        return f"| {name} | not reached | | | | |"
+    setting = ", ".join(f"{k} {v:g}" if isinstance(v, float) else f"{k} {v}"
+                        for k, v in found["setting"].items())  # fmt: skip
+    ratio = "" if ours is None else f"{found['warm_s'] / ours:.3g}"
+    return (
+        f"| {name} | {setting} | {found['error_rel']:.1e} | {1e3 * found['warm_s']:.3g} ms "
+        f"| {found['cold_s']:.2g} s | {ratio} |"
+    )
+
+
+def _draw(cases: list[Record], results: dict[str, list[Record]], path: Path) -> None:
+    shown = [case for case in cases if results[case["case"]]]
+    columns = min(2, len(shown))
+    rows = -(-len(shown) // columns)
+    size = (6.2 * columns, 4.6 * rows)
+    figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, layout="constrained")
+    for axis in axes.flat[len(shown) :]:
+        axis.set_visible(False)
+    for axis, case in zip(axes.flat, shown, strict=False):
+        _panel(axis, case, results[case["case"]])
+    figure.savefig(path, dpi=150)
+
+
+def _panel(axis: Any, case: Record, results: list[Record]) -> None:
+    names = list(dict.fromkeys(r["name"] for r in results))
+    for k, name in enumerate(names):
+        own = [r for r in results if r["name"] == name and r.get("error_rel") and r.get("warm_s")]
+        axis.loglog(
+            [1e3 * r["warm_s"] for r in own],
+            [r["error_rel"] for r in own],
+            marker=MARKERS[k % len(MARKERS)],
+            color=COLOURS[k % len(COLOURS)],
+            linewidth=2.2 if OURS in name else 1.0,
+            linestyle="-" if k < len(COLOURS) else "--",
+            label=name,
+        )
+    axis.set_ylim(1e-7, 1.0)
+    axis.set_title(case["title"], fontsize=10)
+    axis.set_xlabel("time of one solution, warm [ms]")
+    axis.set_ylabel("largest error, over the scale [1]")
+    axis.grid(which="major", color="0.85", linewidth=0.6)
+    axis.legend(fontsize=7, framealpha=0.9)
