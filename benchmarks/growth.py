@@ -111,7 +111,7 @@ def _in_process(family: str, size: int, limit: float) -> Record:
     except subprocess.TimeoutExpired:
         return {"family": family, "size": size, "note": f"stopped after {limit:g} s"}
     if done.returncode != 0:
-        last = done.stderr.strip().splitlines()[-1:] or ["no message"]
+        last = done.stderr.strip().splitlines()[-1:] or [f"return code {done.returncode}"]
         return {"family": family, "size": size, "note": f"failed: {last[0][:200]}"}
     found: Record = json.loads(done.stdout.splitlines()[-1])
     return found

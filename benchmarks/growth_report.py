@@ -51,6 +51,11 @@ def write_report(path: Path) -> None:
     _draw(families, path.with_suffix(".png"))
 
 
+def told(power: float) -> str:
+    """An exponent in two digits, or that there is none."""
+    return "not fitted" if power != power else f"{power:.2f}"
+
+
 def exponent(records: list[Record], key: str, smallest: float) -> float:
     """Slope of log(cost) over log(size); nan with fewer than two points."""
     fitted = [r for r in records if not r["note"] and r["size"] >= smallest]
@@ -72,7 +77,7 @@ def _summary(families: dict[str, list[Record]]) -> str:
     ]
     for family, records in families.items():
         smallest = _smallest(family)
-        powers = " | ".join(f"{exponent(records, key, smallest):.2f}" for key in keys)
+        powers = " | ".join(told(exponent(records, key, smallest)) for key in keys)
         lines.append(f"| {TITLES[family]} | {smallest} | {powers} |")
     return "\n".join(lines) + "\n"
 
@@ -113,7 +118,7 @@ def _draw(families: dict[str, list[Record]], path: Path) -> None:
                     [r[key] for r in records],
                     style,
                     color=f"C{colour}",
-                    label=f"{label}, {key[:-2]}: exponent {power:.2f}",
+                    label=f"{label}, {key[:-2]}: exponent {told(power)}",
                 )
         ax.set_xlabel(name)
         ax.grid(alpha=0.3)

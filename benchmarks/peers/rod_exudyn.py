@@ -12,6 +12,7 @@ nothing written, the tip by a sensor kept in memory. A call starts from the init
 from __future__ import annotations
 
 import math
+import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import Any, ClassVar
@@ -24,15 +25,25 @@ SHEAR_STIFFNESS = 1e6
 ROTARY_INERTIA = 1e-9
 """Of the beams [kg m]; over m L^2 3e-7."""
 SPECTRAL_RADIUS = 0.9
-CYCLES = [
-    *[(2, h) for h in (2e-2, 1e-2, 5e-3, 2e-3, 1e-3)],
-    *[(n, h) for n, h in ((4, 1e-3), (4, 5e-4), (8, 5e-4), (8, 2e-4), (16, 1e-4))],
-]
-RELEASES = [
-    *[(2, h) for h in (5e-3, 2.5e-3, 1e-3, 5e-4, 2.5e-4)],
-    *[(n, h) for n, h in ((4, 5e-4), (4, 2.5e-4), (4, 1e-4), (8, 1e-4), (8, 5e-5))],
-]
-"""Elements and step [s]."""
+NEWTON_TOLERANCE = 1e-5
+LADDERS = {
+    "cycle_fast": [
+        *[(2, h) for h in (1e-2, 5e-3, 2e-3, 1e-3, 5e-4)],
+        *[(4, h) for h in (1e-3, 5e-4, 2e-4)],
+    ],
+    "cycle_slow": [
+        *[(1, h) for h in (5e-2, 2.5e-2)],
+        *[(2, h) for h in (5e-2, 2.5e-2, 1e-2, 5e-3, 2e-3)],
+        *[(4, h) for h in (1e-2, 5e-3, 2e-3)],
+    ],
+    "release": [
+        *[(2, h) for h in (2.5e-3, 1e-3, 5e-4, 2.5e-4, 1e-4)],
+        *[(4, h) for h in (5e-4, 2.5e-4, 1e-4, 5e-5)],
+        (8, 5e-5),
+    ],
+}
+LADDERS["release_heavy"] = LADDERS["release"]
+"""Elements and step [s], in whole parts of the output interval."""
 
 
 class Exudyn(ABC):
@@ -45,12 +56,7 @@ class Exudyn(ABC):
 
     def settings(self) -> list[dict[str, Any]]:
         """Elements and steps, coarse to fine."""
-        ladder = CYCLES if self.case.gravity == 0.0 else RELEASES
-        steps = {h: h for _, h in ladder}
-        if self.case.name == "cycle_slow":
-            steps = {h: min(8 * h, float(self.case.times[1])) for h in steps}
-        tidy = [{"elements": n, "step_s": steps[h]} for n, h in ladder]
-        return [s for k, s in enumerate(tidy) if s not in tidy[:k]]
+        return [{"elements": n, "step_s": h} for n, h in LADDERS[self.case.name]]
 
     @abstractmethod
     def element(self, items: Any) -> Any:
@@ -62,9 +68,10 @@ class Exudyn(ABC):
 
     def prepare(self, setting: dict[str, Any]) -> Callable[[], np.ndarray]:
         """Assemble."""
+        sys.exudynFast = True  # the build without range checks
         import exudyn
         import exudyn.beams
-        import exudyn.itemInterface as items
+        import exudyn.itemInterface as items  # noqa: N813
 
         case, count = self.case, setting["elements"]
         container = exudyn.SystemContainer()
@@ -132,9 +139,6 @@ class Exudyn(ABC):
         options.solution.file.write = False
         options.solution.sensors.writePeriod = float(case.times[1])
         return options
-
-
-NEWTON_TOLERANCE = 1e-5
 
 
 class Cables(Exudyn):

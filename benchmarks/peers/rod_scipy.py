@@ -16,7 +16,7 @@ import rod
 from scipy.integrate import solve_ivp
 from scipy.sparse import csr_matrix
 
-LADDER = [(4, 1e-2), (8, 1e-3), (8, 1e-4), (16, 1e-4), (16, 1e-5), (32, 1e-5), (64, 1e-6)]
+LADDER = [(4, 1e-2), (8, 1e-2), (8, 1e-3), (16, 1e-3), (32, 1e-4), (64, 1e-5)]
 """Edges and relative tolerance, refined together."""
 ABSOLUTE = 1e-3
 """Absolute tolerance over the relative one: positions are some centimetres."""
