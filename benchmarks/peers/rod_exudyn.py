@@ -37,12 +37,17 @@ LADDERS = {
         *[(4, h) for h in (1e-2, 5e-3, 2e-3)],
     ],
     "release": [
-        *[(2, h) for h in (2.5e-3, 1e-3, 5e-4, 2.5e-4, 1e-4)],
-        *[(4, h) for h in (5e-4, 2.5e-4, 1e-4, 5e-5)],
-        (8, 5e-5),
+        *[(4, h) for h in (5e-4, 2.5e-4, 1e-4)],
+        *[(8, h) for h in (2.5e-4, 1e-4, 5e-5, 2.5e-5)],
+        *[(16, h) for h in (5e-5, 2.5e-5, 1e-5)],
+    ],
+    "release_heavy": [
+        *[(2, h) for h in (1e-3, 5e-4)],
+        *[(4, h) for h in (5e-4, 2.5e-4, 1e-4)],
+        *[(8, h) for h in (1e-4, 5e-5, 2.5e-5)],
+        *[(16, h) for h in (2.5e-5, 1e-5)],
     ],
 }
-LADDERS["release_heavy"] = LADDERS["release"]
 """Elements and step [s], in whole parts of the output interval."""
 
 

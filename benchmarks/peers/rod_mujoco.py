@@ -19,21 +19,28 @@ from typing import Any, ClassVar
 import numpy as np
 import rod
 
+DAMPING = 0.6
+"""Time of the hinges' damping over the step; below a half, the steps would blow up."""
+
 
 class MuJoCo(ABC):
     """One of its integrators."""
 
     name: ClassVar[str]
     integrator: ClassVar[str]
-    ladder: ClassVar[tuple[tuple[int, float], ...]]
-    """Links and step [s], the largest stable one."""
+    ladders: ClassVar[dict[str, tuple[tuple[int, float], ...]]]
+    """Links and step [s], about the largest stable one, for each case."""
+    damped: ClassVar[tuple[str, ...]] = ()
+    """Cases with damping in the hinges."""
 
     def __init__(self, case: rod.RodCase) -> None:
         self.case = case
 
     def settings(self) -> list[dict[str, Any]]:
         """Links and steps, coarse to fine."""
-        return [{"links": n, "step_s": h} for n, h in self.ladder]
+        damping = DAMPING if self.case.name in self.damped else 0.0
+        ladder = self.ladders[self.case.name]
+        return [{"links": n, "step_s": h, "damping_s": damping * h} for n, h in ladder]
 
     def prepare(self, setting: dict[str, Any]) -> Callable[[], np.ndarray]:
         """Compile the model and lay out the motors' commands."""
@@ -41,7 +48,7 @@ class MuJoCo(ABC):
         from mujoco import rollout
 
         case, links, step = self.case, setting["links"], setting["step_s"]
-        model = mujoco.MjModel.from_xml_string(self.xml(links, step))
+        model = mujoco.MjModel.from_xml_string(self.xml(**setting))
         data = mujoco.MjData(model)
         state = np.zeros(mujoco.mj_stateSize(model, mujoco.mjtState.mjSTATE_FULLPHYSICS))
         steps, every = round(case.duration / step), round(case.times[1] / step)
@@ -56,7 +63,7 @@ class MuJoCo(ABC):
 
         return run
 
-    def xml(self, links: int, step: float) -> str:
+    def xml(self, links: int, step_s: float, damping_s: float) -> str:
         """The model: +z of the rod is MuJoCo's z, hinges turn about y."""
         case, h = self.case, rod.LENGTH / links
         mass = rod.MASS_PER_LENGTH * h
@@ -64,14 +71,15 @@ class MuJoCo(ABC):
         body = ""
         for k in reversed(range(links)):
             stiffness = rod.BENDING_STIFFNESS / h * (2 if k == 0 else 1)
+            spring = f'stiffness="{stiffness}" damping="{damping_s * stiffness}"'
             body = (
                 f'<body pos="0 0 {h if k else 0}"><joint name="j{k}" type="hinge" axis="0 1 0" '
-                f'stiffness="{stiffness}"/><inertial pos="0 0 {h / 2}" mass="{mass}" '
+                f'{spring}/><inertial pos="0 0 {h / 2}" mass="{mass}" '
                 f'diaginertia="{about} {about} {about}"/>{body}</body>'
             )
         motors = "".join(f'<motor joint="j{k}"/>' for k in range(links))
         return (
-            f'<mujoco><option timestep="{step}" gravity="{case.gravity} 0 0" '
+            f'<mujoco><option timestep="{step_s}" gravity="{case.gravity} 0 0" '
             f'integrator="{self.integrator}"><flag contact="disable" constraint="disable"/>'
             f"</option><worldbody>{body}</worldbody>"
             + (f"<actuator>{motors}</actuator>" if case.gravity == 0.0 else "")
@@ -85,12 +93,27 @@ def tips(angles: np.ndarray) -> np.ndarray:
     return h * np.stack([np.sum(np.sin(turned), axis=1), np.sum(np.cos(turned), axis=1)], axis=1)
 
 
+UNDAMPED = ((2, 1e-3), (3, 1e-3), (4, 5e-4), (6, 2e-4), (8, 1e-4), (12, 5e-5), (16, 2e-5))
+RELEASED = ((8, 1e-4), (16, 2e-5), (24, 1e-5), (32, 5e-6), (48, 2e-6))
+SLOW = ((3, 2.5e-2), (4, 1e-2), (6, 1e-2), (8, 5e-3), (12, 2.5e-3), (24, 1e-3), (32, 5e-4))
+
+
 class ChainImplicit(MuJoCo):
-    """Semi-implicit Euler steps, MuJoCo's own recommendation."""
+    """Semi-implicit Euler steps with implicit damping, MuJoCo's own recommendation.
+
+    The slow cycle hardly knows inertia. There an expert adds damping, which MuJoCo takes
+    implicitly and which lets steps be far larger; the others are undamped.
+    """
 
     name = "MuJoCo 4.0 (chain, implicitfast)"
     integrator = "implicitfast"
-    ladder = ((2, 2e-3), (3, 1e-3), (4, 5e-4), (6, 2e-4), (8, 1e-4), (12, 5e-5), (16, 2e-5))
+    ladders: ClassVar = {
+        "cycle_fast": UNDAMPED,
+        "cycle_slow": SLOW,
+        "release": RELEASED,
+        "release_heavy": RELEASED,
+    }
+    damped = ("cycle_slow",)
 
 
 class ChainRungeKutta(MuJoCo):
@@ -98,4 +121,9 @@ class ChainRungeKutta(MuJoCo):
 
     name = "MuJoCo 4.0 (chain, RK4)"
     integrator = "RK4"
-    ladder = ((2, 5e-3), (3, 1e-3), (4, 5e-4), (6, 2e-4), (8, 2e-4), (12, 5e-5), (16, 2e-5))
+    ladders: ClassVar = {
+        "cycle_fast": UNDAMPED,
+        "cycle_slow": UNDAMPED,
+        "release": RELEASED,
+        "release_heavy": RELEASED,
+    }

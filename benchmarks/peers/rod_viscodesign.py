@@ -75,7 +75,7 @@ def scene(case: rod.RodCase) -> dict[str, Any]:
 
 def _input(case: rod.RodCase) -> dict[str, Any]:
     if math.isinf(case.period):
-        return {"kind": "constant", "pressure": 0.0}
+        return {"kind": "constant", "value": 0.0}
     half, quarter = PRESSURE / 2, math.pi / 2
     swing = {"amplitude": half, "frequency": 1 / case.period, "phase": -quarter}
     return {"kind": "sine", "mean": half, **swing}
