@@ -106,6 +106,7 @@ def _robot(degree: int, gravity: float) -> Any:
         radius=radius,
         stiffness=stiffness,
         damping=jnp.zeros((6, 6)),
+        reference_strain=[0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
     )
     basis = StrainBasisSpec("legendre", ["kappa_z", "sigma_x"], [0, 0, degree, degree - 1, 0, 0])
     segment = GVSSegment(link, JointSpec(type="fixed"), basis, num_gauss_points=degree + 6)

@@ -26,8 +26,17 @@ MODULUS, HEIGHT, WIDTH, SOLID = 1.8e6, 0.03, 0.02, 0.47
 """Of the body: Young's modulus [Pa], size [m], solid part [1]."""
 PRESSURE = 1e3
 """At the largest curvature [Pa]."""
-RELEASES = [(4, 1e-2), (4, 1e-3), (8, 1e-3), (8, 1e-4), (16, 1e-4), (16, 1e-5), (32, 1e-6)]
-CYCLES = [(4, 1e-2), (4, 1e-3), (8, 1e-4), (16, 1e-5), (32, 1e-6)]
+RELEASES = [
+    (4, 1e-2),
+    (4, 1e-3),
+    (8, 1e-3),
+    (8, 1e-4),
+    (16, 1e-4),
+    (16, 1e-5),
+    (32, 1e-6),
+    (64, 1e-7),
+]
+CYCLES = [(4, 1e-2), (4, 1e-3), (8, 1e-4), (16, 1e-5), (32, 1e-6), (64, 1e-7)]
 """Edges and tolerance, refined together."""
 
 
