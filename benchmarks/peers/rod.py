@@ -124,9 +124,9 @@ CASES = [
         times=_times(1.0, 0.005),
         quantity="position of the tip, over the length",
         scale=LENGTH,
-        reference_error=1e-5,
+        reference_error=4.3e-5,
         norm="euclid",
-        contestants=CONTESTANTS,
+        contestants=[c for c in CONTESTANTS if c != "rod_pyelastica:Verlet"],
         gravity=100 * GRAVITY,
     ),
 ]

@@ -1,7 +1,8 @@
 """The rod by MuJoCo: a chain of rigid links with sprung hinges.
 
-MuJoCo's cable is such a chain too, and neither stretches: what the rod's stretch does to
-the tip (below 1e-4 of the length in the cycles, more under 100 g) is left as an error.
+MuJoCo's cable is such a chain too, and neither stretches. In the cycles and under 1 g this
+is not to be seen beside the chain's own error; under 100 g the rod's stretch matters, and
+the chain comes to another motion however fine it is.
 Links of length h turn at their ends against EI/h; at the clamp half a link's curvature
 lies before the hinge, so there the spring is 2 EI/h. A uniform intrinsic curvature k is
 the couple EI k on every hinge (in the place of a rest angle that moves), by motors.

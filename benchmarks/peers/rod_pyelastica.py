@@ -10,8 +10,9 @@ of second order, as the rest of the method is.
 Shear and rotary inertia cannot be left out, and PyElastica is unstable, at any step, where
 shear is much stiffer than stretch. Stretch hardly matters but under 100 g, so elsewhere both
 get `firmness` f times EA, and the rotary inertia is m EI/(f EA): errors by either fall with
-1/f, the step with 1/f too; f is swept with the mesh. Under 100 g stretch must stay, f is
-one, and the shear's 0.7 % of EI/(EA L^2) remain.
+1/f, the step with 1/f too; f is swept with the mesh. Under 100 g the stretch must stay. With
+shear as stiff, or less, or more, and at a tenth of the stable step, the rod first strays by
+5 to 20 % of its length and then blows up within 0.1 s; `release_heavy` is left out.
 A uniform intrinsic curvature k is the couple EI k on the last element (the same energy).
 The step is the largest stable one by the frequencies of a single element, or less.
 """
@@ -27,9 +28,8 @@ import rod
 
 MARGIN = 0.85
 """Step over the largest stable one."""
-CYCLES = [(4, 1.0), (6, 1.0), (8, 2.0), (12, 4.0), (16, 8.0), (24, 16.0), (32, 32.0)]
+CYCLES = [(4, 1.0), (6, 1.0), (6, 2.0), (8, 4.0), (12, 8.0), (16, 16.0), (24, 32.0)]
 RELEASES = [(6, 8.0), (8, 32.0), (12, 64.0), (16, 128.0), (24, 256.0), (32, 512.0)]
-STRETCHING = [(4, 1.0), (8, 1.0), (16, 1.0), (32, 1.0)]
 """Elements and firmness, refined together."""
 
 
@@ -44,8 +44,6 @@ class Verlet:
     def settings(self) -> list[dict[str, Any]]:
         """Elements and firmness, coarse to fine."""
         ladder = CYCLES if self.case.gravity == 0.0 else RELEASES
-        if self.case.name == "release_heavy":
-            ladder = STRETCHING
         return [{"elements": n, "firmness": f} for n, f in ladder]
 
     def prepare(self, setting: dict[str, Any]) -> Callable[[], np.ndarray]:
