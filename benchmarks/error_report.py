@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scene_runs import Record, read
 
+from viscodesign.effects.select import UNSEEN
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -133,23 +135,44 @@ def _claim_lines(judged: list[Record]) -> list[str]:
     if not judged:
         return ["No scene is judged yet."]
     ratios = np.array([ratio(r) for r in judged])
+    bare = np.array([ratio(_without_floor(r)) for r in judged])
+    floored = sum(_without_floor(r) != r for r in judged)
     unmet = sum(r["status"] != "complete" for r in judged)
     missed = [r["true_m"] / r["requested_m"] for r in judged if ratio(r) > 1]
     return [
         "The true error is the largest distance of the two tips over all output times.",
         "",
-        "| claimed | measured |",
-        "|---|---|",
+        "| claimed | measured | without the floor |",
+        "|---|---|---|",
         f"| the true error is at most the stated one in {_percent(COVERED)} | "
-        f"{_percent(np.mean(ratios <= 1))} of {len(ratios)} |",
-        f"| at most twice the stated one in all | largest {ratios.max():.3g} times |",
+        f"{_percent(np.mean(ratios <= 1))} of {len(ratios)} | {_percent(np.mean(bare <= 1))} |",
+        f"| at most twice the stated one in all | largest {ratios.max():.3g} times | "
+        f"largest {bare.max():.3g} times |",
         f"| the stated error is at most ten times the true one in {_percent(SHARP)} | "
-        f"{_percent(np.mean(ratios * TIGHT >= 1))} |",
+        f"{_percent(np.mean(ratios * TIGHT >= 1))} | {_percent(np.mean(bare * TIGHT >= 1))} |",
+        "",
+        "**These are not independent numbers.** The factors of the three parts were chosen on the "
+        f"same scenes, and the floor of omitted effects, {UNSEEN:g} of the accuracy asked for, "
+        "after an earlier run of them had shown true errors above the stated ones (the largest "
+        "0.0048 of the accuracy asked for; it comes with feedback, of which the sketch shows next "
+        f"to nothing there). The last column takes the omitted part of the {floored} scenes that "
+        "state just the floor as zero. Scenes of another seed have not been run.",
         "",
         f"The true error is below the accuracy asked for in {_percent(_met(judged))}; "
         f"{unmet} of the judged runs say that they missed it.",
         *([f"True errors above the stated ones reach {max(missed):.2g} of it."] if missed else []),
     ]
+
+
+def _without_floor(run: Record) -> Record:
+    """The same, with no omitted part where that is just the floor."""
+    omitted = run["omitted_m"]
+    if not omitted or not np.isclose(omitted, UNSEEN * run["requested_m"], rtol=1e-9):
+        return run
+    return run | {
+        "omitted_m": 0.0,
+        "estimated_tip_error_m": run["estimated_tip_error_m"] - omitted,
+    }
 
 
 def _met(judged: list[Record]) -> float:

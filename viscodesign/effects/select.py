@@ -25,7 +25,7 @@ scenes the measured one was below that in 95 % (`benchmarks/results/error_study.
 
 UNSEEN = 0.005
 """Part of the accuracy that is stated at least where anything was left out: sketches do not
-see how one small effect changes another."""
+see how one small effect changes another. Chosen to cover what they were seen to miss."""
 PASSES = 3
 MOST_BELLOWS_SKETCHED = 96
 """Bellows beyond which a sketch would take too long: then weights alone decide."""
