@@ -11,7 +11,7 @@ from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
-from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.problem import Problem, evaluate_along
 from viscodesign.solve.statics import vanished_section
 from viscodesign.solve.transient import Solution
 from viscodesign.trajectory import Invariants
@@ -133,22 +133,8 @@ def _thinnest(time: float, stretch: np.ndarray) -> SolveError:
 
 def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     """Call the output function at every solved edge."""
-    equations, schedule = problem.equations, problem.schedule
-    count = solution.reached
-    # A state just before a corner belongs to the interval that ends there.
-    piece = schedule.pieces[np.maximum(np.arange(count) - 1, 0)].T
-    results = evaluate(
-        equations.output_function.map(count),
-        solution.states,
-        solution.algebraics,
-        schedule.edges[:count],
-        piece,
-        np.ones(count),
-        np.tile(equations.sealed_volumes[:, None], count),
-        np.tile(equations.parameter_values[:, None], count),
-    )
-    names = equations.output_function.name_out()
-    values = {n: np.array(r).T for n, r in zip(names, results, strict=True)}
+    equations, count = problem.equations, solution.reached
+    values = evaluate_along(problem, solution.states, solution.algebraics, count)
     if equations.network_form is NetworkForm.DISTRIBUTED:
         # From the states, in which what is stored and what flowed in agree to round-off.
         blocks = [n for n in ("volume", "node_volume") if n in equations.states.blocks]
@@ -159,7 +145,7 @@ def _evaluate(problem: Problem, solution: Solution) -> _Rows:
             values["volume"] = bellows - values["tube_volume"]
     for name in ("pressure", "volume", "unpaired_volume"):
         values[name] = values[name][:, problem.places]
-    return _Rows(schedule.edges[:count], values)
+    return _Rows(problem.schedule.edges[:count], values)
 
 
 def _section_strains(problem: Problem, rows: _Rows) -> tuple[np.ndarray, np.ndarray]:

@@ -22,8 +22,9 @@ no pressure drops            one pressure per connected network
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Hashable
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field, fields
+from typing import ClassVar
 
 import casadi as ca
 import numpy as np
@@ -40,6 +41,23 @@ SX = ca.SX
 
 MOST_KEPT = 16
 """Structures whose formulas are kept for the next scene of the same kind."""
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """What solvers have compiled of one structure; the latest few are kept."""
+
+    most: ClassVar[int] = 12
+    functions: OrderedDict[Hashable, ca.Function] = field(default_factory=OrderedDict)
+
+    def get(self, key: Hashable, make: Callable[[], ca.Function]) -> ca.Function:
+        """The function of this key, made if it is not there."""
+        if key not in self.functions:
+            self.functions[key] = make()
+            if len(self.functions) > self.most:
+                self.functions.popitem(last=False)
+        self.functions.move_to_end(key)
+        return self.functions[key]
 
 
 @dataclass(frozen=True)
@@ -77,8 +95,7 @@ class Formulas:
     """Nodes besides the bellows that hold fluid."""
     incompressible: bool
     """Whether an amount in a bellow is its volume."""
-    made: dict[Hashable, ca.Function]
-    """What solvers have compiled of these formulas, by their own keys."""
+    compiled: Compiled
 
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
@@ -242,14 +259,18 @@ class _Formulation:
                 "constraints", [x, z, *tail], [alg, ca.jacobian(alg, z)]
             ),
             output_function=ca.Function(
-                "outputs", [x, z, *tail], list(outputs.values()), _names(7), list(outputs)
+                "outputs",
+                [x, z, *tail],
+                [ca.densify(value) for value in outputs.values()],
+                _names(7),
+                list(outputs),
             ),
             quantity_function=ca.Function("quantities", [parameters], quantities),
             fed=network.fed,
             sealed=network.sealed,
             storing=tuple(network.storing),
             incompressible=isinstance(system.fluid, Incompressible),
-            made={},
+            compiled=Compiled(),
         )
 
 

@@ -67,6 +67,43 @@ class Problem:
         )
 
 
+def evaluate_along(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, count: int
+) -> dict[str, np.ndarray]:
+    """All named outputs (count, n) at the first edges, from unknowns (n, count), in one call."""
+    equations, schedule = problem.equations, problem.schedule
+    function = equations.compiled.get(
+        ("outputs", count), lambda: equations.output_function.map(count)
+    )
+    # A state just before a corner belongs to the interval that ends there.
+    pieces = schedule.pieces[np.maximum(np.arange(count) - 1, 0)]
+    tail = (equations.sealed_volumes, equations.parameter_values)
+    rows = [
+        states.T,
+        algebraics.T,
+        schedule.edges[:count],
+        pieces,
+        np.ones(count),
+        *(np.broadcast_to(values, (count, len(values))) for values in tail),
+    ]
+    # By buffers: conversions to and from matrices would take longer than the call.
+    buffer, run = function.buffer()
+    held = [np.ascontiguousarray(row, dtype=float) for row in rows]
+    names = equations.output_function.name_out()
+    found = {
+        name: np.zeros((count, equations.output_function.size1_out(k)))
+        for k, name in enumerate(names)
+    }
+    for k, row in enumerate(held):
+        if row.size:
+            buffer.set_arg(k, memoryview(row.reshape(-1)))  # type: ignore[call-arg, arg-type]
+    for k, values in enumerate(found.values()):
+        if values.size:
+            buffer.set_res(k, memoryview(values.reshape(-1)))  # type: ignore[call-arg, arg-type]
+    run()
+    return found
+
+
 def evaluate(function: ca.Function, *arguments: float | np.ndarray) -> list[ca.DM]:
     """Call a CasADi function with numbers."""
     return list(function.call([ca.DM(argument) for argument in arguments]))

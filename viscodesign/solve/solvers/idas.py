@@ -27,8 +27,6 @@ MAX_STEPS_AFTER_FAILURE = 5_000
 """The same, once a part of the run has failed."""
 MOST_FOR_LU = 200
 """Unknowns up to which LU is as cheap as QR (measured: 9 ms against 0.3 ms at 577)."""
-MOST_KEPT = 8
-"""Integrators kept for scenes of one structure."""
 
 
 class Idas(Solver):
@@ -104,12 +102,10 @@ class Idas(Solver):
     def _integrator(self, edges: np.ndarray, options: dict[str, Any]) -> ca.Function:
         """One for these times and options, made once for all scenes of a structure."""
         key = ("idas", edges.tobytes(), tuple(sorted(options.items())))
-        made = self.problem.equations.made
-        if key not in made:
-            if len(made) >= MOST_KEPT:
-                made.clear()
-            made[key] = ca.integrator("motion", "idas", self.dae, edges[0], edges[1:], options)
-        return made[key]
+        return self.problem.equations.compiled.get(
+            key,
+            lambda: ca.integrator("motion", "idas", self.dae, edges[0], edges[1:], options),
+        )
 
     def _insist(
         self, here: Start, first: int, work: Work, error: RuntimeError

@@ -35,9 +35,7 @@ class Radau(Solver):
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         super().__init__(problem, tolerance)
-        if "radau" not in problem.equations.made:
-            problem.equations.made["radau"] = _reduced(problem)
-        self.function = problem.equations.made["radau"]
+        self.function = problem.equations.compiled.get("radau", lambda: _reduced(problem))
         self.states = problem.equations.states.count
 
     def __call__(

@@ -205,9 +205,7 @@ class Step:
     """One step as a compiled function, its numbers kept in place between calls."""
 
     def __init__(self, equations: Equations) -> None:
-        if "rosenbrock" not in equations.made:
-            equations.made["rosenbrock"] = step_function(equations)
-        function = equations.made["rosenbrock"]
+        function = equations.compiled.get("rosenbrock", lambda: step_function(equations))
         self._buffer, self._run = function.buffer()
         self._arguments = [np.zeros(function.nnz_in(k)) for k in range(function.n_in())]
         self._after = np.zeros(function.nnz_out(0))
