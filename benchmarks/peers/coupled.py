@@ -52,6 +52,7 @@ CASES = [
         contestants=[
             "coupled_viscodesign:Idas",
             "coupled_viscodesign:Rosenbrock",
+            "coupled_viscodesign:Called",
             "coupled_scipy:Bdf",
             "coupled_scipy:Radau",
             "coupled_scipy:Lsoda",

@@ -1,19 +1,18 @@
-"""The network by viscodesign: a scene of which only the network is asked for.
-
-`prepare` reads the scene and solves it once, as whoever works with it does; measured is
-a whole further solution with the equations at hand: the equilibrium at the start, the
-steps through time, and reading all outputs and balances.
-"""
+"""The network by viscodesign: a scene of which only the network is asked for."""
 
 from __future__ import annotations
 
-from abc import ABC
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 import network
-import numpy as np
+from ours import Ours
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from viscodesign.motion import Motion
+    from viscodesign.scene.scene import Scene
 
 SCENE = Path(__file__).parents[2] / "configs" / "leg_16_straight_water.yaml"
 ALONG_CHAIN = [
@@ -33,39 +32,22 @@ def overrides(fluid: str) -> list[str]:
     ]
 
 
-class Viscodesign(ABC):
+class Viscodesign(Ours):
     """One of its solvers, down a ladder of tolerances."""
-
-    name: ClassVar[str]
-    solver: ClassVar[str]
 
     def __init__(self, case: network.NetworkCase) -> None:
         self.fluid = case.fluid
 
-    def settings(self) -> list[dict[str, Any]]:
-        """Tolerances, coarse to fine."""
+    def ladder(self) -> list[dict[str, Any]]:
         return [{"tolerance": tolerance} for tolerance in TOLERANCES]
 
-    def prepare(self, setting: dict[str, Any]) -> Callable[[], np.ndarray]:
-        """Read, choose, and solve once."""
+    def scene(self, *more: str) -> Scene:
         from viscodesign import load
-        from viscodesign.build import Settings
-        from viscodesign.effects.conditions import Conditions
-        from viscodesign.effects.select import select_effects
-        from viscodesign.solving import solve
 
-        conditions = Conditions(load(SCENE, overrides(self.fluid)))
-        effects = select_effects(conditions).effects
-        settings = Settings(1, setting["tolerance"], solver=self.solver)
+        return load(SCENE, [*overrides(self.fluid), *more])
 
-        def run() -> np.ndarray:
-            found = solve(conditions, effects, settings)
-            if not found.is_complete:
-                raise RuntimeError(str(found.motion.failure))
-            return found.motion.pressure[:, ALONG_CHAIN]
-
-        run()
-        return run
+    def values(self, motion: Motion) -> np.ndarray:
+        return motion.pressure[:, ALONG_CHAIN]
 
 
 class Idas(Viscodesign):

@@ -51,8 +51,8 @@ PACKAGES = (
 ONE_THREAD = dict.fromkeys(
     ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"
 ) | {"XLA_FLAGS": "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"}
-ROUNDS = 2
-BUDGET = 120.0
+ROUNDS = 1
+BUDGET = 25.0
 """Wall time of one contestant in one case and round [s]."""
 FEWEST, MOST, PATIENCE = 5, 25, 1.0
 """Warm solutions at least and at most, and how long they are repeated in between [s]."""

@@ -1,0 +1,69 @@
+"""viscodesign as a contestant: by a solver at given settings, or by the accuracy alone.
+
+`prepare` reads the scene and solves it once, as whoever works with it does; measured is
+a whole further solution with the equations at hand: the equilibrium at the start, the
+steps through time, and reading all outputs and balances.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from viscodesign.motion import Motion
+    from viscodesign.scene.scene import Scene
+
+ACCURACIES = [1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6]
+
+
+class Ours(ABC):
+    """One way to use it, down a ladder of settings."""
+
+    name: ClassVar[str]
+    solver: ClassVar[str | None]
+    """None: effects, mesh, tolerance and solver as the program chooses for an accuracy."""
+
+    @abstractmethod
+    def ladder(self) -> list[dict[str, Any]]:
+        """Settings of a given solver, coarse to fine."""
+
+    @abstractmethod
+    def scene(self, *more: str) -> Scene:
+        """The case's scene with further overrides."""
+
+    @abstractmethod
+    def values(self, motion: Motion) -> np.ndarray:
+        """What is compared (T, k)."""
+
+    def settings(self) -> list[dict[str, Any]]:
+        """Coarse to fine."""
+        if self.solver is not None:
+            return self.ladder()
+        return [{"accuracy": accuracy} for accuracy in ACCURACIES]
+
+    def prepare(self, setting: dict[str, Any]) -> Callable[[], np.ndarray]:
+        """Read, choose, and solve once."""
+        from viscodesign.build import Settings, suggest_settings
+        from viscodesign.effects.conditions import Conditions
+        from viscodesign.effects.select import select_effects
+        from viscodesign.solving import solve
+
+        asked = setting.get("accuracy")
+        conditions = Conditions(self.scene() if asked is None else self.scene(f"accuracy={asked}"))
+        effects = select_effects(conditions).effects
+        settings = suggest_settings(conditions)
+        if self.solver is not None:
+            settings = Settings(**{"edges_per_section": 1} | setting, solver=self.solver)
+
+        def run() -> np.ndarray:
+            found = solve(conditions, effects, settings)
+            if not found.is_complete:
+                raise RuntimeError(str(found.motion.failure))
+            return self.values(found.motion)
+
+        run()
+        return run
