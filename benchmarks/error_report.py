@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import platform
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -83,8 +82,7 @@ def report_lines(found: Found, figure: str) -> list[str]:
         "accuracy asked for, and where the stated error is small by less than a tenth of that. "
         "Regenerate with `python benchmarks/error_study.py`: `--references`, then without, "
         "`--sharpen`, and without again.",
-        f"Python {platform.python_version()}, {platform.machine()}, {_versions()}; one process "
-        "per scene.",
+        f"{_versions(found.judged)}; one process per scene.",
         "",
         f"Judged: {len(found.judged)} scenes. Not judged: {len(found.unsure)}, whose reference is "
         f"not converged to a tenth of the stated or the true error. No error stated: "
@@ -118,13 +116,9 @@ def report_lines(found: Found, figure: str) -> list[str]:
     ]
 
 
-def _versions() -> str:
-    import casadi
-    import scipy
-
-    from viscodesign import __version__
-
-    return f"viscodesign {__version__}, casadi {casadi.__version__}, scipy {scipy.__version__}"
+def _versions(runs: list[Record]) -> str:
+    """With what the runs were made."""
+    return "; ".join(sorted({run.get("made_with", "versions not noted") for run in runs}))
 
 
 def _percent(share: float) -> str:

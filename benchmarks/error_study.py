@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import platform
 import subprocess
 import sys
 import time
@@ -183,6 +184,7 @@ def study(seed: int, index: int, folder: Path) -> Iterator[Record]:
         "kind": "run",
         "index": index,
         "length_m": run.length,
+        "made_with": made_with(),
         **_facts(scene, run),
         **asdict(run.accuracy),
         **UNKNOWN,
@@ -197,6 +199,19 @@ def study(seed: int, index: int, folder: Path) -> Iterator[Record]:
     command = [sys.executable, __file__, "--plain", "--only", str(index), "--seed", str(seed)]
     said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=LIMIT)
     yield json.loads(said.stdout)
+
+
+def made_with() -> str:
+    """Versions of what solves here."""
+    import casadi
+    import scipy
+
+    from viscodesign import __version__
+
+    return (
+        f"Python {platform.python_version()}, {platform.machine()}, viscodesign {__version__}, "
+        f"casadi {casadi.__version__}, scipy {scipy.__version__}"
+    )
 
 
 def plain(seed: int, index: int) -> Record:

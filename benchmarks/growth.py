@@ -36,7 +36,7 @@ from typing import Any
 HERE = Path(__file__).parent
 SCENE = HERE.parent / "configs" / "leg_16_straight_air.yaml"
 RESULTS = HERE / "results" / "growth.jsonl"
-TIME_LIMIT = 120.0
+TIME_LIMIT = 240.0
 """Wall time of one point [s]."""
 WARM_RUNS, PATIENCE = 3, 20.0
 """Warm solutions at most, and the time after which no other is begun [s]."""

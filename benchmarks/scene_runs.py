@@ -69,7 +69,8 @@ def _in_process(given: argparse.Namespace, script: str, more: Sequence[str], ind
     began = time.monotonic()
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=given.timeout)
-        said, note = done.stdout, "" if done.returncode == 0 else done.stderr[-300:]
+        ended = f"ended with {done.returncode}"
+        said, note = done.stdout, "" if done.returncode == 0 else done.stderr[-300:] or ended
     except subprocess.TimeoutExpired as late:
         said = late.stdout.decode() if isinstance(late.stdout, bytes) else late.stdout or ""
         note = f"stopped after {given.timeout:g} s"

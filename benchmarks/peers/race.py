@@ -295,6 +295,8 @@ def measure(case: str, contestant: str, place: int) -> Iterator[Record]:
         "solves": len(warm),
         "rounds": 1,
         "error_rel": error,
+        # What a program's own start takes, of every solution [s].
+        "overhead_s": getattr(tool, "overhead_s", 0.0),
     }
 
 

@@ -8,6 +8,8 @@ from functools import partial
 import casadi as ca
 import numpy as np
 
+from viscodesign.solve.linear import direct_solver
+
 Residual = Callable[[np.ndarray], tuple[np.ndarray, ca.DM]]
 Family = Callable[[np.ndarray, float], tuple[np.ndarray, ca.DM]]
 
@@ -122,10 +124,10 @@ def _factorised(jacobian: ca.DM, residual: np.ndarray) -> Callable[[np.ndarray],
     failure = NewtonError(_norm(residual), int(np.argmax(np.abs(residual))))
     if not jacobian.is_regular():
         raise failure
-    factors = ca.Linsol("newton", "csparse", jacobian.sparsity())
+    factors = ca.Linsol("newton", direct_solver(jacobian.size1()), jacobian.sparsity())
     try:
         factors.nfact(jacobian)
-    except RuntimeError as error:  # CSparse's word for a singular matrix
+    except RuntimeError as error:  # its word for a singular matrix
         raise failure from error
     return lambda right: np.array(factors.solve(jacobian, ca.DM(right))).ravel()
 

@@ -1,0 +1,272 @@
+"""Where the time goes when the published leg's 8 s are simulated.
+
+    python benchmarks/leg_profile.py            # measure, then report
+    python benchmarks/leg_profile.py --report   # report what is there
+
+Every round has a process of its own that does, step by step and once, what
+`viscodesign simulate configs/leg_16_straight_air.yaml` does; the page tells the median of
+the rounds. The unloaded quasi-static leg is measured beside it, over many cycles.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from viscodesign.solve.problem import Problem
+
+HERE = Path(__file__).parent
+SCENE = HERE.parent / "configs" / "leg_16_straight_air.yaml"
+RESULTS = HERE / "results" / "leg_profile.jsonl"
+ROUNDS = 7
+PROBES = 500
+"""Linear systems that are solved to time one."""
+CYCLES, FREQUENCY = 100, 0.5
+"""Of the quasi-static leg: periods of its sine, and their frequency [Hz]."""
+QUASI_STATIC = (
+    "effects={pressure_distribution: on, others: off}",
+    f"input={{kind: sine, mean: 0 kPa, amplitude: 20 kPa, frequency: {FREQUENCY} Hz}}",
+    f"run={{duration: {CYCLES / FREQUENCY}, output_interval: 0.05}}",
+    "accuracy=0.01 %",
+)
+Record = dict[str, Any]
+
+
+def main() -> None:
+    """Measure and report."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--rounds", type=int, default=ROUNDS)
+    parser.add_argument("--report", action="store_true", help="measure nothing")
+    parser.add_argument("--one", action="store_true", help=argparse.SUPPRESS)
+    given = parser.parse_args()
+    if given.one:
+        print(json.dumps(measure()))
+        return
+    if not given.report:
+        lines = [_in_process() for _ in range(given.rounds)]
+        RESULTS.write_text("".join(json.dumps(line) + "\n" for line in lines))
+    write_report([json.loads(line) for line in RESULTS.read_text().splitlines()])
+
+
+def _in_process() -> Record:
+    """One round."""
+    alone = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
+    command = [sys.executable, __file__, "--one"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, env=alone)
+    found: Record = json.loads(done.stdout.splitlines()[-1])
+    return found
+
+
+class Watch:
+    """Wall times by name [s]."""
+
+    def __init__(self) -> None:
+        self.spent: dict[str, float] = {}
+
+    @contextmanager
+    def __call__(self, name: str) -> Iterator[None]:
+        began = time.perf_counter()
+        yield
+        self.spent[name] = time.perf_counter() - began
+
+
+def measure() -> Record:
+    """All parts of one round."""
+    watch = Watch()
+    with watch("import"):
+        from viscodesign import load, simulate
+        from viscodesign.build import build, suggest_settings
+        from viscodesign.effects.conditions import Conditions
+        from viscodesign.effects.select import select_effects
+        from viscodesign.motion import read_motion
+        from viscodesign.report.files import write_run
+        from viscodesign.solve.solvers.base import Work
+        from viscodesign.solve.solvers.idas import Idas
+        from viscodesign.solve.statics import equilibrium
+        from viscodesign.solve.transient import integrate
+    with watch("read and validate the spec"):
+        scene = load(SCENE)
+    with watch("weigh all effects"):
+        conditions = Conditions(scene)
+        selection = select_effects(conditions)
+    settings = suggest_settings(conditions)
+    with watch("formulas, derivatives"):
+        problem = build(conditions, selection.effects, settings)
+    with watch("equilibrium at the start"):
+        start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    idas, work = Idas(problem, settings.tolerance), Work()
+    idas.options["record_time"] = True
+    count = len(problem.schedule.edges) - 1
+    idas(start, 0, count, work)
+    watch.spent["integrator, its Jacobian"] = work.compile_s
+    with watch("steps through time"):
+        idas(start, 0, count, Work())
+    stats = next(reversed(problem.equations.compiled.functions.values())).stats()
+    solution = integrate(problem, start, settings.tolerance)
+    with watch("read outputs and balances"):
+        read_motion(problem, solution)
+    first, second = Conditions(scene), Conditions(scene)
+    with watch("simulate again, without verification"):
+        simulate(first.scene, verify=False)
+    with watch("simulate again, verified"):
+        run = simulate(second.scene)
+    with tempfile.TemporaryDirectory() as folder:
+        with watch("tables, summary, spec"):
+            write_run(run, Path(folder), plots=False)
+        with watch("the same with pictures, drawing imported"):
+            write_run(run, Path(folder), plots=True)
+    return {
+        "parts": watch.spent,
+        "inside": {
+            "residual": stats["t_wall_daeF"],
+            "jacobian": stats["t_wall_jacF"],
+            "quadratures": stats["t_wall_quadF"],
+            "linear": factorising_s(problem) * stats["nlinsetups"],
+        },
+        "counts": {
+            "steps": stats["nsteps"],
+            "residual": stats["n_call_daeF"],
+            "jacobian": stats["n_call_jacF"],
+            "linear": stats["nlinsetups"],
+        },
+        "verify_s": run.cost.verify_s,
+        "settings": asdict(settings),
+        "quasi_static": quasi_static(),
+        "machine": {"python": platform.python_version(), "cpu": _cpu()},
+    }
+
+
+def factorising_s(problem: Problem) -> float:
+    """Time to factorise and solve one system of the integrator's pattern [s]."""
+    import casadi as ca
+    import numpy as np
+
+    equations = problem.equations
+    y = ca.vertcat(equations.states.vector, equations.algebraics.vector)
+    pattern = ca.jacobian(ca.vertcat(equations.ode, equations.alg), y).sparsity()
+    pattern = pattern + ca.Sparsity.diag(y.numel())
+    matrix, right = ca.MX.sym("matrix", pattern), ca.MX.sym("right", y.numel())
+    solve = ca.Function("solve", [matrix, right], [ca.solve(matrix, right, "csparse")])
+    numbers = np.random.default_rng(1)
+    values = numbers.uniform(0.1, 1.0, pattern.nnz())
+    dominant = ca.DM(pattern, values) + 10 * ca.DM.eye(y.numel())
+    many = solve.map(PROBES)
+    matrices, sides = ca.repmat(dominant, 1, PROBES), ca.DM.ones(y.numel(), PROBES)
+    began = time.perf_counter()
+    many(matrices, sides)
+    return (time.perf_counter() - began) / PROBES
+
+
+def quasi_static() -> Record:
+    """The unloaded leg on arcs: time and true error over its cycles."""
+    from viscodesign import load
+    from viscodesign.build import Settings, suggest_settings
+    from viscodesign.effects.conditions import Conditions
+    from viscodesign.effects.select import select_effects
+    from viscodesign.solving import solve, tip_difference
+
+    scene = load(SCENE, QUASI_STATIC)
+    conditions = Conditions(scene)
+    effects, settings = select_effects(conditions).effects, suggest_settings(conditions)
+    solve(conditions, effects, settings)
+    runs = [solve(Conditions(scene), effects, settings) for _ in range(3)]
+    best = min(runs, key=lambda run: run.spent_s)
+    sure = solve(conditions, effects, Settings(settings.edges_per_section, 1e-11))
+    return {
+        "ms_per_cycle": 1e3 * best.spent_s / CYCLES,
+        "error": tip_difference(best.motion, sure.motion) / conditions.body.length,
+        "tolerance": settings.tolerance,
+    }
+
+
+def _cpu() -> str:
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text().splitlines() if info.exists() else []
+    models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    return models[0] if models else platform.processor()
+
+
+# -- the page -------------------------------------------------------------------------------
+
+
+def write_report(rounds: list[Record]) -> None:
+    """`leg_profile.md` beside the lines."""
+    last = rounds[-1]
+    parts = {name: _median(r["parts"][name] for r in rounds) for name in last["parts"]}
+    inside = {name: _median(r["inside"][name] for r in rounds) for name in last["inside"]}
+    stepping = parts["steps through time"]
+    rest = stepping - sum(inside.values())
+    counts, settings, still = last["counts"], last["settings"], last["quasi_static"]
+    per_cycle = _median(r["quasi_static"]["ms_per_cycle"] for r in rounds)
+    verifying = _ms(_median(r["verify_s"] for r in rounds))
+    lines = [
+        "# Where the leg's time goes",
+        "",
+        "`configs/leg_16_straight_air.yaml`, 8 s, at its own accuracy of 0.5 %. Median of "
+        f"{len(rounds)} fresh processes, one thread, Python {last['machine']['python']}, "
+        f"{last['machine']['cpu']}. Regenerate with `python benchmarks/leg_profile.py`.",
+        "",
+        "| part | wall time |",
+        "|---|---|",
+        *(f"| {name} | {_ms(seconds)} |" for name, seconds in parts.items()),
+        "",
+        "The two lines of `simulate` come after a first solution in the same process: formulas "
+        "and integrator are taken over, what remains is to weigh the effects, to recognise the "
+        f"structure and to solve. Of the verified one, {verifying} are finer solutions for the "
+        "error bar, with their own meshes' formulas.",
+        "",
+        "## Inside the steps through time",
+        "",
+        f"The first solution: IDAS at a tolerance of {settings['tolerance']:g}, "
+        f"{settings['edges_per_section']} edge a section, {counts['steps']} steps. The linear part "
+        "is timed apart, on systems of the same pattern; the rest is step control, further "
+        "back-substitutions and interpolation.",
+        "",
+        "| part | calls | wall time | share |",
+        "|---|---|---|---|",
+        *(
+            f"| {title} | {counts.get(key, '')} | {_ms(inside[key])} "
+            f"| {100 * inside[key] / stepping:.0f} % |"
+            for key, title in (
+                ("residual", "residual"),
+                ("jacobian", "Jacobian"),
+                ("linear", "factorising, one solve each"),
+                ("quadratures", "integrals for the balances"),
+            )
+        ),
+        f"| the rest of IDAS | | {_ms(rest)} | {100 * rest / stepping:.0f} % |",
+        "",
+        "## The unloaded quasi-static leg",
+        "",
+        f"Pressure distribution alone, a sine of {FREQUENCY:g} Hz, {CYCLES} cycles with 40 outputs "
+        f"each, asked for 0.01 %: **{per_cycle:.2f} ms a simulated cycle**, reading of "
+        f"outputs left out; true tip error {100 * still['error']:.1g} % of the length against a "
+        f"tolerance of 1e-11 (used: {still['tolerance']:g}).",
+        "",
+    ]
+    RESULTS.with_suffix(".md").write_text("\n".join(lines))
+
+
+def _median(values: Any) -> float:
+    return statistics.median(values)
+
+
+def _ms(seconds: float) -> str:
+    return f"{1e3 * seconds:.3g} ms"
+
+
+if __name__ == "__main__":
+    main()
