@@ -36,7 +36,6 @@ HERE = Path(__file__).parent
 RESULTS = HERE.parent / "results" / "peers.jsonl"
 CASE_MODULES = ("rod", "network", "coupled")
 PACKAGES = (
-    "viscodesign",
     "casadi",
     "exudyn",
     "fonsim",
@@ -239,7 +238,8 @@ def facts(case: Case) -> Record:
 
 def header() -> Record:
     """Versions and machine."""
-    versions = {}
+    # As it says of itself: an editable installation's record may be an old one.
+    versions = {"viscodesign": importlib.import_module("viscodesign").__version__}
     for name in PACKAGES:
         try:
             versions[name] = metadata.version(name)

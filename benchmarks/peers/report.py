@@ -19,21 +19,25 @@ OURS = "viscodesign"
 TARGET_ERROR = 1e-3
 """Error at which the aims are judged."""
 TARGETS = [
-    ("leg_8s", "script", 50.0, "every tool's time is Jacobians and residuals of like size; ours "
-     "are exact and sparse, but interpreted, not compiled"),
-    ("network_water", "SciPy BDF", 1.0, ""),
-    ("network_air", "SciPy BDF", 1.0, ""),
-    ("network_water", "FONSim", 500.0, "its trapezoidal rule needs few steps for smooth pulses"),
-    ("network_air", "FONSim", 500.0, "its trapezoidal rule needs few steps for smooth pulses"),
-    ("cycle_fast", "Exudyn", 1.0, "a cubic element bears what takes three or four of our edges, "
-     "and its formulas are compiled"),
-    ("cycle_slow", "Exudyn", 1.0, "what is left is mostly reading outputs and balances"),
-    ("release", "Exudyn", 1.0, "every swing of an undamped rod has to be followed, by formulas "
-     "that are interpreted"),
-    ("cycle_fast", "PyElastica", 10.0, ""),
+    ("leg_8s", "script", 50.0, 50.0, "both sides' time is residuals and Jacobians; ours are "
+     "exact and sparse, but interpreted, and the script's numpy does many columns at once"),
+    ("network_water", "SciPy BDF", 1.0, 1.0, ""),
+    ("network_air", "SciPy BDF", 1.0, 1.0, ""),
+    ("network_water", "FONSim", 500.0, 500.0, "smooth pulses suit its long steps, and most of "
+     "our own time is not steps but reading outputs and balances"),
+    ("network_air", "FONSim", 500.0, 500.0, "the same"),
+    ("cycle_fast", "Exudyn", 1.0, 1 / 3, "one cubic element does what takes two or three of our "
+     "edges, and its formulas are compiled"),
+    ("cycle_slow", "Exudyn", 1.0, 1 / 3, "inertia is left out, as it may be; what is left is "
+     "mostly reading outputs and balances"),
+    ("release", "Exudyn", 1.0, 1 / 3, "every swing of an undamped rod has to be followed, by "
+     "formulas that are interpreted"),
+    ("cycle_fast", "PyElastica", 10.0, 10.0, ""),
 ]  # fmt: skip
 """Case, beginning of the rivals' names, how many times faster we want to be than the best
-of them, and why not, where it is not reached."""
+of them, how many at the least, and what stands in the way where we are not."""
+LOWEST = 1e-8
+"""Error below which nothing is drawn."""
 MARKERS = "osD^vP*X<>ph"
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999999")
 """Okabe and Ito's, which colour-blind readers tell apart."""
@@ -74,10 +78,10 @@ def _targets(cases: list[Record], results: dict[str, list[Record]]) -> list[str]
     words = [
         f"## Aims, at an error of {100 * TARGET_ERROR:g} %\n",
         "How many times faster than the best of the others; below 1 they are faster.\n",
-        "| motion | against | aim | reached | the limit |",
+        "| motion | against | aim | reached | met? |",
         "|---|---|---|---|---|",
     ]
-    for case, rival, aim, limit in TARGETS:
+    for case, rival, aim, least, limit in TARGETS:
         if case not in titles:
             continue
         best = _cheapest(results[case], TARGET_ERROR)
@@ -85,12 +89,14 @@ def _targets(cases: list[Record], results: dict[str, list[Record]]) -> list[str]
         theirs = min((r["warm_s"] for n, r in best.items() if n.startswith(rival)), default=None)
         if ours is None or theirs is None:
             reached = f"{'we' if ours is None else 'they'} do not come to this error in time"
-            met = ours is not None
+            verdict = limit if ours is None else "met"
         else:
-            reached, met = f"{theirs / ours:.3g}", theirs / ours >= aim
-        words.append(
-            f"| {titles[case]} | {rival} | {aim:g} | {reached} | {'met' if met else limit} |"
-        )
+            ratio = theirs / ours
+            reached = f"{ratio:.3g}"
+            verdict = f"{'in part' if ratio >= least else 'missed'}: {limit}"
+            verdict = "met" if ratio >= aim else verdict
+        bound = f"{aim:g}" if aim == least else f"{aim:g}, at the least {least:.2g}"
+        words.append(f"| {titles[case]} | {rival} | {bound} | {reached} | {verdict} |")
     return [*words, ""]
 
 
@@ -142,19 +148,26 @@ def _draw(cases: list[Record], results: dict[str, list[Record]], path: Path) -> 
     shown = [case for case in cases if results[case["case"]]]
     columns = min(2, len(shown))
     rows = -(-len(shown) // columns)
-    size = (6.2 * columns, 4.6 * rows)
+    size = (8.2 * columns, 4.4 * rows)
     figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, layout="constrained")
     for axis in axes.flat[len(shown) :]:
         axis.set_visible(False)
+    places: dict[str, int] = {}
     for axis, case in zip(axes.flat, shown, strict=False):
-        _panel(axis, case, results[case["case"]])
+        names = list(dict.fromkeys(r["name"] for r in results[case["case"]]))
+        for name in names:
+            # A tool looks the same in every panel.
+            taken = {places[n] for n in names if n in places}
+            places.setdefault(name, min(set(range(len(names) + 1)) - taken))
+        _panel(axis, case, results[case["case"]], {name: places[name] for name in names})
     figure.savefig(path, dpi=150)
 
 
-def _panel(axis: Any, case: Record, results: list[Record]) -> None:
-    names = list(dict.fromkeys(r["name"] for r in results))
-    for k, name in enumerate(names):
+def _panel(axis: Any, case: Record, results: list[Record], places: dict[str, int]) -> None:
+    least = 1.0
+    for name, k in places.items():
         own = [r for r in results if r["name"] == name and r.get("error_rel") and r.get("warm_s")]
+        least = min([least, *(r["error_rel"] for r in own)])
         axis.loglog(
             [1e3 * r["warm_s"] for r in own],
             [r["error_rel"] for r in own],
@@ -162,11 +175,11 @@ def _panel(axis: Any, case: Record, results: list[Record]) -> None:
             color=COLOURS[k % len(COLOURS)],
             linewidth=2.2 if OURS in name else 1.0,
             linestyle="-" if k < len(COLOURS) else "--",
-            label=name,
+            label=name if own else f"{name}: none",
         )
-    axis.set_ylim(1e-7, 1.0)
+    axis.set_ylim(max(least / 2, LOWEST), 1.0)
     axis.set_title(case["title"], fontsize=10)
     axis.set_xlabel("time of one solution, warm [ms]")
     axis.set_ylabel("largest error, over the scale [1]")
     axis.grid(which="major", color="0.85", linewidth=0.6)
-    axis.legend(fontsize=7, framealpha=0.9)
+    axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False)
