@@ -1,0 +1,80 @@
+"""Problems without states: all outputs in one call, or one by one, come to the same."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign.build import build, suggest_settings
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.solve.algebraic import Algebraic
+from viscodesign.solve.newton import NewtonError, newton
+from viscodesign.solve.problem import Problem, evaluate, evaluate_along
+from viscodesign.solve.solvers.base import Work
+from viscodesign.solve.statics import Start, consistent, equilibrium
+
+SHORT = "run={duration: 0.4 s, output_interval: 0.02 s}"
+SCENES = {
+    "unloaded": ("effects={others: off}",),
+    "hanging": ("loads.gravity=on", "effects={gravity: on, others: off}"),
+}
+
+
+def made(*overrides: str) -> tuple[Problem, Start]:
+    conditions = Conditions(leg(SHORT, *overrides))
+    problem = build(conditions, select_effects(conditions).effects, suggest_settings(conditions))
+    schedule = problem.schedule
+    start = equilibrium(problem, 0.0, schedule.initial_piece)
+    return problem, consistent(problem, start, 0.0, schedule.pieces[0])
+
+
+@pytest.mark.parametrize("overrides", SCENES.values(), ids=SCENES)
+def test_one_call_finds_what_single_solutions_find(overrides: tuple[str, ...]) -> None:
+    problem, here = made(*overrides)
+    assert problem.equations.states.count == 0
+    schedule, work = problem.schedule, Work()
+    count = len(schedule.edges) - 1
+    (_, found, _), failure = Algebraic(problem, 1e-6)(here, 0, count, work)
+    assert failure is None
+    assert work.steps == count
+    for k in range(count):
+        here = consistent(problem, here, schedule.edges[k + 1], schedule.pieces[k])
+        np.testing.assert_allclose(found[:, k], here.algebraics, atol=1e-9)
+
+
+def test_where_the_one_call_fails_single_solutions_go_as_far_as_they_can(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    problem, here = made(*SCENES["hanging"])
+    count = len(problem.schedule.edges) - 1
+    (_, at_once, _), _ = Algebraic(problem, 1e-6)(here, 0, count, Work())
+    monkeypatch.setattr(Algebraic, "_at_once", lambda *_: None)
+    (_, single, _), failure = Algebraic(problem, 1e-6)(here, 0, count, Work())
+    assert failure is None
+    np.testing.assert_allclose(single, at_once, atol=1e-9)
+
+
+def test_outputs_read_in_one_call_are_those_of_single_calls() -> None:
+    problem, here = made(*SCENES["hanging"])
+    count = 3
+    columns = [np.tile(v[:, None], count) for v in (here.states, here.algebraics)]
+    found = evaluate_along(problem, columns[0], columns[1], count)
+    schedule, function = problem.schedule, problem.equations.output_function
+    pieces = schedule.pieces[[0, 0, 1]]
+    for k in range(count):
+        tail = problem.tail(float(schedule.edges[k]), pieces[k])
+        single = evaluate(function, here.states, here.algebraics, *tail)
+        for name, value in zip(function.name_out(), single, strict=True):
+            np.testing.assert_array_equal(found[name][k], np.array(value).ravel(), err_msg=name)
+
+
+@pytest.mark.parametrize("size", [20, 400])
+def test_a_singular_system_is_refused_whatever_factorises_it(size: int) -> None:
+    diagonal = np.ones(size)
+    diagonal[size // 2] = 0.0
+    matrix = ca.DM(ca.Sparsity.diag(size), diagonal)
+    with pytest.raises(NewtonError):
+        newton(lambda y: (diagonal * y - 1.0, matrix), np.zeros(size))
