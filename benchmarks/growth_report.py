@@ -11,6 +11,8 @@ import numpy as np
 Record = dict[str, Any]
 SMALLEST_FITTED = {"bellows": 16, "edges": 32, "duration": 10}
 """Size from which on an exponent is fitted: below, fixed costs rule."""
+LARGEST_EXPONENT = 1.15
+"""What the time to solve may grow with, over the bellows."""
 TITLES = {
     "bellows_arcs": "Bellows, quasi-static arcs",
     "bellows_dynamic": "Bellows, dynamic with gravity",
@@ -46,6 +48,7 @@ def write_report(path: Path) -> None:
     """Markdown and figure beside the lines."""
     families = read(path)
     parts = [ABOUT, f"![Growth]({path.stem}.png)\n", _summary(families)]
+    parts.append(_aim(families))
     parts += [_table(family, records) for family, records in families.items()]
     path.with_suffix(".md").write_text("\n".join(parts))
     _draw(families, path.with_suffix(".png"))
@@ -80,6 +83,24 @@ def _summary(families: dict[str, list[Record]]) -> str:
         powers = " | ".join(told(exponent(records, key, smallest)) for key in keys)
         lines.append(f"| {TITLES[family]} | {smallest} | {powers} |")
     return "\n".join(lines) + "\n"
+
+
+def _aim(families: dict[str, list[Record]]) -> str:
+    """How the growth with the bellows stands to what was aimed at."""
+    words = [f"The aim over the bellows is an exponent of at most {LARGEST_EXPONENT:g}."]
+    for family in (f for f in families if f.startswith("bellows")):
+        whole, steps = (exponent(families[family], k, 16) for k in ("solve_s", "steps"))
+        met = "met" if whole <= LARGEST_EXPONENT else "missed"
+        words.append(
+            f"{TITLES[family]}: {told(whole)}, {met}; {told(steps)} of it are more steps, "
+            f"{told(whole - steps)} the work of one."
+        )
+    words.append(
+        "A step's work is linear; a finer division rings faster, and its steps become shorter. "
+        "Warm build grows where a run is cut to tell its progress: every length of a cut has an "
+        "integrator of its own."
+    )
+    return " ".join(words) + "\n"
 
 
 def _table(family: str, records: list[Record]) -> str:

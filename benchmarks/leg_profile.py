@@ -225,14 +225,15 @@ def write_report(rounds: list[Record]) -> None:
         "",
         "The two lines of `simulate` come after a first solution in the same process: formulas "
         "and integrator are taken over, what remains is to weigh the effects, to recognise the "
-        f"structure and to solve. Of the verified one, {verifying} are finer solutions for the "
-        "error bar, with their own meshes' formulas.",
+        f"structure and to solve. The verified one solves again with a smaller tolerance and a "
+        f"finer mesh, whose formulas are new here; all but the finest of its solutions take "
+        f"{verifying}.",
         "",
         "## Inside the steps through time",
         "",
         f"The first solution: IDAS at a tolerance of {settings['tolerance']:g}, "
-        f"{settings['edges_per_section']} edge a section, {counts['steps']} steps. The linear part "
-        "is timed apart, on systems of the same pattern; the rest is step control, further "
+        f"edges a section: {settings['edges_per_section']}, {counts['steps']} steps. The linear "
+        "part is timed apart, on systems of the same pattern; the rest is step control, further "
         "back-substitutions and interpolation.",
         "",
         "| part | calls | wall time | share |",

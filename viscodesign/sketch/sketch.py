@@ -186,12 +186,12 @@ class Sketch:
         right, left = np.split(bend, 2, axis=1)
         return left - right, sum(np.split(extend, 2, axis=1), np.zeros_like(left))
 
-    def _loaded(self, pressure: np.ndarray) -> Shape:
-        """The axis under the steady loads."""
+    def _loaded(self, pressure: np.ndarray, taken: np.ndarray | None = None) -> Shape:
+        """The axis under the steady loads; ``taken`` (T, B) volumes that the rod takes up."""
         ground = self.ground
         curvature, stretch = (s @ ground.spread.T for s in self._strains(pressure))
         length = ground.length / ground.pieces
-        force = self._masses()[..., None] * np.array(self.gravity)
+        force = self._masses(pressure, taken)[..., None] * np.array(self.gravity)
         force[:, -1] += self.tip_force
         shape = _shape(curvature, 1 + stretch, length)
         for _ in range(LOAD_ROUNDS if np.any(force) else 0):
@@ -200,27 +200,29 @@ class Sketch:
             shape = replace(shape, bent=bent, drawn=drawn)
         return shape
 
-    def _masses(self) -> np.ndarray:
+    def _masses(self, pressure: np.ndarray, taken: np.ndarray | None = None) -> np.ndarray:
         """Masses at the ends of the pieces (T or 1, K) [kg]."""
         ground = self.ground
         mass = np.full(ground.pieces, self.mass_per_length * ground.length / ground.pieces)
         mass[-1] = mass[-1] / 2 + self.payload
-        return mass + self._held() if self.fluid_density else mass[None]
+        return mass + self._held(pressure, taken) if self.fluid_density else mass[None]
 
-    def _held(self) -> np.ndarray:
+    def _held(self, pressure: np.ndarray, taken: np.ndarray | None = None) -> np.ndarray:
         """Mass of the fluid in every piece (T, K) [kg]."""
         ground = self.ground
-        amount = np.maximum(ground.rest_volume + self._law(self.pressure)[0], 0.0)
+        volume = ground.rest_volume + self._law(pressure)[0]
+        amount = np.maximum(volume if taken is None else volume + taken, 0.0)
         if self.gas_exponent is not None:
-            amount *= density_ratio(self.pressure, ground.ambient, self.gas_exponent)
+            amount *= density_ratio(pressure, ground.ambient, self.gas_exponent)
         per_section = sum(np.split(amount, 2, axis=1), np.zeros((1, 1)))
         return np.asarray(self.fluid_density * per_section @ ground.share.T)
 
     @cached_property
     def _carried(self) -> float:
         """Mass that is spread along the rod, the fluid's by its mean over the motion [kg]."""
-        held = float(np.mean(np.sum(self._held(), axis=1))) if self.fluid_density else 0.0
-        return self.mass_per_length * self.ground.length + held
+        held = self._held(self.pressure) if self.fluid_density else np.zeros((1, 1))
+        mean = float(np.mean(np.sum(held, axis=1)))
+        return self.mass_per_length * self.ground.length + mean
 
     def _elastic(self, shape: Shape, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Curvature and stretch that forces (T, K, 2) beyond each piece ask for (T, K)."""
@@ -246,7 +248,8 @@ class Sketch:
         )
         tip, moved = self._followed(shape)
         if heavy or self.volume_per_force or self.volume_per_moment:
-            tip, _ = self._followed(self._loaded(self._answered(moved)))
+            taken = self._taken(moved)
+            tip, _ = self._followed(self._loaded(self._answered(moved, taken), taken))
         return tip
 
     def _followed(self, shape: Shape) -> tuple[np.ndarray, Shape]:
@@ -259,7 +262,8 @@ class Sketch:
         # Inertial forces: of the first mode they are its stiffness times what it lags.
         rate = self._bending_rate()
         lag = self._lag(shape.nodes, rate, self.ground.straight)
-        bent, drawn = self._elastic(shape, self._masses()[..., None] * rate**2 * lag)
+        inert = self._masses(self.pressure)[..., None] * rate**2 * lag
+        bent, drawn = self._elastic(shape, inert)
         moved = self._moved(shape, bent, drawn) + self._stretched(shape)
         return tip + moved, replace(shape, bent=shape.bent + bent, drawn=shape.drawn + drawn)
 
@@ -316,13 +320,17 @@ class Sketch:
         mass = 4 / math.pi**2 * self._carried + self.payload
         return math.sqrt(self.ground.extension_stiffness / self.ground.length / mass)
 
-    def _answered(self, shape: Shape) -> np.ndarray:
-        """Pressures with what the axis does to the fluid: volumes taken up, height (T, B)."""
+    def _taken(self, shape: Shape) -> np.ndarray:
+        """Volumes that the forces in the axis give the bellows (T, B) [m3]."""
         ground = self.ground
         moment = ground.bending_stiffness * shape.bent @ ground.share
         normal = ground.extension_stiffness * shape.drawn @ ground.share
         force, turn = self.volume_per_force * normal, self.volume_per_moment * moment
-        taken = np.concatenate([force - turn, force + turn], axis=1)
+        return np.concatenate([force - turn, force + turn], axis=1)
+
+    def _answered(self, shape: Shape, taken: np.ndarray) -> np.ndarray:
+        """Pressures with what the axis does to the fluid: volumes taken up, height (T, B)."""
+        ground = self.ground
         depth = (shape.middle @ np.array(self.gravity)) @ ground.share
         head = self.fluid_density * np.concatenate([depth, depth], axis=1)
         return self._network[0].pressures(taken, head)[:, : ground.bellows]
