@@ -7,6 +7,7 @@ halved until the output before the failure is found.
 
 from __future__ import annotations
 
+import re
 import time as clock
 from typing import Any, ClassVar
 
@@ -26,6 +27,18 @@ CAUTIOUS_STEP = 1e-12
 """First step after a failure, in parts of the run."""
 MAX_STEPS_AFTER_FAILURE = 5_000
 """The same, once a part of the run has failed."""
+REASONS = {
+    "IDA_TOO_MUCH_WORK": "too many steps are needed from one output to the next",
+    "IDA_TOO_MUCH_ACC": "the tolerance is below what numbers can tell",
+    "IDA_ERR_FAIL": "the steps shrink to nothing, since each leaves too large an error",
+    "IDA_CONV_FAIL": "the steps shrink to nothing, since the equations of none can be solved",
+    "IDA_LSETUP_FAIL": "the linear system of a step is singular",
+    "IDA_LSOLVE_FAIL": "the linear system of a step cannot be solved",
+    "IDA_REP_RES_ERR": "the equations have no value there",
+    "IDA_RES_FAIL": "the equations have no value there",
+}
+"""What its return codes mean for whoever reads of them."""
+SOURCE_LINE = re.compile(r"^\S*\.[ch]pp:\d+: ")
 
 
 class Idas(Solver):
@@ -145,6 +158,10 @@ def _count(work: Work, stats: dict[str, Any]) -> None:
 
 
 def _last_words(error: RuntimeError) -> str:
-    """The integrator's own reason, one line."""
-    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
-    return lines[-1][:200] if lines else "no reason given"
+    """The integrator's reason, in one line without its own file names."""
+    text = str(error)
+    for code, reason in REASONS.items():
+        if code in text:
+            return f"{reason} ({code})"
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    return SOURCE_LINE.sub("", lines[-1])[:200] if lines else "no reason given"
