@@ -99,7 +99,8 @@ def _cost(scene: Any) -> Record:
         began = time.perf_counter()
         selection = select_effects(conditions)
         chosen = time.perf_counter() - began
-        run = solve(conditions, selection.effects, suggest_settings(conditions))
+        settings = suggest_settings(conditions, selection.effects)
+        run = solve(conditions, selection.effects, settings)
         now = {"choose_s": chosen, "build_s": run.build_s, "solve_s": run.solve_s}
         best = {key: min(value, best.get(key, value)) for key, value in now.items()}
     equations = run.problem.equations

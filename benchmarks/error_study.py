@@ -106,7 +106,7 @@ def refine(seed: int, index: int, folder: Path, stated_m: float | None) -> Itera
     selection = select_effects(conditions)
     requested_m = conditions.accuracy * conditions.body.length
     wanted_m = AGREED * requested_m if stated_m is None else CONVERGED * stated_m
-    settings, tip = suggest_settings(conditions), None
+    settings, tip = suggest_settings(conditions, selection.effects), None
     path = reference_path(folder, index)
     if path.exists():
         settings, tip, moved_m = _kept(path)

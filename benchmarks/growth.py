@@ -156,7 +156,7 @@ def measure(family: str, size: int) -> Record:
     conditions = Conditions(scene)
     effects = select_effects(conditions).effects
     chosen = time.perf_counter() - began
-    settings = replace(suggest_settings(conditions), edges_per_section=edges)
+    settings = replace(suggest_settings(conditions, effects), edges_per_section=edges)
     runs = [solve(conditions, effects, settings)]
     while len(runs) <= WARM_RUNS and (len(runs) == 1 or time.perf_counter() - began < PATIENCE):
         # Another scene of this structure: a scene's own equations are kept along with it.

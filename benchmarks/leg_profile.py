@@ -102,7 +102,7 @@ def measure() -> Record:
     with watch("weigh all effects"):
         conditions = Conditions(scene)
         selection = select_effects(conditions)
-    settings = suggest_settings(conditions)
+    settings = suggest_settings(conditions, selection.effects)
     with watch("formulas, derivatives"):
         problem = build(conditions, selection.effects, settings)
     with watch("equilibrium at the start"):
@@ -180,7 +180,8 @@ def quasi_static() -> Record:
 
     scene = load(SCENE, QUASI_STATIC)
     conditions = Conditions(scene)
-    effects, settings = select_effects(conditions).effects, suggest_settings(conditions)
+    effects = select_effects(conditions).effects
+    settings = suggest_settings(conditions, effects)
     solve(conditions, effects, settings)
     runs = [solve(Conditions(scene), effects, settings) for _ in range(3)]
     best = min(runs, key=lambda run: run.spent_s)

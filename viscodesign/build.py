@@ -11,7 +11,6 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
-from viscodesign.effects.select import catalogue
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES
@@ -39,8 +38,11 @@ class Settings:
     solver: str = DEFAULT_SOLVER
 
 
-def suggest_settings(conditions: Conditions) -> Settings:
-    """Mesh and tolerance that should meet the scene's accuracy; a run then measures it."""
+def suggest_settings(conditions: Conditions, effects: Sequence[Effect]) -> Settings:
+    """Mesh, tolerance and solver that should meet the scene's accuracy with these effects.
+
+    A run then measures what they do.
+    """
     accuracy, body = conditions.accuracy, conditions.body
     wanted = max(MINIMUM_EDGES, COARSE_EDGES * max(1.0, COARSE_ACCURACY / accuracy) ** (1 / 3))
     # One bellow of a section at the highest pressure, the other at the lowest.
@@ -52,15 +54,15 @@ def suggest_settings(conditions: Conditions) -> Settings:
     per_section = max(
         math.ceil(wanted / body.sections - 1e-9), math.ceil(turn / LARGEST_TURN_PER_EDGE), 1
     )
-    solver = RINGING_SOLVER if _rings_on(conditions) else DEFAULT_SOLVER
+    solver = RINGING_SOLVER if _rings_on(effects) else DEFAULT_SOLVER
     tolerance = SHARE_OF_TIME * accuracy / solver_catalogue()[solver].tip_error_per_tolerance
     return Settings(per_section, tolerance, solver)
 
 
-def _rings_on(conditions: Conditions) -> bool:
+def _rings_on(effects: Sequence[Effect]) -> bool:
     """Whether something moves the rod without what always comes along to calm it."""
-    kinds = [catalogue()[name] for name in conditions.taken]
-    return any(kind.companion and kind.companion not in conditions.taken for kind in kinds)
+    names = {effect.name for effect in effects}
+    return any(effect.companion and effect.companion not in names for effect in effects)
 
 
 def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:

@@ -47,7 +47,7 @@ def simulate(
     conditions = Conditions(scene)
     selection = select_effects(conditions)
     refuse_unsolvable(conditions)
-    settings = suggest_settings(conditions)
+    settings = suggest_settings(conditions, selection.effects)
     if tolerance is not None:
         settings = replace(settings, tolerance=tolerance)
     verifier = Verifier(conditions, selection.effects, selection.omitted_m, progress)

@@ -55,7 +55,7 @@ class Ours(ABC):
         asked = setting.get("accuracy")
         conditions = Conditions(self.scene() if asked is None else self.scene(f"accuracy={asked}"))
         effects = select_effects(conditions).effects
-        settings = suggest_settings(conditions)
+        settings = suggest_settings(conditions, effects)
         if self.solver is not None:
             settings = Settings(**{"edges_per_section": 1} | setting, solver=self.solver)
 

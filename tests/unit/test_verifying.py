@@ -123,8 +123,9 @@ def test_a_coarse_first_solution_is_refined_until_it_serves() -> None:
 def test_a_wish_to_stop_in_the_last_moment_is_obeyed() -> None:
     scene = leg(*SCENES["arcs"])
     conditions = Conditions(scene)
-    verifier = Verifier(conditions, select_effects(conditions).effects, 0.0, None)
-    run = verifier.solve(suggest_settings(conditions))
+    effects = select_effects(conditions).effects
+    verifier = Verifier(conditions, effects, 0.0, None)
+    run = verifier.solve(suggest_settings(conditions, effects))
     run.solution.asked_to_stop = True
     kept, parts = verifier.verify(run)
     assert kept is run

@@ -55,7 +55,8 @@ def _studied(bench: Bench) -> AccuracyStudy:
     study = replace(study, reference=gauge.reference)
     start: Point | None = None
     try:
-        start = explorer.try_one(_taken(models), suggest_settings(conditions))
+        suggested = suggest_settings(conditions, selection.effects)
+        start = explorer.try_one(_taken(models), suggested)
         explorer.explore(models)
     except (StudyInterruptedError, KeyboardInterrupt):
         study = replace(study, status="interrupted")

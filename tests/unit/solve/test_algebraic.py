@@ -25,7 +25,8 @@ SCENES = {
 
 def made(*overrides: str) -> tuple[Problem, Start]:
     conditions = Conditions(leg(SHORT, *overrides))
-    problem = build(conditions, select_effects(conditions).effects, suggest_settings(conditions))
+    effects = select_effects(conditions).effects
+    problem = build(conditions, effects, suggest_settings(conditions, effects))
     schedule = problem.schedule
     start = equilibrium(problem, 0.0, schedule.initial_piece)
     return problem, consistent(problem, start, 0.0, schedule.pieces[0])

@@ -83,7 +83,7 @@ def test_undamped_vibration_costs_no_small_steps() -> None:
     """What BDF needs thousands of steps for: nine periods of a beam that is let go."""
     conditions = Conditions(leg(*UNDAMPED))
     effects = select_effects(conditions).effects
-    settings = suggest_settings(conditions)
+    settings = suggest_settings(conditions, effects)
     assert settings.solver == RINGING_SOLVER
     run = solve(conditions, effects, settings)
     assert run.is_complete
@@ -93,5 +93,5 @@ def test_undamped_vibration_costs_no_small_steps() -> None:
 
 def test_what_is_damped_keeps_the_default() -> None:
     conditions = Conditions(leg(*SCENES["damped, two-way"]))
-    select_effects(conditions)
-    assert suggest_settings(conditions).solver == DEFAULT_SOLVER
+    effects = select_effects(conditions).effects
+    assert suggest_settings(conditions, effects).solver == DEFAULT_SOLVER
