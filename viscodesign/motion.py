@@ -133,8 +133,8 @@ def _thinnest(time: float, stretch: np.ndarray) -> SolveError:
 
 def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     """Call the output function at every solved edge."""
-    equations, count = problem.equations, solution.reached
-    values = evaluate_along(problem, solution.states, solution.algebraics, count)
+    equations = problem.equations
+    values = evaluate_along(problem, solution.states, solution.algebraics)
     if equations.network_form is NetworkForm.DISTRIBUTED:
         # From the states, in which what is stored and what flowed in agree to round-off.
         blocks = [n for n in ("volume", "node_volume") if n in equations.states.blocks]
@@ -145,7 +145,7 @@ def _evaluate(problem: Problem, solution: Solution) -> _Rows:
             values["volume"] = bellows - values["tube_volume"]
     for name in ("pressure", "volume", "unpaired_volume"):
         values[name] = values[name][:, problem.places]
-    return _Rows(problem.schedule.edges[:count], values)
+    return _Rows(problem.schedule.edges[: solution.reached], values)
 
 
 def _section_strains(problem: Problem, rows: _Rows) -> tuple[np.ndarray, np.ndarray]:

@@ -21,16 +21,15 @@ no pressure drops            one pressure per connected network
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Callable, Hashable
-from dataclasses import dataclass, field, fields
-from typing import ClassVar
+from collections.abc import Hashable
+from dataclasses import dataclass, fields
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.model.fluid import Incompressible
 from viscodesign.model.graph import Component
+from viscodesign.model.latest import Latest
 from viscodesign.model.network_equations import NetworkEquations, NetworkForm
 from viscodesign.model.rod_equations import RodEquations, RodForm
 from viscodesign.model.system import System
@@ -41,23 +40,8 @@ SX = ca.SX
 
 MOST_KEPT = 16
 """Structures whose formulas are kept for the next scene of the same kind."""
-
-
-@dataclass(frozen=True)
-class Compiled:
-    """What solvers have compiled of one structure; the latest few are kept."""
-
-    most: ClassVar[int] = 12
-    functions: OrderedDict[Hashable, ca.Function] = field(default_factory=OrderedDict)
-
-    def get(self, key: Hashable, make: Callable[[], ca.Function]) -> ca.Function:
-        """The function of this key, made if it is not there."""
-        if key not in self.functions:
-            self.functions[key] = make()
-            if len(self.functions) > self.most:
-                self.functions.popitem(last=False)
-        self.functions.move_to_end(key)
-        return self.functions[key]
+MOST_COMPILED = 12
+"""Compiled functions that are kept with each."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +79,8 @@ class Formulas:
     """Nodes besides the bellows that hold fluid."""
     incompressible: bool
     """Whether an amount in a bellow is its volume."""
-    compiled: Compiled
+    compiled: Latest[ca.Function]
+    """What solvers have compiled of these formulas, by their own keys."""
 
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
@@ -131,7 +116,7 @@ class Equations(Formulas):
     """Time in which the rod moves by itself: the size of its velocities is length over it [s]."""
 
 
-_kept: OrderedDict[Hashable, Formulas] = OrderedDict()
+_kept: Latest[Formulas] = Latest(MOST_KEPT)
 
 
 def formulate(system: System, sizes: Sizes) -> Equations:
@@ -148,13 +133,8 @@ def formulate(system: System, sizes: Sizes) -> Equations:
         swing=system.parameter("size.swing", sizes.swing),
     )
     system.parameter("length", system.body.length)
-    key = _structure(system)
-    if key not in _kept:
-        _kept[key] = _Formulation(system, symbols).formulas()
-        if len(_kept) > MOST_KEPT:
-            _kept.popitem(last=False)
-    _kept.move_to_end(key)
-    return _kept[key].with_numbers(system.parameters()[1])
+    formulas = _kept.get(_structure(system), lambda: _Formulation(system, symbols).formulas())
+    return formulas.with_numbers(system.parameters()[1])
 
 
 def _structure(system: System) -> Hashable:
@@ -270,7 +250,7 @@ class _Formulation:
             sealed=network.sealed,
             storing=tuple(network.storing),
             incompressible=isinstance(system.fluid, Incompressible),
-            compiled=Compiled(),
+            compiled=Latest(MOST_COMPILED),
         )
 
 

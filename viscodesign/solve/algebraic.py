@@ -6,6 +6,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.newton import CONVERGED, MAX_ITERATIONS
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.silence import silence
@@ -22,10 +23,13 @@ class Algebraic(Solver):
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
         """Solve the constraints at edges first+1..stop."""
-        found = self._at_once(here, first, stop)
-        if found is not None:
-            work.steps += stop - first
-            return self._columns(found), None
+        # Pressures have one solution. A loaded rod may have several, and plain Newton would
+        # leap from one to another where a fold ends the branch that it was on.
+        if self.problem.equations.rod_form is RodForm.ARCS:
+            found = self._at_once(here, first, stop)
+            if found is not None:
+                work.steps += stop - first
+                return self._columns(found), None
         return self._one_by_one(here, first, stop, work)
 
     def _at_once(self, here: Start, first: int, stop: int) -> np.ndarray | None:

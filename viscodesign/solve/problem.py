@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -67,14 +68,35 @@ class Problem:
         )
 
 
+class Bound:
+    """A call that reads and writes the same arrays each time, without any conversion.
+
+    The arrays are contiguous and of `float`, each with as many entries as the function has.
+    """
+
+    def __init__(
+        self, function: ca.Function, arguments: Sequence[np.ndarray], results: Sequence[np.ndarray]
+    ) -> None:
+        # The buffer knows no more than addresses: whoever drops an array here loses its memory.
+        self._kept = (*arguments, *results)
+        self._buffer, self._run = function.buffer()
+        places = (self._buffer.set_arg, arguments), (self._buffer.set_res, results)
+        for place, arrays in places:
+            for k, array in enumerate(arrays):
+                if array.size:
+                    place(k, memoryview(array.reshape(-1)))  # type: ignore[call-arg, arg-type]
+
+    def __call__(self) -> None:
+        """Read the arguments, write the results."""
+        self._run()
+
+
 def evaluate_along(
-    problem: Problem, states: np.ndarray, algebraics: np.ndarray, count: int
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """All named outputs (count, n) at the first edges, from unknowns (n, count), in one call."""
+    """All named outputs (m, n) at the first m edges, from unknowns (nx, m) and (nz, m)."""
     equations, schedule = problem.equations, problem.schedule
-    function = equations.compiled.get(
-        ("outputs", count), lambda: equations.output_function.map(count)
-    )
+    output, count = equations.output_function, states.shape[1]
     # A state just before a corner belongs to the interval that ends there.
     pieces = schedule.pieces[np.maximum(np.arange(count) - 1, 0)]
     tail = (equations.sealed_volumes, equations.parameter_values)
@@ -86,21 +108,13 @@ def evaluate_along(
         np.ones(count),
         *(np.broadcast_to(values, (count, len(values))) for values in tail),
     ]
-    # By buffers: conversions to and from matrices would take longer than the call.
-    buffer, run = function.buffer()
-    held = [np.ascontiguousarray(row, dtype=float) for row in rows]
-    names = equations.output_function.name_out()
-    found = {
-        name: np.zeros((count, equations.output_function.size1_out(k)))
-        for k, name in enumerate(names)
-    }
-    for k, row in enumerate(held):
-        if row.size:
-            buffer.set_arg(k, memoryview(row.reshape(-1)))  # type: ignore[call-arg, arg-type]
-    for k, values in enumerate(found.values()):
-        if values.size:
-            buffer.set_res(k, memoryview(values.reshape(-1)))  # type: ignore[call-arg, arg-type]
-    run()
+    found = {name: np.zeros((count, output.size1_out(name))) for name in output.name_out()}
+    call = Bound(
+        equations.compiled.get(("outputs", count), lambda: output.map(count)),
+        [np.ascontiguousarray(row, dtype=float) for row in rows],
+        list(found.values()),
+    )
+    call()
     return found
 
 

@@ -17,6 +17,12 @@ from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.statics import Start, consistent, equilibrium
 
 SHORT = "run={duration: 0.4 s, output_interval: 0.02 s}"
+FOLDING = (
+    "run={duration: 8 s, output_interval: 0.05 s}",
+    "loads.tip_force.x=2 N",
+    "effects={gravity: on, others: off}",
+)
+"""A rod that a sideways force makes snap when its bellows bend it the other way."""
 SCENES = {
     "unloaded": ("effects={others: off}",),
     "hanging": ("loads.gravity=on", "effects={gravity: on, others: off}"),
@@ -49,7 +55,7 @@ def test_one_call_finds_what_single_solutions_find(overrides: tuple[str, ...]) -
 def test_where_the_one_call_fails_single_solutions_go_as_far_as_they_can(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    problem, here = made(*SCENES["hanging"])
+    problem, here = made(*SCENES["unloaded"])
     count = len(problem.schedule.edges) - 1
     (_, at_once, _), _ = Algebraic(problem, 1e-6)(here, 0, count, Work())
     monkeypatch.setattr(Algebraic, "_at_once", lambda *_: None)
@@ -58,11 +64,20 @@ def test_where_the_one_call_fails_single_solutions_go_as_far_as_they_can(
     np.testing.assert_allclose(single, at_once, atol=1e-9)
 
 
+def test_no_solution_leaps_over_a_fold() -> None:
+    problem, here = made(*FOLDING)
+    count = len(problem.schedule.edges) - 1
+    (_, found, _), failure = Algebraic(problem, 1e-6)(here, 0, count, Work())
+    assert failure is not None
+    assert failure.quantity == "equilibrium"
+    assert 0 < found.shape[1] < count
+
+
 def test_outputs_read_in_one_call_are_those_of_single_calls() -> None:
     problem, here = made(*SCENES["hanging"])
     count = 3
     columns = [np.tile(v[:, None], count) for v in (here.states, here.algebraics)]
-    found = evaluate_along(problem, columns[0], columns[1], count)
+    found = evaluate_along(problem, columns[0], columns[1])
     schedule, function = problem.schedule, problem.equations.output_function
     pieces = schedule.pieces[[0, 0, 1]]
     for k in range(count):

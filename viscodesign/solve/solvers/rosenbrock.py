@@ -16,7 +16,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.formulation import Equations
 from viscodesign.solve.elimination import Elimination
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Bound, Problem
 from viscodesign.solve.solvers import rodas
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.statics import Start, consistent
@@ -206,14 +206,10 @@ class Step:
 
     def __init__(self, equations: Equations) -> None:
         function = equations.compiled.get("rosenbrock", lambda: step_function(equations))
-        self._buffer, self._run = function.buffer()
         self._arguments = [np.zeros(function.nnz_in(k)) for k in range(function.n_in())]
         self._after = np.zeros(function.nnz_out(0))
         self._stages = np.zeros(function.nnz_out(1))
-        for k, argument in enumerate(self._arguments):
-            self._buffer.set_arg(k, memoryview(argument))  # type: ignore[call-arg, arg-type]
-        for k, result in enumerate((self._after, self._stages)):
-            self._buffer.set_res(k, memoryview(result))  # type: ignore[call-arg, arg-type]
+        self._run = Bound(function, self._arguments, (self._after, self._stages))
 
     def bind(self, piece: np.ndarray, numbers: np.ndarray) -> None:
         """Set the inputs' coefficients and all parameters."""
