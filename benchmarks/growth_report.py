@@ -89,16 +89,17 @@ def _aim(families: dict[str, list[Record]]) -> str:
     """How the growth with the bellows stands to what was aimed at."""
     words = [f"The aim over the bellows is an exponent of at most {LARGEST_EXPONENT:g}."]
     for family in (f for f in families if f.startswith("bellows")):
-        whole, steps = (exponent(families[family], k, 16) for k in ("solve_s", "steps"))
+        records, smallest = families[family], _smallest(family)
+        whole, steps = (exponent(records, key, smallest) for key in ("solve_s", "steps"))
         met = "met" if whole <= LARGEST_EXPONENT else "missed"
         words.append(
             f"{TITLES[family]}: {told(whole)}, {met}; {told(steps)} of it are more steps, "
             f"{told(whole - steps)} the work of one."
         )
     words.append(
-        "A step's work is linear; a finer division rings faster, and its steps become shorter. "
-        "Warm build grows where a run is cut to tell its progress: every length of a cut has an "
-        "integrator of its own."
+        "A long run is cut to tell its progress: it starts afresh there, with short steps, and "
+        "every length of a cut has an integrator of its own to build. What else makes more steps "
+        "of more bellows has not been traced."
     )
     return " ".join(words) + "\n"
 

@@ -31,6 +31,7 @@ from pathlib import Path
 from typing import Any, Literal, Protocol
 
 import numpy as np
+from machine import cpu
 
 HERE = Path(__file__).parent
 RESULTS = HERE.parent / "results" / "peers.jsonl"
@@ -249,16 +250,9 @@ def header() -> Record:
         "kind": "header",
         "versions": versions,
         "python": platform.python_version(),
-        "cpu": _cpu(),
+        "cpu": cpu(),
         "threads": 1,
     }
-
-
-def _cpu() -> str:
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text().splitlines() if info.exists() else []
-    models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
-    return models[0] if models else platform.processor()
 
 
 # -- inside the process of one setting -----------------------------------------------------

@@ -109,7 +109,7 @@ class Idas(Solver):
         integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
         return (joined[0], joined[1], integrals), failure
 
-    def _integrator(self, edges: np.ndarray, options: dict[str, Any]) -> ca.Function:
+    def integrator(self, edges: np.ndarray, options: dict[str, Any]) -> ca.Function:
         """One for these times and options, made once for all scenes of a structure."""
         key = ("idas", edges.tobytes(), tuple(sorted(options.items())))
         return self.problem.equations.compiled.get(
@@ -137,7 +137,7 @@ class Idas(Solver):
         edges, pieces = schedule.edges, schedule.pieces
         there = consistent(self.problem, here, edges[first], pieces[first])
         began = clock.perf_counter()
-        integrator = self._integrator(edges[first : stop + 1], options)
+        integrator = self.integrator(edges[first : stop + 1], options)
         work.compile_s += clock.perf_counter() - began
         with silence():
             result = integrator(
