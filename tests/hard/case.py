@@ -1,0 +1,191 @@
+"""A hard case: a scene, what must come of it, and what did."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+from tests.scenes import leg
+from viscodesign import Scene, Trajectory, simulate
+from viscodesign.build import Settings
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.errors import ViscodesignError
+from viscodesign.solving import solve
+
+VOLUME = 1e-8
+"""Imbalance of fluid allowed, relative."""
+ENERGY = 1e-4
+"""Imbalance of energy allowed at the default accuracy, of the work done."""
+OVERSHOOT = 1e-3
+"""Share of the inlet's swing by which a pressure may leave its range, at the default accuracy."""
+EXACT = "accuracy=0.0001 %"
+"""The one other accuracy of the table: for criteria of many digits."""
+DEFAULT_ACCURACY = 0.005
+STIR = frozenset({"feedback", "fluid_inertance"})
+"""Effects with which pressures may leave the range of the inlet's."""
+
+Ending = Literal["complete", "failed", "refused"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A number that was found, and the one that was wanted."""
+
+    what: str
+    found: float
+    wanted: float
+    allowed: float
+    """Largest absolute difference."""
+
+    @property
+    def share(self) -> float:
+        """How much of what is allowed was used; not a number where nothing was found."""
+        if self.found == self.wanted:
+            return 0.0
+        return abs(self.found - self.wanted) / self.allowed if self.allowed else math.inf
+
+    @property
+    def holds(self) -> bool:
+        """Whether what was found is near enough."""
+        return self.share <= 1.0
+
+    def __str__(self) -> str:
+        return f"{self.what} = {self.found:.10g} (wanted {self.wanted:.10g} ± {self.allowed:.2g})"
+
+
+def relative(what: str, found: float, wanted: float, share: float) -> Finding:
+    """A finding that may be wrong by a share of what is wanted."""
+    return Finding(what, float(found), float(wanted), share * abs(float(wanted)))
+
+
+def at_most(what: str, found: float, limit: float) -> Finding:
+    """A finding whose size may not pass a limit."""
+    return Finding(what, float(found), 0.0, limit)
+
+
+def true(what: str, holds: bool) -> Finding:
+    """A finding that is a matter of yes or no."""
+    return Finding(what, float(bool(holds)), 1.0, 0.0)
+
+
+def warned(run: Trajectory, code: str) -> Finding:
+    """Whether a run gave a warning."""
+    return true(f"warning '{code}'", any(notice.code == code for notice in run.warnings))
+
+
+Judge = Callable[[Trajectory], Iterable[Finding]]
+
+
+@dataclass(frozen=True)
+class Case:
+    """One row of the table: the paper's leg with single keys changed, and what it must do."""
+
+    number: str
+    """Of the case, unique."""
+    name: str
+    """What is hard about it."""
+    must: str
+    """The criterion, in words."""
+    changes: tuple[str, ...] = ()
+    """Spec keys that differ from the configuration, as 'key=value'."""
+    judge: Judge = lambda run: ()
+    """Findings beyond the invariants, which every case is held to."""
+    ending: Ending = "complete"
+    says: tuple[str, ...] = ()
+    """Words that the message of a case must hold that fails or is refused."""
+    config: str = "leg_16_straight_air"
+    converges: bool = True
+    """Whether a solution of twice the fineness is to be compared, where one is affordable."""
+
+    def scene(self) -> Scene:
+        """The scene; raises `SpecError` where the spec is refused."""
+        return leg(*self.changes, config=self.config)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a case."""
+
+    case: Case
+    ending: Ending
+    message: str
+    findings: tuple[Finding, ...]
+    run: Trajectory | None = None
+    rungs: tuple[str, ...] = field(default=())
+
+    @property
+    def complaints(self) -> list[str]:
+        """What is not as it must be."""
+        found = [str(finding) for finding in self.findings if not finding.holds]
+        if self.ending != self.case.ending:
+            found.append(f"it was to be {self.case.ending}, and is {self.ending}: {self.message}")
+        found += [f"'{word}' is not in: {self.message}" for word in self._unsaid()]
+        return found
+
+    def _unsaid(self) -> list[str]:
+        said = self.message.lower()
+        return [word for word in self.case.says if word.lower() not in said]
+
+
+def outcome(case: Case) -> Outcome:
+    """Solve a case with the default settings, and judge it."""
+    try:
+        run = simulate(case.scene())
+    except ViscodesignError as error:
+        return Outcome(case, "refused", str(error), ())
+    ending: Ending = "complete" if run.status == "complete" else "failed"
+    findings = [*_whole(run), *_balanced(run), *_within_range(run), *case.judge(run)]
+    return Outcome(case, ending, run.failure or "", tuple(findings), run)
+
+
+def _whole(run: Trajectory) -> Iterator[Finding]:
+    arrays = (run.time, run.tip, run.pressure, run.volume, run.flow, run.shape)
+    yield true("every number is finite", all(np.isfinite(a).all() for a in arrays))
+
+
+def _balanced(run: Trajectory) -> Iterator[Finding]:
+    volume, energy = run.invariants.volume_imbalance_rel, run.invariants.energy_imbalance_rel
+    if volume is not None:
+        yield at_most("volume imbalance", volume, VOLUME)
+    if energy is not None:
+        yield at_most("energy imbalance", energy, ENERGY)
+
+
+def _within_range(run: Trajectory) -> Iterator[Finding]:
+    """Without feedback and inertance pressures stay within the range of the inlets'."""
+    taken = {verdict.name for verdict in run.effects if verdict.taken}
+    if STIR & taken or not run.inlet_pressure or not run.time.size:
+        return
+    inlets = np.array(list(run.inlet_pressure.values()))
+    low, high = inlets.min(), inlets.max()
+    beyond = max(run.pressure.max() - high, low - run.pressure.min())
+    if run.time[0] > 0.0:
+        return  # the history of the inlets is not all told
+    yield at_most("pressure beyond the inlets' range", max(beyond, 0.0), OVERSHOOT * (high - low) + 1e-9)
+
+
+def moved_by_refinement(case: Case, run: Trajectory) -> Finding:
+    """How far the tip moves at half the tolerance on half the mesh, against the stated error."""
+    conditions = Conditions(case.scene())
+    selection = select_effects(conditions)
+    used = run.settings
+    finer = Settings(2 * used["edges_per_section"], used["tolerance"] / 2, used["solver"])
+    again = solve(conditions, selection.effects, finer).motion
+    both = min(len(again.tip), len(run.tip))
+    apart = np.hypot(*(again.tip[:both, :2] - run.tip[:both, :2]).T)
+    stated = run.accuracy.estimated_tip_error_m or 0.0
+    return at_most("tip's move on refinement", float(apart.max()), max(stated, ROUND_OFF))
+
+
+ROUND_OFF = 1e-12
+"""[m]"""
+
+
+def renamed(case: Case, number: str, **changes: object) -> Case:
+    """A variant of a case."""
+    return replace(case, number=number, **changes)  # type: ignore[arg-type]

@@ -1,0 +1,23 @@
+"""Every hard case, solved by the default settings or refused by name."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.hard.case import Case, moved_by_refinement, outcome
+from tests.hard.cases import CASES
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.number} {case.name}")
+def test_case(case: Case) -> None:
+    found = outcome(case)
+    assert not found.complaints
+    if found.ending == "complete" and case.converges:
+        assert found.run is not None
+        finding = moved_by_refinement(case, found.run)
+        assert finding.holds, str(finding)
+
+
+def test_numbers_are_unique() -> None:
+    numbers = [case.number for case in CASES]
+    assert len(set(numbers)) == len(numbers)
