@@ -92,6 +92,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         bellows_along_tubes=conditions.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
         schedule=schedule(scene),
+        most_steps=scene.run.max_steps,
         flow_shares=_flow_shares(conditions, equations.network_form),
     )
 

@@ -67,6 +67,8 @@ class SolveError(ViscodesignError):
         self.where = where
         self.time_s = time_s
         self.remedy = remedy
+        self.short = message
+        """The message without its remedy."""
         super().__init__(f"{message}. {remedy}" if remedy else message)
 
 

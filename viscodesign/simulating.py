@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,12 +13,15 @@ from viscodesign.build import suggest_settings
 from viscodesign.classifying import classification
 from viscodesign.course import Course, course_notices
 from viscodesign.effects.conditions import Conditions
-from viscodesign.effects.select import OMISSIONS_SURE, select_effects
+from viscodesign.effects.select import OMISSIONS_SURE, Selection, select_effects
+from viscodesign.errors import SolveError
 from viscodesign.model.graph import Graph
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.motion import Motion
 from viscodesign.proving import prove as prove_effects
 from viscodesign.scene.dump import resolved_yaml
 from viscodesign.scene.scene import Scene
+from viscodesign.solve.rung import Rung
 from viscodesign.solving import Progress, Run
 from viscodesign.trajectory import Accuracy, Cost, Notice, Proof, Status, Trajectory, Verdict
 from viscodesign.validity import refuse_unsolvable, verdict_notices
@@ -47,18 +50,22 @@ def simulate(
     conditions = Conditions(scene)
     selection = select_effects(conditions)
     refuse_unsolvable(conditions)
-    settings = suggest_settings(conditions, selection.effects)
-    if tolerance is not None:
-        settings = replace(settings, tolerance=tolerance)
-    verifier = Verifier(conditions, selection.effects, selection.omitted_m, progress)
-    run = verifier.solve(settings)
-    parts: ErrorParts | None = None
-    if verify and run.is_complete:
-        run, parts = verifier.verify(run)
+    solved = _solve(conditions, selection, tolerance, verify, progress)
+    ladder: list[Rung] = []
+    branch_end = _branch_end(solved.run)
+    moving = selection.in_motion(branch_end.short) if branch_end is not None else None
+    if branch_end is not None and moving is not None:
+        selection = moving
+        solved = _solve(conditions, selection, tolerance, verify, progress)
+        # The whole run is done again: a rod that has snapped remembers how it moved.
+        ladder.append(
+            Rung(branch_end.time_s or 0.0, MOTION_RUNG, solved.run.is_complete, branch_end.short)
+        )
+    verifier, run = solved.verifier, solved.run
     proof: tuple[Proof, ...] = ()
     if prove and run.is_complete and not verifier.interrupted:
-        proof = prove_effects(conditions, selection, settings, progress)
-    accuracy = _accuracy(verifier, parts, verify)
+        proof = prove_effects(conditions, selection, run.settings, progress)
+    accuracy = _accuracy(verifier, solved.parts, verify)
     status, failure = _outcome(verifier, run, accuracy)
     found = _trajectory(conditions, selection.verdicts, run)
     return replace(
@@ -68,7 +75,49 @@ def simulate(
         accuracy=accuracy,
         cost=_cost(run, verifier.spent_s - run.spent_s),
         proof=proof,
+        ladder=(*ladder, *run.solution.rungs),
     )
+
+
+MOTION_RUNG = "inertia and damping taken in, from the start"
+
+
+@dataclass(frozen=True)
+class _Solved:
+    """A scene solved with one set of effects."""
+
+    verifier: Verifier
+    run: Run
+    parts: ErrorParts | None
+
+
+def _solve(
+    conditions: Conditions,
+    selection: Selection,
+    tolerance: float | None,
+    verify: bool,
+    progress: Progress | None,
+) -> _Solved:
+    settings = suggest_settings(conditions, selection.effects)
+    if tolerance is not None:
+        settings = replace(settings, tolerance=tolerance)
+    verifier = Verifier(conditions, selection.effects, selection.omitted_m, progress)
+    run = verifier.solve(settings)
+    parts: ErrorParts | None = None
+    if verify and run.is_complete:
+        run, parts = verifier.verify(run)
+    return _Solved(verifier, run, parts)
+
+
+def _branch_end(run: Run) -> SolveError | None:
+    """The failure of a static rod that came to the end of its branch of equilibria."""
+    failure = run.motion.failure
+    static = run.problem.equations.rod_form is RodForm.STATIC
+    return failure if static and failure and failure.quantity in BRANCH_ENDS else None
+
+
+BRANCH_ENDS = ("equilibrium", "motion")
+"""What fails at a fold: the equilibrium itself, or an integrator that follows its fluid."""
 
 
 def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run) -> Trajectory:

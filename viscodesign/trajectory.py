@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from viscodesign.solve.rung import Rung
+
 if TYPE_CHECKING:
     import pandas as pd
 
@@ -189,6 +191,8 @@ class Trajectory:
     """Absolute [Pa]."""
     proof: tuple[Proof, ...] = ()
     """What every effect changes, where that was asked for."""
+    ladder: tuple[Rung, ...] = ()
+    """What was tried where a solver had come to a stop, in order."""
     settings: Mapping[str, Any] = field(default_factory=dict)
     """What the solver chose: edges, tolerance, form of rod and network."""
     failure: str | None = None

@@ -166,7 +166,9 @@ def _within_range(run: Trajectory) -> Iterator[Finding]:
     beyond = max(run.pressure.max() - high, low - run.pressure.min())
     if run.time[0] > 0.0:
         return  # the history of the inlets is not all told
-    yield at_most("pressure beyond the inlets' range", max(beyond, 0.0), OVERSHOOT * (high - low) + 1e-9)
+    yield at_most(
+        "pressure beyond the inlets' range", max(beyond, 0.0), OVERSHOOT * (high - low) + 1e-9
+    )
 
 
 def moved_by_refinement(case: Case, run: Trajectory) -> Finding:

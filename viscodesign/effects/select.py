@@ -8,6 +8,7 @@ out together may move it by no more than a part of the accuracy asked for.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache, cached_property
 
 from viscodesign import effects
@@ -105,6 +106,20 @@ class Selection:
     def switched(self, name: str) -> list[Effect]:
         """The same with one effect switched, and with what it needs or what needs it."""
         return self.members(self._choice.flipped(self._taken, name))
+
+    def in_motion(self, why: str) -> Selection | None:
+        """The same with the rod's inertia, and what comes along; None where that is forbidden."""
+        taken = self.turned({"inertia": True})
+        if taken is None or taken == self._taken:
+            return None
+        self._choice.conditions.taken.update(taken)
+        verdicts = tuple(
+            replace(v, taken=True, reason=f"taken, since {why}")
+            if v.name in taken - self._taken
+            else v
+            for v in self.verdicts
+        )
+        return Selection(self._choice, taken, verdicts)
 
     def turned(self, wanted: Mapping[str, bool]) -> Names | None:
         """What was taken, with effects turned on or off; None where they may not be."""

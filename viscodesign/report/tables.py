@@ -88,6 +88,7 @@ def summary_document(trajectory: Trajectory) -> dict[str, Any]:
         "accuracy": asdict(trajectory.accuracy),
         "cost": asdict(trajectory.cost),
         "invariants": asdict(trajectory.invariants),
+        "ladder": [plain(asdict(rung)) for rung in trajectory.ladder],
         "settings": dict(trajectory.settings),
         "warnings": notice_documents(trajectory.warnings),
     }

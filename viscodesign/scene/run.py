@@ -32,6 +32,9 @@ class Run(Part):
     output_times: tuple[Time, ...] | None = Field(
         None, description="Instead of an interval: the output times, ascending"
     )
+    max_steps: int = Field(
+        1_000_000, ge=100, description="Steps of one solution after which a run is given up"
+    )
     start: Literal["equilibrium", "rest"] = Field(
         "equilibrium",
         description="equilibrium under the first pressures and loads, or straight and at rest",

@@ -61,7 +61,12 @@ class Algebraic(Solver):
         failure: SolveError | None = None
         for k in range(first, stop):
             try:
-                here = consistent(self.problem, here, schedule.edges[k + 1], schedule.pieces[k])
+                piece = schedule.pieces[k]
+                if k and np.any(piece != schedule.pieces[k - 1]):
+                    here = consistent(self.problem, here, schedule.edges[k], piece, self.before(k))
+                here = consistent(
+                    self.problem, here, schedule.edges[k + 1], piece, (schedule.edges[k], piece)
+                )
             except SolveError as error:
                 failure = error
                 break

@@ -40,6 +40,8 @@ class Problem:
     baseline: float
     """Gauge pressure about which the inputs cycle [Pa]."""
     schedule: Schedule
+    most_steps: int
+    """Steps after which a run is given up."""
     flow_shares: np.ndarray
     """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
 

@@ -7,6 +7,8 @@ from functools import partial
 
 import casadi as ca
 import numpy as np
+from scipy.linalg import cholesky_banded
+from scipy.sparse import coo_array, csc_array, dia_array
 
 from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
@@ -14,6 +16,9 @@ from viscodesign.model.rod_equations import MOVING, RodForm
 from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.newton import NewtonError, continuation, newton
 from viscodesign.solve.problem import Problem, evaluate
+
+Instant = tuple[float, np.ndarray]
+"""A time [s] and the inlets' coefficients that hold at it."""
 
 
 @dataclass(frozen=True)
@@ -56,13 +61,25 @@ def _stable(unknowns: Unknowns, jacobian: ca.DM) -> bool:
     """
     if "position" not in unknowns.blocks:
         return True
-    matrix = np.array(jacobian.full())
+    matrix = csc_array(jacobian.sparse())
     bend = unknowns.blocks["elastic_curvature"].span
     place = unknowns.blocks["position"].span
-    follow = np.linalg.solve(matrix[bend, bend], matrix[bend, place])
-    stiffness = -(matrix[place, place] - matrix[place, bend] @ follow)
+    # Curvatures stand in no other equation of their own kind: their block is diagonal.
+    diagonal = matrix[bend, bend].diagonal()
+    follow = dia_array((1 / diagonal[None], 0), (len(diagonal),) * 2) @ matrix[bend, place]
+    stiffness = (matrix[place, bend] @ follow - matrix[place, place]).tocoo()
+    return _is_positive(stiffness)
+
+
+def _is_positive(matrix: coo_array) -> bool:
+    """Whether the symmetric part of a band matrix is positive definite."""
+    row, column = matrix.coords
+    width = int(np.max(np.abs(row - column), initial=0))
+    band = np.zeros((width + 1, matrix.shape[0]))
+    shares = np.where(row == column, matrix.data, matrix.data / 2)
+    np.add.at(band, (np.abs(row - column), np.minimum(row, column)), shares)
     try:
-        np.linalg.cholesky((stiffness + stiffness.T) / 2)
+        cholesky_banded(band, lower=True)
     except np.linalg.LinAlgError:
         return False
     return True
@@ -186,21 +203,29 @@ def _solve_block(problem: Problem, start: Start, name: str, piece: np.ndarray) -
     return z
 
 
-def consistent(problem: Problem, start: Start, time: float, piece: np.ndarray) -> Start:
-    """The algebraic unknowns that belong to given states, loads raised step by step if need be.
+def consistent(
+    problem: Problem,
+    start: Start,
+    time: float,
+    piece: np.ndarray,
+    before: Instant | None = None,
+) -> Start:
+    """The algebraic unknowns that belong to given states.
 
+    ``before``: when those of ``start`` held. A static rod is then followed from there,
+    since beyond a fold of its branch another equilibrium would be none that it comes to;
+    else its loads are raised from nothing where Newton's iteration fails.
     Raises `SolveError` where none are found.
     """
     equations = problem.equations
-
-    def family(z: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
-        alg, jacobian = evaluate(
-            equations.algebraic_function, start.states, z, *problem.tail(time, piece, load)
-        )
-        return np.asarray(alg).ravel(), jacobian
-
     if equations.algebraics.count == 0:
         return start
+    if before is not None and equations.rod_form is RodForm.STATIC:
+        return _followed(problem, start, before, (time, piece))
+
+    def family(z: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
+        return _constraints(problem, start.states, z, problem.tail(time, piece, load))
+
     try:
         return Start(start.states, newton(lambda z: family(z, 1.0), start.algebraics))
     except NewtonError:
@@ -210,6 +235,42 @@ def consistent(problem: Problem, start: Start, time: float, piece: np.ndarray) -
         return Start(start.states, continuation(family, start.algebraics, accept))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
+
+
+def _constraints(
+    problem: Problem, x: np.ndarray, z: np.ndarray, tail: tuple[float | np.ndarray, ...]
+) -> tuple[np.ndarray, ca.DM]:
+    alg, jacobian = evaluate(problem.equations.algebraic_function, x, z, *tail)
+    return np.asarray(alg).ravel(), jacobian
+
+
+def _followed(problem: Problem, start: Start, before: Instant, after: Instant) -> Start:
+    """A static rod's algebraic unknowns from one instant to another, without a leap."""
+
+    def family(z: np.ndarray, share: float) -> tuple[np.ndarray, ca.DM]:
+        time = before[0] + share * (after[0] - before[0])
+        piece = before[1] + share * (after[1] - before[1])
+        return _constraints(problem, start.states, z, problem.tail(time, piece))
+
+    try:
+        accept = partial(_stable, problem.equations.algebraics)
+        return Start(start.states, continuation(family, start.algebraics, accept))
+    except NewtonError as failure:
+        time = before[0] + failure.reached * (after[0] - before[0])
+        raise fold(time) from failure
+
+
+def fold(time: float) -> SolveError:
+    """The failure of a static rod whose branch of equilibria ends."""
+    return SolveError(
+        f"the rod has no stable equilibrium near its shape after t = {time:.6g} s: its static "
+        "branch ends there, and it would snap to another shape",
+        quantity="equilibrium",
+        where="rod",
+        time_s=float(time),
+        remedy="Lower the loads or the pressure, or let effects.inertia and effects.damping be "
+        "auto or on to follow the snap.",
+    )
 
 
 def vanished_section(time: float, section: int, stretch: float) -> SolveError:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -18,8 +18,10 @@ from viscodesign.errors import SolveError
 from viscodesign.solve import solvers
 from viscodesign.solve.algebraic import Algebraic
 from viscodesign.solve.interrupt import gentle_interrupt
+from viscodesign.solve.ladder import Ladder
 from viscodesign.solve.problem import Problem
-from viscodesign.solve.solvers.base import Solver, Work
+from viscodesign.solve.rung import Rung
+from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
 
 CHUNK_SECONDS = 0.4
@@ -48,15 +50,36 @@ class Solution:
     """Whether it ended early because the user asked."""
     asked_to_stop: bool = False
     """Whether the user asked at all, be it when all was done: nothing more should follow."""
+    rungs: tuple[Rung, ...] = ()
+    """What was tried where the solver came to a stop."""
 
 
-@dataclass
 class _Record:
-    """Columns gathered chunk by chunk."""
+    """Columns gathered chunk by chunk, and the place that they lead to."""
 
-    states: list[np.ndarray] = field(default_factory=list)
-    algebraics: list[np.ndarray] = field(default_factory=list)
-    integrals: list[np.ndarray] = field(default_factory=list)
+    def __init__(self, here: Start, rates: int) -> None:
+        self.here = here
+        self.done = 0
+        """Edges passed."""
+        self._total = np.zeros(rates)
+        self._columns = [(here.states[:, None], here.algebraics[:, None], self._total[:, None])]
+
+    def keep(self, columns: Columns) -> None:
+        """Add what a solver found from here on."""
+        states, algebraics, integrals = columns
+        if not states.shape[1]:
+            return
+        self._columns.append((states, algebraics, self._total[:, None] + integrals))
+        self._total = self._total + integrals[:, -1]
+        self.here = Start(states[:, -1], algebraics[:, -1])
+        self.done += states.shape[1]
+
+    def joined(self) -> Columns:
+        """States, algebraic unknowns and integrals at all edges from the first."""
+        states, algebraics, integrals = (
+            np.concatenate(parts, axis=1) for parts in zip(*self._columns, strict=True)
+        )
+        return states, algebraics, integrals
 
 
 DEFAULT_SOLVER = "idas"
@@ -83,45 +106,51 @@ def integrate(
     unknowns; ``solver``: its name in the catalogue. Never raises for a failure on the
     way: what was reached is returned, with the failure.
     """
-    kind = solver_catalogue()[solver] if problem.equations.states.count else Algebraic
-    march = kind(problem, tolerance)
+    moves = problem.equations.states.count > 0
+    march = (solver_catalogue()[solver] if moves else Algebraic)(problem, tolerance)
+    ladder = Ladder(march, list(solver_catalogue().values()) if moves else [])
     edges = problem.schedule.edges
-    record, work = _Record(), Work()
-    here = consistent(problem, start, edges[0], problem.schedule.pieces[0])
-    total = np.zeros(len(problem.equations.rates))
-    _append(record, here.states[:, None], here.algebraics[:, None], total[:, None])
-    done, failure = 0, None
+    work = Work()
+    start = consistent(problem, start, edges[0], problem.schedule.pieces[0])
+    record = _Record(start, len(problem.equations.rates))
+    failure: SolveError | None = None
     length = _first_length(problem)
     with gentle_interrupt() as interrupt:
-        while done < len(edges) - 1 and failure is None and not interrupt.asked:
-            stop = min(done + length, len(edges) - 1)
-            began = clock.perf_counter()
-            columns, failure = march(here, done, stop, work)
-            count = columns[0].shape[1]
-            if count:
-                _append(record, columns[0], columns[1], total[:, None] + columns[2])
-                total = total + columns[2][:, -1]
-                here = Start(columns[0][:, -1], columns[1][:, -1])
-                done += count
-            length = _next_length(count, clock.perf_counter() - began, work)
+        while record.done < len(edges) - 1 and failure is None and not interrupt.asked:
+            first, began = record.done, clock.perf_counter()
+            stop = min(first + length, len(edges) - 1)
+            columns, failure = ladder.march(record.here, first, stop, work)
+            record.keep(columns)
+            if failure is not None and not interrupt.asked:
+                columns, failure = ladder.climb(record.here, record.done, work, failure)
+                record.keep(columns)
+            failure = failure or _overworked(problem, work, edges[record.done])
+            length = _next_length(record.done - first, clock.perf_counter() - began, work)
             if progress is not None:
-                progress(edges[done] / edges[-1])
+                progress(edges[record.done] / edges[-1])
+    early = record.done < len(edges) - 1
     return Solution(
-        np.concatenate(record.states, axis=1),
-        np.concatenate(record.algebraics, axis=1),
-        np.concatenate(record.integrals, axis=1),
-        done + 1,
+        *record.joined(),
+        record.done + 1,
         work,
-        failure,
-        interrupt.asked and done < len(edges) - 1,
+        failure if early else None,
+        interrupt.asked and early,
         interrupt.asked,
+        tuple(ladder.rungs),
     )
 
 
-def _append(record: _Record, x: np.ndarray, z: np.ndarray, q: np.ndarray) -> None:
-    record.states.append(x)
-    record.algebraics.append(z)
-    record.integrals.append(q)
+def _overworked(problem: Problem, work: Work, time: float) -> SolveError | None:
+    """The failure of a run that has taken more steps than it may."""
+    if work.steps <= problem.most_steps:
+        return None
+    return SolveError(
+        f"the limit of {problem.most_steps} steps was reached at t = {time:.6g} s",
+        quantity="work",
+        where="integrator",
+        time_s=float(time),
+        remedy="Raise run.max_steps, shorten run.duration, or ask for less accuracy.",
+    )
 
 
 def _first_length(problem: Problem) -> int:

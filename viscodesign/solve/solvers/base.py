@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.solve.problem import Problem
-from viscodesign.solve.statics import Start
+from viscodesign.solve.statics import Instant, Start
 
 Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
 """States (nx, m), algebraic unknowns (nz, m) and integrals since the start (nq, m) at m edges."""
@@ -56,6 +57,21 @@ class Solver(ABC):
 
         ``here``: unknowns at edge ``first``, whose algebraic part may be stale.
         """
+
+    def remedies(self) -> Iterator[tuple[str, Solver]]:
+        """The same solver, changed more and more, for an interval that it could not solve."""
+        yield "a hundredth of the tolerance", type(self)(self.problem, self.tolerance / 100)
+
+    @classmethod
+    def fits(cls, problem: Problem) -> bool:
+        """Whether a problem is of a size that it solves in reasonable time."""
+        del problem
+        return True
+
+    def before(self, edge: int) -> Instant:
+        """When algebraic unknowns that were found at an edge held: just before it."""
+        schedule = self.problem.schedule
+        return float(schedule.edges[edge]), schedule.pieces[max(edge - 1, 0)]
 
     def nothing(self) -> Columns:
         """No column at all."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import time as clock
+from collections.abc import Iterator
 from typing import Any, ClassVar
 
 import casadi as ca
@@ -50,7 +51,7 @@ class Idas(Solver):
     # Measured on the paper's leg from 1e-3 to 1e-6.
     tip_error_per_tolerance: ClassVar[float] = 20.0
 
-    def __init__(self, problem: Problem, tolerance: float) -> None:
+    def __init__(self, problem: Problem, tolerance: float, **changes: Any) -> None:
         super().__init__(problem, tolerance)
         equations = problem.equations
         unknowns = equations.states.count + equations.algebraics.count
@@ -76,13 +77,7 @@ class Idas(Solver):
             # Accelerations are noisy, and nothing is integrated from them but through the
             # velocities, whose error is controlled.
             "suppress_algebraic": "acceleration" in equations.algebraics.blocks,
-        }
-        self.remedies: tuple[dict[str, Any], ...] = (
-            # The first step is guessed from rates that may be about to jump: take less.
-            {"step0": CAUTIOUS_STEP * problem.schedule.edges[-1]},
-            {"suppress_algebraic": False},
-            {"max_multistep_order": 2},
-        )
+        } | changes
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
@@ -94,7 +89,7 @@ class Idas(Solver):
             return self.nothing(), error
         except RuntimeError as error:
             if stop - first == 1:
-                return self._insist(here, first, work, error)
+                return self.nothing(), self.failure(_last_words(error), first)
         # What failed once is sought with little patience: a stuck step is not a slow one.
         self.options["max_num_steps"] = MAX_STEPS_AFTER_FAILURE
         middle = (first + stop) // 2
@@ -109,6 +104,24 @@ class Idas(Solver):
         integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
         return (joined[0], joined[1], integrals), failure
 
+    def remedies(self) -> Iterator[tuple[str, Solver]]:
+        """Care, then order 2, then a smaller tolerance."""
+        changes: dict[str, Any] = {"max_num_steps": MAX_STEPS_AFTER_FAILURE}
+        for tried, change in (
+            # The first step is guessed from rates that may be about to jump: take less.
+            (
+                "a restart with a tiny first step",
+                {"step0": CAUTIOUS_STEP * self.problem.schedule.edges[-1]},
+            ),
+            ("errors of accelerations controlled, too", {"suppress_algebraic": False}),
+            ("order 2 at most", {"max_multistep_order": 2}),
+        ):
+            if self.options.items() >= change.items():
+                continue
+            changes |= change
+            yield tried, Idas(self.problem, self.tolerance, **changes)
+        yield "a hundredth of the tolerance", Idas(self.problem, self.tolerance / 100, **changes)
+
     def integrator(self, edges: np.ndarray, options: dict[str, Any]) -> ca.Function:
         """One for these times and options, made once for all scenes of a structure."""
         key = ("idas", edges.tobytes(), tuple(sorted(options.items())))
@@ -117,25 +130,12 @@ class Idas(Solver):
             lambda: ca.integrator("motion", "idas", self.dae, edges[0], edges[1:], options),
         )
 
-    def _insist(
-        self, here: Start, first: int, work: Work, error: RuntimeError
-    ) -> tuple[Columns, SolveError | None]:
-        """Try one interval again, each time with one more remedy."""
-        options = dict(self.options)
-        for remedy in self.remedies:
-            options |= remedy
-            try:
-                return self._solve(here, first, first + 1, work, options), None
-            except RuntimeError as again:
-                error = again
-        return self.nothing(), self.failure(_last_words(error), first)
-
     def _solve(
         self, here: Start, first: int, stop: int, work: Work, options: dict[str, Any]
     ) -> Columns:
         schedule = self.problem.schedule
         edges, pieces = schedule.edges, schedule.pieces
-        there = consistent(self.problem, here, edges[first], pieces[first])
+        there = consistent(self.problem, here, edges[first], pieces[first], self.before(first))
         began = clock.perf_counter()
         integrator = self.integrator(edges[first : stop + 1], options)
         work.compile_s += clock.perf_counter() - began

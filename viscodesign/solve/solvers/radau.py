@@ -21,6 +21,8 @@ from viscodesign.solve.statics import Start, consistent
 SMALLEST_RTOL = 3e-14
 FREE = 1e30
 """Tolerance of what no error test shall see."""
+MOST_STATES = 300
+"""States up to which it is offered where another solver failed."""
 MAX_STEPS = 200_000
 """Steps in one stretch of smooth input after which a run is given up."""
 
@@ -38,6 +40,11 @@ class Radau(Solver):
         self.function = problem.equations.compiled.get("radau", lambda: _reduced(problem))
         self.states = problem.equations.states.count
 
+    @classmethod
+    def fits(cls, problem: Problem) -> bool:
+        """Its matrices are full."""
+        return problem.equations.states.count <= MOST_STATES
+
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
@@ -48,7 +55,13 @@ class Radau(Solver):
         failure: SolveError | None = None
         for begin, end in smooth_stretches(schedule.pieces, first, stop):
             try:
-                here = consistent(self.problem, here, schedule.edges[begin], schedule.pieces[begin])
+                here = consistent(
+                    self.problem,
+                    here,
+                    schedule.edges[begin],
+                    schedule.pieces[begin],
+                    self.before(begin),
+                )
                 found = _Stretch(self, here, total, schedule.pieces[begin], work).follow(begin, end)
             except (SolveError, NewtonError) as error:
                 failure = (

@@ -34,6 +34,8 @@ FEWEST_STEPS = 50
 """Steps in a stretch of smooth input that are taken at least, if its swings are short."""
 MEMORY = 0.08
 """Exponent by which the last error tempers the next step (a PI controller)."""
+MOST_UNKNOWNS = 1_000
+"""Unknowns up to which it is offered where another solver failed."""
 MAX_STEPS = 500_000
 """Steps in one call after which a run is given up."""
 
@@ -58,6 +60,12 @@ class Rosenbrock(Solver):
         self.unknowns = self.states + equations.algebraics.count
         self._powers = _weight_powers(equations)
 
+    @classmethod
+    def fits(cls, problem: Problem) -> bool:
+        """Its formulas are long: they take seconds to write out for a thousand unknowns."""
+        equations = problem.equations
+        return equations.states.count + equations.algebraics.count <= MOST_UNKNOWNS
+
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
@@ -73,6 +81,7 @@ class Rosenbrock(Solver):
                     here,
                     self.problem.schedule.edges[begin],
                     self.problem.schedule.pieces[begin],
+                    self.before(begin),
                 )
             except SolveError as error:
                 failure = error
