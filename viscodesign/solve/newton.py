@@ -11,6 +11,7 @@ import numpy as np
 from viscodesign.solve.linear import direct_solver
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, ca.DM]]
+Judge = Callable[[np.ndarray, np.ndarray, ca.DM], bool]
 Family = Callable[[np.ndarray, float], tuple[np.ndarray, ca.DM]]
 
 CONVERGED = 1e-12
@@ -19,9 +20,6 @@ ROUND_OFF = 1e-8
 """Correction below which a standstill is round-off of a stiff problem, not a failure."""
 MAX_ITERATIONS = 60
 SMALLEST_STEP = 1.0 / 1024
-NEARBY = 0.1
-"""Distance from where a solution is foreseen, in sizes of the unknowns, at which it counts as
-one of the same branch; what lies beyond a fold is further off."""
 
 
 class NewtonError(Exception):
@@ -84,13 +82,12 @@ def _advance(
 
 
 def continuation(
-    family: Family, start: np.ndarray, accept: Callable[[ca.DM], bool] = lambda jacobian: True
+    family: Family, start: np.ndarray, accept: Judge = lambda foreseen, found, jacobian: True
 ) -> np.ndarray:
     """Follow family(y, s) = 0 from ``start`` at s = 0 to s = 1, as fast as Newton allows.
 
-    Each step ends at a solution near the one foreseen, so that no fold is leapt over.
-    ``accept`` judges it by its Jacobian: what it refuses is not on the branch,
-    and a shorter step is tried. Raises `NewtonError` with the load factor reached,
+    ``accept`` judges a solution by where it was foreseen and by its Jacobian: what it
+    refuses is not on the branch, and a shorter step is tried. Raises `NewtonError` with the load factor reached,
     where the branch ends.
     """
     y, reached, step = start, 0.0, 1.0
@@ -100,7 +97,7 @@ def continuation(
         guess = y if previous is None else _extrapolate(previous, (y, reached), target)
         try:
             found = newton(partial(_at, family, target), guess)
-            if _norm(found - guess) > NEARBY or not accept(family(found, target)[1]):
+            if not accept(guess, found, family(found, target)[1]):
                 raise NewtonError(0.0, 0)
         except NewtonError as failure:
             step /= 2

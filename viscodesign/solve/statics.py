@@ -7,8 +7,6 @@ from functools import partial
 
 import casadi as ca
 import numpy as np
-from scipy.linalg import cholesky_banded
-from scipy.sparse import coo_array, csc_array, dia_array
 
 from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
@@ -48,38 +46,36 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: boo
         return np.asarray(residual).ravel(), jacobian
 
     try:
-        y = continuation(family, guess, partial(_stable, equations.statics))
+        y = continuation(family, guess, partial(_on_branch, equations.statics))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
     return _from_statics(problem, y, time, piece)
 
 
-def _stable(unknowns: Unknowns, jacobian: ca.DM) -> bool:
-    """Whether the rod's potential has a minimum: its stiffness is positive definite.
+NEARBY = 0.1
+"""Distance from where a node is foreseen, in lengths of the rod, up to which a shape is of the
+same branch; what lies beyond a fold is further off."""
 
-    The elastic curvature follows the positions and is eliminated; pressures are held.
+
+def _on_branch(
+    unknowns: Unknowns, foreseen: np.ndarray, found: np.ndarray, jacobian: ca.DM
+) -> bool:
+    """Whether a rod's shape is near the one foreseen, and stable.
+
+    Stable: its potential has a minimum, hence a positive definite stiffness. The elastic
+    curvature follows the positions and is eliminated; pressures are held.
     """
     if "position" not in unknowns.blocks:
         return True
-    matrix = csc_array(jacobian.sparse())
     bend = unknowns.blocks["elastic_curvature"].span
     place = unknowns.blocks["position"].span
-    # Curvatures stand in no other equation of their own kind: their block is diagonal.
-    diagonal = matrix[bend, bend].diagonal()
-    follow = dia_array((1 / diagonal[None], 0), (len(diagonal),) * 2) @ matrix[bend, place]
-    stiffness = (matrix[place, bend] @ follow - matrix[place, place]).tocoo()
-    return _is_positive(stiffness)
-
-
-def _is_positive(matrix: coo_array) -> bool:
-    """Whether the symmetric part of a band matrix is positive definite."""
-    row, column = matrix.coords
-    width = int(np.max(np.abs(row - column), initial=0))
-    band = np.zeros((width + 1, matrix.shape[0]))
-    shares = np.where(row == column, matrix.data, matrix.data / 2)
-    np.add.at(band, (np.abs(row - column), np.minimum(row, column)), shares)
+    if np.max(np.abs(found[place] - foreseen[place])) > NEARBY:
+        return False
+    matrix = np.array(jacobian.full())
+    follow = np.linalg.solve(matrix[bend, bend], matrix[bend, place])
+    stiffness = matrix[place, bend] @ follow - matrix[place, place]
     try:
-        cholesky_banded(band, lower=True)
+        np.linalg.cholesky((stiffness + stiffness.T) / 2)
     except np.linalg.LinAlgError:
         return False
     return True
@@ -231,7 +227,7 @@ def consistent(
     except NewtonError:
         pass  # far from the solution: come to it along the loads
     try:
-        accept = partial(_stable, equations.algebraics)
+        accept = partial(_on_branch, equations.algebraics)
         return Start(start.states, continuation(family, start.algebraics, accept))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
@@ -253,7 +249,7 @@ def _followed(problem: Problem, start: Start, before: Instant, after: Instant) -
         return _constraints(problem, start.states, z, problem.tail(time, piece))
 
     try:
-        accept = partial(_stable, problem.equations.algebraics)
+        accept = partial(_on_branch, problem.equations.algebraics)
         return Start(start.states, continuation(family, start.algebraics, accept))
     except NewtonError as failure:
         time = before[0] + failure.reached * (after[0] - before[0])

@@ -14,8 +14,9 @@ from viscodesign.build import Settings, build, schedule
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SolveError
+from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium
-from viscodesign.solve.transient import integrate
+from viscodesign.solve.transient import integrate, solver_catalogue
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
 DYNAMIC = "effects={pressure_distribution: on, inertia: on, damping: on, feedback: on, others: off}"
@@ -135,29 +136,59 @@ def test_a_perfect_column_above_its_critical_load_is_refused() -> None:
         column(1.05, 0.0)
 
 
-def test_a_failing_stretch_keeps_what_came_before(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An integrator that fails past a time: halving finds the last output before it."""
+def _limited(monkeypatch: pytest.MonkeyPatch, limit: float) -> None:
+    """Let IDAS fail past a time."""
     import casadi as ca
 
-    conditions = Conditions(leg(ONE_WAY, "run={duration: 4 s, output_interval: 0.1 s}"))
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, Settings(1, 1e-4))
     real = ca.integrator
 
     def limited(
         name: str, plugin: str, dae: object, t0: float, grid: np.ndarray, options: object
     ) -> object:
-        if grid[-1] > 2.45:
+        if grid[-1] > limit:
             raise RuntimeError("IDASolve returned IDA_ERR_FAIL")
         return real(name, plugin, dae, t0, grid, options)
 
     monkeypatch.setattr(ca, "integrator", limited)
+
+
+def _one_way() -> Problem:
+    conditions = Conditions(leg(ONE_WAY, "run={duration: 4 s, output_interval: 0.1 s}"))
+    effects = select_effects(conditions).effects
+    return build(conditions, effects, Settings(1, 1e-4))
+
+
+def test_a_failing_stretch_keeps_what_came_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An integrator that fails past a time: halving finds the last output before it."""
+    problem = _one_way()
+    _limited(monkeypatch, 2.45)
+    for other in ("rosenbrock", "radau"):
+        monkeypatch.setattr(solver_catalogue()[other], "fits", lambda problem: False)
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     solution = integrate(problem, start, 1e-4)
     assert solution.failure is not None
     assert solution.failure.time_s == pytest.approx(2.4)
     assert solution.reached == 25
     assert solution.states.shape[1] == solution.integrals.shape[1] == 25
+    assert [rung.solved for rung in solution.rungs] == [False] * len(solution.rungs)
+    assert solution.rungs[0].time_s == pytest.approx(2.4)
+    assert "IDA_ERR_FAIL" in solution.rungs[0].reason
+
+
+def test_where_one_solver_stops_another_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = _one_way()
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    _limited(monkeypatch, 2.45)
+    solution = integrate(problem, start, 1e-4)
+    monkeypatch.undo()
+    whole = integrate(problem, start, 1e-4)
+    assert solution.failure is None
+    assert solution.reached == whole.reached
+    assert [rung.tried for rung in solution.rungs if rung.solved] == ["Rodas5P instead"] * 2
+    assert np.max(np.abs(solution.states - whole.states)) <= 0.02
+    assert np.max(np.abs(solution.integrals - whole.integrals)) <= 2e-3 * np.max(
+        np.abs(whole.integrals)
+    )
 
 
 def test_schedule_holds_outputs_and_corners_once() -> None:
