@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 import numpy as np
@@ -13,7 +13,7 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
-from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES
+from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES, Body
 from viscodesign.model.system import Source, Syringe, System
 from viscodesign.model.unknowns import Sizes
 from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
@@ -70,7 +70,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
     scene = conditions.scene
     system = System(
         conditions.graph,
-        conditions.body,
+        _as_stiff_as_can_be_told(conditions),
         conditions.bellow,
         {name: _source(scene, name) for name in scene.inputs},
         scene.gauge_pressure,
@@ -95,6 +95,25 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         most_steps=scene.run.max_steps,
         flow_shares=_flow_shares(conditions, equations.network_form),
     )
+
+
+INEXTENSIBLE = 1e3
+"""Stiffness along the axis over what the accuracy can tell from infinite: a rod that is stiffer
+only makes its equations harder to solve."""
+
+
+def _as_stiff_as_can_be_told(conditions: Conditions) -> Body:
+    """The body, its axis made no stiffer than moves the tip by a thousandth of the accuracy.
+
+    A force F stretches a rod by F/EA of its length; forces are told by EI/L2.
+    """
+    body, force = conditions.body, conditions.scene.loads.tip_force
+    unit = body.bending_stiffness / body.length**2
+    weight = body.mass_per_length * body.length + conditions.scene.loads.payload
+    gravity = conditions.scene.loads.gravity
+    pull = math.hypot(force.x, force.z) + weight * (gravity.acceleration if gravity else 0.0)
+    most = INEXTENSIBLE / conditions.accuracy * max(unit, pull)
+    return replace(body, extension_stiffness=min(body.extension_stiffness, most))
 
 
 def _source(scene: Scene, name: str) -> Source:

@@ -20,9 +20,12 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.motion import Motion
 from viscodesign.proving import prove as prove_effects
 from viscodesign.scene.dump import resolved_yaml
+from viscodesign.scene.loads import TipForce
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.rung import Rung
+from viscodesign.solve.statics import Start
 from viscodesign.solving import Progress, Run
+from viscodesign.stability import growth_notices
 from viscodesign.trajectory import Accuracy, Cost, Notice, Proof, Status, Trajectory, Verdict
 from viscodesign.validity import refuse_unsolvable, verdict_notices
 from viscodesign.verifying import LEFT_BY_SPACE, LEFT_BY_TIME, ErrorParts, Verifier
@@ -157,13 +160,26 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
         accuracy=Accuracy(conditions.accuracy * conditions.body.length, None, NOT_VERIFIED),
         cost=_cost(run, 0.0),
         invariants=motion.invariants,
-        warnings=_merged((*forced, *found.warnings), course_notices(conditions, course)),
+        warnings=_merged(
+            (*forced, *found.warnings, *_growth(conditions, run)),
+            course_notices(conditions, course),
+        ),
         spec_text=text,
         spec_sha256=scene.source.sha256,
         version=__version__,
         ambient_pressure=scene.ambient_pressure,
         settings=_settings(run),
     )
+
+
+def _growth(conditions: Conditions, run: Run) -> list[Notice]:
+    """Whether the start is left by itself, where a coupling could make it so."""
+    loads = conditions.scene.loads
+    free = loads.gravity is None and loads.tip_force == TipForce()
+    if "feedback" not in conditions.taken or ("damping" in conditions.taken and free):
+        return []
+    solution = run.solution
+    return growth_notices(run.problem, Start(solution.states[:, 0], solution.algebraics[:, 0]))
 
 
 def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...]) -> np.ndarray:

@@ -1,26 +1,53 @@
-"""Hard cases of the rod: buckling, curling, stiffness, release, resonance."""
+"""Hard cases of the rod: buckling, curling, stiffness, release, resonance, coupling."""
 
 from __future__ import annotations
 
+import itertools
+import re
+from collections.abc import Iterator
+
 import numpy as np
 
-from tests.hard.case import Case
-from tests.scenes import LEG_EI, LEG_LENGTH
+from tests.hard.case import EXACT, Case, Finding, Judge, at_most, relative, true, warned
+from tests.scenes import LEG_EI, LEG_LENGTH, leg
+from viscodesign import Trajectory, simulate
 
-L = LEG_LENGTH
-CRITICAL = np.pi**2 / 4 * LEG_EI / L**2
+L, EI = LEG_LENGTH, LEG_EI
+CRITICAL = np.pi**2 / 4 * EI / L**2
 """Euler's load of an inextensible cantilever [N]."""
 PER_PASCAL = 8 * 10.266 / 1.8e6
-"""Angle of all eight sections per pressure of the left bellows above the right ones [rad/Pa]."""
-ONE_PRESSURE = "effects={gravity: auto, others: off}"
+"""Angle of all sections per pressure of the left bellows above the right ones [rad/Pa]."""
+FINE = "accuracy=0.01 %"
+"""Of what vibrates for long."""
+STATIC = "effects={gravity: auto, others: off}"
+IN_MOTION = "effects={gravity: auto, inertia: auto, damping: auto, others: off}"
+UNDAMPED = "effects={inertia: on, gravity: auto, others: off}"
+COUPLED = (
+    "effects={pressure_distribution: on, inertia: on, feedback: on, gravity: auto, others: off}"
+)
+SHORT = "run={duration: 1 s, output_interval: 0.5 s}"
+STILL = "input={kind: constant, value: 0}"
+INEXTENSIBLE = "actuator.extension_factor=1e6"
+DENSITY = f"actuator.density={0.269 / (0.03 * 0.02 * 0.47)!r}"
+"""Of the references: 0.269 kg/m, the paper's rounded mass per length."""
+ONE_SIDE = "{from: %s, to: %s%d, length: 40 mm, radius: 0.325 mm}"
 
 
-def sides(left: str, right: str, count: int = 8) -> tuple[str, ...]:
+def stiffness_ratio(eta: float) -> str:
+    """Extension factor with which EA L2/EI is ``eta``."""
+    return f"actuator.extension_factor={eta * EI / (L**2 * 1.8e6 * 0.03 * 0.02)!r}"
+
+
+def compressed(load: float, aside: float = 1e-3) -> tuple[str, ...]:
+    """A column under a multiple of Euler's load, with an imperfection in EI/L2."""
+    force = f"loads.tip_force={{x: {aside * EI / L**2!r}, z: {-load * CRITICAL!r}}}"
+    return STILL, STATIC, SHORT, force
+
+
+def sides(left: str, right: str) -> tuple[str, ...]:
     """Two inlets, one for the bellows of each side."""
     tubes = [
-        f"{{from: {n}, to: {n[0].upper()}{j}, length: 40 mm, radius: 0.325 mm}}"
-        for n in ("left", "right")
-        for j in range(1, count + 1)
+        ONE_SIDE % (name, name[0].upper(), j) for name in ("left", "right") for j in range(1, 9)
     ]
     return (
         f"network={{layout: custom, tubes: [{', '.join(tubes)}]}}",
@@ -29,21 +56,495 @@ def sides(left: str, right: str, count: int = 8) -> tuple[str, ...]:
     )
 
 
-def ramp(start: float, end: float, time: float) -> str:
-    """A trapezoid whose first rise is all that is seen."""
-    return f"{{kind: trapezoid, low: {start!r}, high: {end!r}, rise: {time!r} s, hold: 1000 s, fall: 1 s, rest: 1 s}}"
+def bent(*points: tuple[float, float]) -> tuple[str, ...]:
+    """Intrinsic curvature times length against time, without extension."""
+
+    def table(sign: float) -> str:
+        rows = ", ".join(f"[{t!r} s, {sign * angle / PER_PASCAL / 2!r}]" for t, angle in points)
+        return f"{{kind: table, rows: [{rows}]}}"
+
+    return sides(table(1.0), table(-1.0))
 
 
-def antisymmetric(first: float, last: float, time: float) -> tuple[str, ...]:
-    """Intrinsic curvature times length from one value to another, without extension."""
-    a, b = first / PER_PASCAL / 2, last / PER_PASCAL / 2
-    left = ramp(a, b, time) if a < b else _falling(a, b, time)
-    right = ramp(-a, -b, time) if -a < -b else _falling(-a, -b, time)
-    return sides(left, right)
+def tip(run: Trajectory, allowed: float, **wanted: float) -> Iterator[Finding]:
+    """The last tip, in lengths of the rod: x, z, and phi in rad."""
+    for name, value in wanted.items():
+        column = ("x", "z", "phi").index(name)
+        found = run.tip[-1, column] / (1.0 if name == "phi" else L)
+        yield Finding(f"tip {name}", float(found), value, allowed)
 
 
-def _falling(start: float, end: float, time: float) -> str:
-    return f"{{kind: trapezoid, high: {start!r}, low: {end!r}, rise: 1000 s, hold: 0 s, fall: {time!r} s, rest: 1000 s}}"
+def tip_at(run: Trajectory, time: float, allowed: float, **wanted: float) -> Iterator[Finding]:
+    """The tip at one time [m]."""
+    row = int(np.argmin(np.abs(run.time - time)))
+    for name, value in wanted.items():
+        found = float(run.tip[row, ("x", "z").index(name)])
+        yield Finding(f"tip {name}({time:g} s)", found, value, allowed)
 
 
-CASES: tuple[Case, ...] = ()
+def as_stated(run: Trajectory) -> float:
+    """The error that a run states, in lengths."""
+    return (run.accuracy.estimated_tip_error_m or 0.0) / L
+
+
+def fold(run: Trajectory, first: float, speed: float, wanted: float) -> Iterator[Finding]:
+    """Curvature at which the branch is said to end."""
+    said = re.search(r"after t = ([\d.]+) s", run.failure or "")
+    found = first + speed * float(said[1]) if said else np.nan
+    yield Finding("kappa0 L at the fold", found, wanted, 1e-4)
+
+
+def mirrored(run: Trajectory) -> Iterator[Finding]:
+    """Whether swapping the columns mirrors the motion."""
+    other = simulate(leg(*chain("L", "R"), SHORT, FINE))
+    scale = float(np.max(np.abs(run.tip[:, 0])))
+    yield true("it moves sideways", scale > 1e-3)
+    for name, column, sign in (("x", 0, 1), ("z", 1, -1), ("phi", 2, 1)):
+        apart = np.max(np.abs(run.tip[:, column] + sign * other.tip[:, column]))
+        yield at_most(f"mirrored {name}", float(apart), 1e-12)
+
+
+def chain(first: str, second: str) -> tuple[str, ...]:
+    """The straight chain as a custom graph, down one side and up the other."""
+    nodes = [
+        "inlet",
+        *(f"{first}{j}" for j in range(1, 9)),
+        *(f"{second}{j}" for j in range(8, 0, -1)),
+    ]
+    tubes = ", ".join(
+        f"{{from: {a}, to: {b}, length: 37.5 mm, radius: 0.325 mm}}"
+        for a, b in itertools.pairwise(nodes)
+    )
+    return (f"network={{layout: custom, tubes: [{tubes}]}}",)
+
+
+def ten_times_larger(run: Trajectory) -> Iterator[Finding]:
+    """The same actuator in other sizes, of the same dimensionless numbers."""
+    scale = 10.0
+    other = simulate(
+        leg(
+            SHORT,
+            *(
+                f"actuator.{k}={scale * v!r}"
+                for k, v in (("length", L), ("height", 0.03), ("width", 0.02))
+            ),
+            *(
+                f"bellows.{k}={scale * v!r}"
+                for k, v in (("height", 0.01), ("width", 0.012), ("length", 0.018))
+            ),
+            f"bellows.area_per_pressure={scale**2 * 3.413e-9!r}",
+            f"bellows.extension_per_pressure={scale * 0.047!r}",
+            f"bellows.area_per_moment={1.2e-6 / scale!r}",
+            f"network.tube_radius={scale * 3.25e-4!r}",
+            f"network.tube_length={scale * 0.0375!r}",
+            f"actuator.density={950 / scale**2!r}",
+        )
+    )
+    apart = np.max(np.abs(run.tip[:, :2] - other.tip[:, :2] / scale)) / L
+    yield at_most("tip apart", float(apart), 1e-9)
+
+
+def same_without(*changes: str) -> Judge:
+    """The tip is as in a scene that lacks an effect, to both stated errors."""
+
+    def judge(run: Trajectory) -> Iterator[Finding]:
+        other = simulate(leg(*changes))
+        apart = np.max(np.hypot(*(run.tip[:, :2] - other.tip[:, :2]).T)) / L
+        yield at_most("tip apart, in lengths", float(apart), as_stated(run) + as_stated(other))
+
+    return judge
+
+
+PULSE = "run={duration: 2 s, output_interval: 0.05 s}"
+GRAVITIES_100 = "loads.gravity={acceleration: 980.665, tilt: 90 deg}"
+FORCED = "loads.tip_force={x: 10 N, z: -5 N}"
+
+CASES: tuple[Case, ...] = (
+    Case(
+        "19a",
+        "1.1 times Euler's load, slightly aside",
+        "the bent, stable branch",
+        (*compressed(1.1), INEXTENSIBLE, FINE),
+        lambda run: tip(run, 1e-4, x=0.509533799298, phi=0.866452363899),
+    ),
+    Case(
+        "19b",
+        "8.9 times Euler's load",
+        "the tip turned by 176 degrees",
+        (*compressed(8.9), INEXTENSIBLE, FINE),
+        lambda run: tip(run, 1e-4, phi=3.0676611267),
+    ),
+    Case(
+        "19c",
+        "a perfect column above Euler's load",
+        "no stable equilibrium is near",
+        (*compressed(1.1, 0.0), INEXTENSIBLE),
+        ending="refused",
+        says=("no stable equilibrium", "% of the loads"),
+    ),
+    Case(
+        "20",
+        "the paper's column just above Euler's load",
+        "extension keeps it straight",
+        compressed(1.015, 0.0),
+        lambda run: tip(run, 1e-12, x=0.0, phi=0.0),
+    ),
+    Case(
+        "21a",
+        "snap-through at 1.5 times Euler's load, without inertia",
+        "the fold is named, to 1e-4",
+        (
+            *bent((0, 0.5), (1, -0.5)),
+            f"loads.tip_force.z={-1.5 * CRITICAL!r}",
+            INEXTENSIBLE,
+            STATIC,
+            EXACT,
+            "run={duration: 1 s, output_interval: 0.02 s}",
+        ),
+        lambda run: fold(run, 0.5, -1.0, -0.403760611117087),
+        ending="failed",
+        says=("no stable equilibrium", "snap", "effects.inertia"),
+    ),
+    Case(
+        "21b",
+        "the same at twice Euler's load",
+        "the fold is named, to 1e-4",
+        (
+            *bent((0, 0.5), (1, -1.5)),
+            f"loads.tip_force.z={-2.0 * CRITICAL!r}",
+            INEXTENSIBLE,
+            STATIC,
+            EXACT,
+            "run={duration: 1 s, output_interval: 0.02 s}",
+        ),
+        lambda run: fold(run, 0.5, -2.0, -1.01455729445420),
+        ending="failed",
+        says=("snap",),
+    ),
+    Case(
+        "21c",
+        "the snap itself",
+        "inertia follows it to the mirrored shape",
+        (
+            *bent((0, 2), (4, -2)),
+            f"loads.tip_force.z={-1.5 * CRITICAL!r}",
+            IN_MOTION,
+            "run={duration: 8 s, output_interval: 0.05 s}",
+        ),
+        lambda run: [*tip(run, 2 * as_stated(run), x=-run.tip[0, 0] / L, z=run.tip[0, 1] / L)],
+    ),
+    Case(
+        "22a",
+        "curled once around",
+        "the tip comes back to the clamp",
+        (*bent((0, 2 * np.pi), (1, 2 * np.pi)), "effects={others: off}", SHORT),
+        lambda run: [*tip(run, 1e-9, x=0.0, z=0.0, phi=2 * np.pi)],
+        converges=False,
+    ),
+    Case(
+        "22b",
+        "curled ten times around",
+        "angles are not wrapped",
+        (*bent((0, 20 * np.pi), (1, 20 * np.pi)), "effects={others: off}", SHORT),
+        lambda run: [
+            *tip(run, 1e-9, x=0.0, z=0.0),
+            *tip(run, 1e-6, phi=62.83185307),
+            warned(run, "self_contact"),
+        ],
+        converges=False,
+    ),
+    *(
+        Case(
+            f"23{letter}",
+            f"EA L2/EI = {eta:g} under 5 EI/L2 sideways",
+            "no locking",
+            (
+                STILL,
+                STATIC,
+                SHORT,
+                EXACT,
+                stiffness_ratio(eta),
+                f"loads.tip_force.x={5 * EI / L**2!r}",
+            ),
+            lambda run, wanted=wanted: tip(run, 1e-4, x=wanted),
+        )
+        for letter, eta, wanted in (
+            ("a", 10, 1.091062093014),
+            ("b", 100, 0.7495047555127),
+            ("c", 1e3, 0.7173357848508),
+            ("d", 1e6, 0.7137951),
+            ("e", 1e12, 0.7137915236154),
+        )
+    ),
+    Case(
+        "24a",
+        "a rod without mass, inertia on",
+        "as without inertia",
+        (
+            "actuator.density=1e-9",
+            "effects={inertia: on, damping: on, pressure_distribution: on, others: off}",
+            PULSE,
+        ),
+        same_without("effects={pressure_distribution: on, damping: on, others: off}", PULSE),
+    ),
+    Case(
+        "24b",
+        "a thousand times the mass",
+        "complete",
+        (
+            "actuator.density=9.5e5",
+            "effects={inertia: on, damping: on, pressure_distribution: on, feedback: on, others: off}",
+            PULSE,
+        ),
+    ),
+    Case(
+        "2a",
+        "1e12 times the mass",
+        "the rod does not move in the pulse",
+        (
+            "actuator.density=9.5e14",
+            "effects={inertia: on, damping: on, pressure_distribution: on, others: off}",
+            PULSE,
+        ),
+        lambda run: [
+            at_most("sideways, in lengths", float(np.max(np.abs(run.tip[:, 0]))) / L, 1e-6)
+        ],
+    ),
+    Case(
+        "25a",
+        "100 periods of an undamped rod let go under its weight",
+        "energy drifts by less than 1e-3",
+        (
+            STILL,
+            UNDAMPED,
+            FINE,
+            DENSITY,
+            "loads.gravity={tilt: 90 deg}",
+            "run={duration: 5.2 s, output_interval: 0.02 s, start: rest}",
+        ),
+        lambda run: [at_most("energy drift", run.invariants.energy_imbalance_rel or np.nan, 1e-3)],
+        converges=False,
+    ),
+    Case(
+        "26a",
+        "let go at once under its weight",
+        "the vibration about the sag, to 3 digits",
+        (
+            STILL,
+            UNDAMPED,
+            FINE,
+            DENSITY,
+            "loads.gravity={tilt: 90 deg}",
+            "run={duration: 0.2 s, output_times: [0, 0.05, 0.1, 0.2], start: rest}",
+        ),
+        lambda run: [
+            f
+            for t, x in ((0.05, 3.6619e-5), (0.1, 1.429489e-4), (0.2, 5.282063e-4))
+            for f in tip_at(run, t, 2e-6, x=x)
+        ],
+    ),
+    Case(
+        "26b",
+        "let go at once under 100 times its weight",
+        "a large swing, to 3 digits",
+        (
+            STILL,
+            UNDAMPED,
+            FINE,
+            DENSITY,
+            GRAVITIES_100,
+            "run={duration: 0.1 s, output_times: [0, 0.05, 0.1], start: rest}",
+        ),
+        lambda run: [*tip_at(run, 0.1, 1e-4, x=0.094462, z=0.045535)],
+    ),
+    Case(
+        "27",
+        "driven at its first frequency",
+        "linear growth, no damping of the steps",
+        (
+            *sides(
+                *(
+                    f"{{kind: sine, amplitude: {1e-3 * L / PER_PASCAL / 2!r}, frequency: {120.43299052857 / 2 / np.pi!r}, phase: {phase}}}"
+                    for phase in (0.0, np.pi)
+                )
+            ),
+            UNDAMPED,
+            DENSITY,
+            INEXTENSIBLE,
+            EXACT,
+            "run={duration: 1 s, output_interval: 2 ms}",
+        ),
+        lambda run: tip_at(run, 1.0, 1.6e-7, x=-1.55049693804e-4),
+        converges=False,
+    ),
+    Case(
+        "28a",
+        "self-excited: coefficients that are not reciprocal, loaded, undamped",
+        "the growth is reported",
+        (
+            STILL,
+            COUPLED,
+            DENSITY,
+            FORCED,
+            FINE,
+            "fluid={name: thin air, viscosity: 2e-5, density: 1.2}",
+            "run={duration: 0.1 s, output_interval: 0.01 s}",
+        ),
+        lambda run: [*rates(run, 0.1639, 594.65)],
+    ),
+    Case(
+        "28b",
+        "the same with damping",
+        "nothing grows",
+        (
+            STILL,
+            COUPLED.replace("inertia: on", "inertia: on, damping: on"),
+            DENSITY,
+            FORCED,
+            "run={duration: 0.1 s, output_interval: 0.01 s}",
+        ),
+        lambda run: [true("no warning 'self_excited'", not warned(run, "self_excited").holds)],
+    ),
+    Case(
+        "29a",
+        "negative compliance in bending",
+        "refused with its number",
+        (COUPLED, "bellows.area_per_moment=9.16e-5"),
+        ending="refused",
+        says=("area_per_moment", "negative", "compliance"),
+    ),
+    Case(
+        "29b",
+        "negative compliance in extension",
+        "refused with its number",
+        (COUPLED, "bellows.area_per_force=1.557e-6"),
+        ending="refused",
+        says=("area_per_force", "negative", "compliance"),
+    ),
+    Case(
+        "29c",
+        "reciprocal coefficients from the angle",
+        "refused with -1.513e-10 m3/Pa",
+        (COUPLED, f"bellows.area_per_moment={10.266 / 1.8e6 / 0.018!r}"),
+        ending="refused",
+        says=("-1.513e-10",),
+    ),
+    Case(
+        "29d",
+        "just inside the limit in bending",
+        "solved",
+        (
+            COUPLED.replace("inertia: on", "inertia: on, damping: on"),
+            "bellows.area_per_moment=9.0e-5",
+            PULSE,
+        ),
+    ),
+    Case(
+        "30",
+        "a coupling of the wrong sign",
+        "warned of",
+        (
+            COUPLED,
+            "bellows.area_per_moment=-1.2e-6",
+            "run={duration: 0.5 s, output_interval: 0.05 s}",
+        ),
+        lambda run: [warned(run, "not_passive")],
+    ),
+    Case(
+        "31",
+        "a strong coupling both ways, loaded",
+        "solved as one system",
+        (
+            COUPLED.replace("inertia: on", "inertia: on, damping: on"),
+            "bellows.area_per_force=1.2e-6",
+            "bellows.area_per_moment=7.2e-5",
+            "loads.tip_force={x: 0.2 N, z: 0.5 N}",
+            PULSE,
+        ),
+    ),
+    Case(
+        "32",
+        "a force on sealed bellows",
+        "the pressure jumps, and nothing flows",
+        (
+            STILL,
+            "network={layout: custom, tube_length: 40 mm, tube_radius: 0.325 mm, tubes: [{from: inlet, to: R1}, {from: inlet, to: L1}]}",
+            "effects={feedback: on, pressure_distribution: on, others: off}",
+            "loads.tip_force.z=1",
+            SHORT,
+            EXACT,
+        ),
+        lambda run: [
+            relative("p L8", run.pressure[-1, run.bellows.index("L8")], -87.899208907, 1e-6)
+        ],
+    ),
+    Case(
+        "33",
+        "columns swapped",
+        "the motion is mirrored to round-off",
+        (*chain("R", "L"), SHORT, FINE),
+        mirrored,
+    ),
+    Case("34", "ten times the size", "the same in its own lengths", (SHORT,), ten_times_larger),
+    Case(
+        "36",
+        "a tip force against gravity",
+        "the loads cancel",
+        (
+            STILL,
+            STATIC,
+            SHORT,
+            "loads.gravity={tilt: 180 deg}",
+            "loads.tip_force={x: 0.01 N, z: 0.3 N}",
+        ),
+    ),
+    *(
+        Case(
+            f"37{letter}",
+            f"viscosity {mu} Pa s, two-way coupled",
+            "complete",
+            (f"fluid={{name: own, viscosity: {mu}, density: 1.2}}", PULSE),
+            judge,
+        )
+        for letter, mu, judge in (
+            (
+                "a",
+                "1e-9",
+                same_without(
+                    "fluid={name: own, viscosity: 1e-9, density: 1.2}",
+                    "effects={feedback: on, inertia: on, damping: on, others: off}",
+                    PULSE,
+                ),
+            ),
+            ("b", "1e-9", lambda run: ()),
+            ("c", "1e-6", lambda run: ()),
+            ("d", "1e-3", lambda run: ()),
+            ("f", "1", lambda run: ()),
+            (
+                "e",
+                "1e6",
+                lambda run: [
+                    at_most("sideways, in lengths", float(np.ptp(run.tip[:, 0])) / L, 1e-4)
+                ],
+            ),
+        )
+    ),
+    *(
+        Case(
+            f"38{letter}",
+            f"one tube {factor:g} times as long, coupled",
+            "complete",
+            (f"network.changes={{R3-R4: {{length: {0.0375 * factor!r}}}}}", PULSE),
+        )
+        for letter, factor in (("a", 1e6), ("b", 1e-6))
+    ),
+)
+
+
+def rates(run: Trajectory, growth: float, frequency: float) -> Iterator[Finding]:
+    """Growth rate and frequency in the warning of a self-excited start."""
+    said = [n.message for n in run.warnings if n.code == "self_excited"]
+    numbers = re.search(r"at (\S+) 1/s and (\S+) rad/s", said[0]) if said else None
+    found = [float(n) for n in numbers.groups()] if numbers else [np.nan, np.nan]
+    yield relative("growth", found[0], growth, 0.01)
+    yield relative("frequency", found[1], frequency, 0.01)

@@ -18,7 +18,7 @@ LAYERS = [
     ["proving", "verifying"],
     ["solving"],
     ["classifying"],
-    ["loading", "motion", "validity", "course"],
+    ["loading", "motion", "validity", "course", "stability"],
     ["build", "balances"],
     ["effects"],
     ["sketch"],

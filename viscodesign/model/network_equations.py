@@ -306,7 +306,7 @@ class NetworkEquations:
     # -- what is told ---------------------------------------------------------
 
     def rates(self) -> dict[str, SX]:
-        """Powers whose integrals the balances need [W]."""
+        """What the balances need integrals of: powers [W], and the flow through inlets [m3/s]."""
         system = self.system
         if self.form is NetworkForm.UNIFORM:
             return {}
@@ -321,7 +321,10 @@ class NetworkEquations:
             ),
             SX(0),
         )
-        return {"pump_power": pump, "tube_loss": tubes}
+        flow = sum(
+            (-system.net_inflow[n] for c in self.fed for n in self._pressure_inlets(c)), SX(0)
+        )
+        return {"pump_power": pump, "tube_loss": tubes, "flow": flow}
 
     def outputs(self, conjugate: SX) -> dict[str, SX]:
         """What a motion is read from; ``conjugate`` volumes of the rod's resultants (B,)."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import casadi as ca
@@ -11,7 +11,7 @@ import numpy as np
 from viscodesign.solve.linear import direct_solver
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, ca.DM]]
-Judge = Callable[[np.ndarray, np.ndarray, ca.DM], bool]
+Judge = Callable[[Sequence[np.ndarray], np.ndarray, ca.DM], bool]
 Family = Callable[[np.ndarray, float], tuple[np.ndarray, ca.DM]]
 
 CONVERGED = 1e-12
@@ -19,7 +19,10 @@ CONVERGED = 1e-12
 ROUND_OFF = 1e-8
 """Correction below which a standstill is round-off of a stiff problem, not a failure."""
 MAX_ITERATIONS = 60
-SMALLEST_STEP = 1.0 / 1024
+SMALLEST_FRACTION = 1.0 / 1024
+"""Of a Newton step."""
+SMALLEST_STEP = 2.0**-20
+"""Of a branch; an imperfection turns it sharply near a bifurcation."""
 
 
 class NewtonError(Exception):
@@ -72,7 +75,7 @@ def _advance(
 ) -> tuple[np.ndarray, np.ndarray, ca.DM] | None:
     """The largest of the halved steps after which the next correction is smaller."""
     fraction = 1.0
-    while fraction >= SMALLEST_STEP:
+    while fraction >= SMALLEST_FRACTION:
         trial = y - fraction * step
         residual, jacobian = function(trial)
         if np.all(np.isfinite(residual)) and _norm(solve(residual)) <= (1 - fraction / 4) * size:
@@ -86,9 +89,10 @@ def continuation(
 ) -> np.ndarray:
     """Follow family(y, s) = 0 from ``start`` at s = 0 to s = 1, as fast as Newton allows.
 
-    ``accept`` judges a solution by where it was foreseen and by its Jacobian: what it
-    refuses is not on the branch, and a shorter step is tried. Raises `NewtonError` with the load factor reached,
-    where the branch ends.
+    ``accept`` judges a solution by what it is near to (where it was foreseen, and the one
+    before) and by its Jacobian: what it
+    refuses is not on the branch, and a shorter step is tried. Raises `NewtonError` with
+    the load factor reached, where the branch ends.
     """
     y, reached, step = start, 0.0, 1.0
     previous: tuple[np.ndarray, float] | None = None
@@ -97,7 +101,7 @@ def continuation(
         guess = y if previous is None else _extrapolate(previous, (y, reached), target)
         try:
             found = newton(partial(_at, family, target), guess)
-            if not accept(guess, found, family(found, target)[1]):
+            if not accept((guess, y), found, family(found, target)[1]):
                 raise NewtonError(0.0, 0)
         except NewtonError as failure:
             step /= 2

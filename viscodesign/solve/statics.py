@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -58,9 +59,9 @@ same branch; what lies beyond a fold is further off."""
 
 
 def _on_branch(
-    unknowns: Unknowns, foreseen: np.ndarray, found: np.ndarray, jacobian: ca.DM
+    unknowns: Unknowns, near: Sequence[np.ndarray], found: np.ndarray, jacobian: ca.DM
 ) -> bool:
-    """Whether a rod's shape is near the one foreseen, and stable.
+    """Whether a rod's shape is near one of those given, and stable.
 
     Stable: its potential has a minimum, hence a positive definite stiffness. The elastic
     curvature follows the positions and is eliminated; pressures are held.
@@ -69,7 +70,7 @@ def _on_branch(
         return True
     bend = unknowns.blocks["elastic_curvature"].span
     place = unknowns.blocks["position"].span
-    if np.max(np.abs(found[place] - foreseen[place])) > NEARBY:
+    if min(np.max(np.abs(found[place] - other[place])) for other in near) > NEARBY:
         return False
     matrix = np.array(jacobian.full())
     follow = np.linalg.solve(matrix[bend, bend], matrix[bend, place])
