@@ -97,13 +97,13 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
     )
 
 
-INEXTENSIBLE = 1e3
+INEXTENSIBLE = 30.0
 """Stiffness along the axis over what the accuracy can tell from infinite: a rod that is stiffer
 only makes its equations harder to solve."""
 
 
 def _as_stiff_as_can_be_told(conditions: Conditions) -> Body:
-    """The body, its axis made no stiffer than moves the tip by a thousandth of the accuracy.
+    """The body, its axis made no stiffer than moves the tip by a thirtieth of the accuracy.
 
     A force F stretches a rod by F/EA of its length; forces are told by EI/L2.
     """
