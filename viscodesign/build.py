@@ -92,6 +92,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         bellows_along_tubes=conditions.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
         schedule=schedule(scene),
+        floor_volume=_floor(conditions, effects),
         most_steps=scene.run.max_steps,
         flow_shares=_flow_shares(conditions, equations.network_form),
     )
@@ -114,6 +115,12 @@ def _as_stiff_as_can_be_told(conditions: Conditions) -> Body:
     pull = math.hypot(force.x, force.z) + weight * (gravity.acceleration if gravity else 0.0)
     most = INEXTENSIBLE / conditions.accuracy * max(unit, pull)
     return replace(body, extension_stiffness=min(body.extension_stiffness, most))
+
+
+def _floor(conditions: Conditions, effects: Sequence[Effect]) -> float | None:
+    names = {effect.name for effect in effects}
+    held = not names & {"collapse", "material_curve"}
+    return conditions.bellow.floor_volume if held and "gas_compressibility" in names else None
 
 
 def _source(scene: Scene, name: str) -> Source:

@@ -12,16 +12,13 @@ from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.problem import Problem, evaluate_along
-from viscodesign.solve.statics import vanished_section
+from viscodesign.solve.statics import refined
 from viscodesign.solve.transient import Solution
 from viscodesign.trajectory import Invariants
+from viscodesign.watching import first_ending
 
 SHAPE_POINTS = 64
 """Points of a drawn axis, at least."""
-NEARLY_EMPTY = 0.2
-"""Volume of a bellow, of that at rest, at which a gas's failure is put down to it."""
-NEARLY_NOTHING = 0.3
-"""Stretch of a section below which a failure is put down to it."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +60,7 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
     """
     rows = _evaluate(problem, solution)
     stretch, turn = _section_strains(problem, rows)
-    end, failure = _ended(problem, rows, stretch, solution.failure)
+    end, failure = first_ending(problem, rows.time, rows.values, stretch, solution.failure)
     if end == 0 and failure is not None:
         raise failure
     outputs = problem.schedule.outputs
@@ -86,55 +83,14 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
     )
 
 
-def _ended(
-    problem: Problem, rows: _Rows, stretch: np.ndarray, failure: SolveError | None
-) -> tuple[int, SolveError | None]:
-    """Rows up to which a motion has a meaning, and why it ends there."""
-    gas = not problem.equations.incompressible
-    least = rows["volume"].min(axis=1)
-    gone = ~(stretch.min(axis=1) > 0.0)
-    lost = np.flatnonzero(gone | (gas & (least <= 0.0)))
-    if lost.size:
-        end = int(lost[0])
-        if gone[end]:
-            return end, _thinnest(rows.time[end], stretch[end])
-        return end, _emptied(problem, rows, max(end - 1, 0))
-    if failure is not None and stretch[-1].min() < NEARLY_NOTHING:
-        # The integrator gives up on a section that is about to vanish.
-        return len(rows.time), _thinnest(rows.time[-1], stretch[-1])
-    if failure is not None and gas and least[-1] < NEARLY_EMPTY * _rest_volume(problem):
-        return len(rows.time), _emptied(problem, rows, -1)
-    return len(rows.time), failure
-
-
-def _rest_volume(problem: Problem) -> float:
-    """What one bellow holds at zero gauge [m3]."""
-    return float(problem.equations.rest_amounts[0])
-
-
-def _emptied(problem: Problem, rows: _Rows, row: int) -> SolveError:
-    """The failure of a bellow that is sucked empty: no gas fills a volume of nothing."""
-    volume = rows["volume"][row]
-    name, time = problem.bellows[int(np.argmin(volume))], float(rows.time[row])
-    share = float(np.min(volume)) / _rest_volume(problem)
-    return SolveError(
-        f"{name} is sucked empty after t = {time:.6g} s, where it holds {share:.3g} of its rest "
-        "volume: the linear law goes on to negative volumes, which no gas can fill",
-        quantity="volume",
-        where=name,
-        time_s=time,
-        remedy="Let effects.collapse be auto, or raise the lowest pressure.",
-    )
-
-
-def _thinnest(time: float, stretch: np.ndarray) -> SolveError:
-    return vanished_section(float(time), int(np.argmin(stretch)), float(np.min(stretch)))
-
-
 def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     """Call the output function at every solved edge."""
     equations = problem.equations
-    values = evaluate_along(problem, solution.states, solution.algebraics)
+    algebraics = solution.algebraics
+    if "junction_pressure" in equations.algebraics.blocks:
+        # What comes to a junction leaves it, but not between the steps of an integrator.
+        algebraics = refined(problem, solution.states, algebraics)
+    values = evaluate_along(problem, solution.states, algebraics)
     if equations.network_form is NetworkForm.DISTRIBUTED:
         # From the states, in which what is stored and what flowed in agree to round-off.
         blocks = [n for n in ("volume", "node_volume") if n in equations.states.blocks]

@@ -29,6 +29,7 @@ from viscodesign.stability import growth_notices
 from viscodesign.trajectory import Accuracy, Cost, Notice, Proof, Status, Trajectory, Verdict
 from viscodesign.validity import refuse_unsolvable, verdict_notices
 from viscodesign.verifying import LEFT_BY_SPACE, LEFT_BY_TIME, ErrorParts, Verifier
+from viscodesign.watching import broken_balance
 
 
 def simulate(
@@ -203,6 +204,8 @@ def _outcome(verifier: Verifier, run: Run, accuracy: Accuracy) -> tuple[Status, 
         )
     if run.motion.failure is not None:
         return "failed", str(run.motion.failure)
+    if broken := broken_balance(run.motion.invariants, float(run.motion.time[-1])):
+        return "failed", str(broken)
     error = accuracy.estimated_tip_error_m
     if error is not None and error > accuracy.requested_m:
         return "failed", _missed(verifier, accuracy, error)
@@ -218,6 +221,8 @@ def _missed(verifier: Verifier, accuracy: Accuracy, error: float) -> str:
     )
     _, _, remedy = max(parts, key=lambda part: part[1] or 0.0)
     told = ", ".join(f"{name} {1e3 * (size or 0.0):.3g} mm" for name, size, _ in parts)
+    if verifier.stalled:
+        told += f"; {verifier.stalled}"
     return (
         f"the accuracy asked for, {1e3 * accuracy.requested_m:.3g} mm at the tip, was not "
         f"reached: after {verifier.solutions} solutions the error is estimated at "

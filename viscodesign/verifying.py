@@ -41,6 +41,9 @@ ENERGY_LIMIT = 1e-4
 """Imbalance of energy, over the work done, above which smaller steps are tried once the tip is
 exact enough: a motion that looks right may still lose or gain what it should keep."""
 
+NOISE = 0.9e-7
+"""Part of the length below which no error in time is stated: jumps leave as much."""
+
 
 @dataclass(frozen=True)
 class ErrorParts:
@@ -73,6 +76,9 @@ class Verifier:
         self.requested_m = conditions.accuracy * conditions.body.length
         self.spent_s = 0.0
         self.solutions = 0
+        self.stalled = ""
+        """Why further refinement is no use, where it is none."""
+        self._apart: dict[str, float] = {}
         self.interrupted = False
         """Whether verification was stopped; the solution before it is kept."""
 
@@ -108,10 +114,12 @@ class Verifier:
                 return finer, None
             apart = tip_difference(run.motion, finer.motion)
             run = finer
+            self._watch_shrinking("space" if in_space else "time", apart)
             if in_space:
                 space_m = max(LEFT_BY_SPACE * apart, LEAST * self.requested_m)
             else:
-                time_m = max(LEFT_BY_TIME * apart, LEAST * self.requested_m)
+                floor = max(LEAST * self.requested_m, NOISE * self.conditions.body.length)
+                time_m = max(LEFT_BY_TIME * apart, floor)
             if time_m is None or space_m is None:
                 continue
             parts = ErrorParts(time_m, space_m, self.omitted_m)
@@ -121,9 +129,21 @@ class Verifier:
                 if imbalance <= ENERGY_LIMIT or imbalance > lost / 2:
                     return run, parts
                 lost = imbalance
+            if self.stalled:
+                break
         if time_m is None or space_m is None:
             return run, None
         return run, ErrorParts(time_m, space_m, self.omitted_m)
+
+    def _watch_shrinking(self, part: str, apart: float) -> None:
+        """Note where a refinement moved the tip as far as the one before it did."""
+        before = self._apart.get(part, math.inf)
+        if apart > self.requested_m and apart >= before:
+            self.stalled = (
+                f"the part of {part} does not shrink: refined twice, the tip moved by "
+                f"{1e3 * before:.3g} mm and then by {1e3 * apart:.3g} mm"
+            )
+        self._apart[part] = apart
 
     def _negligible(self) -> float:
         """Error of a solution beside which that of omitted effects is all that counts [m]."""

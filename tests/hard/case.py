@@ -139,7 +139,7 @@ def outcome(case: Case) -> Outcome:
     except ViscodesignError as error:
         return Outcome(case, "refused", str(error), ())
     ending: Ending = "complete" if run.status == "complete" else "failed"
-    findings = [*_whole(run), *_balanced(run), *_within_range(run), *case.judge(run)]
+    findings = [*_whole(run), *_balanced(run), *_within_range(case, run), *case.judge(run)]
     return Outcome(case, ending, run.failure or "", tuple(findings), run)
 
 
@@ -156,19 +156,24 @@ def _balanced(run: Trajectory) -> Iterator[Finding]:
         yield at_most("energy imbalance", energy, ENERGY)
 
 
-def _within_range(run: Trajectory) -> Iterator[Finding]:
+def _within_range(case: Case, run: Trajectory) -> Iterator[Finding]:
     """Without feedback and inertance pressures stay within the range of the inlets'."""
     taken = {verdict.name for verdict in run.effects if verdict.taken}
-    if STIR & taken or not run.inlet_pressure or not run.time.size:
+    scene = case.scene()
+    sources = [source for source in scene.inputs.values() if source.gives_pressure]
+    if STIR & taken or len(sources) < len(scene.inputs):
         return
-    inlets = np.array(list(run.inlet_pressure.values()))
-    low, high = inlets.min(), inlets.max()
-    beyond = max(run.pressure.max() - high, low - run.pressure.min())
-    if run.time[0] > 0.0:
-        return  # the history of the inlets is not all told
-    yield at_most(
-        "pressure beyond the inlets' range", max(beyond, 0.0), OVERSHOOT * (high - low) + 1e-9
-    )
+    duration = scene.run.duration
+    corners = [t for s in sources for t in s.corners(duration)][:MOST_CORNERS]
+    times = np.unique([*np.linspace(0.0, duration, 5000), *corners])
+    told = [scene.gauge_pressure + source.values(times) for source in sources]
+    history = np.concatenate([*told, run.pressure[0], *run.inlet_pressure.values()])
+    low, high = float(history.min()), float(history.max())
+    beyond = max(run.pressure.max() - high, low - run.pressure.min(), 0.0)
+    yield at_most("pressure beyond the inlets' range", beyond, OVERSHOOT * (high - low) + 1e-9)
+
+
+MOST_CORNERS = 2000
 
 
 def moved_by_refinement(case: Case, run: Trajectory) -> Finding:

@@ -19,6 +19,7 @@ LAYERS = [
     ["solving"],
     ["classifying"],
     ["loading", "motion", "validity", "course", "stability"],
+    ["watching"],
     ["build", "balances"],
     ["effects"],
     ["sketch"],

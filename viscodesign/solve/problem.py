@@ -40,6 +40,9 @@ class Problem:
     baseline: float
     """Gauge pressure about which the inputs cycle [Pa]."""
     schedule: Schedule
+    floor_volume: float | None
+    """Volume at which a gas-filled bellow ends a run [m3]; None where its walls meet there, or
+    where the fluid does not mind."""
     most_steps: int
     """Steps after which a run is given up."""
     flow_shares: np.ndarray

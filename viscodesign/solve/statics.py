@@ -257,6 +257,29 @@ def _followed(problem: Problem, start: Start, before: Instant, after: Instant) -
         raise fold(time) from failure
 
 
+def refined(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.ndarray:
+    """Algebraic unknowns (nz, m) at the first m edges, solved for to round-off where they can."""
+    schedule, found = problem.schedule, algebraics.copy()
+    for k in range(states.shape[1]):
+        here = Start(states[:, k], algebraics[:, k])
+        # A state just before a corner belongs to the interval that ends there.
+        piece = schedule.pieces[max(k - 1, 0)]
+        tail = problem.tail(float(schedule.edges[k]), piece)
+        try:
+            found[:, k] = newton(
+                partial(_constraints_at, problem, here.states, tail), here.algebraics
+            )
+        except NewtonError:
+            continue
+    return found
+
+
+def _constraints_at(
+    problem: Problem, x: np.ndarray, tail: tuple[float | np.ndarray, ...], z: np.ndarray
+) -> tuple[np.ndarray, ca.DM]:
+    return _constraints(problem, x, z, tail)
+
+
 def fold(time: float) -> SolveError:
     """The failure of a static rod whose branch of equilibria ends."""
     return SolveError(
