@@ -98,6 +98,7 @@ def _energy_imbalance(
         *(float(np.ptp(energy)) for energy in energies),
         float(np.max(np.abs(coupling))),
         STANDSTILL * float(np.max(np.abs(stored))),
+        STANDSTILL**2 * _usual_energy(problem),
     )
     if scale == 0.0:
         return 0.0, 0.0
@@ -109,6 +110,14 @@ def _energy_imbalance(
         return None, coupled
     imbalance = stored - stored[0] - pump + lost - coupling - carried
     return float(np.max(np.abs(imbalance))) / scale, coupled
+
+
+def _usual_energy(problem: Problem) -> float:
+    """What the bellows hold at the pressures that the scene is about [J]."""
+    states, algebraics = problem.equations.states.blocks, problem.equations.algebraics.blocks
+    if "volume" not in states or "pressure" not in algebraics:
+        return 0.0
+    return len(problem.bellows) * float(np.max(states["volume"].size * algebraics["pressure"].size))
 
 
 def _tells_flows(problem: Problem, solution: Solution, end: int) -> bool:

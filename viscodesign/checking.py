@@ -8,10 +8,11 @@ from typing import Any
 from viscodesign.classifying import classification
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
+from viscodesign.posed import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.report.tables import check_document
 from viscodesign.scene.scene import Scene
 from viscodesign.trajectory import Classification, Notice, Verdict
-from viscodesign.validity import refuse_unsolvable, verdict_notices
+from viscodesign.validity import verdict_notices
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,7 @@ def check(scene: Scene) -> Check:
     Raises `SpecError` where the scene has no bounded solution.
     """
     conditions = Conditions(scene)
+    refuse_beyond_numbers(conditions)
     verdicts = select_effects(conditions).verdicts
     refuse_unsolvable(conditions)
     found = classification(conditions)

@@ -18,6 +18,7 @@ from viscodesign.errors import SolveError
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.motion import Motion
+from viscodesign.posed import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.proving import prove as prove_effects
 from viscodesign.scene.dump import resolved_yaml
 from viscodesign.scene.loads import TipForce
@@ -27,9 +28,9 @@ from viscodesign.solve.statics import Start
 from viscodesign.solving import Progress, Run
 from viscodesign.stability import growth_notices
 from viscodesign.trajectory import Accuracy, Cost, Notice, Proof, Status, Trajectory, Verdict
-from viscodesign.validity import refuse_unsolvable, verdict_notices
+from viscodesign.validity import verdict_notices
 from viscodesign.verifying import LEFT_BY_SPACE, LEFT_BY_TIME, ErrorParts, Verifier
-from viscodesign.watching import broken_balance
+from viscodesign.watching import broken_balance, doubted_balance
 
 
 def simulate(
@@ -52,6 +53,7 @@ def simulate(
     without a bounded solution, `SolveError` where not even a first equilibrium exists.
     """
     conditions = Conditions(scene)
+    refuse_beyond_numbers(conditions)
     selection = select_effects(conditions)
     refuse_unsolvable(conditions)
     solved = _solve(conditions, selection, tolerance, verify, progress)
@@ -163,7 +165,7 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
         invariants=motion.invariants,
         warnings=_merged(
             (*forced, *found.warnings, *_growth(conditions, run)),
-            course_notices(conditions, course),
+            (*course_notices(conditions, course), *doubted_balance(motion.invariants)),
         ),
         spec_text=text,
         spec_sha256=scene.source.sha256,
@@ -204,7 +206,8 @@ def _outcome(verifier: Verifier, run: Run, accuracy: Accuracy) -> tuple[Status, 
         )
     if run.motion.failure is not None:
         return "failed", str(run.motion.failure)
-    if broken := broken_balance(run.motion.invariants, float(run.motion.time[-1])):
+    reached = float(run.motion.time[-1]) if run.motion.time.size else 0.0
+    if broken := broken_balance(run.motion.invariants, reached):
         return "failed", str(broken)
     error = accuracy.estimated_tip_error_m
     if error is not None and error > accuracy.requested_m:

@@ -1,7 +1,6 @@
 """Where the model's assumptions end: what the numbers of a scene give away.
 
-Nothing here changes a result. What the numbers show before anything is solved is
-reported; coefficients for which the model has no bounded solution are refused.
+Nothing here changes a result: what the numbers show before anything is solved is reported.
 """
 
 from __future__ import annotations
@@ -9,8 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from viscodesign.effects.conditions import Conditions
-from viscodesign.errors import SpecError
-from viscodesign.physics import bellow
 from viscodesign.trajectory import Notice, Verdict
 
 STEEP_RECIPROCITY = 1.05
@@ -34,46 +31,6 @@ def verdict_notices(verdicts: Iterable[Verdict]) -> Iterator[Notice]:
                 "accuracy asked for; use auto",
                 f"effects.{verdict.name}",
             )
-
-
-def refuse_unsolvable(conditions: Conditions) -> None:
-    """Raise `SpecError` where feedback leaves a held section no positive compliance."""
-    if "feedback" not in conditions.taken:
-        return
-    for name, key, value in _blocked(conditions):
-        if value <= 0.0:
-            raise SpecError.plain(
-                f"{key}: with the strain of a section held, its bellows have a negative "
-                f"compliance in {name} ({value:.4g} m3/Pa, of {conditions.bellow.compliance:.4g} "
-                f"m3/Pa free): pressures would run away and the model is ill posed. "
-                f"Lower {key}, or switch effects.feedback off."
-            )
-
-
-def _blocked(conditions: Conditions) -> list[tuple[str, str, float]]:
-    law, body, b = conditions.bellow, conditions.body, conditions.scene.bellows
-    return [
-        (
-            "extension",
-            "bellows.area_per_force",
-            bellow.blocked_compliance(
-                law.compliance,
-                law.length * b.area_per_force,
-                law.stretch_per_pressure,
-                body.extension_stiffness,
-            ),
-        ),
-        (
-            "bending",
-            "bellows.area_per_moment",
-            bellow.blocked_compliance(
-                law.compliance,
-                law.length * b.area_per_moment,
-                law.curvature_per_pressure,
-                body.bending_stiffness,
-            ),
-        ),
-    ]
 
 
 def _pressure_notices(conditions: Conditions) -> Iterator[Notice]:

@@ -37,6 +37,9 @@ LEAST = 0.002
 """Part of the accuracy asked for that each of both is stated at least: two solutions may agree
 by chance, the more so where little moves."""
 
+MOST_GROWING = 2
+"""Refinements in a row that each move the tip farther than the one before, after which no more
+are tried."""
 ENERGY_LIMIT = 1e-4
 """Imbalance of energy, over the work done, above which smaller steps are tried once the tip is
 exact enough: a motion that looks right may still lose or gain what it should keep."""
@@ -79,6 +82,7 @@ class Verifier:
         self.stalled = ""
         """Why further refinement is no use, where it is none."""
         self._apart: dict[str, float] = {}
+        self._growing = 0
         self.interrupted = False
         """Whether verification was stopped; the solution before it is kept."""
 
@@ -138,9 +142,10 @@ class Verifier:
     def _watch_shrinking(self, part: str, apart: float) -> None:
         """Note where a refinement moved the tip as far as the one before it did."""
         before = self._apart.get(part, math.inf)
-        if apart > self.requested_m and apart >= before:
+        self._growing = self._growing + 1 if apart > self.requested_m and apart >= before else 0
+        if self._growing >= MOST_GROWING:
             self.stalled = (
-                f"the part of {part} does not shrink: refined twice, the tip moved by "
+                f"the part of {part} does not shrink: refined again and again, the tip moved by "
                 f"{1e3 * before:.3g} mm and then by {1e3 * apart:.3g} mm"
             )
         self._apart[part] = apart

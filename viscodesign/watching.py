@@ -6,14 +6,14 @@ has no meaning. The balances of the whole run are watched in `broken_balance`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import vanished_section
-from viscodesign.trajectory import Invariants
+from viscodesign.trajectory import Invariants, Notice
 
 NEARLY_EMPTY = 0.2
 """Volume of a bellow, of that at rest, at which a gas's failure is put down to it."""
@@ -23,8 +23,10 @@ SLIGHT = 0.02
 """Part of its floor by which a bellow may pass it: loads take volume too."""
 VOLUME_LIMIT = 1e-8
 """Imbalance of fluid, relative, that no run may have."""
-ENERGY_BROKEN = 0.01
+ENERGY_BROKEN = 1.0
 """Imbalance of energy, over the work done, from which a motion is none of the model's."""
+ENERGY_DOUBTED = 0.01
+"""The same from which it is warned of."""
 
 Rows = Mapping[str, np.ndarray]
 Found = tuple[int, SolveError] | None
@@ -81,6 +83,18 @@ def broken_balance(invariants: Invariants, time: float) -> SolveError | None:
             remedy="Ask for more accuracy, or write down more outputs.",
         )
     return None
+
+
+def doubted_balance(invariants: Invariants) -> Iterator[Notice]:
+    """A warning where energy is kept badly."""
+    energy = invariants.energy_imbalance_rel
+    if energy is not None and energy > ENERGY_DOUBTED:
+        yield Notice(
+            "energy_imbalance",
+            f"energy differs by {energy:.2g} of the work done, beyond the work of the coupling: "
+            "ask for more accuracy, or look at how finely the outputs show the motion",
+            "actuator",
+        )
 
 
 def _not_finite(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndarray) -> Found:

@@ -18,7 +18,7 @@ LAYERS = [
     ["proving", "verifying"],
     ["solving"],
     ["classifying"],
-    ["loading", "motion", "validity", "course", "stability"],
+    ["loading", "motion", "validity", "course", "posed", "stability"],
     ["watching"],
     ["build", "balances"],
     ["effects"],

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from viscodesign.cli.describe import notice_lines, percent, quadrant_lines
 from viscodesign.cli.text import number, table
+from viscodesign.solve.rung import Rung
 from viscodesign.trajectory import Trajectory
 
 
@@ -20,6 +21,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         ("tip", _tip_extents(trajectory)),
         ("tip error", _tip_error(trajectory)),
         ("made of", _error_parts(trajectory)),
+        *(("ladder", _rung(rung)) for rung in trajectory.ladder[:MOST_RUNGS]),
         ("effects", ", ".join(v.name for v in trajectory.effects if v.taken) or "none"),
         ("left out", ", ".join(v.name for v in trajectory.effects if not v.taken) or "none"),
         ("files", f"{folder}: {', '.join(file.name for file in files)}"),
@@ -29,6 +31,16 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         *table(rows),
         *(["warnings", *warnings] if warnings else []),
     ]
+
+
+MOST_RUNGS = 6
+"""Attempts that are told; all of them are in `summary.json`."""
+
+
+def _rung(rung: Rung) -> str:
+    """One attempt where a solver had stopped."""
+    ended = "it went on" if rung.solved else "in vain"
+    return f"at {number(rung.time_s, 's')}: {rung.tried}, {ended}"
 
 
 def _course(trajectory: Trajectory) -> str:

@@ -106,10 +106,24 @@ def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
         return np.asarray(residual).ravel()[fluid], jacobian[fluid.tolist(), fluid.tolist()]
 
     if fluid.size:
-        y[fluid] = newton(network, y[fluid])
+        try:
+            y[fluid] = newton(network, y[fluid])
+        except NewtonError as failure:
+            raise _no_pressures(time) from failure
     if "position" in statics.blocks:
         _bend_to_arcs(problem, y, tail)
     return y
+
+
+def _no_pressures(time: float) -> SolveError:
+    return SolveError(
+        f"the steady pressures of the network cannot be found at t = {time:.6g} s",
+        quantity="pressure",
+        where="network",
+        time_s=time,
+        remedy="Look for tubes whose resistances differ by many orders of magnitude, and for "
+        "material curves that fall.",
+    )
 
 
 def _bend_to_arcs(problem: Problem, y: np.ndarray, tail: tuple[float | np.ndarray, ...]) -> None:
@@ -196,7 +210,10 @@ def _solve_block(problem: Problem, start: Start, name: str, piece: np.ndarray) -
         alg, jacobian = evaluate(equations.algebraic_function, start.states, z, *tail)
         return np.asarray(alg).ravel()[span], jacobian[rows, rows]
 
-    z[span] = newton(block, z[span])
+    try:
+        z[span] = newton(block, z[span])
+    except NewtonError as failure:
+        raise _no_equilibrium(problem, failure, 0.0) from failure
     return z
 
 

@@ -10,6 +10,7 @@ from viscodesign.build import suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.model.rod import MINIMUM_EDGES
+from viscodesign.posed import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.interrupt import gentle_interrupt
 from viscodesign.solving import Progress
@@ -18,7 +19,6 @@ from viscodesign.studies.explorer import Explorer
 from viscodesign.studies.models import models_of
 from viscodesign.studies.reference import make_reference
 from viscodesign.tradeoff import AccuracyStudy, Model, Point, with_dominated
-from viscodesign.validity import refuse_unsolvable
 
 USUAL_LIMIT_S = 60.0
 
@@ -35,6 +35,7 @@ def accuracy(
     """
     conditions = Conditions(scene)
     with gentle_interrupt() as interrupt:
+        refuse_beyond_numbers(conditions)
         selection = select_effects(conditions)
         refuse_unsolvable(conditions)
         bench = Bench(conditions, selection, limit, interrupt, progress)

@@ -1,0 +1,159 @@
+"""Specs that have no bounded solution, or none that double precision could hold.
+
+They are refused before anything is solved, each with its key and its number.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from viscodesign.effects.conditions import Conditions
+from viscodesign.errors import Fault, SpecError
+from viscodesign.model.rod import LARGEST_TURN_PER_EDGE
+from viscodesign.physics import bellow
+
+MOST_CONTRAST = 1e13
+"""Ratio of two tubes' resistances in one network that double precision still carries."""
+MOST_TIMES = 1e14
+"""Ratio of two times that double precision still carries."""
+MOST_LOAD = 1e5
+"""Force over EI/l2 beyond which a rod would turn within a thousandth of its length."""
+MOST_EDGES = 1000
+"""Edges of one section that a turn may ask for."""
+MOST_STRETCH = 100.0
+
+
+def refuse_beyond_numbers(conditions: Conditions) -> None:
+    """Raise `SpecError` where sizes lie so far apart that no result would have a digit."""
+    faults = [Fault(message, key) for key, message in _beyond(conditions)]
+    if faults:
+        raise SpecError(faults)
+
+
+def refuse_unsolvable(conditions: Conditions) -> None:
+    """Raise `SpecError` where feedback leaves a held section no positive compliance."""
+    if "feedback" not in conditions.taken:
+        return
+    for name, key, value in _blocked(conditions):
+        if value <= 0.0:
+            raise SpecError.plain(
+                f"{key}: with the strain of a section held, its bellows have a negative "
+                f"compliance in {name} ({value:.4g} m3/Pa, of {conditions.bellow.compliance:.4g} "
+                f"m3/Pa free): pressures would run away and the model is ill posed. "
+                f"Lower {key}, or switch effects.feedback off."
+            )
+
+
+def _blocked(conditions: Conditions) -> list[tuple[str, str, float]]:
+    law, body, b = conditions.bellow, conditions.body, conditions.scene.bellows
+    ways = (
+        ("extension", "force", law.stretch_per_pressure, body.extension_stiffness),
+        ("bending", "moment", law.curvature_per_pressure, body.bending_stiffness),
+    )
+    areas = {"force": b.area_per_force, "moment": b.area_per_moment}
+    return [
+        (
+            name,
+            f"bellows.area_per_{resultant}",
+            bellow.blocked_compliance(
+                law.compliance, law.length * areas[resultant], strain, stiffness
+            ),
+        )
+        for name, resultant, strain, stiffness in ways
+    ]
+
+
+def _beyond(conditions: Conditions) -> Iterator[tuple[str, str]]:
+    """Key and message of every number that lies too far from its neighbours."""
+    sizes = {
+        "actuator (its bending stiffness)": conditions.body.bending_stiffness,
+        "actuator (its stiffness along the axis)": conditions.body.extension_stiffness,
+        "actuator (its mass per length)": conditions.body.mass_per_length,
+        "actuator.length (its fourth power)": conditions.body.length**4,
+        "bellows (their compliance)": conditions.bellow.compliance,
+        "bellows (their volume)": conditions.bellow.rest_volume,
+        **{f"tube {name} (its resistance)": r for name, r in conditions.resistances.items()},
+    }
+    lost = [(key, value) for key, value in sizes.items() if not 1e-250 < value < 1e250]
+    for key, value in lost[:3]:
+        yield key, f"comes to {value:.3g} in SI units, beyond the range of numbers"
+    if lost:
+        return
+    yield from _network(conditions)
+    yield from _rod(conditions)
+
+
+def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
+    scene, resistances = conditions.scene, conditions.resistances
+    for part in conditions.graph.components():
+        own = {t.name: resistances[t.name] for t in part.tubes}
+        if not own:
+            continue
+        least, most = min(own, key=own.__getitem__), max(own, key=own.__getitem__)
+        if own[most] / own[least] > MOST_CONTRAST:
+            yield (
+                "network",
+                f"tube {most} resists {own[most] / own[least]:.2g} times as much as tube {least} "
+                f"in the same network, beyond the {MOST_CONTRAST:g} that double precision "
+                "carries; leave the one out, or join the ends of the other",
+            )
+            return
+    if not resistances or scene.effects.mode("pressure_distribution") == "off":
+        return
+    times = [r * conditions.bellow.compliance for r in resistances.values()]
+    for time, remedy in (
+        (min(times), "use effects.pressure_distribution: off"),
+        (max(times), "lower fluid.viscosity, or lengthen run.duration"),
+    ):
+        if not 1 / MOST_TIMES < time / scene.run.duration < MOST_TIMES:
+            yield (
+                "fluid.viscosity",
+                f"a bellow fills in {time:.3g} s, {time / scene.run.duration:.2g} of run.duration: "
+                f"beyond what double precision carries; {remedy}",
+            )
+            return
+
+
+def _rod(conditions: Conditions) -> Iterator[tuple[str, str]]:
+    scene, body, law = conditions.scene, conditions.body, conditions.bellow
+    pressure = max(abs(conditions.lowest_pressure), conditions.pressure_range)
+    turn = conditions.pressure_range * abs(law.curvature_per_pressure) * body.section_length
+    if not turn <= MOST_EDGES * LARGEST_TURN_PER_EDGE:
+        yield (
+            "bellows.angle_per_pressure",
+            f"at the input's pressures a section turns by {turn:.3g} rad, more than can be "
+            "followed; check the pressures, youngs_modulus and angle_per_pressure",
+        )
+    stretch = 2 * pressure * abs(law.stretch_per_pressure)
+    if not stretch <= MOST_STRETCH:
+        yield (
+            "bellows.extension_per_pressure",
+            f"at the input's pressures a section stretches {stretch:.3g} times its length; check "
+            "the pressures, youngs_modulus and extension_per_pressure",
+        )
+    unit = body.bending_stiffness / body.length**2
+    gravity = scene.loads.gravity.acceleration if scene.loads.gravity else 0.0
+    weight = (body.mass_per_length * body.length + scene.loads.payload) * gravity
+    force = math.hypot(scene.loads.tip_force.x, scene.loads.tip_force.z)
+    for key, load in (("loads.tip_force", force), ("loads.gravity", weight)):
+        if not load <= MOST_LOAD * unit:
+            yield (
+                key,
+                f"{load:.3g} N is {load / unit:.3g} times EI/l2 = {unit:.3g} N; a rod so loaded "
+                f"turns within less than can be followed (at most {MOST_LOAD:g} times)",
+            )
+    memory = scene.actuator.damping_time / scene.run.duration
+    if not memory < MOST_TIMES:
+        yield (
+            "actuator.damping_time",
+            f"{scene.actuator.damping_time:.3g} s is {memory:.2g} of run.duration: beyond what "
+            "double precision carries",
+        )
+    ratio = conditions.scales.t_s / scene.run.duration
+    if scene.effects.mode("inertia") != "off" and not 1 / MOST_TIMES < ratio < MOST_TIMES:
+        yield (
+            "actuator.density",
+            f"the rod swings in {conditions.scales.t_s:.3g} s, {ratio:.2g} of run.duration: "
+            "beyond what double precision carries; use effects.inertia: off",
+        )
