@@ -87,8 +87,10 @@ def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     """Call the output function at every solved edge."""
     equations = problem.equations
     algebraics = solution.algebraics
-    if "junction_pressure" in equations.algebraics.blocks:
-        # What comes to a junction leaves it, but not between the steps of an integrator.
+    shared = equations.network_form is NetworkForm.UNIFORM and equations.sealed
+    if shared or "junction_pressure" in equations.algebraics.blocks:
+        # What comes to a junction leaves it, and what is sealed stays: between the steps of an
+        # integrator that holds to its tolerance only.
         algebraics = refined(problem, solution.states, algebraics)
     values = evaluate_along(problem, solution.states, algebraics)
     if equations.network_form is NetworkForm.DISTRIBUTED:

@@ -72,7 +72,7 @@ def simulate(
     if prove and run.is_complete and not verifier.interrupted:
         proof = prove_effects(conditions, selection, run.settings, progress)
     accuracy = _accuracy(verifier, solved.parts, verify)
-    status, failure = _outcome(verifier, run, accuracy)
+    status, failure = _outcome(verifier, run, accuracy, verify)
     found = _trajectory(conditions, selection.verdicts, run)
     return replace(
         found,
@@ -196,7 +196,9 @@ def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...]) -> np.nda
     return np.array(lower).T.reshape(len(motion.time), len(graph.tubes))
 
 
-def _outcome(verifier: Verifier, run: Run, accuracy: Accuracy) -> tuple[Status, str | None]:
+def _outcome(
+    verifier: Verifier, run: Run, accuracy: Accuracy, verify: bool
+) -> tuple[Status, str | None]:
     """How the run ended, and the message where it ended badly."""
     if run.solution.interrupted:
         return "interrupted", f"interrupted at t = {run.motion.time[-1]:.6g} s"
@@ -210,6 +212,11 @@ def _outcome(verifier: Verifier, run: Run, accuracy: Accuracy) -> tuple[Status, 
     if broken := broken_balance(run.motion.invariants, reached):
         return "failed", str(broken)
     error = accuracy.estimated_tip_error_m
+    if verify and error is None:
+        return (
+            "failed",
+            f"the motion is there to its end, its error is not known: {verifier.stalled}",
+        )
     if error is not None and error > accuracy.requested_m:
         return "failed", _missed(verifier, accuracy, error)
     return "complete", None

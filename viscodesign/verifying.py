@@ -79,6 +79,8 @@ class Verifier:
         self.requested_m = conditions.accuracy * conditions.body.length
         self.spent_s = 0.0
         self.solutions = 0
+        self.steps = 0
+        """Of all solutions together."""
         self.stalled = ""
         """Why further refinement is no use, where it is none."""
         self._apart: dict[str, float] = {}
@@ -91,6 +93,11 @@ class Verifier:
         run = solve(self.conditions, self.effects, settings, self.progress)
         self.spent_s += run.spent_s
         self.solutions += 1
+        self.steps += run.solution.work.steps
+        if self.steps > run.problem.most_steps:
+            self.stalled = (
+                f"the limit of {run.problem.most_steps} steps (run.max_steps) was reached"
+            )
         return run
 
     def verify(self, run: Run) -> tuple[Run, ErrorParts | None]:
@@ -98,7 +105,7 @@ class Verifier:
         space_m = 0.0 if run.is_exact_in_space else None
         time_m: float | None = None
         lost = math.inf  # imbalance of energy that smaller steps are to lessen
-        while self.solutions <= MAX_REFINEMENTS:
+        while self.solutions <= MAX_REFINEMENTS and not self.stalled:
             if run.solution.asked_to_stop:
                 self.interrupted = True
                 return run, None
@@ -133,8 +140,6 @@ class Verifier:
                 if imbalance <= ENERGY_LIMIT or imbalance > lost / 2:
                     return run, parts
                 lost = imbalance
-            if self.stalled:
-                break
         if time_m is None or space_m is None:
             return run, None
         return run, ErrorParts(time_m, space_m, self.omitted_m)

@@ -33,7 +33,9 @@ class Run(Part):
         None, description="Instead of an interval: the output times, ascending"
     )
     max_steps: int = Field(
-        1_000_000, ge=100, description="Steps of one solution after which a run is given up"
+        1_000_000,
+        ge=100,
+        description="Steps after which a run is given up, those of its verification included",
     )
     start: Literal["equilibrium", "rest"] = Field(
         "equilibrium",

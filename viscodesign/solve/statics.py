@@ -121,8 +121,8 @@ def _no_pressures(time: float) -> SolveError:
         quantity="pressure",
         where="network",
         time_s=time,
-        remedy="Look for tubes whose resistances differ by many orders of magnitude, and for "
-        "material curves that fall.",
+        remedy="Look for tubes whose resistances differ by many orders of magnitude, for material "
+        "curves that fall, and for flow far beyond laminar (effects.flow_regime: off).",
     )
 
 

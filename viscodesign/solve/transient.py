@@ -121,10 +121,11 @@ def integrate(
             stop = min(first + length, len(edges) - 1)
             columns, failure = ladder.march(record.here, first, stop, work)
             record.keep(columns)
-            if failure is not None and not interrupt.asked:
+            if failure is not None and failure.quantity != "work" and not interrupt.asked:
                 columns, failure = ladder.climb(record.here, record.done, work, failure)
                 record.keep(columns)
-            failure = failure or _overworked(problem, work, edges[record.done])
+            if failure is None and work.steps > problem.most_steps:
+                failure = march.overworked(edges[record.done])
             length = _next_length(record.done - first, clock.perf_counter() - began, work)
             if progress is not None:
                 progress(edges[record.done] / edges[-1])
@@ -137,19 +138,6 @@ def integrate(
         interrupt.asked and early,
         interrupt.asked,
         tuple(ladder.rungs),
-    )
-
-
-def _overworked(problem: Problem, work: Work, time: float) -> SolveError | None:
-    """The failure of a run that has taken more steps than it may."""
-    if work.steps <= problem.most_steps:
-        return None
-    return SolveError(
-        f"the limit of {problem.most_steps} steps was reached at t = {time:.6g} s",
-        quantity="work",
-        where="integrator",
-        time_s=float(time),
-        remedy="Raise run.max_steps, shorten run.duration, or ask for less accuracy.",
     )
 
 

@@ -73,6 +73,16 @@ class Solver(ABC):
         schedule = self.problem.schedule
         return float(schedule.edges[edge]), schedule.pieces[max(edge - 1, 0)]
 
+    def overworked(self, time: float) -> SolveError:
+        """The failure of a run that has taken as many steps as it may."""
+        return SolveError(
+            f"the limit of {self.problem.most_steps} steps was reached at t = {time:.6g} s",
+            quantity="work",
+            where="integrator",
+            time_s=float(time),
+            remedy="Raise run.max_steps, shorten run.duration, or ask for less accuracy.",
+        )
+
     def nothing(self) -> Columns:
         """No column at all."""
         equations = self.problem.equations

@@ -70,7 +70,7 @@ class Idas(Solver):
             "reltol": tolerance,
             "newton_scheme": "direct",
             "linear_solver": direct_solver(unknowns),
-            "max_num_steps": MAX_STEPS,
+            "max_num_steps": min(MAX_STEPS, problem.most_steps),
             "show_eval_warnings": False,
             "disable_internal_warnings": True,
             "quad_err_con": False,
@@ -91,7 +91,8 @@ class Idas(Solver):
             if stop - first == 1:
                 return self.nothing(), self.failure(_last_words(error), first)
         # What failed once is sought with little patience: a stuck step is not a slow one.
-        self.options["max_num_steps"] = MAX_STEPS_AFTER_FAILURE
+        patience = min(MAX_STEPS_AFTER_FAILURE, self.options["max_num_steps"])
+        self.options["max_num_steps"] = patience
         middle = (first + stop) // 2
         before, failure = self(here, first, middle, work)
         if failure is not None or not before[0].shape[1]:
@@ -106,7 +107,8 @@ class Idas(Solver):
 
     def remedies(self) -> Iterator[tuple[str, Solver]]:
         """Care, then order 2, then a smaller tolerance."""
-        changes: dict[str, Any] = {"max_num_steps": MAX_STEPS_AFTER_FAILURE}
+        patience = min(MAX_STEPS_AFTER_FAILURE, self.options["max_num_steps"])
+        changes: dict[str, Any] = {"max_num_steps": patience}
         for tried, change in (
             # The first step is guessed from rates that may be about to jump: take less.
             (

@@ -136,7 +136,7 @@ class _Stretch:
             jac=self._jacobian,
         )
         found: list[np.ndarray] = []
-        for _ in range(MAX_STEPS):
+        for _ in range(min(MAX_STEPS, self.solver.problem.most_steps)):
             if method.step() is not None and method.status == "failed":
                 break
             self.work.steps += 1

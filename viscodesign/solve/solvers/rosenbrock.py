@@ -36,8 +36,6 @@ MEMORY = 0.08
 """Exponent by which the last error tempers the next step (a PI controller)."""
 MOST_UNKNOWNS = 1_000
 """Unknowns up to which it is offered where another solver failed."""
-MAX_STEPS = 500_000
-"""Steps in one call after which a run is given up."""
 
 
 class Rosenbrock(Solver):
@@ -112,7 +110,7 @@ class Rosenbrock(Solver):
         largest = max(self.problem.equations.swing_time, (last - time) / FEWEST_STEPS)
         found: list[np.ndarray] = []
         before = 1.0
-        for _ in range(MAX_STEPS):
+        for _ in range(max(self.problem.most_steps - work.steps, 1)):
             remaining = last - time
             final = size >= remaining * (1 - 1e-9)
             taken = (
@@ -135,7 +133,7 @@ class Rosenbrock(Solver):
                 return found, None
             size = min(taken * _factor(error, before), largest)
             y, time, before = after, until, max(error, 1e-4)
-        return found, self.failure(f"{MAX_STEPS} steps were not enough", begin + len(found))
+        return found, self.overworked(time)
 
     def _first_size(self, stretch: float) -> float:
         if self.size is not None:

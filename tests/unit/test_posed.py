@@ -1,0 +1,38 @@
+"""Specs whose numbers lie too far apart are refused with their key, before anything is solved."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.scenes import leg
+from viscodesign import check, simulate
+from viscodesign.errors import SpecError
+
+SECOND = "run={duration: 1 s, output_interval: 0.1 s}"
+BEYOND = {
+    "network.changes={R3-R4: {length: 3.75e18 m}}": "1e+20 times as much as tube inlet-R1",
+    "network.changes={R3-R4: {radius: 100 m}}": "as much as tube R3-R4",
+    "fluid={name: own, viscosity: 1e-30, density: 1}": "effects.pressure_distribution: off",
+    "fluid={name: own, viscosity: 1e30, density: 1}": "lower fluid.viscosity",
+    "actuator.youngs_modulus=1e300": "bending stiffness",
+    "actuator.youngs_modulus=1e3": "angle_per_pressure",
+    "actuator.length=1e-200": "fourth power",
+    "actuator.density=1e200": "effects.inertia: off",
+    "actuator.damping_time=1e300": "actuator.damping_time",
+    "loads.tip_force.x=1e300": "loads.tip_force",
+    "input={kind: constant, value: 1e300}": "angle_per_pressure",
+    "bellows.area_per_pressure=1e300": "compliance",
+}
+
+
+@pytest.mark.parametrize("change", BEYOND)
+@pytest.mark.parametrize("command", [check, simulate], ids=["check", "simulate"])
+def test_a_number_beyond_the_rest_is_refused_with_its_key(change: str, command: object) -> None:
+    with pytest.raises(SpecError) as refusal:
+        command(leg(change, SECOND, "effects=auto"))  # type: ignore[operator]
+    assert BEYOND[change] in str(refusal.value)
+
+
+def test_what_double_precision_carries_is_let_through() -> None:
+    for change in ("network.changes={inlet-R1: {radius: 0.325 um}}", "actuator.density=1e15"):
+        check(leg(change, SECOND))
