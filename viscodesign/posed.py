@@ -102,15 +102,15 @@ def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
     if not resistances or scene.effects.mode("pressure_distribution") == "off":
         return
     times = [r * conditions.bellow.compliance for r in resistances.values()]
-    for time, remedy in (
-        (min(times), "use effects.pressure_distribution: off"),
-        (max(times), "lower fluid.viscosity, or lengthen run.duration"),
-    ):
-        if not 1 / MOST_TIMES < time / scene.run.duration < MOST_TIMES:
+    for time in (min(times), max(times)):
+        share = time / scene.run.duration
+        if not 1 / MOST_TIMES < share < MOST_TIMES:
+            slow = "lower fluid.viscosity, or lengthen run.duration"
+            fast = "use effects.pressure_distribution: off"
             yield (
                 "fluid.viscosity",
-                f"a bellow fills in {time:.3g} s, {time / scene.run.duration:.2g} of run.duration: "
-                f"beyond what double precision carries; {remedy}",
+                f"a bellow fills in {time:.3g} s, {share:.2g} of run.duration: beyond what "
+                f"double precision carries; {slow if share > 1 else fast}",
             )
             return
 

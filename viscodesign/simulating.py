@@ -283,7 +283,7 @@ def _settings(run: Run) -> dict[str, Any]:
         "network": equations.network_form.value,
         "edges_per_section": run.settings.edges_per_section,
         "tolerance": run.settings.tolerance,
-        "solver": run.settings.solver,
+        "solver": run.solution.solver,
         "states": equations.states.count,
         "algebraic_unknowns": equations.algebraics.count,
     }

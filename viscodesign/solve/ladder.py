@@ -51,7 +51,9 @@ class Ladder:
         march = self.march
         yield from march.remedies()
         for kind in self._others:
-            if kind is not type(march) and kind.fits(march.problem):
+            if kind is type(march) or not kind.takes(march.problem):
+                continue
+            if kind.fits(march.problem):
                 yield (
                     f"{kind.title.partition(':')[0]} instead",
                     kind(march.problem, march.tolerance),

@@ -30,6 +30,9 @@ CHUNK_PER_COMPILE = 10.0
 """The same, at least, in times that making an integrator takes."""
 FIRST_CHUNK = 0.1
 """Part of a long run that is solved first, to learn how fast it goes."""
+DEFAULT_SOLVER = "idas"
+RINGING_SOLVER = "rosenbrock"
+"""For vibrations that nothing damps: BDF of high order is not stable there."""
 
 
 @dataclass
@@ -52,6 +55,8 @@ class Solution:
     """Whether the user asked at all, be it when all was done: nothing more should follow."""
     rungs: tuple[Rung, ...] = ()
     """What was tried where the solver came to a stop."""
+    solver: str = DEFAULT_SOLVER
+    """Name of the one that began."""
 
 
 class _Record:
@@ -82,11 +87,6 @@ class _Record:
         return states, algebraics, integrals
 
 
-DEFAULT_SOLVER = "idas"
-RINGING_SOLVER = "rosenbrock"
-"""For vibrations that nothing damps: BDF of high order is not stable there."""
-
-
 @cache
 def solver_catalogue() -> dict[str, type[Solver]]:
     """Every solver by name, the default first."""
@@ -107,6 +107,8 @@ def integrate(
     way: what was reached is returned, with the failure.
     """
     moves = problem.equations.states.count > 0
+    if not solver_catalogue()[solver].takes(problem):
+        solver = DEFAULT_SOLVER
     march = (solver_catalogue()[solver] if moves else Algebraic)(problem, tolerance)
     ladder = Ladder(march, list(solver_catalogue().values()) if moves else [])
     edges = problem.schedule.edges
@@ -138,6 +140,7 @@ def integrate(
         interrupt.asked and early,
         interrupt.asked,
         tuple(ladder.rungs),
+        solver,
     )
 
 

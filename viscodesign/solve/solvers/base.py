@@ -68,6 +68,12 @@ class Solver(ABC):
         del problem
         return True
 
+    @classmethod
+    def takes(cls, problem: Problem) -> bool:
+        """Whether its method is for equations of this structure at all."""
+        del problem
+        return True
+
     def before(self, edge: int) -> Instant:
         """When algebraic unknowns that were found at an edge held: just before it."""
         schedule = self.problem.schedule

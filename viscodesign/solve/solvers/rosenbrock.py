@@ -59,6 +59,13 @@ class Rosenbrock(Solver):
         self._powers = _weight_powers(equations)
 
     @classmethod
+    def takes(cls, problem: Problem) -> bool:
+        """Its elimination has no pivots but those on the diagonal."""
+        slope = problem.equations.algebraic_function.sparsity_out(1)
+        rows, columns = (np.array(k, dtype=int) for k in slope.get_triplet())
+        return len(set(rows[rows == columns].tolist())) == slope.size1()
+
+    @classmethod
     def fits(cls, problem: Problem) -> bool:
         """Its formulas are long: they take seconds to write out for a thousand unknowns."""
         equations = problem.equations
