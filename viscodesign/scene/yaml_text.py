@@ -12,6 +12,7 @@ from viscodesign.errors import Fault, SpecError
 from viscodesign.scene.base import KeyPath
 
 DEEPEST = 32
+TOO_DEEP = f"is nested too deeply, more than {DEEPEST} levels"
 MOST_NODES = 400_000
 
 
@@ -94,9 +95,7 @@ def _check_depth(text: str, file: str) -> None:
             depth += 1
             if depth > DEEPEST:
                 line = event.start_mark.line + 1 if event.start_mark else None
-                raise SpecError(
-                    [Fault(f"is nested too deeply, more than {DEEPEST} levels", "", file, line)]
-                )
+                raise SpecError([Fault(TOO_DEEP, "", file, line)])
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1
 
@@ -108,7 +107,8 @@ def parse_scalar(text: str, place: str) -> Any:
         _check_depth(value, place)
         node = yaml.compose(value, Loader=yaml.CSafeLoader)
     except yaml.YAMLError as error:
-        raise SpecError([Fault("the value is not YAML", file=place)]) from error
+        deep = TOO_DEEP if _is_too_deep(error) else "the value is not YAML"
+        raise SpecError([Fault(deep, file=place)]) from error
     document = Document(place, {})
     data = _Reader(document).read(node, (), 0) if node is not None else None
     if document.faults:
@@ -129,11 +129,18 @@ def plain_value(text: str) -> Any:
     return text
 
 
+def _is_too_deep(error: Exception) -> bool:
+    """Whether the parser itself refused the depth, as PyYAML does from 6.0.4 on."""
+    return "nesting depth" in str(error)
+
+
 def _syntax_fault(error: Exception, file: str) -> Fault:
     mark = getattr(error, "problem_mark", None)
     problem = getattr(error, "problem", None) or "is not YAML"
     if isinstance(error, yaml.reader.ReaderError):
         problem = "holds bytes that are no text; a YAML file is wanted"
+    if _is_too_deep(error):
+        return Fault(TOO_DEEP, file=file, line=mark.line + 1 if mark else None)
     return Fault(f"not YAML: {problem}", file=file, line=mark.line + 1 if mark else None)
 
 
