@@ -124,7 +124,9 @@ def _tells_flows(problem: Problem, solution: Solution, end: int) -> bool:
     """Whether flows are more than round-off of the pressures that drive them.
 
     Through tubes that hardly resist, they follow from tiny differences of pressures: what
-    they fill is known far better than they are themselves.
+    they fill is known far better than they are themselves. The work is read from that, then,
+    and the balance no longer sees an error of the pump's or the tubes': in a linear network
+    it holds by itself.
     """
     equations = problem.equations
     if "inflow" not in equations.states.blocks:

@@ -45,14 +45,10 @@ def suggest_settings(conditions: Conditions, effects: Sequence[Effect]) -> Setti
     """
     accuracy, body = conditions.accuracy, conditions.body
     wanted = max(MINIMUM_EDGES, COARSE_EDGES * max(1.0, COARSE_ACCURACY / accuracy) ** (1 / 3))
-    # One bellow of a section at the highest pressure, the other at the lowest.
-    turn = (
-        conditions.pressure_range
-        * abs(conditions.bellow.curvature_per_pressure)
-        * body.section_length
-    )
     per_section = max(
-        math.ceil(wanted / body.sections - 1e-9), math.ceil(turn / LARGEST_TURN_PER_EDGE), 1
+        math.ceil(wanted / body.sections - 1e-9),
+        math.ceil(conditions.largest_turn / LARGEST_TURN_PER_EDGE),
+        1,
     )
     solver = RINGING_SOLVER if _rings_on(effects) else DEFAULT_SOLVER
     tolerance = SHARE_OF_TIME * accuracy / solver_catalogue()[solver].tip_error_per_tolerance
@@ -108,12 +104,8 @@ def _as_stiff_as_can_be_told(conditions: Conditions) -> Body:
 
     A force F stretches a rod by F/EA of its length; forces are told by EI/L2.
     """
-    body, force = conditions.body, conditions.scene.loads.tip_force
-    unit = body.bending_stiffness / body.length**2
-    weight = body.mass_per_length * body.length + conditions.scene.loads.payload
-    gravity = conditions.scene.loads.gravity
-    pull = math.hypot(force.x, force.z) + weight * (gravity.acceleration if gravity else 0.0)
-    most = INEXTENSIBLE / conditions.accuracy * max(unit, pull)
+    body, pull = conditions.body, conditions.tip_force + conditions.weight
+    most = INEXTENSIBLE / conditions.accuracy * max(conditions.bending_force, pull)
     return replace(body, extension_stiffness=min(body.extension_stiffness, most))
 
 

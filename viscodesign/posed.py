@@ -5,7 +5,6 @@ They are refused before anything is solved, each with its key and its number.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 from viscodesign.effects.conditions import Conditions
@@ -116,27 +115,23 @@ def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
 
 
 def _rod(conditions: Conditions) -> Iterator[tuple[str, str]]:
-    scene, body, law = conditions.scene, conditions.body, conditions.bellow
+    scene, turn, unit = conditions.scene, conditions.largest_turn, conditions.bending_force
     pressure = max(abs(conditions.lowest_pressure), conditions.pressure_range)
-    turn = conditions.pressure_range * abs(law.curvature_per_pressure) * body.section_length
     if not turn <= MOST_EDGES * LARGEST_TURN_PER_EDGE:
         yield (
             "bellows.angle_per_pressure",
             f"at the input's pressures a section turns by {turn:.3g} rad, more than can be "
             "followed; check the pressures, youngs_modulus and angle_per_pressure",
         )
-    stretch = 2 * pressure * abs(law.stretch_per_pressure)
+    stretch = 2 * pressure * abs(conditions.bellow.stretch_per_pressure)
     if not stretch <= MOST_STRETCH:
         yield (
             "bellows.extension_per_pressure",
             f"at the input's pressures a section stretches {stretch:.3g} times its length; check "
             "the pressures, youngs_modulus and extension_per_pressure",
         )
-    unit = body.bending_stiffness / body.length**2
-    gravity = scene.loads.gravity.acceleration if scene.loads.gravity else 0.0
-    weight = (body.mass_per_length * body.length + scene.loads.payload) * gravity
-    force = math.hypot(scene.loads.tip_force.x, scene.loads.tip_force.z)
-    for key, load in (("loads.tip_force", force), ("loads.gravity", weight)):
+    loads = {"loads.tip_force": conditions.tip_force, "loads.gravity": conditions.weight}
+    for key, load in loads.items():
         if not load <= MOST_LOAD * unit:
             yield (
                 key,

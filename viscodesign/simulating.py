@@ -21,7 +21,6 @@ from viscodesign.motion import Motion
 from viscodesign.posed import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.proving import prove as prove_effects
 from viscodesign.scene.dump import resolved_yaml
-from viscodesign.scene.loads import TipForce
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.rung import Rung
 from viscodesign.solve.statics import Start
@@ -177,8 +176,7 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
 
 def _growth(conditions: Conditions, run: Run) -> list[Notice]:
     """Whether the start is left by itself, where a coupling could make it so."""
-    loads = conditions.scene.loads
-    free = loads.gravity is None and loads.tip_force == TipForce()
+    free = conditions.tip_force + conditions.weight == 0.0
     if "feedback" not in conditions.taken or ("damping" in conditions.taken and free):
         return []
     solution = run.solution

@@ -18,7 +18,8 @@ from viscodesign.trajectory import Notice
 MOST_STATES = 400
 """States up to which eigenvalues are sought: their cost grows with the third power."""
 SURELY_GROWS = 1e-6
-"""Growth beside the fastest rate of the system from which it is no round-off."""
+"""Growth beside the slowest swing, or the fastest decay of what does not swing, from which it is
+no round-off."""
 
 
 def growth_notices(problem: Problem, start: Start) -> list[Notice]:

@@ -32,20 +32,17 @@ distance: over a hundred scenes 0.16 in the median, above 0.5 only where it was 
 LEFT_BY_SPACE = 0.7
 """The same where the edges differ twofold: a third in the median, as order two has it; more
 where the mesh is coarse for what happens on it."""
-
 LEAST = 0.002
 """Part of the accuracy asked for that each of both is stated at least: two solutions may agree
 by chance, the more so where little moves."""
-
+NOISE = 0.9e-7
+"""Part of the length below which no error in time is stated: jumps leave as much."""
 MOST_GROWING = 2
 """Refinements in a row that each move the tip farther than the one before, after which no more
 are tried."""
 ENERGY_LIMIT = 1e-4
 """Imbalance of energy, over the work done, above which smaller steps are tried once the tip is
 exact enough: a motion that looks right may still lose or gain what it should keep."""
-
-NOISE = 0.9e-7
-"""Part of the length below which no error in time is stated: jumps leave as much."""
 
 
 @dataclass(frozen=True)

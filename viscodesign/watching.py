@@ -102,9 +102,9 @@ def _not_finite(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndar
     told = {name: rows[name] for name in ("pressure", "volume", "position") if name in rows}
     for values in told.values():
         bad |= ~np.isfinite(values).all(axis=1)
-    if not bad.any():
+    row = _first(bad)
+    if row is None:
         return None
-    row = int(np.argmax(bad))
     name = next((n for n, v in told.items() if not np.isfinite(v[row]).all()), "stretch")
     where = "rod"
     if name in ("pressure", "volume"):
@@ -119,22 +119,16 @@ def _not_finite(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndar
 
 
 def _vanished(time: np.ndarray, stretch: np.ndarray) -> Found:
-    gone = stretch.min(axis=1) <= 0.0
-    if not gone.any():
-        return None
-    row = int(np.argmax(gone))
-    return row, _thinnest(time[row], stretch[row])
+    row = _first(stretch.min(axis=1) <= 0.0)
+    return None if row is None else (row, _thinnest(time[row], stretch[row]))
 
 
 def _at_floor(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
     """A gas-filled bellow at its floor, where nothing but the floor would keep it from nought."""
     if problem.floor_volume is None:
         return None
-    low = rows["volume"].min(axis=1) < problem.floor_volume * (1 - SLIGHT)
-    if not low.any():
-        return None
-    row = int(np.argmax(low))
-    return row, _emptied(problem, time, rows, max(row - 1, 0))
+    row = _first(rows["volume"].min(axis=1) < problem.floor_volume * (1 - SLIGHT))
+    return None if row is None else (row, _emptied(problem, time, rows, max(row - 1, 0)))
 
 
 def _jumped(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
@@ -143,12 +137,13 @@ def _jumped(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
         return None
     turn = np.diff(rows["angle"], axis=1, prepend=0.0)
     leap = np.abs(np.diff(turn, axis=0)) > np.pi
-    if not leap.any():
+    before = _first(np.asarray(leap.any(axis=1)))
+    if before is None:
         return None
-    row, edge = np.unravel_index(int(np.argmax(leap)), leap.shape)
-    section = int(edge) * problem.body.sections // turn.shape[1] + 1
-    when = float(time[row + 1])
-    return int(row) + 1, SolveError(
+    row, edge = before + 1, int(np.argmax(leap[before]))
+    section = edge * problem.body.sections // turn.shape[1] + 1
+    when = float(time[row])
+    return row, SolveError(
         f"the angle in section {section} jumps at t = {when:.6g} s: the rod folds onto itself "
         "between two nodes",
         quantity="angle",
@@ -156,6 +151,11 @@ def _jumped(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
         time_s=when,
         remedy="Lower the loads, or ask for more accuracy, which takes a finer mesh.",
     )
+
+
+def _first(marked: np.ndarray) -> int | None:
+    """The first row that is marked (T,); None where none is."""
+    return int(np.argmax(marked)) if marked.any() else None
 
 
 def _thinnest(time: float, stretch: np.ndarray) -> SolveError:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import yaml
 
+from tests.hard.case import STIR
 from viscodesign import Trajectory, check, load, simulate
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.report.files import write_run
@@ -21,7 +22,6 @@ PATIENCE = 120
 """Wall seconds after which a scene counts as hanging; the work limit is to end it long before."""
 SLACK = 0.02
 """Share of the pressures' range by which one may leave it at a rough accuracy."""
-STIR = {"feedback", "fluid_inertance"}
 
 
 class HangError(Exception):

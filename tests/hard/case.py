@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -25,7 +25,6 @@ OVERSHOOT = 1e-3
 """Share of the inlet's swing by which a pressure may leave its range, at the default accuracy."""
 EXACT = "accuracy=0.0001 %"
 """The one other accuracy of the table: for criteria of many digits."""
-DEFAULT_ACCURACY = 0.005
 STIR = frozenset({"feedback", "fluid_inertance"})
 """Effects with which pressures may leave the range of the inlet's."""
 
@@ -116,7 +115,6 @@ class Outcome:
     message: str
     findings: tuple[Finding, ...]
     run: Trajectory | None = None
-    rungs: tuple[str, ...] = field(default=())
 
     @property
     def complaints(self) -> list[str]:
@@ -191,8 +189,3 @@ def moved_by_refinement(case: Case, run: Trajectory) -> Finding:
 
 ROUND_OFF = 1e-12
 """[m]"""
-
-
-def renamed(case: Case, number: str, **changes: object) -> Case:
-    """A variant of a case."""
-    return replace(case, number=number, **changes)  # type: ignore[arg-type]

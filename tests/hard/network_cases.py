@@ -9,12 +9,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from tests.hard.case import EXACT, Case, Finding, Judge, at_most, relative, true, warned
-from tests.scenes import leg
-from tests.validation.test_network import exact_step_response
+from tests.scenes import chain_order, leg
+from tests.validation.test_network import exact_step_response, tubes
 from viscodesign import Trajectory, simulate
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
-CHAIN = [f"R{j}" for j in range(1, 9)] + [f"L{j}" for j in range(8, 0, -1)]
+CHAIN = chain_order(8)
 STEP = "input={kind: step, value: 1e5}"
 SWING = 1e-6
 """Share of the inlet's swing to which pressures are held in exact cases."""
@@ -62,11 +62,7 @@ def at(time: float, share: float = SWING, **wanted: float) -> Judge:
 def custom(*ends: str, unit: float = 37.5) -> str:
     """A custom network from 'a b 1' triples: ends, and length in units of a tube of the paper."""
     entries = [entry.split() for entry in ends]
-    tubes = ", ".join(
-        f"{{from: {a}, to: {b}, length: {unit * float(n)!r} mm, radius: 0.325 mm}}"
-        for a, b, n in entries
-    )
-    return f"network={{layout: custom, tubes: [{tubes}]}}"
+    return tubes(*(f"{a} {b} {unit * float(length)!r}" for a, b, length in entries))
 
 
 LISTED = ["inlet R1 1", *(f"{a} {b} 1" for a, b in itertools.pairwise(CHAIN))]

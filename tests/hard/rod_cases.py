@@ -9,7 +9,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from tests.hard.case import EXACT, Case, Finding, Judge, at_most, relative, true, warned
-from tests.scenes import LEG_EI, LEG_LENGTH, leg
+from tests.scenes import LEG_EI, LEG_LENGTH, chain_order, leg
+from tests.validation.rc_network import columns
+from tests.validation.test_network import tubes
 from viscodesign import Trajectory, simulate
 
 L, EI = LEG_LENGTH, LEG_EI
@@ -30,7 +32,6 @@ STILL = "input={kind: constant, value: 0}"
 INEXTENSIBLE = "actuator.extension_factor=1e6"
 DENSITY = f"actuator.density={0.269 / (0.03 * 0.02 * 0.47)!r}"
 """Of the references: 0.269 kg/m, the paper's rounded mass per length."""
-ONE_SIDE = "{from: %s, to: %s%d, length: 40 mm, radius: 0.325 mm}"
 
 
 def stiffness_ratio(eta: float) -> str:
@@ -44,18 +45,6 @@ def compressed(load: float, aside: float = 1e-3) -> tuple[str, ...]:
     return STILL, STATIC, SHORT, force
 
 
-def sides(left: str, right: str) -> tuple[str, ...]:
-    """Two inlets, one for the bellows of each side."""
-    tubes = [
-        ONE_SIDE % (name, name[0].upper(), j) for name in ("left", "right") for j in range(1, 9)
-    ]
-    return (
-        f"network={{layout: custom, tubes: [{', '.join(tubes)}]}}",
-        f"inputs={{left: {left}, right: {right}}}",
-        "input=null",
-    )
-
-
 def bent(*points: tuple[float, float]) -> tuple[str, ...]:
     """Intrinsic curvature times length against time, without extension."""
 
@@ -63,7 +52,7 @@ def bent(*points: tuple[float, float]) -> tuple[str, ...]:
         rows = ", ".join(f"[{t!r} s, {sign * angle / PER_PASCAL / 2!r}]" for t, angle in points)
         return f"{{kind: table, rows: [{rows}]}}"
 
-    return sides(table(1.0), table(-1.0))
+    return columns(16, table(1.0), table(-1.0))
 
 
 def tip(run: Trajectory, allowed: float, **wanted: float) -> Iterator[Finding]:
@@ -96,7 +85,7 @@ def fold(run: Trajectory, first: float, speed: float, wanted: float) -> Iterator
 
 def mirrored(run: Trajectory) -> Iterator[Finding]:
     """Whether swapping the columns mirrors the motion."""
-    other = simulate(leg(*chain("L", "R"), SHORT))
+    other = simulate(leg(chain(swapped=True), SHORT))
     scale = float(np.max(np.abs(run.tip[:, 0])))
     yield true("it moves sideways", scale > 1e-3)
     for name, column, sign in (("x", 0, 1), ("z", 1, -1), ("phi", 2, 1)):
@@ -104,18 +93,12 @@ def mirrored(run: Trajectory) -> Iterator[Finding]:
         yield at_most(f"mirrored {name}", float(apart), 1e-12)
 
 
-def chain(first: str, second: str) -> tuple[str, ...]:
+def chain(*, swapped: bool = False) -> str:
     """The straight chain as a custom graph, down one side and up the other."""
-    nodes = [
-        "inlet",
-        *(f"{first}{j}" for j in range(1, 9)),
-        *(f"{second}{j}" for j in range(8, 0, -1)),
-    ]
-    tubes = ", ".join(
-        f"{{from: {a}, to: {b}, length: 37.5 mm, radius: 0.325 mm}}"
-        for a, b in itertools.pairwise(nodes)
-    )
-    return (f"network={{layout: custom, tubes: [{tubes}]}}",)
+    nodes = ["inlet", *chain_order(8)]
+    if swapped:
+        nodes[1:] = [node.translate(str.maketrans("RL", "LR")) for node in nodes[1:]]
+    return tubes(*(f"{a} {b} 37.5" for a, b in itertools.pairwise(nodes)))
 
 
 def ten_times_larger(run: Trajectory) -> Iterator[Finding]:
@@ -363,11 +346,12 @@ CASES: tuple[Case, ...] = (
         "driven at its first frequency",
         "linear growth, no damping of the steps",
         (
-            *sides(
+            *columns(
+                16,
                 *(
                     f"{{kind: sine, amplitude: {1e-3 * L / PER_PASCAL / 2!r}, frequency: {120.43299052857 / 2 / np.pi!r}, phase: {phase}}}"
                     for phase in (0.0, np.pi)
-                )
+                ),
             ),
             UNDAMPED,
             DENSITY,
@@ -483,7 +467,7 @@ CASES: tuple[Case, ...] = (
         "33",
         "columns swapped",
         "the motion is mirrored to round-off",
-        (*chain("R", "L"), SHORT),
+        (chain(), SHORT),
         mirrored,
     ),
     Case("34", "ten times the size", "the same in its own lengths", (SHORT,), ten_times_larger),

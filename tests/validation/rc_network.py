@@ -106,8 +106,8 @@ def worst(found: np.ndarray, expected: np.ndarray) -> float:
     return float(np.max(np.abs(found - expected)) / np.ptp(expected))
 
 
-def two_columns(count: int, left: float, right: float) -> tuple[str, ...]:
-    """Overrides: every left bellow at one steady pressure, every right one at another."""
+def columns(count: int, left: str, right: str) -> tuple[str, ...]:
+    """Overrides: all left bellows on an inlet of their own, all right ones on another."""
     tubes = ", ".join(
         f"{{from: {inlet}, to: {inlet[0].upper()}{j + 1}}}"
         for inlet in ("left", "right")
@@ -117,10 +117,14 @@ def two_columns(count: int, left: float, right: float) -> tuple[str, ...]:
         f"bellows.count={count}",
         f"network={{layout: custom, tube_radius: {RADIUS}, tube_length: {TUBE}, tubes: [{tubes}]}}",
         "input=null",
-        f"inputs={{left: {{kind: constant, value: {left!r}}}, "
-        f"right: {{kind: constant, value: {right!r}}}}}",
-        "run={duration: 0.1 s}",
+        f"inputs={{left: {left}, right: {right}}}",
     )
+
+
+def two_columns(count: int, left: float, right: float) -> tuple[str, ...]:
+    """Overrides: every left bellow at one steady pressure, every right one at another."""
+    steady = [f"{{kind: constant, value: {pressure!r}}}" for pressure in (left, right)]
+    return (*columns(count, *steady), "run={duration: 0.1 s}")
 
 
 def arc_tip(angle: float, length: float) -> tuple[float, float, float]:

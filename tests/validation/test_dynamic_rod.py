@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import casadi as ca
 import numpy as np
 import pytest
-import scipy.linalg
 
 from tests.scenes import (
     LEG_EI,
@@ -25,6 +23,7 @@ from viscodesign.motion import read_motion
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium, rest
 from viscodesign.solve.transient import integrate
+from viscodesign.stability import eigenvalues
 
 UNDAMPED = "effects={inertia: on, others: off}"
 REFERENCE_DENSITY = 0.269 / (0.03 * 0.02 * 0.47)
@@ -39,22 +38,7 @@ def problem_of(edges_per_section: int, *overrides: str) -> Problem:
 
 def linear_modes(problem: Problem) -> np.ndarray:
     """Eigenvalues of the motion linearised about the straight rod at rest [1/s]."""
-    equations = problem.equations
-    x, z = equations.states.vector, equations.algebraics.vector
-    blocks = [
-        ca.jacobian(equations.ode, x),
-        ca.jacobian(equations.ode, z),
-        ca.jacobian(equations.alg, x),
-        ca.jacobian(equations.alg, z),
-    ]
-    function = ca.Function(
-        "j", [x, z, equations.time, equations.pieces, equations.parameters], blocks
-    )
-    start = rest(problem, problem.schedule.initial_piece)
-    piece = problem.schedule.initial_piece
-    arguments = (start.states, start.algebraics, 0.0, piece, problem.numbers())
-    fx, fz, gx, gz = (np.array(m) for m in function.call([ca.DM(a) for a in arguments]))
-    return np.asarray(scipy.linalg.eigvals(fx - fz @ np.linalg.solve(gz, gx)))
+    return eigenvalues(problem, rest(problem, problem.schedule.initial_piece))
 
 
 def bending_frequencies(problem: Problem) -> np.ndarray:

@@ -223,13 +223,28 @@ class Conditions:
         return 0.0 if gravity is None else gravity.acceleration
 
     @property
+    def weight(self) -> float:
+        """Of body and payload [N]."""
+        return self.carried_mass * self.acceleration
+
+    @property
+    def bending_force(self) -> float:
+        """EI/l2, by which forces are told [N]."""
+        return self.body.bending_stiffness / self.body.length**2
+
+    @property
+    def largest_turn(self) -> float:
+        """Of a section: one bellow at the highest pressure, the other at the lowest [rad]."""
+        per_pressure = abs(self.bellow.curvature_per_pressure) * self.body.section_length
+        return self.pressure_range * per_pressure
+
+    @property
     def suddenly_loaded(self) -> bool:
         """Whether loads meet a rod that was straight and at rest before."""
-        weight = self.carried_mass * self.acceleration
-        return self.scene.run.start == "rest" and self.tip_force + weight > 0.0
+        return self.scene.run.start == "rest" and self.tip_force + self.weight > 0.0
 
     @property
     def load_force(self) -> float:
         """Everything that may load the rod, added up without regard to direction [N]."""
         inertia = self.carried_mass * self.body.length / max(self.scales.t_i, self.scales.t_s) ** 2
-        return self.tip_force + self.carried_mass * self.acceleration + inertia
+        return self.tip_force + self.weight + inertia

@@ -37,9 +37,7 @@ class Gravity(Effect):
         return self.acceleration != 0.0
 
     def weight(self, conditions: Conditions) -> float:
-        body = conditions.body
-        force = conditions.carried_mass * self.acceleration
-        return force * body.length**2 / body.bending_stiffness
+        return conditions.weight / conditions.bending_force
 
     def reason(self, conditions: Conditions) -> str:
         if not self.present(conditions):

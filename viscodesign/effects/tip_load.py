@@ -42,8 +42,7 @@ class TipLoad(Effect):
 
     def weight(self, conditions: Conditions) -> float:
         carried = self.payload * conditions.acceleration
-        body = conditions.body
-        return (conditions.tip_force + carried) * body.length**2 / body.bending_stiffness
+        return (conditions.tip_force + carried) / conditions.bending_force
 
     def reason(self, conditions: Conditions) -> str:
         if not self.present(conditions):

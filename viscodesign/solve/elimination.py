@@ -18,6 +18,12 @@ from scipy.sparse.linalg import splu
 SX = ca.SX
 
 
+def has_whole_diagonal(pattern: ca.Sparsity) -> bool:
+    """Whether no entry on the diagonal of a square pattern is zero by structure."""
+    rows, columns = (np.array(k, dtype=int) for k in pattern.get_triplet())
+    return int(np.sum(rows == columns)) == pattern.size1()
+
+
 class Elimination:
     """Factors and solutions of matrices of one pattern.
 
@@ -28,7 +34,7 @@ class Elimination:
     def __init__(self, pattern: ca.Sparsity) -> None:
         size = pattern.size1()
         rows, columns = (np.array(k, dtype=int) for k in pattern.get_triplet())
-        if len(set(rows[rows == columns].tolist())) < size:
+        if not has_whole_diagonal(pattern):
             raise ValueError("a pivot on the diagonal is zero by structure")
         self.pattern = pattern
         order = _minimum_degree(size, rows, columns)

@@ -51,10 +51,7 @@ class Ladder:
         march = self.march
         yield from march.remedies()
         for kind in self._others:
-            if kind is type(march) or not kind.takes(march.problem):
-                continue
-            if kind.fits(march.problem):
-                yield (
-                    f"{kind.title.partition(':')[0]} instead",
-                    kind(march.problem, march.tolerance),
-                )
+            suits = kind.takes(march.problem) and kind.fits(march.problem)
+            if suits and kind is not type(march):
+                tried = f"{kind.title.partition(':')[0]} instead"
+                yield tried, kind(march.problem, march.tolerance)

@@ -85,14 +85,13 @@ def _advance(
 
 
 def continuation(
-    family: Family, start: np.ndarray, accept: Judge = lambda foreseen, found, jacobian: True
+    family: Family, start: np.ndarray, accept: Judge = lambda near, found, jacobian: True
 ) -> np.ndarray:
     """Follow family(y, s) = 0 from ``start`` at s = 0 to s = 1, as fast as Newton allows.
 
-    ``accept`` judges a solution by what it is near to (where it was foreseen, and the one
-    before) and by its Jacobian: what it
-    refuses is not on the branch, and a shorter step is tried. Raises `NewtonError` with
-    the load factor reached, where the branch ends.
+    ``accept`` judges a solution by its neighbours (where it was foreseen, and the one
+    before) and by its Jacobian: what it refuses is not on the branch, and a shorter step is
+    tried. Raises `NewtonError` with the load factor reached, where the branch ends.
     """
     y, reached, step = start, 0.0, 1.0
     previous: tuple[np.ndarray, float] | None = None

@@ -49,6 +49,11 @@ class Problem:
     """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
 
     @property
+    def unknowns(self) -> int:
+        """Number of states and algebraic unknowns."""
+        return self.equations.states.count + self.equations.algebraics.count
+
+    @property
     def places(self) -> np.ndarray:
         """Where each of the bellows stands among the unknowns (B,)."""
         place = {name: k for k, name in enumerate(self.bellows_along_tubes)}

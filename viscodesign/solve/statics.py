@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 
@@ -238,7 +239,7 @@ def consistent(
         return _followed(problem, start, before, (time, piece))
 
     def family(z: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
-        return _constraints(problem, start.states, z, problem.tail(time, piece, load))
+        return _constraints(problem, start.states, problem.tail(time, piece, load), z)
 
     try:
         return Start(start.states, newton(lambda z: family(z, 1.0), start.algebraics))
@@ -252,8 +253,9 @@ def consistent(
 
 
 def _constraints(
-    problem: Problem, x: np.ndarray, z: np.ndarray, tail: tuple[float | np.ndarray, ...]
+    problem: Problem, x: np.ndarray, tail: tuple[float | np.ndarray, ...], z: np.ndarray
 ) -> tuple[np.ndarray, ca.DM]:
+    """Defects of the algebraic equations, and their Jacobian."""
     alg, jacobian = evaluate(problem.equations.algebraic_function, x, z, *tail)
     return np.asarray(alg).ravel(), jacobian
 
@@ -264,7 +266,7 @@ def _followed(problem: Problem, start: Start, before: Instant, after: Instant) -
     def family(z: np.ndarray, share: float) -> tuple[np.ndarray, ca.DM]:
         time = before[0] + share * (after[0] - before[0])
         piece = before[1] + share * (after[1] - before[1])
-        return _constraints(problem, start.states, z, problem.tail(time, piece))
+        return _constraints(problem, start.states, problem.tail(time, piece), z)
 
     try:
         accept = partial(_on_branch, problem.equations.algebraics)
@@ -278,23 +280,12 @@ def refined(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.
     """Algebraic unknowns (nz, m) at the first m edges, solved for to round-off where they can."""
     schedule, found = problem.schedule, algebraics.copy()
     for k in range(states.shape[1]):
-        here = Start(states[:, k], algebraics[:, k])
         # A state just before a corner belongs to the interval that ends there.
-        piece = schedule.pieces[max(k - 1, 0)]
-        tail = problem.tail(float(schedule.edges[k]), piece)
-        try:
-            found[:, k] = newton(
-                partial(_constraints_at, problem, here.states, tail), here.algebraics
-            )
-        except NewtonError:
-            continue
+        tail = problem.tail(float(schedule.edges[k]), schedule.pieces[max(k - 1, 0)])
+        defects = partial(_constraints, problem, states[:, k], tail)
+        with suppress(NewtonError):
+            found[:, k] = newton(defects, algebraics[:, k])
     return found
-
-
-def _constraints_at(
-    problem: Problem, x: np.ndarray, tail: tuple[float | np.ndarray, ...], z: np.ndarray
-) -> tuple[np.ndarray, ca.DM]:
-    return _constraints(problem, x, z, tail)
 
 
 def fold(time: float) -> SolveError:

@@ -146,10 +146,8 @@ def integrate(
 
 def _first_length(problem: Problem) -> int:
     """Intervals of the first chunk: all of a run that is surely short, else a part."""
-    equations = problem.equations
     intervals = len(problem.schedule.edges) - 1
-    unknowns = equations.states.count + equations.algebraics.count
-    if intervals * max(unknowns, 20) <= SHORT_RUN:
+    if intervals * max(problem.unknowns, 20) <= SHORT_RUN:
         return intervals
     return max(1, int(FIRST_CHUNK * intervals))
 

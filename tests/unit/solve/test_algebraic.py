@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
+from tests.validation.rc_network import columns
 from viscodesign.build import build, suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
@@ -60,17 +61,11 @@ def test_where_the_one_call_fails_single_solutions_go_as_far_as_they_can(
 
 def snapping(interval: float) -> tuple[str, ...]:
     """A pressed column whose bellows bend it to one side, and then to the other."""
-    sides = {"left": 1, "right": -1}
-    tubes = [f"{{from: {n}, to: {n[0].upper()}{j}}}" for n in sides for j in range(1, 9)]
-    rows = [
-        f"{n}: {{kind: table, rows: [[0 s, {s * 22e3}], [4 s, {-s * 22e3}]]}}"
-        for n, s in sides.items()
+    tables = [
+        f"{{kind: table, rows: [[0 s, {side * 22e3}], [4 s, {-side * 22e3}]]}}" for side in (1, -1)
     ]
     return (
-        "network={layout: custom, tube_length: 40 mm, tube_radius: 0.325 mm, "
-        f"tubes: [{', '.join(tubes)}]}}",
-        f"inputs={{{', '.join(rows)}}}",
-        "input=null",
+        *columns(16, *tables),
         f"run={{duration: 4 s, output_interval: {interval}}}",
         "loads.tip_force.z=-14 N",
         "effects={gravity: on, others: off}",

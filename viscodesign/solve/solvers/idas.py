@@ -54,7 +54,6 @@ class Idas(Solver):
     def __init__(self, problem: Problem, tolerance: float, **changes: Any) -> None:
         super().__init__(problem, tolerance)
         equations = problem.equations
-        unknowns = equations.states.count + equations.algebraics.count
         self.dae = {
             "t": equations.time,
             "x": equations.states.vector,
@@ -69,7 +68,7 @@ class Idas(Solver):
             "abstol": tolerance,
             "reltol": tolerance,
             "newton_scheme": "direct",
-            "linear_solver": direct_solver(unknowns),
+            "linear_solver": direct_solver(problem.unknowns),
             "max_num_steps": min(MAX_STEPS, problem.most_steps),
             "show_eval_warnings": False,
             "disable_internal_warnings": True,

@@ -15,7 +15,7 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.model.formulation import Equations
-from viscodesign.solve.elimination import Elimination
+from viscodesign.solve.elimination import Elimination, has_whole_diagonal
 from viscodesign.solve.problem import Bound, Problem
 from viscodesign.solve.solvers import rodas
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
@@ -55,21 +55,18 @@ class Rosenbrock(Solver):
         self.making_s = clock.perf_counter() - began
         self.size: float | None = None
         self.states = equations.states.count
-        self.unknowns = self.states + equations.algebraics.count
+        self.unknowns = problem.unknowns
         self._powers = _weight_powers(equations)
 
     @classmethod
     def takes(cls, problem: Problem) -> bool:
         """Its elimination has no pivots but those on the diagonal."""
-        slope = problem.equations.algebraic_function.sparsity_out(1)
-        rows, columns = (np.array(k, dtype=int) for k in slope.get_triplet())
-        return len(set(rows[rows == columns].tolist())) == slope.size1()
+        return has_whole_diagonal(problem.equations.algebraic_function.sparsity_out(1))
 
     @classmethod
     def fits(cls, problem: Problem) -> bool:
         """Its formulas are long: they take seconds to write out for a thousand unknowns."""
-        equations = problem.equations
-        return equations.states.count + equations.algebraics.count <= MOST_UNKNOWNS
+        return problem.unknowns <= MOST_UNKNOWNS
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
