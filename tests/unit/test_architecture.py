@@ -24,7 +24,7 @@ LAYERS = [
     ["effects"],
     ["sketch"],
     ["report"],
-    ["trajectory", "tradeoff"],
+    ["trajectory", "tradeoff", "pumpplan"],
     ["solve"],
     ["pumps"],
     ["scene"],
