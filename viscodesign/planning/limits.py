@@ -26,6 +26,8 @@ SENSOR_STEP = 1.61e3
 """One count of the sensor where it is read with 8 bit, as the ROS firmware does [Pa]."""
 FEWEST_COUNTS = 5.0
 """Amplitude in counts below which a course is none, beside the servo's own margin of one."""
+FINE_STEPS = 20.0
+"""Counts that a swing of pressure should have, taken at once: below, it comes in steps."""
 SHORT_LIFE = 360.0
 """Battery life that is worth a word [s]."""
 STEPPING = 5.0
@@ -237,6 +239,23 @@ def resolution(demand: Demand) -> PumpVerdict:
     )
 
 
+def pressure_step(demand: Demand) -> PumpVerdict:
+    """What one count does to the pressure before the actuator takes any, against the swing."""
+    barrel, volume = demand.barrel, demand.drive.volume_per_count
+    stiff = np.array([barrel.compliance(p, x) for p, x in demand.extremes])
+    step = volume / float(np.min(stiff))
+    swing = float(np.ptp(demand.pressure))
+    message = (
+        f"one count makes {step / 1e3:.3g} kPa at once, {1e3 / step:.3g} counts for a kPa, where "
+        f"the barrel is stiffest; the pressure swings by {swing / 1e3:.3g} kPa"
+    )
+    ratio = 0.0 if swing < 1.0 else FINE_STEPS * step / swing
+    when = int(np.argmax(demand.pressure))
+    return _verdict(
+        demand, "pressure_step", "advice", step, swing / FINE_STEPS, "Pa", ratio, when, message
+    )
+
+
 def sensor(demand: Demand) -> PumpVerdict:
     """Swing of pressure against the sensor's error, and its step with 8 bit."""
     swing = float(np.ptp(demand.pressure))
@@ -307,6 +326,7 @@ JUDGES: tuple[Judge, ...] = (
     cap,
     cap_torque,
     resolution,
+    pressure_step,
     sensor,
     speed_register,
     battery,
