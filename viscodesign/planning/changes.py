@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from viscodesign.physics.servo import SERVOS
 from viscodesign.planning.trials import Aim, Case, Trials, left
-from viscodesign.planning.variants import scaled_fields
+from viscodesign.planning.variants import jumps, scaled_fields
 from viscodesign.pumpplan import Change, PumpVerdict
 from viscodesign.scene.inputs.table import Table
 from viscodesign.scene.keys import quantity_of
@@ -27,6 +27,7 @@ SLOWEST = 1000.0
 RETRIES = 10
 MORE = 0.97
 """What a factor that did not hold is changed by, first; each next time by twice as much."""
+GROWING = 2.0
 REFINED = 5
 """Halvings between one that did not hold and one that did."""
 THINNEST, WIDEST = 5e-3, 0.1
@@ -106,8 +107,26 @@ def stronger(trials: Trials, aim: Aim, case: Case) -> Found | None:
 
 
 def slower(trials: Trials, aim: Aim, case: Case) -> Found | None:
-    """Every time of inputs and run by a factor above one."""
+    """Every time of inputs and run by a factor above one; what jumps gets no slower by that."""
+    if jumps(trials.scene):
+        return gentler(trials, aim, case)
     return _scaled(trials, aim, case, "time", SLOWEST)
+
+
+def gentler(trials: Trials, aim: Aim, case: Case) -> Found | None:
+    """Every jump of the pressures spread over a time."""
+
+    def holds(lasting: float) -> bool:
+        demands = trials.demands(replace(case, ramp=lasting))
+        return demands is not None and aim.is_met(demands)
+
+    shortest = float(min(trials.asked.run.time[1:] - trials.asked.run.time[:-1]))
+    lasting = _holding(holds, _rounded(shortest, SLOWEST), SLOWEST)
+    if lasting is None:
+        return None
+    tried = replace(case, ramp=lasting)
+    words = f"every jump of the pressure spread over {lasting:.3g} s"
+    return Change("ramp", words, (), left(trials.demands(tried) or ())), tried
 
 
 def _scaled(trials: Trials, aim: Aim, case: Case, what: str, far: float) -> Found | None:
@@ -141,7 +160,7 @@ def _holding(holds: Callable[[float], bool], factor: float, far: float) -> float
     for _ in range(RETRIES):
         if holds(factor):
             break
-        failed, factor, step = factor, _rounded(factor * step, far), step * step
+        failed, factor, step = factor, _rounded(factor * step, far), step**GROWING
     else:
         return None
     for _ in range(REFINED if failed is not None else 0):

@@ -13,6 +13,7 @@ import numpy as np
 from viscodesign.physics import syringe_pump
 from viscodesign.physics.servo import SPEED_UNIT, STEADY_SHARE
 from viscodesign.planning.demand import Demand
+from viscodesign.planning.variants import jumps
 from viscodesign.pumpplan import PumpVerdict, Severity
 
 STALL_SHARE = 0.8
@@ -122,8 +123,8 @@ def speed(demand: Demand) -> PumpVerdict:
 
 
 def _jumps(demand: Demand, when: int) -> bool:
-    change = np.abs(np.diff(demand.pressure))
-    return bool(change[when] > 0.5 * np.ptp(demand.pressure))
+    begin, end = demand.time[when : when + 2] - demand.lead_s
+    return any(begin <= t + 1e-9 and t <= end + 1e-9 for t in jumps(demand.scene))
 
 
 def travel(demand: Demand) -> PumpVerdict:

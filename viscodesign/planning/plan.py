@@ -182,8 +182,8 @@ def _notices(scene: Scene, demands: tuple[Demand, ...], achieved: Achieved) -> l
         told.append(
             Notice(
                 "shared_start",
-                "several inlets feed one network: how much of its first filling each gives is "
-                "that of the lead-in",
+                "several inlets feed one network: what flows from one to the other before t = 0 is "
+                f"that of a lead-in of {demands[0].lead_s:.4g} s",
             )
         )
     for demand in achieved.demands:
