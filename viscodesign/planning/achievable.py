@@ -103,7 +103,8 @@ def _path(demand: Demand, pressure: np.ndarray) -> np.ndarray:
     """One plunger's: it starts at home, or where the run starts when nothing leads in."""
     drive = demand.drive
     low, high = demand.pump.travel
-    goals = drive.position(np.clip(np.round(demand.count), low, high))  # type: ignore[arg-type]
+    counts = np.clip(np.round(demand.count), low, high)
+    goals = np.array([drive.position(count) for count in counts])
     steps = np.diff(demand.time)
     path = np.empty_like(goals)
     path[0] = goals[0]
@@ -179,9 +180,7 @@ def _same_times(goal: Wanted, lead: Lead) -> Lead:
     return Lead(goal.lead.time, at(lead.pressure), at(lead.given), goal.lead.lasts)
 
 
-def _clipped(
-    wanted: Sequence[Demand], found: Sequence[Demand], goal: Wanted
-) -> tuple[str, ...]:
+def _clipped(wanted: Sequence[Demand], found: Sequence[Demand], goal: Wanted) -> tuple[str, ...]:
     """What of the wanted motion is cut off, in words."""
     told = []
     for asked, done in zip(wanted, found, strict=True):
@@ -200,4 +199,3 @@ def _clipped(
             when = float(done.time[int(np.argmax(late))])
             told.append(f"{name}speed: up to {late.max():.3g} counts behind, at {when:.4g} s")
     return tuple(told)
-

@@ -54,7 +54,7 @@ def together(trials: Trials, verdicts: tuple[PumpVerdict, ...]) -> tuple[Change,
     pressures, and of equals what changes least.
     """
     faults = [v for v in verdicts if v.severity == "infeasible"]
-    ways = [(change,) for v in faults for change in v.changes]
+    ways: list[tuple[Change, ...]] = [(change,) for v in faults for change in v.changes]
     if faults and not any(not way[0].leaves and _kept(way) == 1.0 for way in ways):
         ways += [_stepwise(trials, names) for names in (BY_PRESSURE, (*BY_PRESSURE, "cap"))]
     whole = [way for way in ways if way and not way[-1].leaves]
@@ -131,7 +131,8 @@ def gentler(trials: Trials, aim: Aim, case: Case) -> Found | None:
 
 def _scaled(trials: Trials, aim: Aim, case: Case, what: str, far: float) -> Found | None:
     def with_(factor: float) -> Case:
-        return replace(case, **{what: factor})
+        changed = {"pressure": case.pressure, "time": case.time, what: factor}
+        return replace(case, pressure=changed["pressure"], time=changed["time"])
 
     def foreseen(factor: float) -> bool:
         return aim.is_met(trials.foreseen(with_(factor)))

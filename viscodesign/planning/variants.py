@@ -66,9 +66,7 @@ def planned(scene: Scene) -> Scene:
     if scene.fluid.is_gas:
         modes |= {name: "on" for name in COUNTED if _may_take(scene, name)}
     effects = scene.effects.model_copy(update={"modes": modes})
-    return scene.model_copy(
-        update={"effects": effects, "run": _with_outputs(scene, _times(scene))}
-    )
+    return scene.model_copy(update={"effects": effects, "run": _with_outputs(scene, _times(scene))})
 
 
 def _may_take(scene: Scene, name: str) -> bool:
@@ -85,7 +83,7 @@ def _times(scene: Scene) -> np.ndarray:
     corners = [c for source in scene.inputs.values() for c in source.corners(duration)]
     times = np.unique(np.concatenate([np.linspace(0.0, duration, count + 1), corners]))
     keep = np.append(np.diff(times) > 1e-3 * duration / count, True)
-    return times[keep]
+    return np.asarray(times[keep])
 
 
 def _with_outputs(scene: Scene, times: np.ndarray) -> Any:

@@ -115,7 +115,7 @@ class Ground:
 
     @cached_property
     def told(self) -> np.ndarray:
-        """Which samples are output times (n,); all where the first output lies beyond the sketch."""
+        """Which samples are output times (n,); all where the first one lies beyond the sketch."""
         outputs = self._scene.run.output_times_array()
         nearest = np.searchsorted(outputs, self.time)
         near = np.minimum(
