@@ -11,7 +11,8 @@ import serial
 
 from tests.pumps import bench
 from viscodesign.errors import PumpError
-from viscodesign.pumps import serial_line
+from viscodesign.pumps import registers, serial_line
+from viscodesign.pumps.boards.arbotix_ros import ArbotixRos
 from viscodesign.pumps.boards.base import Goal
 from viscodesign.pumps.boards.dynamixel import Dynamixel
 from viscodesign.pumps.clock import WallClock
@@ -19,6 +20,7 @@ from viscodesign.pumps.ports import latency_hint, ports
 from viscodesign.pumps.serial_line import SerialLine, users_of
 from viscodesign.pumps.virtual.bus import BusAdapter
 from viscodesign.pumps.virtual.pty import PtyServer
+from viscodesign.pumps.virtual.ros import Ros
 
 
 @pytest.fixture
@@ -36,6 +38,15 @@ def test_a_board_speaks_through_a_port(server: PtyServer) -> None:
     assert board.read(1, 30, 4) == bytes([44, 1, 200, 0])
     line.close()
     line.close()
+
+
+def test_a_firmware_speaks_through_a_port() -> None:
+    with PtyServer(Ros(bench(1)), WallClock()) as served:
+        line = SerialLine(served.port, 115_200)
+        board = ArbotixRos(line, [1])
+        assert "firmware for ROS" in board.identify()
+        board.set(1, registers.TORQUE_LIMIT, 400)
+        line.close()
 
 
 def test_a_pulled_cable_is_an_error_of_the_pump_whatever_is_being_done(server: PtyServer) -> None:
