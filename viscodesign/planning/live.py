@@ -18,6 +18,7 @@ from viscodesign.motion import tips
 from viscodesign.planning.barrel import NEARLY_FULL, Barrel, line_at
 from viscodesign.planning.variants import planned, pump_of, with_inputs
 from viscodesign.pumps.drive import Drive
+from viscodesign.pumps.virtual.plant import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.algebraic import Algebraic
 from viscodesign.solve.problem import Problem, Schedule, evaluate_along
@@ -35,11 +36,12 @@ GRID = 0.01
 """Length of the intervals of any other; what is left over waits for the next tick [s]."""
 
 
-class ActuatorPlant:
+class ActuatorPlant(Plant):
     """Gauge pressures at the plungers, and the tip, of a scene's actuator.
 
-    It begins in equilibrium, filled at the baseline, all plungers at home. `advance` raises
-    `SolveError` where the model cannot be followed.
+    It is filled at the baseline with all plungers at home, and begins in equilibrium, there or
+    where a first `advance` by no time puts them. `advance` raises `SolveError` where the model
+    cannot be followed.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -53,12 +55,11 @@ class ActuatorPlant:
         """Behind which the state is [s]."""
         self.position = np.zeros(len(self.inlets))
         """(P,) pushed in from home [m]."""
-        self._here = equilibrium(self.problem, 0.0, self.problem.schedule.initial_piece)
         self._solver = _solver(self.problem)
         self._any_length = not isinstance(self._solver, solver_catalogue()[DEFAULT_SOLVER])
         self._owed = 0.0
         self._work = Work()
-        self._read()
+        self._begin(self.position)
 
     @property
     def label(self) -> str:
@@ -77,10 +78,21 @@ class ActuatorPlant:
         """
         goal = np.minimum(np.asarray(positions, dtype=float), self._longest_way)
         begin = self.position
+        if seconds <= 0.0 and self.time == 0.0:
+            self._begin(goal)
         count, length = self._intervals(seconds)
         for k in range(1, count + 1):
             self._tick(length, begin + k / count * (goal - begin))
         return self.pressure
+
+    def _begin(self, position: np.ndarray) -> None:
+        """Equilibrium with the plungers at a place [m]."""
+        still = np.zeros_like(position)
+        piece = np.stack((self.area * position, still, still), axis=1).ravel()
+        self._here = equilibrium(self.problem, 0.0, piece)
+        self.position = position
+        self._solver.problem = replace(self.problem, schedule=_one_interval(GRID, piece))
+        self._read()
 
     def _intervals(self, seconds: float) -> tuple[int, float]:
         """Number and length [s] of the intervals of a tick."""
