@@ -15,13 +15,12 @@ import numpy as np
 
 from viscodesign.physics import syringe_pump
 from viscodesign.planning.demand import Demand
-from viscodesign.planning.follow import Inlets, follow, to_its_end
+from viscodesign.planning.follow import Inlets, follow, followed_and_verified
 from viscodesign.planning.limits import SENSOR_FLOOR
 from viscodesign.planning.variants import with_inputs, with_pressures
 from viscodesign.planning.wanted import Lead, Wanted, lead_in, shares_a_network
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.scene import Scene
-from viscodesign.simulating import simulate
 from viscodesign.solving import Progress
 from viscodesign.trajectory import Trajectory
 
@@ -66,7 +65,7 @@ def achieve(asked: Wanted, pump: Pump, progress: Progress | None = None) -> Achi
         if apart > AGREED:
             share = 1.0 if sweeps <= EASED else 0.5
             paths = [old + share * (new - old) for new, old in zip(again, paths, strict=True)]
-    last = to_its_end(simulate(_driven(goal, demands, paths, before), progress=progress))
+    last = followed_and_verified(_driven(goal, demands, paths, before), progress)
     last = replace(last, time=asked.run.time)
     found = _demands(goal, pump, Inlets.of(last), demands, paths)
     return Achieved(found, last, _clipped(wanted_demands, found, goal), sweeps, float(apart))

@@ -1,4 +1,4 @@
-"""A scene followed for its inlets alone: no verdicts, no estimate of errors."""
+"""A scene followed for a plan: for its inlets alone, or as a run with its error."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import catalogue
 from viscodesign.errors import SolveError
 from viscodesign.scene.scene import Scene
-from viscodesign.solving import solve
+from viscodesign.simulating import simulate
+from viscodesign.solve.interrupt import gentle_interrupt
+from viscodesign.solving import Progress, solve
 from viscodesign.trajectory import Trajectory
 
 
@@ -47,16 +49,19 @@ def follow(scene: Scene, taken: frozenset[str]) -> Inlets:
     conditions = Conditions(scene, set(taken))
     effects = [kind.of(conditions) for name, kind in catalogue().items() if name in taken]
     run = solve(conditions, effects, suggest_settings(conditions, effects))
-    if run.solution.interrupted:
+    if run.solution.asked_to_stop:
+        # Asked while it was solved, be it when all was done: a plan has more to do.
         raise KeyboardInterrupt
     if run.motion.failure is not None:
         raise broken_off(str(run.motion.failure), run.motion.time)
     return Inlets(run.motion.time, run.motion.inlet_pressure, run.motion.inflow)
 
 
-def to_its_end(run: Trajectory) -> Trajectory:
-    """A run, unless it broke off: then `SolveError` with its own words."""
-    if run.status == "interrupted":
+def followed_and_verified(scene: Scene, progress: Progress | None) -> Trajectory:
+    """A run to its end with its error; `SolveError` in its own words where it broke off."""
+    with gentle_interrupt() as interrupt:
+        run = simulate(scene, progress=progress)
+    if interrupt.asked or run.status == "interrupted":
         raise KeyboardInterrupt
     if run.status == "failed" and run.accuracy.estimated_tip_error_m is None:
         raise broken_off(run.failure or "no reason given", run.time)

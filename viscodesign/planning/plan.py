@@ -13,14 +13,13 @@ from viscodesign.planning.achievable import Achieved, achieve
 from viscodesign.planning.barrel import line_at
 from viscodesign.planning.changes import changes_for, together
 from viscodesign.planning.demand import Demand, course
-from viscodesign.planning.follow import Inlets, taken_effects, to_its_end
+from viscodesign.planning.follow import Inlets, followed_and_verified, taken_effects
 from viscodesign.planning.limits import verdicts
 from viscodesign.planning.trials import Trials
 from viscodesign.planning.variants import planned, pump_of, servo_ids, with_effects_of
 from viscodesign.planning.wanted import Wanted, lead_in, shares_a_network
 from viscodesign.pumpplan import PumpPlan, PumpVerdict
 from viscodesign.scene.scene import Scene
-from viscodesign.simulating import simulate
 from viscodesign.solving import Progress
 from viscodesign.trajectory import Notice, Status, Trajectory
 
@@ -36,7 +35,7 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
     """
     pump = pump_of(scene)
     first = planned(scene)
-    run = to_its_end(simulate(first, progress=progress))
+    run = followed_and_verified(first, progress)
     settled, taken, inlets = with_effects_of(first, run), taken_effects(run), Inlets.of(run)
     lines = {name: line_at(settled, name, taken) for name in scene.inputs}
     lead = lead_in(settled, pump, lines, inlets, taken)
