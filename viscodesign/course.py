@@ -129,7 +129,7 @@ def _curve_notice(conditions: Conditions, course: Course) -> Iterator[Notice]:
     curve = conditions.scene.bellows.curve
     if curve is None or curve.rows is None or "material_curve" not in conditions.taken:
         return
-    low, high = curve.rows[0][0], curve.rows[-1][0]
+    low, high = (pick(row[0] for row in curve.rows) for pick in (min, max))
     beyond = np.maximum(course.pressure - high, low - course.pressure)
     when, which = _worst(beyond)
     if beyond[when, which] > 0.0:

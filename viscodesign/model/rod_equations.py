@@ -104,9 +104,14 @@ class RodEquations:
     def conjugate_volumes(self) -> SX:
         """Volume that a reciprocal coupling would store under the section's resultants (B,)."""
         system = self.system
-        pressure = ca.vertcat(*system.pressure.values())
-        bending = ca.jacobian(system.intrinsic_curvature, pressure)
-        extension = ca.jacobian(system.intrinsic_stretch, pressure)
+        own = ca.vertcat(*system.told_by.values())
+        bending = ca.jacobian(system.intrinsic_curvature, own)
+        extension = ca.jacobian(system.intrinsic_stretch, own)
+        if system.swelling:
+            # Per pressure: what was told per swelling, over the pressure per swelling.
+            slope = ca.diag(ca.jacobian(system.swelling_defects(), own))
+            slope = ca.repmat(slope.T, system.graph.sections, 1)
+            bending, extension = bending / slope, extension / slope
         section = system.rod.h * system.rod.edges_per_section
         return section * (
             bending.T @ ca.vertcat(*system.moment) + extension.T @ ca.vertcat(*system.normal_force)
