@@ -12,12 +12,14 @@ from functools import partial
 
 import casadi as ca
 import numpy as np
-from scipy.linalg import solve_banded
+from scipy.sparse import diags
+from scipy.sparse.linalg import splu
 
 from viscodesign.errors import SolveError
 from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.newton import NewtonError, continuation
 from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.ways import way_of
 
 NEARBY = 0.1
 """Distance from where a node is foreseen, in lengths of the rod, up to which a shape is of the
@@ -60,7 +62,8 @@ def followed(problem: Problem, start: np.ndarray, before: Moment, after: Moment)
         return constraints(problem, before.towards(after, share), z)
 
     try:
-        return continuation(family, start, partial(on_branch, problem.equations.algebraics))
+        unknowns = problem.equations.algebraics
+        return continuation(family, start, partial(on_branch, unknowns), way_of(unknowns))
     except NewtonError as failure:
         raise fold(before.towards(after, failure.reached).time) from failure
 
@@ -78,23 +81,40 @@ def on_branch(
 
 
 def is_stable(unknowns: Unknowns, jacobian: ca.DM) -> bool:
-    """Whether a static rod's potential has a minimum: a positive definite stiffness.
+    """Whether a static rod's potential has a minimum, its pressures held.
 
-    The elastic curvature follows the positions and is eliminated; pressures are held.
+    Then its stiffness is positive definite, the elastic curvature eliminated: of the mixed
+    system's symmetric factors every curvature has a negative pivot, every position a positive
+    one. Each position stands after the three curvatures that it bends; so no pivot is near
+    zero unless the stiffness is near singular, and none has to be searched for.
     """
+    order, bends = _along_the_rod(unknowns)
+    matrix = jacobian.sparse()[order][:, order]
+    signs = np.where(bends, 1.0, -1.0)
+    try:
+        factors = splu(
+            (diags(signs) @ matrix).tocsc(),
+            permc_spec="NATURAL",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+    except RuntimeError:  # its word for a singular matrix
+        return False
+    plain = np.array_equal(factors.perm_r, np.arange(len(order)))
+    return plain and bool(np.all(signs * factors.U.diagonal() < 0.0))
+
+
+def _along_the_rod(unknowns: Unknowns) -> tuple[np.ndarray, np.ndarray]:
+    """The rod's unknowns from the clamp on (n,), and which of them are curvatures."""
     bend = unknowns.blocks["elastic_curvature"].span
     place = unknowns.blocks["position"].span
-    matrix = np.array(jacobian.full())
-    hats = matrix[bend, bend]  # tridiagonal, as hat functions overlap
-    bands = np.zeros((3, len(hats)))
-    bands[0, 1:], bands[1], bands[2, :-1] = np.diag(hats, 1), np.diag(hats), np.diag(hats, -1)
-    follow = solve_banded((1, 1), bands, matrix[bend, place])
-    stiffness = matrix[place, bend] @ follow - matrix[place, place]
-    try:
-        np.linalg.cholesky((stiffness + stiffness.T) / 2)
-    except np.linalg.LinAlgError:
-        return False
-    return True
+    edges = bend.stop - bend.start
+    # A node's place turns the chords at itself and at both neighbours.
+    after = np.minimum(np.arange(edges) + 2, edges - 1)
+    key = np.concatenate([np.arange(edges), np.repeat(after, 2) + 0.5])
+    every = np.concatenate([np.arange(bend.start, bend.stop), np.arange(place.start, place.stop)])
+    order = np.argsort(key, kind="stable")
+    return every[order], order < edges
 
 
 def fold(time: float) -> SolveError:

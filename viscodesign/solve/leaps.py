@@ -18,6 +18,7 @@ from viscodesign.solve.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, Schedule, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
+from viscodesign.solve.ways import way_of
 
 STILL = 20.0
 """Move between two outputs, in tolerances of the solver, below which no leap is looked for."""
@@ -72,7 +73,7 @@ class LeapWatch:
             return None
         along = followed(self.problem, start, before, after)
         try:
-            exact = newton(partial(constraints, self.problem, after), found)
+            exact = newton(partial(constraints, self.problem, after), found, way_of(unknowns))
         except NewtonError:
             return leap(after.time)
         return leap(after.time) if np.max(np.abs(exact - along)[place]) > APART else None

@@ -17,6 +17,7 @@ from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.branch import NEARBY, Moment, constraints, followed, on_branch
 from viscodesign.solve.newton import NewtonError, continuation, newton
 from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.ways import way_of
 
 Instant = tuple[float, np.ndarray]
 """A time [s] and the inlets' coefficients that hold at it."""
@@ -49,7 +50,8 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: boo
         return np.asarray(residual).ravel(), jacobian
 
     try:
-        y = continuation(family, guess, partial(on_branch, equations.statics))
+        statics = equations.statics
+        y = continuation(family, guess, partial(on_branch, statics), way_of(statics))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
     return _from_statics(problem, y, time, piece)
@@ -270,13 +272,14 @@ def consistent(
     def family(z: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
         return constraints(problem, moment, z, load)
 
+    way = way_of(equations.algebraics)
     try:
-        return Start(start.states, newton(lambda z: family(z, 1.0), start.algebraics))
+        return Start(start.states, newton(lambda z: family(z, 1.0), start.algebraics, way))
     except NewtonError:
         pass  # far from the solution: come to it along the loads
     try:
         accept = partial(on_branch, equations.algebraics)
-        return Start(start.states, continuation(family, start.algebraics, accept))
+        return Start(start.states, continuation(family, start.algebraics, accept, way))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
 
@@ -284,12 +287,13 @@ def consistent(
 def refined(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.ndarray:
     """Algebraic unknowns (nz, m) at the first m edges, solved for to round-off where they can."""
     schedule, found = problem.schedule, algebraics.copy()
+    way = way_of(problem.equations.algebraics)
     for k in range(states.shape[1]):
         # A state just before a corner belongs to the interval that ends there.
         time, piece = float(schedule.edges[k]), schedule.pieces[max(k - 1, 0)]
         defects = partial(constraints, problem, Moment(states[:, k], time, piece))
         with suppress(NewtonError):
-            found[:, k] = newton(defects, algebraics[:, k])
+            found[:, k] = newton(defects, algebraics[:, k], way)
     return found
 
 
