@@ -62,7 +62,9 @@ def _first_guess(load: float, eta: float) -> float:
     """An end slope near that of the bent branch."""
     slopes = np.linspace(0.01, 3.1, 2000)
     loads = np.array([buckled(slope)[0] for slope in slopes])
-    return float(np.interp(load * EULER / (critical(eta) if np.isfinite(eta) else EULER), loads, slopes))
+    return float(
+        np.interp(load * EULER / (critical(eta) if np.isfinite(eta) else EULER), loads, slopes)
+    )
 
 
 def buckled(slope: float) -> tuple[float, Tip]:

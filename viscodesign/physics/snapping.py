@@ -52,7 +52,7 @@ class SnapCurves:
             (float(swelling[0]), float(swelling[-1])),
             0.0,
         )
-        return replace(found, filled=float(found._swelling(np.array(filled_at))))
+        return replace(found, filled=found._first(filled_at))
 
     def loaded(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Swelling, curvature and stretch under pressures that are slowly raised from zero."""
@@ -65,6 +65,16 @@ class SnapCurves:
         up = self._met(np.maximum(pressure, 0.0), 1.0, high)
         down = self._met(np.maximum(-pressure, 0.0), -1.0, -low)
         return np.asarray(up - down)
+
+    def _first(self, pressure: float) -> float:
+        """The first swelling of one pressure, to round-off."""
+        near = float(self._swelling(np.array(pressure)))
+        step = (self.range[1] - self.range[0]) / SAMPLES
+        ends = near - step, near + step
+        values = [float(self.pressure(end)) - pressure for end in ends]
+        if values[0] * values[1] > 0.0:  # at the very top of a rise
+            return near
+        return float(brentq(lambda s: float(self.pressure(s)) - pressure, *ends, xtol=1e-300))
 
     def _met(self, level: np.ndarray, side: float, end: float) -> np.ndarray:
         """How far a bellow has swollen (side 1) or shrunk (-1) when it first meets a level.
