@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tests.hard import (
     buckling_cases,
+    gas_cases,
     limit_cases,
     linear_cases,
     network_cases,
@@ -15,6 +16,7 @@ from tests.hard.case import Case
 CASES: tuple[Case, ...] = (
     *network_cases.CASES,
     *linear_cases.CASES,
+    *gas_cases.CASES,
     *buckling_cases.CASES,
     *rod_cases.CASES,
     *limit_cases.CASES,
