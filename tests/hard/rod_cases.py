@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tests.hard.case import EXACT, Case, Finding, at_most, relative, true, warned
+from tests.hard.case import EXACT, Case, Finding, Judge, at_most, relative, true, warned
 from tests.hard.rod_words import (
     COUPLED,
     DENSITY,
@@ -22,6 +22,7 @@ from tests.hard.rod_words import (
     STILL,
     UNDAMPED,
     L,
+    as_stated,
     bent,
     stiffness_ratio,
     tip,
@@ -33,14 +34,32 @@ from tests.validation.test_network import tubes
 from viscodesign import Trajectory, simulate
 
 
-def mirrored(run: Trajectory) -> Iterator[Finding]:
-    """Whether swapping the columns mirrors the motion."""
-    other = simulate(leg(chain(swapped=True), SHORT))
+def mirrored(*swapped: str) -> Judge:
+    """Swapping the columns, and what else has a side, mirrors the motion to round-off."""
+
+    def judge(run: Trajectory) -> Iterator[Finding]:
+        yield from _mirror_image(run, 1e-12, *swapped)
+
+    return judge
+
+
+def nearly_mirrored(run: Trajectory) -> Iterator[Finding]:
+    """The same to the stated error: beyond 200 unknowns systems are solved by Householder's QR,
+    and CasADi's gives its factor a positive diagonal, for which a mirrored sign is another."""
+    yield from _mirror_image(run, 2 * as_stated(run) * L, FINE)
+
+
+def _mirror_image(run: Trajectory, allowed: float, *swapped: str) -> Iterator[Finding]:
+    other = simulate(leg(chain(swapped=True), SHORT, *swapped))
     scale = float(np.max(np.abs(run.tip[:, 0])))
     yield true("it moves sideways", scale > 1e-3)
-    for name, column, sign in (("x", 0, 1), ("z", 1, -1), ("phi", 2, 1)):
+    for name, column, sign in (("x", 0, 1), ("z", 1, -1)):
         apart = np.max(np.abs(run.tip[:, column] + sign * other.tip[:, column]))
-        yield at_most(f"mirrored {name}", float(apart), 1e-12)
+        yield at_most(f"mirrored {name}", float(apart), allowed)
+    apart = np.max(np.abs(run.tip[:, 2] + other.tip[:, 2]))
+    yield at_most(
+        "mirrored phi [rad]", float(apart), allowed if allowed <= 1e-12 else 10 * allowed / L
+    )
 
 
 def chain(*, swapped: bool = False) -> str:
@@ -77,6 +96,24 @@ def ten_times_larger(run: Trajectory) -> Iterator[Finding]:
     yield at_most("tip apart", float(apart), 1e-9)
 
 
+def in_other_units(run: Trajectory) -> Iterator[Finding]:
+    """The same numbers, their units written otherwise."""
+    other = simulate(
+        leg(
+            "run={duration: 1000 ms, output_interval: 500 ms}",
+            "actuator.length=109 mm",
+            "actuator.height=3 cm",
+            "actuator.youngs_modulus=1800 kPa",
+            "bellows.extension_per_pressure=47 mm",
+            "network.tube_radius=325 um",
+            "input={kind: double_sigmoid, start: 40410 Pa, drop: 0.1413 MPa, fall_time: 500 ms, "
+            "rise_time: 4000 ms, transition: 875 ms}",
+        )
+    )
+    apart = np.max(np.abs(run.tip - other.tip)) / np.max(np.abs(run.tip))
+    yield at_most("tip apart", float(apart), 1e-10)
+
+
 GRAVITIES_100 = "loads.gravity={acceleration: 980.665, tilt: 90 deg}"
 FORCED = "loads.tip_force={x: 10 N, z: -5 N}"
 
@@ -98,6 +135,25 @@ CASES: tuple[Case, ...] = (
             *tip(run, 1e-9, x=0.0, z=0.0),
             *tip(run, 1e-6, phi=62.83185307),
             warned(run, "self_contact"),
+        ],
+        converges=False,
+    ),
+    Case(
+        "22c",
+        "curled from once to ten times around",
+        "at every full turn the tip is at the clamp",
+        (
+            *bent((0, 2 * np.pi), (9, 20 * np.pi)),
+            "effects={others: off}",
+            "run={duration: 9 s, output_interval: 1 s}",
+        ),
+        lambda run: [
+            at_most("tip off, in lengths", float(np.max(np.abs(run.tip[:, :2]))) / L, 1e-9),
+            at_most(
+                "turns off",
+                float(np.max(np.abs(run.tip[:, 2] / (2 * np.pi) - np.arange(1, 11)))),
+                1e-9,
+            ),
         ],
         converges=False,
     ),
@@ -299,9 +355,31 @@ CASES: tuple[Case, ...] = (
         "columns swapped",
         "the motion is mirrored to round-off",
         (chain(), SHORT),
-        mirrored,
+        mirrored(),
+    ),
+    Case(
+        "33b",
+        "columns swapped, of more than 200 unknowns",
+        "the motion is mirrored to the stated error",
+        (chain(), SHORT, FINE),
+        nearly_mirrored,
+        converges=False,
+    ),
+    Case(
+        "33c",
+        "columns swapped, gravity from the other side",
+        "the motion is mirrored to round-off",
+        (chain(), SHORT, "loads.gravity={tilt: 30 deg}"),
+        mirrored("loads.gravity={tilt: -30 deg}"),
     ),
     Case("34", "ten times the size", "the same in its own lengths", (SHORT,), ten_times_larger),
+    Case(
+        "34b",
+        "told in mm, kPa and ms",
+        "the same to round-off",
+        (SHORT,),
+        in_other_units,
+    ),
     Case(
         "36",
         "a tip force against gravity",
