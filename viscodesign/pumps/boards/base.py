@@ -1,0 +1,75 @@
+"""What every board can be asked, byte by byte; what to ask, and when, is `pump.py`'s to know."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+from viscodesign.pumps.line import Line
+
+
+@dataclass(frozen=True)
+class Goal:
+    """Where one servo is to go."""
+
+    count: int
+    """Goal position, 0 to 1023."""
+    speed: int
+    """Speed register, 1 to 1023 (0 would be full speed, and is refused)."""
+
+
+class Board(ABC):
+    """One kind of board between a serial line and the servos' bus; a board is a file.
+
+    Replies are checked for id, length, checksum and error bits. Reads are repeated where
+    nothing or nonsense came; a write of an absolute value may be; what starts a motion
+    program never is. Everything raises `PumpError` with what was asked and what came.
+    """
+
+    name: ClassVar[str]
+    """Word after `--board`."""
+    baud: ClassVar[int]
+    """Bits a second, where `--baud` says nothing else."""
+    streams: ClassVar[bool]
+    """Whether it takes set-points in real time (`pump stream`)."""
+    has_pins: ClassVar[bool]
+    """Whether it reads analog and digital pins."""
+    simulated: ClassVar[bool] = False
+    """Whether nothing real moves; everything it says is labelled so."""
+
+    def __init__(self, line: Line) -> None:
+        self.line = line
+
+    @abstractmethod
+    def identify(self) -> str:
+        """Name and version of what answers, without moving anything.
+
+        Raises `PumpError` where nothing answers, or something else than this board, saying what
+        it seems to be and which `--board` would fit.
+        """
+
+    @abstractmethod
+    def read(self, servo: int, address: int, count: int) -> bytes:
+        """Registers of one servo."""
+
+    @abstractmethod
+    def write(self, servo: int, address: int, data: bytes) -> None:
+        """Set registers of one servo, and see that it says so."""
+
+    @abstractmethod
+    def move(self, goals: Mapping[int, Goal]) -> None:
+        """Set speed and goal of all named servos, in one transaction where the board can."""
+
+    @abstractmethod
+    def halt(self) -> None:
+        """Stop a program that runs on the board itself; boards without one do nothing."""
+
+    @abstractmethod
+    def analog(self, channel: int) -> float | None:
+        """An analog input over its supply, 0 to 1; None on boards without such pins."""
+
+    @abstractmethod
+    def digital(self, pin: str) -> bool | None:
+        """Level of a digital pin like 'D1'; None on boards without such pins."""
