@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from viscodesign.effects.conditions import Conditions
 from viscodesign.errors import Fault, SpecError
+from viscodesign.model.network_equations import SNAPS_AT_ONCE
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE
 from viscodesign.physics import bellow
 from viscodesign.scene.bellows import snaps
@@ -38,11 +39,7 @@ def refuse_unsolvable(conditions: Conditions) -> None:
     """
     at_once = "pressure_distribution" not in conditions.taken
     if at_once and "material_curve" in conditions.taken and snaps(conditions.scene.bellows):
-        raise SpecError.plain(
-            "bellows.curve: between some of its rows the pressure falls as the bellow swells; it "
-            "snaps there, as fast as the tubes let it. Let effects.pressure_distribution be on or "
-            "auto."
-        )
+        raise SpecError.plain(SNAPS_AT_ONCE)
     if "feedback" not in conditions.taken:
         return
     for name, key, value in _blocked(conditions):

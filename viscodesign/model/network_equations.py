@@ -16,6 +16,12 @@ from viscodesign.model.unknowns import SizeSymbols, Unknowns, column, substitute
 SX = ca.SX
 
 
+SNAPS_AT_ONCE = (
+    "bellows.curve: between some of its rows the pressure falls as the bellow swells; it snaps "
+    "there, as fast as the tubes let it. Let effects.pressure_distribution be on or auto."
+)
+
+
 class NetworkForm(Enum):
     """How the network enters the equations."""
 
@@ -138,6 +144,8 @@ class NetworkEquations:
     def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
         """Give every connected network one pressure: its inlet's, or an unknown."""
         system = self.system
+        if system.swelling:
+            raise SpecError.plain(SNAPS_AT_ONCE)
         shared = SX.sym("network_pressure", len(self.sealed))
         algebraics.add("network_pressure", shared, self.sizes.pressure)
         statics.add("network_pressure", shared, self.sizes.pressure)
