@@ -12,13 +12,12 @@ from functools import partial
 
 import casadi as ca
 import numpy as np
-from scipy.sparse import diags
-from scipy.sparse.linalg import splu
 
 from viscodesign.errors import SolveError
 from viscodesign.model.unknowns import Unknowns
-from viscodesign.solve.newton import NewtonError, continuation
+from viscodesign.solve.newton import Judge, NewtonError, continuation
 from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.stiffness import Stiffness
 from viscodesign.solve.ways import way_of
 
 NEARBY = 0.1
@@ -63,58 +62,31 @@ def followed(problem: Problem, start: np.ndarray, before: Moment, after: Moment)
 
     try:
         unknowns = problem.equations.algebraics
-        return continuation(family, start, partial(on_branch, unknowns), way_of(unknowns))
+        accept = branch_judge(unknowns, problem.stiffness)
+        return continuation(family, start, accept, way_of(unknowns))
     except NewtonError as failure:
         raise fold(before.towards(after, failure.reached).time) from failure
 
 
 def on_branch(
-    unknowns: Unknowns, near: Sequence[np.ndarray], found: np.ndarray, jacobian: ca.DM
+    unknowns: Unknowns,
+    stiffness: Stiffness,
+    near: Sequence[np.ndarray],
+    found: np.ndarray,
+    jacobian: ca.DM,
 ) -> bool:
     """Whether a rod's shape is near one of those given, and stable."""
-    if "position" not in unknowns.blocks:
-        return True
     place = unknowns.blocks["position"].span
     if min(np.max(np.abs(found[place] - other[place])) for other in near) > NEARBY:
         return False
-    return is_stable(unknowns, jacobian)
+    return stiffness.is_stable(np.array(jacobian.nonzeros()))
 
 
-def is_stable(unknowns: Unknowns, jacobian: ca.DM) -> bool:
-    """Whether a static rod's potential has a minimum, its pressures held.
-
-    Then its stiffness is positive definite, the elastic curvature eliminated: of the mixed
-    system's symmetric factors every curvature has a negative pivot, every position a positive
-    one. Each position stands after the three curvatures that it bends; so no pivot is near
-    zero unless the stiffness is near singular, and none has to be searched for.
-    """
-    order, bends = _along_the_rod(unknowns)
-    matrix = jacobian.sparse()[order][:, order]
-    signs = np.where(bends, 1.0, -1.0)
-    try:
-        factors = splu(
-            (diags(signs) @ matrix).tocsc(),
-            permc_spec="NATURAL",
-            diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )
-    except RuntimeError:  # its word for a singular matrix
-        return False
-    plain = np.array_equal(factors.perm_r, np.arange(len(order)))
-    return plain and bool(np.all(signs * factors.U.diagonal() < 0.0))
-
-
-def _along_the_rod(unknowns: Unknowns) -> tuple[np.ndarray, np.ndarray]:
-    """The rod's unknowns from the clamp on (n,), and which of them are curvatures."""
-    bend = unknowns.blocks["elastic_curvature"].span
-    place = unknowns.blocks["position"].span
-    edges = bend.stop - bend.start
-    # A node's place turns the chords at itself and at both neighbours.
-    after = np.minimum(np.arange(edges) + 2, edges - 1)
-    key = np.concatenate([np.arange(edges), np.repeat(after, 2) + 0.5])
-    every = np.concatenate([np.arange(bend.start, bend.stop), np.arange(place.start, place.stop)])
-    order = np.argsort(key, kind="stable")
-    return every[order], order < edges
+def branch_judge(unknowns: Unknowns, stiffness: Stiffness | None) -> Judge:
+    """What accepts solutions along a branch: all where no rod is static."""
+    if stiffness is None:
+        return lambda near, found, jacobian: True
+    return partial(on_branch, unknowns, stiffness)
 
 
 def fold(time: float) -> SolveError:

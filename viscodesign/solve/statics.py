@@ -14,7 +14,7 @@ from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.rod_equations import MOVING, RodForm
 from viscodesign.model.unknowns import Unknowns
-from viscodesign.solve.branch import NEARBY, Moment, constraints, followed, on_branch
+from viscodesign.solve.branch import NEARBY, Moment, branch_judge, constraints, followed
 from viscodesign.solve.newton import NewtonError, continuation, newton
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.ways import way_of
@@ -51,7 +51,8 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: boo
 
     try:
         statics = equations.statics
-        y = continuation(family, guess, partial(on_branch, statics), way_of(statics))
+        accept = branch_judge(statics, problem.static_stiffness)
+        y = continuation(family, guess, accept, way_of(statics))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
     return _from_statics(problem, y, time, piece)
@@ -278,7 +279,7 @@ def consistent(
     except NewtonError:
         pass  # far from the solution: come to it along the loads
     try:
-        accept = partial(on_branch, equations.algebraics)
+        accept = branch_judge(equations.algebraics, problem.stiffness)
         return Start(start.states, continuation(family, start.algebraics, accept, way))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
