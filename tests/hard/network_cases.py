@@ -439,35 +439,6 @@ CASES: tuple[Case, ...] = (
         ],
     ),
     Case(
-        "16a",
-        "near vacuum, with what the scene calls for",
-        "no pressure below vacuum, no volume below the floor",
-        ("effects=auto",),
-        lambda run: [
-            true("above vacuum", run.pressure.min() > -101325),
-            true("volume stays", run.volume.min() > 0),
-            warned(run, "near_vacuum"),
-        ],
-    ),
-    Case(
-        "16b",
-        "near vacuum, gas without collapse",
-        "ends by name at the floor",
-        ("effects={gas_compressibility: on, collapse: off, others: off}",),
-        ending="failed",
-        says=("floor", "effects.collapse"),
-    ),
-    Case(
-        "17",
-        "gas, one-way",
-        "its mass is kept to 1e-10",
-        (
-            "effects={gas_compressibility: on, collapse: on, others: off}",
-            "run={duration: 8 s, output_interval: 0.05 s}",
-        ),
-        lambda run: [at_most("mass imbalance", run.invariants.volume_imbalance_rel or 0.0, 1e-10)],
-    ),
-    Case(
         "18",
         "water at the published amplitude",
         "warned of turbulence, with the number",
