@@ -57,6 +57,10 @@ class Input(Part):
         """Value at times (n,); after a jump its new one."""
 
     @abstractmethod
+    def extremes(self, duration: float) -> tuple[float, float]:
+        """Lowest and highest value that a run of this duration meets: exact, never sampled."""
+
+    @abstractmethod
     def swing_time(self) -> float:
         """Shortest monotone swing of the profile, 1 % to 99 % [s]; infinite without one."""
 
@@ -111,6 +115,14 @@ class PiecewiseLinear(Input):
         starts, values, slopes = self._lines(float(np.max(times, initial=0.0)) or 1.0)
         index = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
         return np.asarray(values[index] + slopes[index] * (times - starts[index]))
+
+    def extremes(self, duration: float) -> tuple[float, float]:
+        """Of the vertices before the end, and of the line that leads up to it."""
+        met = [value for time, value in self.vertices(duration) if time < duration]
+        starts, values, slopes = self._lines(duration)
+        last = max(int(np.searchsorted(starts, duration)) - 1, 0)
+        end = float(values[last] + slopes[last] * (duration - starts[last]))
+        return min([*met, end]), max([*met, end])
 
     def _lines(self, duration: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Start, value there and slope of every line; the last runs on level."""
