@@ -8,6 +8,8 @@ import numpy as np
 
 from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm
+from viscodesign.outputs import Outputs
+from viscodesign.shelf import Shelf, Table
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
 from viscodesign.trajectory import Invariants
@@ -155,3 +157,36 @@ def _trapezoids(force: np.ndarray, path: np.ndarray, step: int) -> np.ndarray:
     some, way = force[::step], path[::step]
     parts = np.sum((some[1:] + some[:-1]) / 2 * np.diff(way, axis=0), axis=1)
     return np.concatenate([[0.0], np.cumsum(parts)])
+
+
+class BalanceRows:
+    """What the balances ask for, gathered stretch by stretch."""
+
+    def __init__(self, problem: Problem, solution: Solution, shelf: Shelf) -> None:
+        self._problem, self._solution, self._shelf = problem, solution, shelf
+        self._tables: dict[str, Table] = {}
+
+    def add(self, outputs: Outputs, end: int) -> None:
+        """Take a stretch's own rows, up to edge ``end`` of the schedule."""
+        own = slice(outputs.begin - outputs.first, end - outputs.first)
+        for name in (*ENERGIES, *ASKED_FOR):
+            if name in outputs.values:
+                if name not in self._tables:
+                    self._tables[name] = self._shelf.table(outputs[name].shape[1])
+                self._tables[name].append(outputs[name][own])
+
+    def invariants(self, end: int) -> Invariants:
+        """Both balances over the first ``end`` solved times."""
+        rows = {name: table.array() for name, table in self._tables.items()}
+        return read_invariants(self._problem, self._solution, rows, end)
+
+
+ASKED_FOR = (
+    "stored",
+    "pressure",
+    "unpaired_volume",
+    "carried_energy",
+    "specific_work",
+    "plunger_pressure",
+    "pushed",
+)

@@ -15,6 +15,7 @@ from viscodesign.model.rod import Body
 from viscodesign.physics import beam, bellow, gas, timescales, tube
 from viscodesign.scene.inputs.syringe import Syringe
 from viscodesign.scene.scene import Scene
+from viscodesign.shelf import Shelf
 from viscodesign.sketch.ground import Ground
 from viscodesign.sketch.sketch import Sketch
 from viscodesign.solve.problem import Problem
@@ -29,6 +30,8 @@ class Conditions:
     taken: set[str] = field(default_factory=set)
     problems: dict[Hashable, Problem] = field(default_factory=dict)
     """What was built for this scene, for those who solve it again."""
+    shelf: Shelf = field(default_factory=Shelf)
+    """Where what is solved goes when it is large."""
 
     @property
     def accuracy(self) -> float:

@@ -6,7 +6,7 @@ import contextlib
 import errno
 import os
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import IO
 
@@ -69,15 +69,18 @@ def write_bytes(path: Path, content: bytes) -> None:
         file.write(content)
 
 
-def write_all(contents: dict[Path, bytes], first: Callable[[], None] = lambda: None) -> None:
-    """Write several files; none takes its place before all are on the disk.
+def write_all(
+    contents: Mapping[Path, Iterable[bytes]], first: Callable[[], None] = lambda: None
+) -> None:
+    """Write several files, part by part; none takes its place before all are on the disk.
 
     ``first`` is called then, right before they do.
     """
     with contextlib.ExitStack() as stack:
         # A stack is left in reverse order: the first file is to appear first.
-        for path, content in reversed(contents.items()):
+        for path, parts in reversed(list(contents.items())):
             file = stack.enter_context(replaced(path))
-            file.write(content)
+            for part in parts:
+                file.write(part)
             file.flush()
         first()

@@ -276,12 +276,15 @@ def _followed(problem: Problem, start: Start, before: Instant, after: Instant) -
         raise fold(time) from failure
 
 
-def refined(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.ndarray:
-    """Algebraic unknowns (nz, m) at the first m edges, solved for to round-off where they can."""
+def refined(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
+) -> np.ndarray:
+    """Algebraic unknowns (nz, m) at m edges from ``first`` on, to round-off where that can be."""
     schedule, found = problem.schedule, algebraics.copy()
     for k in range(states.shape[1]):
+        edge = first + k
         # A state just before a corner belongs to the interval that ends there.
-        tail = problem.tail(float(schedule.edges[k]), schedule.pieces[max(k - 1, 0)])
+        tail = problem.tail(float(schedule.edges[edge]), schedule.pieces[max(edge - 1, 0)])
         defects = partial(_constraints, problem, states[:, k], tail)
         with suppress(NewtonError):
             found[:, k] = newton(defects, algebraics[:, k])
