@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
 from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm
-from viscodesign.outputs import Outputs
 from viscodesign.shelf import Shelf, Table
 from viscodesign.solve.problem import Problem
+from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.transient import Solution
 from viscodesign.trajectory import Invariants
 
@@ -159,29 +160,45 @@ def _trapezoids(force: np.ndarray, path: np.ndarray, step: int) -> np.ndarray:
     return np.concatenate([[0.0], np.cumsum(parts)])
 
 
-class BalanceRows:
-    """What the balances ask for, gathered stretch by stretch."""
+@dataclass(frozen=True)
+class Block:
+    """Consecutive solved edges: scaled unknowns (n, m), integrals (nq, m), named outputs (m, n)."""
 
-    def __init__(self, problem: Problem, solution: Solution, shelf: Shelf) -> None:
-        self._problem, self._solution, self._shelf = problem, solution, shelf
+    first: int
+    """Number of the first edge."""
+    states: np.ndarray
+    algebraics: np.ndarray
+    integrals: np.ndarray
+    rows: Rows
+
+
+class Ledger:
+    """Both balances of a run, told block by block."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem, self._shelf = problem, Shelf()
         self._tables: dict[str, Table] = {}
 
-    def add(self, outputs: Outputs, end: int) -> None:
-        """Take a stretch's own rows, up to edge ``end`` of the schedule."""
-        own = slice(outputs.begin - outputs.first, end - outputs.first)
-        for name in (*ENERGIES, *ASKED_FOR):
-            if name in outputs.values:
-                if name not in self._tables:
-                    self._tables[name] = self._shelf.table(outputs[name].shape[1])
-                self._tables[name].append(outputs[name][own])
+    def add(self, block: Block) -> None:
+        """Take in the edges that follow those before."""
+        told = {name: block.rows[name] for name in ASKED_FOR if name in block.rows}
+        for name, values in (told | {STATES: block.states.T, INTEGRALS: block.integrals.T}).items():
+            if name not in self._tables:
+                self._tables[name] = self._shelf.table(values.shape[1])
+            self._tables[name].append(values)
 
-    def invariants(self, end: int) -> Invariants:
-        """Both balances over the first ``end`` solved times."""
+    def invariants(self, steps: int) -> Invariants:
+        """What holds over all edges told, to which an integrator came in ``steps``."""
         rows = {name: table.array() for name, table in self._tables.items()}
-        return read_invariants(self._problem, self._solution, rows, end)
+        states, integrals = rows.pop(STATES).T, rows.pop(INTEGRALS).T
+        end = states.shape[1]
+        solution = Solution(states, states[:0], integrals, end, Work(steps=steps))
+        return read_invariants(self._problem, solution, rows, end)
 
 
+STATES, INTEGRALS = "the states", "the integrals"
 ASKED_FOR = (
+    *ENERGIES,
     "stored",
     "pressure",
     "unpaired_volume",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from viscodesign.balances import BalanceRows
+from viscodesign.balances import Block, Ledger
 from viscodesign.errors import SolveError
 from viscodesign.outputs import Outputs, read_outputs
 from viscodesign.shelf import NoRoomError, Shelf, Table
@@ -72,7 +72,7 @@ class _Reader:
         """Outputs among them."""
         self._problem, self._solution = problem, solution
         self._shelf, self._every = shelf, shape_every
-        self._balances = BalanceRows(problem, solution, shelf)
+        self._ledger = Ledger(problem)
         self._tables: dict[str, Table] = {}
         self._last_shape: np.ndarray | None = None
 
@@ -121,10 +121,17 @@ class _Reader:
             if name not in self._tables:
                 self._tables[name] = self._shelf.table(*values.shape[1:])
             self._tables[name].append(values)
-        self._balances.add(outputs, end)
+        self._ledger.add(self._block(outputs, end))
         if len(keep):
             self._last_shape = None if due[-1] else shape[-1:]
         self.count = stop
+
+    def _block(self, outputs: Outputs, end: int) -> Block:
+        """A stretch's own edges up to ``end``, for the balances."""
+        own, edges = outputs.rows_to(end), slice(outputs.begin, end)
+        unknowns = self._solution.states, self._solution.algebraics, self._solution.integrals
+        rows = {name: values[own] for name, values in outputs.values.items()}
+        return Block(outputs.begin, *(columns[:, edges] for columns in unknowns), rows)
 
     def _cut(self) -> int:
         """Back to the last row with a whole shape before a stretch that found no room.
@@ -148,6 +155,6 @@ class _Reader:
             **arrays,
             arc=np.linspace(0.0, self._problem.body.length, points),
             shape_every=self._every,
-            invariants=self._balances.invariants(self.end),
+            invariants=self._ledger.invariants(self._solution.work.steps),
             failure=self.failure,
         )

@@ -42,10 +42,9 @@ class Outputs:
     def __getitem__(self, name: str) -> np.ndarray:
         return self.values[name]
 
-    @property
-    def own(self) -> slice:
-        """Its own rows."""
-        return slice(self.begin - self.first, self.end - self.first)
+    def rows_to(self, edge: int) -> slice:
+        """Its own rows before an edge of the schedule."""
+        return slice(self.begin - self.first, edge - self.first)
 
     def section_strains(self) -> tuple[np.ndarray, np.ndarray]:
         """Smallest stretch and turn of every section (n, S)."""

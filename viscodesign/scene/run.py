@@ -14,7 +14,7 @@ from viscodesign.units import Time
 MOST_OUTPUTS = 10_000_000
 MOST_LISTED = 1_000_000
 MOST_SHAPES = 20_000
-"""Whole shapes that are written down if the spec does not say how many."""
+"""Whole shapes after the first that are written down if the spec does not say how many."""
 USUAL_INTERVAL = 0.02
 """[s]"""
 
@@ -99,7 +99,7 @@ class Run(Part):
     @property
     def shapes_apart(self) -> int:
         """Outputs from one whole shape to the next."""
-        return self.shape_every or -(-self.outputs // MOST_SHAPES)
+        return self.shape_every or max(1, -(-(self.outputs - 1) // MOST_SHAPES))
 
     def output_times_array(self) -> np.ndarray:
         """Output times (T,) [s]; by interval they start at 0 and end at the duration."""

@@ -83,7 +83,9 @@ def test_extremes_are_those_of_dense_samples(kind: str, duration: float) -> None
 @pytest.mark.parametrize("phase", [0, 45, 90, 200, 300, -30, 725])
 @pytest.mark.parametrize("duration", [0.05, 0.3, 0.6, 1.1, 2000.0])
 def test_extremes_of_a_sine_of_any_phase(phase: int, duration: float) -> None:
-    source = leg(f"input={{kind: sine, amplitude: -3 kPa, frequency: 1 Hz, phase: {phase} deg, mean: 1 kPa}}").inputs["inlet"]
+    source = leg(
+        f"input={{kind: sine, amplitude: -3 kPa, frequency: 1 Hz, phase: {phase} deg, mean: 1 kPa}}"
+    ).inputs["inlet"]
     values = source.values(np.linspace(0.0, duration, 100_003))
     tolerance = 10.0 if duration > 2 else 1e-3
     assert source.extremes(duration) == pytest.approx((values.min(), values.max()), abs=tolerance)
