@@ -128,10 +128,14 @@ class _Reader:
 
     def _block(self, outputs: Outputs, end: int) -> Block:
         """A stretch's own edges up to ``end``, for the balances."""
-        own, edges = outputs.rows_to(end), slice(outputs.begin, end)
-        unknowns = self._solution.states, self._solution.algebraics, self._solution.integrals
-        rows = {name: values[own] for name, values in outputs.values.items()}
-        return Block(outputs.begin, *(columns[:, edges] for columns in unknowns), rows)
+        own, edges, found = outputs.rows_to(end), slice(outputs.begin, end), self._solution
+        return Block(
+            outputs.begin,
+            found.states[:, edges],
+            found.algebraics[:, edges],
+            found.integrals[:, edges],
+            {name: values[own] for name, values in outputs.values.items()},
+        )
 
     def _cut(self) -> int:
         """Back to the last row with a whole shape before a stretch that found no room.
