@@ -31,6 +31,12 @@ class Pieces:
         stretch = np.searchsorted(self._firsts, intervals, side="right") - 1
         return np.asarray(self._values[stretch])
 
+    @property
+    def changes(self) -> np.ndarray:
+        """Intervals whose coefficients are not those of the one before, ascending."""
+        new = np.any(self._values[1:] != self._values[:-1], axis=1)
+        return np.asarray(self._firsts[1:][new])
+
 
 @dataclass(frozen=True)
 class Schedule:
