@@ -152,8 +152,8 @@ def schedule(scene: Scene) -> Schedule:
     """Output times, corners of all inputs, and the coefficients between them."""
     duration = scene.run.duration
     times = scene.run.output_times_array()
-    corners = sorted({c for source in scene.inputs.values() for c in source.corners(duration)})
-    stops = _merge(np.array([0.0, *corners, duration]), duration)
+    corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
+    stops = _merge(np.concatenate([[0.0], *corners, [duration]]), duration)
     edges = _merge(np.concatenate([times, stops]), duration)
     firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
     sources = scene.inputs.values()

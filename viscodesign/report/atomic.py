@@ -5,12 +5,12 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import IO
 
 from viscodesign.errors import UsageError
+from viscodesign.report.leftovers import temporary_beside
 
 REMEDIES = {
     errno.ENOSPC: "Free some space, or use another folder.",
@@ -34,12 +34,14 @@ def replaced(path: Path) -> Iterator[IO[bytes]]:
     with refused_plainly(path):
         temporary: str | None = None
         try:
-            handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
+            handle, temporary = temporary_beside(path)
             with os.fdopen(handle, "wb") as file:
                 yield file
-            os.chmod(temporary, 0o666 & ~_umask())
-            os.replace(temporary, path)
-            temporary = None
+                file.flush()
+                # Still locked: nobody takes it for a leftover.
+                os.chmod(temporary, 0o666 & ~_umask())
+                os.replace(temporary, path)
+                temporary = None
         finally:
             if temporary is not None:
                 with contextlib.suppress(OSError):

@@ -12,6 +12,7 @@ import numpy as np
 
 from viscodesign.errors import UsageError
 from viscodesign.report.atomic import refused_plainly, write_all, write_bytes
+from viscodesign.report.leftovers import clear_leftovers
 from viscodesign.report.tables import shape_columns, summary_document, trajectory_columns
 from viscodesign.shelf import BLOCK, blocks
 from viscodesign.solve.interrupt import gentle_interrupt
@@ -97,11 +98,15 @@ def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
             "Use another folder with -o DIR, or --force"
         )
     _try_writing(folder)
+    clear_leftovers(folder, [*OURS, PROBE])
     return folder
 
 
+PROBE = ".write-test"
+
+
 def _try_writing(folder: Path) -> None:
-    probe = folder / ".write-test"
+    probe = folder / PROBE
     write_bytes(probe, b"")
     _remove([probe])
 
