@@ -9,6 +9,7 @@ from __future__ import annotations
 import mmap
 import os
 import tempfile
+import weakref
 from collections.abc import Iterator
 from pathlib import Path
 from typing import IO
@@ -101,6 +102,7 @@ class Table:
             file = tempfile.TemporaryFile(dir=self._shelf.folder, buffering=0)  # noqa: SIM115
         except OSError as error:
             raise self._no_room(error) from error
+        weakref.finalize(self, file.close)
         self._write(file, self._joined())
         self._file, self._blocks = file, []
 
