@@ -144,6 +144,18 @@ def let_go(array: np.ndarray) -> None:
         base.madvise(mmap.MADV_DONTNEED)
 
 
+def picked(array: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Some rows of a table: wherever they lie, their pages leave the memory again."""
+    parts = []
+    for some in blocks(len(rows), array, rows=SCATTERED):
+        parts.append(array[rows[some]])
+    return np.concatenate([array[:0], *parts])
+
+
+SCATTERED = 256
+"""Rows apart from each other that are read at once: each comes with all that is near it."""
+
+
 def extremes(array: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Smallest and largest of every column of rows (n, ...), n > 0."""
     found = [

@@ -15,6 +15,7 @@ from viscodesign.report.style import (
     GREY,
     INLET_COLOURS,
     SEQUENTIAL,
+    TIME_DIGITS,
     axes_at,
     head,
     head_room,
@@ -53,6 +54,7 @@ def draw_pressures(trajectory: Trajectory, path: Path) -> None:
             _draw_column(axes, trajectory, side, norm)
             _draw_levels(axes, trajectory, limits[1])
             axes.ticklabel_format(axis="y", style="plain", useOffset=False)
+            axes.ticklabel_format(axis="x", scilimits=TIME_DIGITS)
             axes.set(xlim=limits[0], ylim=limits[1], xlabel="time [s]")
             last = f" to {side}{trajectory.sections}" if trajectory.sections > 1 else ""
             axes.set_title(f"{title}, {side}1{last}", loc="left", fontsize=9)

@@ -8,10 +8,12 @@ from viscodesign.shelf import blocks, extremes
 
 MOST_ROWS = 40_000
 """Rows up to which a run is drawn as it is."""
-FIELDS = 2000
+FIELDS = 1000
 """Parts of a long run's time, of which each curve shows the lowest and the highest."""
 STRETCHES = 40
 """Parts of a long path that are drawn, each with all its rows."""
+FIRST = 0.25
+"""Part of what is drawn of a long path that stands together at its beginning."""
 
 
 def envelope(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -36,17 +38,19 @@ def envelope(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarr
 def stretches(values: np.ndarray) -> list[slice]:
     """Stretches of rows (T, m) that show where a long path runs; of a short one all rows.
 
-    Spread over the run, with its ends and with every column's lowest and highest: each
-    is drawn whole, since a path without some of its rows is another path.
+    A long one at the beginning, then some spread over the run to its end, and where
+    columns are at their lowest and highest. Each is drawn whole, since a path without some
+    of its rows is another path.
     """
     count = len(values)
     if count <= MOST_ROWS:
         return [slice(0, count)]
-    size = MOST_ROWS // STRETCHES
+    size = int((1 - FIRST) * MOST_ROWS) // STRETCHES
     low, high = extremes(values)
     wanted = [int(k) for k in np.linspace(0, count - size, STRETCHES)]
     wanted += [k - size // 2 for k in _where(values, low, high)]
-    return _joined(sorted(min(max(k, 0), count - size) for k in wanted), size)
+    inside = sorted(min(max(k, 0), count - size) for k in wanted)
+    return _joined([slice(0, int(FIRST * MOST_ROWS)), *(slice(k, k + size) for k in inside)])
 
 
 def _where(values: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[int]:
@@ -60,12 +64,12 @@ def _where(values: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[int]:
     return list(found.values())
 
 
-def _joined(starts: list[int], size: int) -> list[slice]:
-    """Stretches of ``size`` rows from ascending starts, those that overlap made one."""
-    found: list[slice] = []
-    for start in starts:
-        if found and start <= found[-1].stop:
-            found[-1] = slice(found[-1].start, start + size)
+def _joined(parts: list[slice]) -> list[slice]:
+    """Stretches in the order of their beginnings, those that touch made one."""
+    found = parts[:1]
+    for part in parts[1:]:
+        if part.start <= found[-1].stop:
+            found[-1] = slice(found[-1].start, max(part.stop, found[-1].stop))
         else:
-            found.append(slice(start, start + size))
+            found.append(part)
     return found

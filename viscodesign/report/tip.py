@@ -9,7 +9,17 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 from viscodesign.report.instants import clamp_strokes, outline, spread_instants
-from viscodesign.report.style import FAINT, INK, SEQUENTIAL, axes_at, head, head_room, picture
+from viscodesign.report.style import (
+    FAINT,
+    INK,
+    SEQUENTIAL,
+    TIME_DIGITS,
+    axes_at,
+    head,
+    head_room,
+    picture,
+)
+from viscodesign.report.thinning import MOST_ROWS
 from viscodesign.report.tip_path import draw_path, time_range
 from viscodesign.shelf import extremes
 from viscodesign.trajectory import Trajectory
@@ -53,9 +63,11 @@ def draw_tip(trajectory: Trajectory, path: Path) -> None:
         bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, BOTTOM, 0.12, height))
         bar.set_label("time [s]")
         bar.outline.set_visible(False)
+        bar.ax.ticklabel_format(axis="y", scilimits=TIME_DIGITS)
         if len(trajectory.time) == 1:
             bar.set_ticks([float(trajectory.time[0])])
-        head(made, trajectory, "path of the tip", LEFT)
+        thinned = len(trajectory.time) > MOST_ROWS
+        head(made, trajectory, f"path of the tip{', in stretches' if thinned else ''}", LEFT)
 
 
 def _is_small(trajectory: Trajectory) -> bool:
