@@ -37,6 +37,10 @@ class Pieces:
         new = np.any(self._values[1:] != self._values[:-1], axis=1)
         return np.asarray(self._firsts[1:][new])
 
+    def among(self, edges: np.ndarray, finer: np.ndarray) -> Pieces:
+        """The same for the intervals of ``finer``, which holds all of these ``edges``."""
+        return Pieces(self._values, np.searchsorted(finer, edges[self._firsts]), len(finer) - 1)
+
 
 @dataclass(frozen=True)
 class Schedule:
