@@ -121,7 +121,8 @@ class _Reader:
             if name not in self._tables:
                 self._tables[name] = self._shelf.table(*values.shape[1:])
             self._tables[name].append(values)
-        self._ledger.add(self._block(outputs, end))
+        if end > outputs.begin:
+            self._ledger.add(self._block(outputs, end))
         if len(keep):
             self._last_shape = None if due[-1] else shape[-1:]
         self.count = stop
