@@ -89,6 +89,7 @@ def _beyond(conditions: Conditions) -> Iterator[tuple[str, str]]:
         return
     yield from _network(conditions)
     yield from _rod(conditions)
+    yield from _work(conditions)
 
 
 def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
@@ -159,4 +160,17 @@ def _rod(conditions: Conditions) -> Iterator[tuple[str, str]]:
             "actuator.density",
             f"the rod swings in {conditions.scales.t_s:.3g} s, {ratio:.2g} of run.duration: "
             "beyond what double precision carries; use effects.inertia: off",
+        )
+
+
+def _work(conditions: Conditions) -> Iterator[tuple[str, str]]:
+    scene = conditions.scene
+    duration, most = scene.run.duration, scene.run.max_steps
+    corners = sum(len(source.corners(duration)) for source in scene.inputs.values())
+    if corners > most:
+        yield (
+            "run.max_steps",
+            f"the inputs have {corners} corners in {duration:g} s, and every one takes a step or "
+            f"more: beyond the {most} that are allowed. Raise run.max_steps, or shorten "
+            f"run.duration to less than {duration * most / corners:.3g} s",
         )

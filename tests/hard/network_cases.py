@@ -11,7 +11,8 @@ import numpy as np
 from tests.hard.case import EXACT, Case, Finding, Judge, at_most, relative, true, warned
 from tests.scenes import chain_order, leg
 from tests.validation.test_network import exact_step_response, tubes
-from viscodesign import Trajectory, simulate
+from viscodesign import Scene, Trajectory, simulate
+from viscodesign.effects.conditions import Conditions
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
 CHAIN = chain_order(8)
@@ -129,6 +130,63 @@ def gain(name: str, frequency: float, wanted: float) -> Judge:
         yield relative(f"gain of {name}", float(np.hypot(*found[:2])) / 1e4, wanted, 1e-5)
 
     return judge
+
+
+def long_swing(run: Trajectory) -> Iterator[Finding]:
+    """The last of a thousand cycles has the phase and the mean of the exact ones, and the rest."""
+    yield from pressures(run, 1e5, 1e-9, R1=-5545.395082138, L1=-10226.98012285)
+    scene, turn = leg(*LONG_SINE), 2 * np.pi * 0.01
+    exact = steady_swing(scene, turn)
+    for name, (cycle, wanted) in itertools.product(("R1", "L1"), ((500, exact), (999, exact))):
+        told = (run.time >= 100.0 * cycle) & (run.time <= 100.0 * (cycle + 1))
+        found = fitted(run.time[told], run.pressure[told, run.bellows.index(name)], turn)
+        where = f"of {name} in cycle {cycle}"
+        yield Finding(f"phase {where}", found[0], np.angle(wanted[name]), 1e-6)
+        yield relative(f"amplitude {where}", found[1], abs(wanted[name]), 1e-7)
+        yield at_most(f"mean {where}", found[2], 1e-4)
+    early, late = (run.pressure[k : k + 21] for k in (10 * 20, 999 * 20))
+    yield at_most("drift of a cycle, of the swing", np.max(np.abs(late - early)) / swing(run), 1e-8)
+
+
+def fitted(time: np.ndarray, pressure: np.ndarray, turn: float) -> tuple[float, float, float]:
+    """Phase [rad], amplitude and mean of a sine of ``turn`` radians a second."""
+    basis = np.column_stack((np.sin(turn * time), np.cos(turn * time), np.ones_like(time)))
+    (sine, cosine, mean), *_ = np.linalg.lstsq(basis, pressure, rcond=None)
+    return float(np.arctan2(cosine, sine)), float(np.hypot(sine, cosine)), float(mean)
+
+
+def steady_swing(scene: Scene, turn: float) -> dict[str, complex]:
+    """Exact phasors of a chain's bellows under a sine of 50 kPa."""
+    conditions = Conditions(scene)
+    (part,) = scene.graph.components()
+    laplacian = conditions.laplacian(part)
+    inlet = np.zeros(len(part.bellows))
+    inlet[part.bellows.index("R1")] = 1 / conditions.resistances["inlet-R1"]
+    storing = 1j * turn * conditions.bellow.compliance * np.eye(len(inlet))
+    return dict(zip(part.bellows, 5e4 * np.linalg.solve(storing + laplacian, inlet), strict=True))
+
+
+LONG_SINE = (
+    ONE_WAY,
+    WATER,
+    EXACT,
+    "input={kind: sine, amplitude: 50 kPa, frequency: 0.01 Hz}",
+    "run={duration: 1e5 s, output_interval: 5 s}",
+)
+
+
+def settled(run: Trajectory) -> Iterator[Finding]:
+    """Back where the pulse began, everywhere, and for good."""
+    late = run.pressure[run.time >= 2e3]
+    yield at_most("pressure off 40410 Pa after the pulse", np.max(np.abs(late - 40410.0)), 1e-6)
+
+
+def cycles_alike(run: Trajectory) -> Iterator[Finding]:
+    """A cycle of the rod at the end of a long run is one of before."""
+    early, late = run.tip[20 * 900 : 20 * 901 + 1], run.tip[-21:]
+    stated = run.accuracy.estimated_tip_error_m or np.nan
+    apart = np.hypot(*(late - early)[:, :2].T)
+    yield at_most("tip's drift over 1100 cycles", float(np.max(apart)), stated)
 
 
 def reynolds(run: Trajectory) -> Iterator[Finding]:
@@ -383,6 +441,35 @@ CASES: tuple[Case, ...] = (
             ("b", 128, lambda run: ()),
             ("c", 1024, at(1000.0, R1=99817.04293794, R512=24079.20432191, L1=3761.960413943)),
         )
+    ),
+    Case(
+        "12a",
+        "a thousand slow swings, 1e5 s",
+        "no drift and no error of phase",
+        LONG_SINE,
+        long_swing,
+        converges=False,
+    ),
+    Case(
+        "12b",
+        "the paper's pulse, then 1e5 s of rest",
+        "exactly back where it began",
+        (ONE_WAY, WATER, EXACT, "run={duration: 1e5 s, output_interval: 100 s}"),
+        settled,
+        converges=False,
+    ),
+    Case(
+        "12c",
+        "swings that equal samples would all miss: 2000 of 1 Hz",
+        "complete; a cycle at the end is one of before",
+        (
+            ONE_WAY,
+            WATER,
+            "input={kind: sine, amplitude: 50 kPa, frequency: 1 Hz}",
+            "run={duration: 2000 s, output_interval: 0.05 s}",
+        ),
+        cycles_alike,
+        converges=False,
     ),
     Case(
         "13",

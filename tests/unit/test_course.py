@@ -52,7 +52,7 @@ def at(scene: Conditions, what: str, when: int, place: int, value: float) -> Cou
 
 
 def notices(scene: Conditions, met: Course) -> list[Notice]:
-    return list(course_notices(scene, met))
+    return list(course_notices(scene, [met]))
 
 
 def codes(scene: Conditions, met: Course) -> list[str]:

@@ -60,7 +60,7 @@ class MaterialCurve(Effect):
         return bool(self.curves) or self.snap is not None
 
     def weight(self, conditions: Conditions) -> float:
-        low, high = float(conditions.inlet_samples.min()), float(conditions.inlet_samples.max())
+        low, high = conditions.lowest_pressure, conditions.highest_pressure
         pressure = np.linspace(min(low, 0.0), max(high, 0.0), 101)
         law = conditions.bellow
         linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)

@@ -18,7 +18,7 @@ from viscodesign.errors import SolveError
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch import Moment, constraints, followed
 from viscodesign.solve.newton import NewtonError, newton
-from viscodesign.solve.problem import Bound, Problem, Schedule, evaluate
+from viscodesign.solve.problem import Bound, Pieces, Problem, Schedule, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
 from viscodesign.solve.ways import way_of
@@ -168,7 +168,8 @@ def end_of_branch(solver: Solver, here: Start, edge: int, work: Work) -> SolveEr
         here = consistent(problem, here, schedule.edges[edge], piece, solver.before(edge))
         begin, end = schedule.edges[edge], schedule.edges[edge + 1]
         times = np.linspace(begin, end, PARTS + 1)
-        parts = Schedule(times, np.tile(piece, (PARTS, 1)), np.arange(PARTS + 1), piece)
+        same = Pieces(piece[None], np.array([0]), PARTS)
+        parts = Schedule(times, same, np.arange(PARTS + 1), piece)
         finer = replace(problem, schedule=parts)
         columns, failure = watched(type(solver)(finer, solver.tolerance), here, 0, PARTS, work)
         if failure is None or failure.quantity == "equilibrium":

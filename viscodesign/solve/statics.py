@@ -285,13 +285,16 @@ def consistent(
         raise _no_equilibrium(problem, failure, time) from failure
 
 
-def refined(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.ndarray:
-    """Algebraic unknowns (nz, m) at the first m edges, solved for to round-off where they can."""
+def refined(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
+) -> np.ndarray:
+    """Algebraic unknowns (nz, m) at m edges from ``first`` on, to round-off where that can be."""
     schedule, found = problem.schedule, algebraics.copy()
     way = way_of(problem.equations.algebraics)
     for k in range(states.shape[1]):
+        edge = first + k
         # A state just before a corner belongs to the interval that ends there.
-        time, piece = float(schedule.edges[k]), schedule.pieces[max(k - 1, 0)]
+        time, piece = float(schedule.edges[edge]), schedule.pieces[max(edge - 1, 0)]
         defects = partial(constraints, problem, Moment(states[:, k], time, piece))
         with suppress(NewtonError):
             found[:, k] = newton(defects, algebraics[:, k], way)
