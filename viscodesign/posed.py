@@ -9,8 +9,10 @@ from collections.abc import Iterator
 
 from viscodesign.effects.conditions import Conditions
 from viscodesign.errors import Fault, SpecError
+from viscodesign.model.network_equations import SNAPS_AT_ONCE
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE
 from viscodesign.physics import bellow
+from viscodesign.scene.bellows import snaps
 
 MOST_CONTRAST = 1e13
 """Ratio of two tubes' resistances in one network that double precision still carries."""
@@ -31,7 +33,13 @@ def refuse_beyond_numbers(conditions: Conditions) -> None:
 
 
 def refuse_unsolvable(conditions: Conditions) -> None:
-    """Raise `SpecError` where feedback leaves a held section no positive compliance."""
+    """Raise `SpecError` for a curve that snaps at once, and for negative compliances.
+
+    The latter where feedback leaves a held section none that is positive.
+    """
+    at_once = "pressure_distribution" not in conditions.taken
+    if at_once and "material_curve" in conditions.taken and snaps(conditions.scene.bellows):
+        raise SpecError.plain(SNAPS_AT_ONCE)
     if "feedback" not in conditions.taken:
         return
     for name, key, value in _blocked(conditions):
@@ -81,6 +89,7 @@ def _beyond(conditions: Conditions) -> Iterator[tuple[str, str]]:
         return
     yield from _network(conditions)
     yield from _rod(conditions)
+    yield from _work(conditions)
 
 
 def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
@@ -151,4 +160,17 @@ def _rod(conditions: Conditions) -> Iterator[tuple[str, str]]:
             "actuator.density",
             f"the rod swings in {conditions.scales.t_s:.3g} s, {ratio:.2g} of run.duration: "
             "beyond what double precision carries; use effects.inertia: off",
+        )
+
+
+def _work(conditions: Conditions) -> Iterator[tuple[str, str]]:
+    scene = conditions.scene
+    duration, most = scene.run.duration, scene.run.max_steps
+    corners = sum(len(source.corners(duration)) for source in scene.inputs.values())
+    if corners > most:
+        yield (
+            "run.max_steps",
+            f"the inputs have {corners} corners in {duration:g} s, and every one takes a step or "
+            f"more: beyond the {most} that are allowed. Raise run.max_steps, or shorten "
+            f"run.duration to less than {duration * most / corners:.3g} s",
         )

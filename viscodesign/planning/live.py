@@ -14,14 +14,14 @@ import numpy as np
 from viscodesign.build import build, suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import catalogue, select_effects
-from viscodesign.motion import tips
+from viscodesign.outputs import Outputs
 from viscodesign.planning.barrel import NEARLY_FULL, Barrel, line_at
 from viscodesign.planning.variants import planned, pump_of, with_inputs
 from viscodesign.pumps.drive import Drive
 from viscodesign.pumps.virtual.plant import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.algebraic import Algebraic
-from viscodesign.solve.problem import Problem, Schedule, evaluate_along
+from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate_along
 from viscodesign.solve.solvers.base import Solver, Work
 from viscodesign.solve.statics import Start, equilibrium
 from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
@@ -132,7 +132,9 @@ class ActuatorPlant(Plant):
         values = evaluate_along(problem, here.states[:, None], here.algebraics[:, None])
         self.pressure: np.ndarray = values["inlet_pressure"][0].copy()
         """(P,) gauge [Pa]."""
-        self.tip: np.ndarray = tips(problem, np.zeros(1), values)[0]
+        outputs = Outputs(problem, 0, 0, 1, np.zeros(1), values)
+        shape, angle = outputs.shapes(np.zeros(1, dtype=int))
+        self.tip: np.ndarray = np.append(shape[0, -1], angle)
         """x [m], z [m], angle [rad]."""
 
 
@@ -159,4 +161,5 @@ def _solver(problem: Problem) -> Solver:
 
 
 def _one_interval(seconds: float, piece: np.ndarray) -> Schedule:
-    return Schedule(np.array([0.0, seconds]), piece[None, :], np.array([0, 1]), piece)
+    pieces = Pieces(piece[None, :], np.array([0]), 1)
+    return Schedule(np.array([0.0, seconds]), pieces, np.array([0, 1]), piece)

@@ -41,8 +41,8 @@ def write_plan(
     folder = prepare_folder(directory, force=force)
     document = json.dumps(plan_document(plan), indent=2, ensure_ascii=False)
     contents = {
-        folder / TABLE: plan_csv(plan),
-        folder / DOCUMENT: text_bytes(document + "\n"),
+        folder / TABLE: [plan_csv(plan)],
+        folder / DOCUMENT: [text_bytes(document + "\n")],
     }
     picture = folder / PICTURE
     write_all(contents, first=lambda: _remove(picture))
