@@ -99,9 +99,7 @@ def frames_of_moves(sequence: PoseSequence, start: Sequence[int]) -> list[int]:
     for move, goal in zip(sequence.moves, sequence.goals(), strict=True):
         frames = frames_asked(move.ms)
         taken.append(
-            max(
-                frames_taken(EIGHTHS * abs(b - a), frames) for a, b in zip(here, goal, strict=True)
-            )
+            max(frames_taken(EIGHTHS * abs(b - a), frames) for a, b in zip(here, goal, strict=True))
         )
         here = goal
     return taken

@@ -24,7 +24,7 @@ from viscodesign.pumps.pose_engine import (
     play,
     time_asking,
 )
-from viscodesign.pumps.pose_library import libraries, poses_of
+from viscodesign.pumps.pose_library import poses_of, shared_poses
 from viscodesign.pumps.pose_search import FIRST_FRAMES, Pose, Search, Vertex
 from viscodesign.pumps.pose_tube import HIGHEST_COUNT, Tube
 from viscodesign.pumps.profile import Profile
@@ -33,6 +33,7 @@ FINEST = 0.5
 """Margin [counts] below which whole counts cannot follow any slope."""
 RATIO = 1.04
 """Between the margins that are tried."""
+MOST_FRAMES_FITTED = 10_000
 _WIDEST = 196
 """Number of a margin that is wider than all counts."""
 
@@ -93,23 +94,24 @@ class _Fitting:
     def __init__(self, profile: Profile, loop: bool, travel: tuple[int, int]) -> None:
         self.profile, self.loop, self.travel = profile, loop, travel
         exact = profile.duration / FRAME
+        if exact > MOST_FRAMES_FITTED:
+            raise PumpError(
+                f"the profile lasts {profile.duration:.6g} s; poses are fitted to at most "
+                f"{MOST_FRAMES_FITTED * FRAME:.0f} s. Loop one cycle of it, or use `pump stream`"
+            )
         self.frames = max(round(exact) if loop else int(np.ceil(exact - 1e-9)), 2 * FIRST_FRAMES)
         self.pace = profile.duration / (self.frames * FRAME) if loop else 1.0
-        instants = np.arange(self.frames + 1) * FRAME * self.pace
-        self.wanted = np.stack([profile.at(float(instant)) for instant in instants])
+        self._ways: dict[int, list[Vertex] | None] = {}
+        self._bounds = [self._bounds_of(column) for column in profile.counts.T]
 
     def best(self) -> PoseFit:
-        few = self._narrowest(self._with_few_moves, -1, _WIDEST)
-        ways = [few]
-        many = self._narrowest(self._with_all_moves, -1, few.number, few)
-        if len(poses_of(many.vertices)) > MOST_POSES:
-            many = self._narrowest(self._with_shared_poses, many.number - 1, few.number, few)
-        ways.append(many)
-        return min((self._played(way) for way in ways), key=lambda fit: fit.largest_error)
+        own = self._narrowest(self._with_own_poses, -1, _WIDEST)
+        least = self._narrowest(self._shortest, -1, own.number, own)
+        shared = self._narrowest(self._with_shared_poses, least.number - 1, own.number, own)
+        fits = [self._played(way) for way in (own, shared)]
+        return min(fits, key=lambda fit: fit.largest_error)
 
-    def _narrowest(
-        self, find: _Finder, below: int, number: int, known: _Way | None = None
-    ) -> _Way:
+    def _narrowest(self, find: _Finder, below: int, number: int, known: _Way | None = None) -> _Way:
         """The narrowest margin with a way; ``below`` has none, ``number`` has the one known."""
         while number - below > 1 or known is None:
             middle = (below + number) // 2 if known else number
@@ -122,31 +124,48 @@ class _Fitting:
                 below = middle
         return known
 
-    def _with_few_moves(self, number: int) -> list[Vertex] | None:
-        """So few moves that each may have a pose of its own."""
-        return self._search(number).vertices(MOST_POSES - 1)
+    def _shortest(self, number: int) -> list[Vertex] | None:
+        """The way with the fewest moves, however many poses it needs."""
+        if number not in self._ways:
+            self._ways[number] = self._search(number).vertices(MOST_MOVES - 1)
+        return self._ways[number]
 
-    def _with_all_moves(self, number: int) -> list[Vertex] | None:
-        return self._search(number).vertices(MOST_MOVES - 1)
+    def _with_own_poses(self, number: int) -> list[Vertex] | None:
+        """The shortest way, if it happens to need few enough poses."""
+        vertices = self._shortest(number)
+        return vertices if vertices and len(poses_of(vertices)) <= MOST_POSES else None
 
     def _with_shared_poses(self, number: int) -> list[Vertex] | None:
-        vertices = self._with_all_moves(number)
+        """A way that is content with few enough poses."""
+        vertices = self._shortest(number)
         if vertices is None or len(poses_of(vertices)) <= MOST_POSES:
             return vertices
-        for poses in libraries(vertices, self._tubes(number)[0].grid):
-            found = self._search(number, poses).vertices(MOST_MOVES - 1)
-            if found is not None:
-                return found
-        return None
+        poses = shared_poses(vertices, self._tubes(number)[0].grid)
+        return self._search(number, poses).vertices(MOST_MOVES - 1)
 
     def _search(self, number: int, poses: set[Pose] | None = None) -> Search:
         return Search(self._tubes(number), closed=self.loop, poses=poses)
 
     def _tubes(self, number: int) -> list[Tube]:
         margin = FINEST * RATIO**number
-        return [
-            Tube.around(column, margin, self.travel, closed=self.loop) for column in self.wanted.T
-        ]
+        return [Tube.around(*b, margin, self.travel, closed=self.loop) for b in self._bounds]
+
+    def _bounds_of(self, counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Lowest and highest (N + 1,) that a goal in a frame has to be near to [counts].
+
+        Between frames the profile leaves its chord by its bumps; what is within a margin of
+        these bounds in both frames is within it of the profile all the way.
+        """
+        instants = np.arange(self.frames + 1) * FRAME * self.pace
+        wanted = np.interp(instants, self.profile.time, counts)
+        place = np.searchsorted(instants, self.profile.time, side="right") - 1
+        inside = (place >= 0) & (place < self.frames)
+        bumps = (counts - np.interp(self.profile.time, instants, wanted))[inside]
+        up, down = np.zeros(self.frames + 2), np.zeros(self.frames + 2)
+        for end in (1, 2):
+            np.maximum.at(up, place[inside] + end, bumps)
+            np.minimum.at(down, place[inside] + end, bumps)
+        return wanted + down[1:], wanted + up[1:]
 
     def _played(self, way: _Way) -> PoseFit:
         sequence = sequence_of(way.vertices)
@@ -189,9 +208,7 @@ def measured(
     return _compared(profile, sequence, counts, loop)
 
 
-def _compared(
-    profile: Profile, sequence: PoseSequence, counts: np.ndarray, loop: bool
-) -> PoseFit:
+def _compared(profile: Profile, sequence: PoseSequence, counts: np.ndarray, loop: bool) -> PoseFit:
     frames = len(counts) - 1
     instants = np.arange(frames + 1) * FRAME
     pace = profile.duration / (frames * FRAME) if loop else 1.0

@@ -1,8 +1,8 @@
-"""Thirty poses that serve more than thirty moves: candidates for a search to be content with."""
+"""Thirty poses that serve more than thirty moves: what a search may be content with."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -15,27 +15,15 @@ def poses_of(vertices: Sequence[Vertex]) -> list[Pose]:
     return list(dict.fromkeys((v.goals, number % 2) for number, v in enumerate(vertices)))
 
 
-def libraries(vertices: Sequence[Vertex], grid: int) -> Iterator[set[Pose]]:
-    """Sets of at most thirty poses near those of a way, goals on a grid."""
-    poses = poses_of(vertices)
-    yield _merged([(np.array(goals, float), phase, 1) for goals, phase in poses], grid)
-    # A way that is travelled back and forth meets its corners in both phases.
-    goals = list(dict.fromkeys(vertex.goals for vertex in vertices))
-    levels = _merged([(np.array(g, float), 0, 1) for g in goals], grid, MOST_POSES // 2)
-    yield {(level, phase) for level, _ in levels for phase in (0, 1)}
-    if len(goals[0]) == 1:
-        low, high = min(goals)[0], max(goals)[0]
-        even = np.unique(grid * np.round(np.linspace(low, high, MOST_POSES // 2) / grid))
-        yield {((int(level),), phase) for level in even for phase in (0, 1)}
+def shared_poses(vertices: Sequence[Vertex], grid: int) -> set[Pose]:
+    """At most thirty poses near those of a way, goals on a grid.
 
-
-_Cluster = tuple[np.ndarray, int, int]
-"""Mean goals, phase and number of members."""
-
-
-def _merged(clusters: list[_Cluster], grid: int, most: int = MOST_POSES) -> set[Pose]:
-    """Unite the two nearest of a phase until few enough are left."""
-    while len(clusters) > most:
+    The two nearest of a phase are united until few enough are left.
+    """
+    clusters: list[_Cluster] = [
+        (np.array(goals, dtype=float), phase, 1) for goals, phase in poses_of(vertices)
+    ]
+    while len(clusters) > MOST_POSES:
         first, second = _nearest(clusters)
         (a, phase, m), (b, _, n) = clusters[first], clusters[second]
         clusters = [c for i, c in enumerate(clusters) if i not in (first, second)]
@@ -43,6 +31,10 @@ def _merged(clusters: list[_Cluster], grid: int, most: int = MOST_POSES) -> set[
     return {
         (tuple(int(grid * round(x / grid)) for x in goals), phase) for goals, phase, _ in clusters
     }
+
+
+_Cluster = tuple[np.ndarray, int, int]
+"""Mean goals, phase and number of members."""
 
 
 def _nearest(clusters: list[_Cluster]) -> tuple[int, int]:

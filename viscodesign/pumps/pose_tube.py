@@ -29,15 +29,21 @@ class Tube:
 
     @classmethod
     def around(
-        cls, wanted: np.ndarray, margin: float, travel: tuple[int, int], *, closed: bool
+        cls,
+        lowest: np.ndarray,
+        highest: np.ndarray,
+        margin: float,
+        travel: tuple[int, int],
+        *,
+        closed: bool,
     ) -> Tube:
-        """All within a margin [counts] of what is wanted (N + 1,), and within travel.
+        """All within a margin of both bounds (N + 1,), and within travel [counts].
 
         ``closed``: the last frame is the first one of the next round.
         """
         # The servo is sent whole counts, rounded down; the slack keeps round-off out.
-        low = EIGHTHS * np.ceil(wanted - margin - 1e-9).astype(int)
-        high = EIGHTHS * np.floor(wanted + margin + 1e-9).astype(int) + EIGHTHS - 1
+        low = EIGHTHS * np.ceil(highest - margin - 1e-9).astype(int)
+        high = EIGHTHS * np.floor(lowest + margin + 1e-9).astype(int) + EIGHTHS - 1
         if closed:
             low[[0, -1]], high[[0, -1]] = max(low[0], low[-1]), min(high[0], high[-1])
         low = np.clip(low, EIGHTHS * travel[0], None)
@@ -66,7 +72,7 @@ class Tube:
         G: goals from 0 on, in steps of the grid.
         """
         goals = EIGHTHS * self.grid * np.arange(HIGHEST_COUNT // self.grid + 1)
-        stay = np.full((self.last + 2, len(goals)), -1)
+        stay = np.full((self.last + 2, len(goals)), -1, dtype=np.int32)
         for frame in range(self.last, -1, -1):
             inside = (self.low[frame] <= goals) & (goals <= self.high[frame])
             stay[frame] = np.where(inside, np.maximum(stay[frame + 1], frame), -1)
@@ -139,7 +145,7 @@ class Tube:
         step, distance = step[index], unit * steps
         goals = goal + np.sign(speeds[index]) * steps
         there = -(-distance // step)
-        inside = (there <= longest) & (0 <= goals) & (goals < self.stay.shape[1])
+        inside = (there <= longest) & (goals >= 0) & (goals < self.stay.shape[1])
         step, distance, goals, there = (a[inside] for a in (step, distance, goals, there))
         first = distance // step + 1
         # The law takes this step for F with (step - 1) F <= D < step F.
