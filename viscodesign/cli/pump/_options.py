@@ -12,14 +12,12 @@ Board = Annotated[
     typer.Option(
         "--board",
         metavar="NAME",
-        help="dynamixel, arbotix, arbotix-ros, or simulated: no hardware.",
+        help="dynamixel, arbotix, arbotix-ros or simulated.",
     ),
 ]
 Port = Annotated[
     str | None,
-    typer.Option(
-        "--port", metavar="PORT", help="Serial port; `viscodesign pump ports` lists them."
-    ),
+    typer.Option("--port", metavar="PORT", help="Serial port; `pump ports` lists them."),
 ]
 Baud = Annotated[
     int | None,
