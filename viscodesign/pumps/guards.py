@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from viscodesign.pumps.reading import Sample
+from viscodesign.scene.pump import Pump
 
 IN_SUCCESSION = 2
 """Samples that must agree where one alone may be noise."""
@@ -287,3 +288,23 @@ class Watch:
             reason = guard.check(sample)
             if reason is not None:
                 yield Stop(guard.rule, reason, guard.trusted, guard.may_retreat)
+
+
+def stream_rules(pump: Pump) -> list[Guard]:
+    """What a profile is watched by."""
+    return [PressureCap(pump.max_pressure), SensorFrozen(), *retreat_rules(pump)]
+
+
+def retreat_rules(pump: Pump) -> list[Guard]:
+    """What remains while the plunger is drawn back, which makes room for the pressure."""
+    low, high = pump.travel
+    return [
+        LimitSwitches(),
+        Travel(low, high),
+        ErrorBitsSet(),
+        Following(),
+        Obedience(),
+        Overheating(),
+        LowBattery(),
+        Silence(),
+    ]
