@@ -9,11 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from viscodesign.errors import PumpError
+from viscodesign.pumps.drive import COUNTS_PER_TURN
 from viscodesign.pumps.profile import Profile
 
 LEAD_SPEED = 50.0
 """On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
-SERVO_SPEED = 97 / 60 * 1228.8
+SERVO_SPEED = 97 / 60 * COUNTS_PER_TURN
 """No-load speed of an AX-18A [counts/s] (ROBOTIS e-manual)."""
 
 

@@ -13,7 +13,7 @@ from viscodesign.pumps import registers
 from viscodesign.pumps.boards.base import Board, Goal
 from viscodesign.pumps.clock import Clock
 from viscodesign.pumps.reading import ServoState, read_servo, write_register
-from viscodesign.pumps.transaction import ServoFault
+from viscodesign.pumps.transaction import ServoError
 
 HOLD_SPEED = 20
 """Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
@@ -121,7 +121,7 @@ def _hold_unseen(board: Board, servo: int, position: int | None, error: PumpErro
 def _release(board: Board, servo: int) -> Standing:
     try:
         write_register(board, servo, registers.TORQUE_ENABLE, 0)
-    except ServoFault as fault:
+    except ServoError as fault:
         return Standing(servo, False, f"torque off was sent; {fault}")
     except PumpError as error:
         return Standing(servo, False, f"torque off is not verified: {error}")

@@ -15,7 +15,7 @@ FULL = 1023
 
 def torque_limit(pump: Pump) -> int:
     """Torque limit register [1/1023 of stall] that the pressure cap and the friction need."""
-    torque = shaft_torque(
+    torque: float = shaft_torque(
         pump.max_pressure, pump.syringe_diameter, pump.pinion_diameter, pump.plunger_friction
     )
     share = ABOVE_CAP * torque / stall_torque(SERVOS[pump.servo], pump.supply_voltage)
@@ -24,6 +24,10 @@ def torque_limit(pump: Pump) -> int:
 
 def stalling_pressure(pump: Pump, limit: int) -> float:
     """Gauge pressure that a torque limit can hold against without friction [Pa]."""
-    return limit / FULL * stall_pressure(
-        SERVOS[pump.servo], pump.supply_voltage, pump.syringe_diameter, pump.pinion_diameter
+    return (
+        limit
+        / FULL
+        * stall_pressure(
+            SERVOS[pump.servo], pump.supply_voltage, pump.syringe_diameter, pump.pinion_diameter
+        )
     )

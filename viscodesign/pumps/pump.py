@@ -15,7 +15,7 @@ from viscodesign.pumps.gauges import Gauges
 from viscodesign.pumps.guards import Stop
 from viscodesign.pumps.holding import HOLD_SPEED, Standing, hold, release
 from viscodesign.pumps.limits import torque_limit
-from viscodesign.pumps.reading import Sample, ServoState, read_servo, write_register
+from viscodesign.pumps.reading import ServoState, read_servo, write_register
 from viscodesign.pumps.switches import Switches
 from viscodesign.scene.pump import Pump as Settings
 
@@ -96,9 +96,9 @@ class Pump:
         )
         if wrong:
             raise PumpError(
-                f"servo {servo} was armed at {position} counts, speed {HOLD_SPEED} and torque limit "
-                f"{limit}, but has goal {state.goal}, speed {state.moving_speed} and torque limit "
-                f"{state.torque_limit}; check its supply and cable"
+                f"servo {servo} was armed at {position} counts, with speed {HOLD_SPEED} and torque "
+                f"limit {limit}, but has goal {state.goal}, speed {state.moving_speed} and torque "
+                f"limit {state.torque_limit}; check its supply and cable"
             )
         return state.goal
 
@@ -139,7 +139,7 @@ class Pump:
         """Servos, pressures [Pa gauge] and pressed switches, read now."""
         states = {servo: read_servo(self.board, servo) for servo in self.servos}
         self.positions = {servo: state.position for servo, state in states.items()}
-        return states, self.gauges.read(self.board), self.switches.read(self.board)
+        return states, self.gauges.read(), self.switches.read(self.board)
 
     def hold(self) -> list[Standing]:
         """Stand where it is, read back; nothing is sent where the torque was never on."""

@@ -10,10 +10,13 @@ from viscodesign.pumps import registers
 from viscodesign.pumps.boards.base import Board
 from viscodesign.pumps.packets import ErrorBits, meaning
 from viscodesign.pumps.registers import Register
-from viscodesign.pumps.transaction import ServoFault
+from viscodesign.pumps.transaction import ServoError
 
 FIRST = registers.TORQUE_ENABLE.address
 LENGTH = registers.PRESENT_TEMPERATURE.address + 1 - FIRST
+
+
+NO_ERRORS = ErrorBits(0)
 
 
 @dataclass(frozen=True)
@@ -35,7 +38,7 @@ class ServoState:
     """[V]"""
     temperature: float
     """[degC]"""
-    errors: ErrorBits = ErrorBits(0)
+    errors: ErrorBits = NO_ERRORS
 
     @classmethod
     def decode(cls, data: bytes, errors: ErrorBits) -> ServoState:
@@ -69,8 +72,8 @@ def read_servo(board: Board, servo: int) -> ServoState:
 def read_anyway(board: Board, servo: int, address: int, count: int) -> tuple[bytes, ErrorBits]:
     """Registers and error bits; raises where no registers came."""
     try:
-        return board.read(servo, address, count), ErrorBits(0)
-    except ServoFault as fault:
+        return board.read(servo, address, count), NO_ERRORS
+    except ServoError as fault:
         if len(fault.data) != count:
             raise
         return fault.data, fault.errors
