@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from io import FileIO
 from pathlib import Path
 from typing import Any
@@ -50,11 +50,11 @@ class Record:
         self._line([_number(value) for value in values(moment, sample)])
         self.rows += 1
         if time.monotonic() - self._flushed >= FLUSH:
-            self._flush()
+            self.flush()
 
     def state(self, status: str, **more: Any) -> None:
         """Write the JSON anew: whether the table is complete, and what is known of the run."""
-        self._flush()
+        self.flush()
         document = {
             "record": self.path.name,
             "version": __version__,
@@ -70,20 +70,24 @@ class Record:
     def _line(self, cells: Sequence[str]) -> None:
         self._waiting += (",".join(cells) + "\n").encode()
 
-    def _flush(self) -> None:
+    def flush(self) -> None:
         """All waiting rows, or none: a full disk leaves no half a row behind."""
         self._flushed = time.monotonic()
+        left = bytes(self._waiting)
         with refused_plainly(self.path):
             try:
-                while self._waiting:
-                    del self._waiting[: self._table.write(self._waiting)]
+                while left:
+                    left = left[self._table.write(left) :]
             except OSError:
-                self._table.truncate(self._whole)
+                with contextlib.suppress(OSError):
+                    self._table.truncate(self._whole)
+                    self._table.seek(self._whole)
                 raise
-            self._whole = self._table.tell()
+        self._whole += len(self._waiting)
+        self._waiting.clear()
 
 
-@contextmanager
+@contextlib.contextmanager
 def recorded(path: Path, inlets: Sequence[str], facts: dict[str, Any]) -> Iterator[Record]:
     """A record in progress; replaces an earlier one of the same name.
 
@@ -92,13 +96,13 @@ def recorded(path: Path, inlets: Sequence[str], facts: dict[str, Any]) -> Iterat
     with refused_plainly(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         table = FileIO(path, "w")
-    try:
+    with contextlib.closing(table):
         record = Record(path, table, inlets, facts)
         record.state(RUNNING)
-        yield record
-    finally:
-        with refused_plainly(path):
-            table.close()
+        try:
+            yield record
+        finally:
+            record.flush()
 
 
 def columns(inlets: Sequence[str]) -> list[str]:

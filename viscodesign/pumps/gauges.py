@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from viscodesign.pumps.sensors.base import Sensor
+from collections.abc import Callable, Sequence
 
 TRIM = 6e3
 """A sensor at rest this close to the ambient shows its own error [Pa]: 1.5 % of its span."""
 
 
 class Gauges:
-    """S sensors, one for each inlet or None, and the ambient pressure [Pa absolute]."""
+    """S inlets, each with what reads its absolute pressure [Pa], or None; and the ambient [Pa]."""
 
-    def __init__(self, sensors: Sequence[Sensor | None], ambient: float) -> None:
+    def __init__(self, sensors: Sequence[Callable[[], float] | None], ambient: float) -> None:
         self.sensors = tuple(sensors)
         self.ambient = ambient
         self.offsets = [0.0 for _ in sensors]
@@ -43,6 +41,5 @@ class Gauges:
         """Gauge pressure at each inlet [Pa]; raises `PumpError` where a sensor gives none."""
         pairs = zip(self.sensors, self.offsets, strict=True)
         return tuple(
-            None if sensor is None else sensor.read() - self.ambient - offset
-            for sensor, offset in pairs
+            None if sensor is None else sensor() - self.ambient - offset for sensor, offset in pairs
         )

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import select
 import shutil
-import sys
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from typing import TextIO
+from dataclasses import dataclass
 
+from viscodesign.pumps.outlet import Outlet
 from viscodesign.pumps.stream import Shown
 
 REDRAW = 0.1
@@ -23,10 +21,7 @@ CELLS = (10, 40)
 
 @dataclass
 class LiveView:
-    """A picture of two lines for each inlet, or a line every few seconds.
-
-    Never waits for its reader: a terminal that was stopped (Ctrl-S) must not stop a pump.
-    """
+    """On a terminal a picture, two bars for each inlet; in a pipe a line every few seconds."""
 
     inlets: Sequence[str]
     cap: float
@@ -34,7 +29,7 @@ class LiveView:
     duration: float
     """Of the profile [s]."""
     simulated: bool
-    stream: TextIO = field(default_factory=lambda: sys.stderr)
+    outlet: Outlet
     clock: Callable[[], float] = time.monotonic
     drawn_at: float = -REPORT
     height: int = 0
@@ -42,20 +37,16 @@ class LiveView:
 
     def show(self, shown: Shown) -> None:
         """Draw one tick, where it is time to."""
-        terminal = self.stream.isatty()
+        terminal = self.outlet.terminal
         now = self.clock()
         due = now - self.drawn_at >= (REDRAW if terminal else REPORT)
-        if not (due or shown.stop) or not self._writable():
+        if not (due or shown.stop):
             return
         self.drawn_at = now
         if terminal:
             self._redraw(self.picture(shown))
         else:
-            self._write("; ".join(self.report(shown)) + "\n")
-
-    def finish(self) -> None:
-        """Leave the last picture where it is, and the cursor below it."""
-        self.height = 0
+            self.outlet.write("; ".join(self.report(shown)) + "\n")
 
     def picture(self, shown: Shown) -> list[str]:
         """State and, for each inlet, two bars."""
@@ -106,22 +97,7 @@ class LiveView:
     def _redraw(self, lines: Sequence[str]) -> None:
         up = f"\x1b[{self.height}A" if self.height else ""
         self.height = len(lines)
-        self._write(up + "".join(f"\r\x1b[K{line}\n" for line in lines))
-
-    def _writable(self) -> bool:
-        """Whether its reader takes anything now; a stream without a descriptor always does."""
-        try:
-            return bool(select.select([], [self.stream], [], 0.0)[1])
-        except (OSError, ValueError):
-            return True
-
-    def _write(self, text: str) -> None:
-        """A terminal that went away is no reason to stop otherwise than by its signal."""
-        try:
-            self.stream.write(text)
-            self.stream.flush()
-        except OSError:
-            self.drawn_at = float("inf")
+        self.outlet.write(up + "".join(f"\r\x1b[K{line}\n" for line in lines))
 
 
 def _kpa(value: float | None) -> str:

@@ -114,7 +114,9 @@ def test_leaving_a_switch_goes_on() -> None:
     assert first_stop(guard, samples) is None
 
 
-@pytest.mark.parametrize(("position", "stops"), [(100, False), (95, False), (94, True), (1006, True)])
+@pytest.mark.parametrize(
+    ("position", "stops"), [(100, False), (95, False), (94, True), (1006, True)]
+)
 def test_travel(position: int, stops: bool) -> None:
     reason = Travel(100, 1000).check(sample(state=servo(position)))
     assert (reason is not None) == stops
