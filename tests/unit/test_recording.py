@@ -103,7 +103,12 @@ def test_rows_are_flushed_once_a_second(tmp_path: Path, monkeypatch: pytest.Monk
 
 def test_an_interrupted_record_is_kept(tmp_path: Path) -> None:
     path = tmp_path / "record.csv"
-    with pytest.raises(KeyError), recorded(path, ["inlet"], FACTS) as record:
-        record.add(0.0, sample())
-        raise KeyError
+
+    def work() -> None:
+        with recorded(path, ["inlet"], FACTS) as record:
+            record.add(0.0, sample())
+            raise KeyError
+
+    with pytest.raises(KeyError):
+        work()
     assert len(path.read_text().splitlines()) == 2
