@@ -43,21 +43,33 @@ def _volume_imbalance(problem: Problem, solution: Solution, rows: Rows, end: int
         float(np.max(np.abs(stored - stored[0]))), STANDSTILL * float(np.max(np.abs(stored)))
     )
     worst = 0.0
-    fed = np.zeros((0, end))
-    if "inflow" in equations.states.blocks:
-        fed = equations.states.physical("inflow", solution.states)[:, :end]
-    for component, inflow in zip(equations.fed, fed, strict=False):
-        held = stored[:, _columns(problem, component)].sum(axis=1)
+    given = inflows(problem, solution)
+    for component in equations.fed if given else ():
+        own = [given[name][:end] for name in component.inlets if name in given]
+        inflow = np.sum(own, axis=0)
+        held = stored[:, holding_columns(problem, component)].sum(axis=1)
         scale = max(moved, float(np.max(np.abs(inflow))))
         worst = max(worst, float(np.max(np.abs(held - held[0] - inflow))) / scale)
     for component, filled in zip(equations.sealed, equations.sealed_volumes, strict=True):
-        held = stored[:, _columns(problem, component)].sum(axis=1)
+        held = stored[:, holding_columns(problem, component)].sum(axis=1)
         reference = held[0] if equations.network_form is NetworkForm.DISTRIBUTED else filled
         worst = max(worst, float(np.max(np.abs(held - reference))) / moved)
     return worst
 
 
-def _columns(problem: Problem, component: Component) -> list[int]:
+def inflows(problem: Problem, solution: Solution) -> dict[str, np.ndarray]:
+    """What each inlet of given pressure let in since t = 0, at every solved edge [m3].
+
+    Nothing where one pressure is shared: there no flow is followed.
+    """
+    equations = problem.equations
+    if "inflow" not in equations.states.blocks:
+        return {}
+    rows = equations.states.physical("inflow", solution.states)
+    return dict(zip(equations.driven, rows, strict=True))
+
+
+def holding_columns(problem: Problem, component: Component) -> list[int]:
     """Where a component's nodes stand among those that hold fluid."""
     own = set(component.nodes)
     names = [*problem.bellows_along_tubes, *problem.equations.storing]

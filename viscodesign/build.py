@@ -84,6 +84,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
     return Problem(
         equations=equations,
         body=conditions.body,
+        inlets=tuple(scene.inputs),
         bellows=conditions.graph.bellows,
         bellows_along_tubes=conditions.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
@@ -120,7 +121,9 @@ def _source(scene: Scene, name: str) -> Source:
     if isinstance(source, SyringeInput):
         fluid = scene.fluid
         modulus, exponent = fluid.bulk_modulus, fluid.polytropic_exponent
-        syringe = Syringe(source.full_volume, modulus, exponent)
+        # Beside a gas it is the same gas, and part of the full volume.
+        cushion = 0.0 if fluid.is_gas else source.cushion
+        syringe = Syringe(source.full_volume, modulus, exponent, cushion)
     return Source(
         lambda time, piece: source.expression(time, piece, ca), source.coefficients, syringe
     )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from viscodesign.balances import read_invariants
+from viscodesign.balances import holding_columns, inflows, read_invariants
 from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
@@ -29,6 +29,9 @@ class Motion:
     tip: np.ndarray
     inlet_pressure: np.ndarray
     """(T, inlets) gauge."""
+    inflow: np.ndarray
+    """(T, inlets) given into the network since all was filled at the baseline, unloaded
+    [m3 at ambient density]."""
     pressure: np.ndarray
     volume: np.ndarray
     flow: np.ndarray
@@ -70,6 +73,7 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
         time=rows.time[keep],
         tip=np.column_stack((shape[:, -1], angle)),
         inlet_pressure=rows["inlet_pressure"][keep],
+        inflow=_given(problem, solution, rows)[keep],
         pressure=rows["pressure"][keep],
         volume=rows["volume"][keep],
         flow=_flows(problem, rows)[keep],
@@ -104,6 +108,25 @@ def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     for name in ("pressure", "volume", "unpaired_volume"):
         values[name] = values[name][:, problem.places]
     return _Rows(problem.schedule.edges[: solution.reached], values)
+
+
+def _given(problem: Problem, solution: Solution, rows: _Rows) -> np.ndarray:
+    """What every inlet has given to the network (T, inlets), from what is held.
+
+    Several inlets of given pressure in one network share equally what it held beyond its
+    filling when the run began: how it came in is nowhere told.
+    """
+    equations = problem.equations
+    beyond = rows["stored"] - equations.filled_amounts
+    later = inflows(problem, solution)
+    names = [*problem.bellows_along_tubes, *equations.storing]
+    given = {name: -beyond[:, k] for k, name in enumerate(names) if name in problem.inlets}
+    for component in equations.fed:
+        driven = [name for name in component.inlets if name in equations.driven]
+        held = beyond[:, holding_columns(problem, component)].sum(axis=1)
+        for name in driven:
+            given[name] = held if len(driven) == 1 else held[0] / len(driven) + later[name]
+    return np.column_stack([np.zeros((len(rows.time), 0)), *(given[n] for n in problem.inlets)])
 
 
 def _section_strains(problem: Problem, rows: _Rows) -> tuple[np.ndarray, np.ndarray]:

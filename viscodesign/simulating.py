@@ -148,6 +148,7 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
         time=motion.time,
         tip=motion.tip,
         inlet_pressure=dict(zip(scene.inputs, motion.inlet_pressure.T, strict=True)),
+        inflow=dict(zip(scene.inputs, motion.inflow.T, strict=True)),
         bellows=graph.bellows,
         pressure=motion.pressure,
         volume=motion.volume,

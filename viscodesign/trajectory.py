@@ -189,6 +189,9 @@ class Trajectory:
     version: str
     ambient_pressure: float = 101325.0
     """Absolute [Pa]."""
+    inflow: Mapping[str, np.ndarray] = field(default_factory=dict)
+    """Inlet name -> (T,) what it has given to the network since all was filled at the baseline,
+    unloaded [m3 at ambient density]; from what is held, not from flows."""
     proof: tuple[Proof, ...] = ()
     """What every effect changes, where that was asked for."""
     ladder: tuple[Rung, ...] = ()

@@ -23,6 +23,7 @@ LAYERS = [
     ["build", "balances"],
     ["effects"],
     ["sketch"],
+    ["recording"],
     ["report"],
     ["trajectory", "tradeoff"],
     ["solve"],

@@ -71,9 +71,11 @@ class Formulas:
     output_function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
     quantity_function: ca.Function
-    """parameters -> (sealed_volumes, rest_amounts, motion time, swing time, and the
-    sizes of all blocks of states, algebraics and statics)."""
+    """parameters -> (sealed_volumes, rest_amounts, filled_amounts, motion time, swing time,
+    and the sizes of all blocks of states, algebraics and statics)."""
     fed: tuple[Component, ...]
+    driven: tuple[str, ...]
+    """Inlets whose pressure is given, in the order of the state `inflow`."""
     sealed: tuple[Component, ...]
     storing: tuple[str, ...]
     """Nodes besides the bellows that hold fluid."""
@@ -85,9 +87,9 @@ class Formulas:
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
         found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
-        sealed, rest, motion, swing = found[:4]
+        sealed, rest, filled, motion, swing = found[:5]
         groups = [self.states, self.algebraics, self.statics]
-        ends = 4 + np.cumsum([0, *(len(group.blocks) for group in groups)])
+        ends = 5 + np.cumsum([0, *(len(group.blocks) for group in groups)])
         sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
         own = {f.name: getattr(self, f.name) for f in fields(self)}
         names = ("states", "algebraics", "statics")
@@ -96,6 +98,7 @@ class Formulas:
             parameter_values=values,
             sealed_volumes=sealed,
             rest_amounts=rest,
+            filled_amounts=filled,
             swing_time=float(swing[0]),
             motion_time=float(motion[0]),
         )
@@ -110,6 +113,8 @@ class Equations(Formulas):
     """What each sealed part was filled with [m3 at ambient density]."""
     rest_amounts: np.ndarray
     """What bellows and storing nodes hold at zero gauge [m3]."""
+    filled_amounts: np.ndarray
+    """The same at the baseline, with nothing loading and no plunger pushed in."""
     swing_time: float
     """Time in which the inlets may change by all of their pressure [s]."""
     motion_time: float
@@ -195,6 +200,7 @@ class _Formulation:
         return [
             self.network.filled(),
             self.network.rest_amounts(nodes),
+            self.network.filled_amounts(nodes),
             self.sizes.time,
             self.sizes.swing,
             *(
@@ -247,6 +253,7 @@ class _Formulation:
             ),
             quantity_function=ca.Function("quantities", [parameters], quantities),
             fed=network.fed,
+            driven=tuple(network.driven),
             sealed=network.sealed,
             storing=tuple(network.storing),
             incompressible=isinstance(system.fluid, Incompressible),

@@ -38,6 +38,7 @@ class NetworkEquations:
         self.bare = [name for name in system.junction_pressure if name not in self.storing]
         self.components = tuple(system.graph.components())
         self.fed = tuple(c for c in self.components if self._pressure_inlets(c))
+        self.driven = [name for c in self.fed for name in self._pressure_inlets(c)]
         self.sealed = tuple(c for c in self.components if c not in self.fed and self._nodes(c))
         self.sealed_volumes = SX.sym("sealed_volumes", len(self.sealed))
         tubes = system.graph.tubes if self.form is NetworkForm.DISTRIBUTED else ()
@@ -102,7 +103,7 @@ class NetworkEquations:
         system, volume = self.system, self._volume_size()
         self.amounts = SX.sym("amount", len(system.pressure))
         self.node_amounts = SX.sym("node_amount", len(self.storing))
-        self.inflows = SX.sym("inflow", len(self.fed))
+        self.inflows = SX.sym("inflow", len(self.driven))
         states.add("volume", self.amounts, volume)
         states.add("node_volume", self.node_amounts, volume)
         states.add("inflow", self.inflows, volume * len(system.pressure))
@@ -191,9 +192,11 @@ class NetworkEquations:
 
     def filled(self) -> SX:
         """What every sealed part was filled with: its content at the baseline [m3]."""
-        return column(
-            [ca.sum1(self._content(self._nodes(c), self.system.baseline)) for c in self.sealed]
-        )
+        return column([ca.sum1(self.filled_amounts(self._nodes(c))) for c in self.sealed])
+
+    def filled_amounts(self, nodes: list[str]) -> SX:
+        """What nodes hold at the baseline, with nothing loading and nothing pushed [m3]."""
+        return self._content(nodes, self.system.baseline)
 
     def departures(self) -> SX:
         """What bellows and storing nodes hold beyond rest, from pressures [m3]."""
@@ -211,10 +214,10 @@ class NetworkEquations:
             column([inflow[name] for name in (*self.system.pressure, *self.storing)]) / size,
         ]
         if self.fed:
-            # A state, not a quadrature: only then do the same linear formulas carry
-            # it and the volumes, and the balance holds to round-off.
-            sums = [sum((-inflow[n] for n in self._pressure_inlets(c)), SX(0)) for c in self.fed]
-            ode.append(column(sums) / (size * len(self.system.pressure)))
+            # States, not quadratures: only then do the same linear formulas carry
+            # them and the volumes, and the balance holds to round-off.
+            given = column([-inflow[name] for name in self.driven])
+            ode.append(given / (size * len(self.system.pressure)))
         rates, inertial = self._flow_rates(), self._free(self.inertial)
         ode.append(column([rates[t.name] for t in inertial]) / self._flow_sizes(inertial))
         # The state is the amount beyond that at rest: small departures keep their digits.
@@ -321,9 +324,7 @@ class NetworkEquations:
             ),
             SX(0),
         )
-        flow = sum(
-            (-system.net_inflow[n] for c in self.fed for n in self._pressure_inlets(c)), SX(0)
-        )
+        flow = sum((-system.net_inflow[name] for name in self.driven), SX(0))
         return {"pump_power": pump, "tube_loss": tubes, "flow": flow}
 
     def outputs(self, conjugate: SX) -> dict[str, SX]:

@@ -38,6 +38,8 @@ class Syringe:
     bulk_modulus: float | None
     """Of a liquid [Pa]; None for a gas, which follows ``exponent``."""
     exponent: float = 1.0
+    cushion: float = 0.0
+    """Gas beside a liquid, of the full volume, at the baseline pressure [m3]."""
 
 
 @dataclass(frozen=True)
@@ -274,9 +276,50 @@ class System:
         return left * self.barrel_fluid(name).density(self.inlet_pressure[name])
 
     def _space(self, name: str) -> SX:
-        """Volume in front of a plunger [m3]."""
+        """Volume of fluid in front of a plunger [m3]."""
         full = self.parameter(f"syringe.{name}", self.syringes[name].full_volume)
-        return full - self.pushed[name]
+        return full - self.pushed[name] - self._cushion_volume(name)
+
+    def _cushion_amount(self, name: str) -> SX | None:
+        """The gas beside a barrel's liquid, as volume at ambient density [m3]; None without."""
+        cushion = self.syringes[name].cushion
+        if not cushion:
+            return None
+        volume = self.parameter(f"syringe.{name}.cushion", cushion)
+        return volume * self._cushion_gas.density(self.baseline)
+
+    @property
+    def _cushion_gas(self) -> Gas:
+        """It keeps the liquid's temperature."""
+        return Gas(self.ambient, 1.0)
+
+    def _cushion_volume(self, name: str) -> SX:
+        amount = self._cushion_amount(name)
+        if amount is None:
+            return SX(0)
+        return amount / self._cushion_gas.density(self.inlet_pressure[name])
+
+    def cushion_energy(self, name: str) -> SX:
+        """What the gas beside a barrel's liquid stores [J].
+
+        Minus the integral of the plunger's work per volume over the gas's volume, by parts.
+        """
+        amount = self._cushion_amount(name)
+        if amount is None:
+            return SX(0)
+        pressure = self.inlet_pressure[name]
+        work = self._cushion_gas.specific_work(pressure)
+        stored = amount * work - self._cushion_volume(name) * self.plunger_pressure(name)
+        if self._has_own_fluid(name):
+            # The plunger's work per volume is p + p2/(2 K): the liquid yields as well.
+            modulus = self.parameter(f"syringe.{name}.bulk_modulus", self._modulus(name))
+            stored += amount * self.ambient * (pressure - work) / modulus
+        return stored
+
+    def _modulus(self, name: str) -> float:
+        modulus = self.syringes[name].bulk_modulus
+        assert modulus is not None, "a gas has no cushion"
+        return modulus
 
     def barrel_fluid(self, name: str) -> FluidLaw:
         """The fluid in a barrel, which always yields: the plunger's position is given."""
@@ -350,7 +393,8 @@ class System:
 
     def fluid_energy(self) -> SX:
         """Energy of walls and fluid whose rate is the work of what flows in [J]."""
-        energy = self.tube_energy + sum((self.barrel_energy(name) for name in self.syringes), SX(0))
+        energy = self.tube_energy
+        energy += sum((self.barrel_energy(n) + self.cushion_energy(n) for n in self.syringes), SX(0))
         energy += ca.sum1(self.wall.energy(ca.vertcat(*self.pressure.values())))
         for name in (*self.pressure, *self.storing_nodes()):
             pressure = self.node_pressure(name)

@@ -34,6 +34,7 @@ class Problem:
 
     equations: Equations
     body: Body
+    inlets: tuple[str, ...]
     bellows: tuple[str, ...]
     bellows_along_tubes: tuple[str, ...]
     """The same in the order of the unknowns."""

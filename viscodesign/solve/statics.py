@@ -160,7 +160,7 @@ def _from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarra
     if "volume" in equations.states.blocks:
         held = np.asarray(amounts).ravel() / equations.states.blocks["volume"].size
         known["volume"], known["node_volume"] = np.split(held, [len(problem.bellows)])
-        known["inflow"] = np.zeros(len(equations.fed))
+        known["inflow"] = np.zeros(len(equations.driven))
     if equations.rod_form in MOVING:
         known["velocity"] = np.zeros_like(known["position"])
         known["acceleration"] = np.zeros_like(known["position"])

@@ -30,6 +30,9 @@ class Syringe(PiecewiseLinear):
     diameter: Length = Field(gt=0, description="Inner diameter of the barrel")
     start: Length = Field(gt=0, description="Length of the filled barrel at the start")
     dead_volume: Volume = Field(0.0, ge=0, description="What the plunger cannot push out")
+    cushion: Volume = Field(
+        0.0, ge=0, description="Gas in front of the plunger beside a liquid, at the baseline pressure"
+    )
     file: str | None = Field(
         None, description="CSV with the columns time_s, position_m; relative to the spec"
     )
@@ -70,8 +73,8 @@ class Syringe(PiecewiseLinear):
 
     @property
     def full_volume(self) -> float:
-        """Volume in front of the plunger at its start [m3]."""
-        return self.area * self.start + self.dead_volume
+        """Volume in front of the plunger at its start, a cushion included [m3]."""
+        return self.area * self.start + self.dead_volume + self.cushion
 
     def _positions(self) -> list[tuple[float, float]]:
         """(time, position) where the speed changes; the last speed of a list is kept."""

@@ -1,0 +1,59 @@
+"""The way to a profile and along it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from viscodesign.errors import PumpError
+from viscodesign.pumps.course import LEAD_SPEED, led_in, way_back
+from viscodesign.pumps.profile import Profile
+
+
+def profile(counts: list[float], servos: tuple[int, ...] = (1,)) -> Profile:
+    time = np.arange(len(counts), dtype=float)
+    columns = np.repeat(np.array(counts)[:, None], len(servos), axis=1)
+    names = tuple(f"inlet{k}" for k in servos)
+    return Profile(names, servos, time, columns, 10 * columns)
+
+
+@pytest.mark.parametrize("settle", [0.0, 2.0])
+def test_it_begins_where_the_plunger_is_and_goes_slowly(settle: float) -> None:
+    course = led_in(profile([300.0, 320.0]), {1: 200}, settle)
+    assert course.goals(0.0) == pytest.approx([200.0])
+    assert course.lead == pytest.approx(100 / LEAD_SPEED + settle)
+    assert course.goals(course.lead) == pytest.approx([300.0])
+    assert course.goals(course.lead + 0.5) == pytest.approx([310.0])
+    assert course.duration == pytest.approx(course.lead + 1.0)
+    moments = np.arange(0.0, course.lead, 0.01)
+    steps = np.diff([course.goals(t)[0] for t in moments])
+    assert np.abs(steps).max() <= LEAD_SPEED * 0.01 * (1 + 1e-9)
+
+
+def test_no_pressure_is_expected_before_the_profile() -> None:
+    course = led_in(profile([300.0, 320.0]), {1: 200}, 1.0)
+    assert course.wanted(course.lead - 1e-6) == (None,)
+    assert course.wanted(course.lead + 0.5) == pytest.approx((3100.0,))
+
+
+def test_several_plungers_arrive_together() -> None:
+    course = led_in(profile([300.0, 320.0], (1, 2)), {1: 200, 2: 290})
+    assert course.lead == pytest.approx(2.0)
+    assert course.goals(1.0) == pytest.approx([250.0, 295.0])
+
+
+def test_one_tick_reaches_as_far_as_the_steepest_part() -> None:
+    assert led_in(profile([200.0, 200.0, 290.0]), {1: 200}).reach(1 / 30) == 4
+
+
+def test_what_no_servo_can_do_is_refused() -> None:
+    with pytest.raises(PumpError, match="2500 counts/s"):
+        led_in(profile([0.0, 2500.0]), {1: 0}).reach(1 / 30)
+
+
+def test_the_way_back_expects_no_pressure() -> None:
+    there = led_in(profile([300.0, 320.0]), {1: 300})
+    back = way_back(there, {1: 320}, 200)
+    assert back.goals(0.0) == pytest.approx([320.0])
+    assert back.goals(back.duration) == pytest.approx([200.0])
+    assert back.wanted(back.duration) == (None,)

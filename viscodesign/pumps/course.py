@@ -1,0 +1,90 @@
+"""The way from where the plungers are to the profile, and along it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from viscodesign.errors import PumpError
+from viscodesign.pumps.drive import COUNTS_PER_TURN
+from viscodesign.pumps.profile import Profile
+
+LEAD_SPEED = 50.0
+"""On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
+SERVO_SPEED = 97 / 60 * COUNTS_PER_TURN
+"""No-load speed of an AX-18A [counts/s] (ROBOTIS e-manual)."""
+
+
+@dataclass(frozen=True)
+class Course:
+    """Set-points against time from the first tick on; S servos."""
+
+    profile: Profile
+    lead: float
+    """Time from the first tick to the profile's own start [s]."""
+
+    @property
+    def duration(self) -> float:
+        """Way to the profile included [s]."""
+        return self.profile.duration
+
+    def goals(self, elapsed: float) -> np.ndarray:
+        """(S,) counts, not rounded."""
+        return self.profile.at(elapsed)
+
+    def wanted(self, elapsed: float) -> tuple[float | None, ...]:
+        """(S,) gauge pressure that the model expects [Pa]; None on the way to the profile."""
+        profile = self.profile
+        if elapsed < self.lead:
+            return (None,) * len(profile.inlets)
+        return tuple(float(np.interp(elapsed, profile.time, p)) for p in profile.pressure.T)
+
+    def reach(self, period: float) -> int:
+        """Largest step between two ticks, rounded up and one more for rounding [counts]."""
+        slopes = np.abs(np.diff(self.profile.counts, axis=0)).max(axis=1) / np.diff(
+            self.profile.time
+        )
+        step = float(slopes.max(initial=0.0)) * period
+        if step > SERVO_SPEED * period:
+            raise PumpError(
+                f"the profile asks for {step / period:.0f} counts/s; the servo's no-load speed is "
+                f"{SERVO_SPEED:.0f}: run `pump plan` on the spec"
+            )
+        return math.ceil(step) + 1
+
+
+def led_in(profile: Profile, present: Mapping[int, int], settle: float = 0.0) -> Course:
+    """A profile behind a slow way to its start, and a pause there for the pressure to settle.
+
+    ``present``: position of each servo [counts]; ``settle`` [s].
+    """
+    here = np.array([float(present[servo]) for servo in profile.servos])
+    way = float(np.max(np.abs(profile.counts[0] - here), initial=0.0)) / LEAD_SPEED
+    # Not at once even where it is there already: times have to rise.
+    way = max(way, 0.1)
+    lead = way + settle
+    stops = [0.0] if settle == 0.0 else [0.0, way]
+    counts = [here] if settle == 0.0 else [here, profile.counts[0]]
+    pressures = np.repeat(profile.pressure[:1], len(stops), axis=0)
+    joined = Profile(
+        inlets=profile.inlets,
+        servos=profile.servos,
+        time=np.concatenate((stops, profile.time + lead)),
+        counts=np.concatenate((np.array(counts), profile.counts)),
+        pressure=np.concatenate((pressures, profile.pressure)),
+    )
+    return Course(joined, lead)
+
+
+def way_back(course: Course, goals: Mapping[int, int], home: int) -> Course:
+    """Slowly from the goals in force to home; no pressure is expected on the way."""
+    servos = course.profile.servos
+    here = np.array([float(goals[servo]) for servo in servos])
+    there = np.full(len(servos), float(home))
+    way = max(float(np.max(np.abs(there - here))) / LEAD_SPEED, 0.1)
+    counts, none = np.stack((here, there)), np.zeros((2, len(servos)))
+    profile = Profile(course.profile.inlets, servos, np.array([0.0, way]), counts, none)
+    return Course(profile, lead=math.inf)

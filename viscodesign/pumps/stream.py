@@ -1,0 +1,176 @@
+"""Set-points in real time: read, judge, send, once a tick; and whatever happens, stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+from viscodesign.errors import PumpError
+from viscodesign.pumps.course import Course, way_back
+from viscodesign.pumps.guards import Stop, Watch, retreat_rules, stream_rules
+from viscodesign.pumps.holding import Standing
+from viscodesign.pumps.interrupt import Wish
+from viscodesign.pumps.pump import SPEED, Pump
+from viscodesign.pumps.reading import Sample
+from viscodesign.pumps.ticks import Ticks
+
+LOWEST_RATE = 10.0
+"""Slower ticks would take longer than a silence may last [Hz]."""
+HIGHEST_RATE = 100.0
+"""[Hz]"""
+OnStop = Literal["hold", "release", "retract"]
+Status = Literal["complete", "interrupted", "stopped"]
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What one tick gives to be recorded and seen."""
+
+    time: float
+    """From the profile's start; negative on the way there [s]."""
+    sample: Sample
+    skipped: int
+    """Ticks skipped so far."""
+    stop: Stop | None
+    """The rule that this sample breaks."""
+
+
+@dataclass
+class Ending:
+    """How a stream ended, and how the pump was left."""
+
+    status: Status = "stopped"
+    reason: str = "it did not begin"
+    rule: str = ""
+    """The broken rule, where one was."""
+    may_retreat: bool = True
+    """Whether the plunger may be drawn back."""
+    standing: list[Standing] = field(default_factory=list)
+    retreat: str = ""
+    """Why drawing the plunger back did not go to its end, where it did not."""
+
+    @property
+    def sure(self) -> bool:
+        """Whether every servo was read back as it was left."""
+        return bool(self.standing) and all(one.sure for one in self.standing)
+
+
+class Stream:
+    """One course, streamed once by an armed pump."""
+
+    def __init__(
+        self,
+        pump: Pump,
+        course: Course,
+        wish: Wish,
+        see: Callable[[Shown], None],
+        *,
+        rate: float,
+        on_stop: OnStop = "hold",
+    ) -> None:
+        """``rate`` of the ticks [Hz]; ``see`` is given every tick after its goals are sent."""
+        self.pump = pump
+        self.course = course
+        self.wish = wish
+        self.see = see
+        self.on_stop = on_stop
+        self.ending = Ending()
+        self.ticks = Ticks(pump.clock, 1.0 / rate)
+        self.origin = 0.0
+        """When the profile itself begins [s of the clock]."""
+
+    def play(self) -> Ending:
+        """To the course's end, a stop or a wish.
+
+        However this is left, by an exception too, the pump stands (or it is said that no hold
+        could be sent) and `ending` tells how.
+        """
+        self.origin = self.pump.clock.now() + self.course.lead
+        try:
+            self.ending = self._run(self.course, Watch(stream_rules(self.pump.settings)))
+        except PumpError as error:
+            self.ending = Ending("stopped", str(error), "replies", may_retreat=False)
+        except BaseException as error:
+            told = f"{type(error).__name__}: {error}".removesuffix(": ")
+            self.ending = Ending("stopped", told, "exception", may_retreat=False)
+            raise
+        finally:
+            self._stand()
+        return self.ending
+
+    def _run(self, course: Course, watch: Watch) -> Ending:
+        """Ticks until the course is over, a rule is broken, or the next wish to stop."""
+        self.pump.reach = course.reach(self.ticks.period)
+        heard = self.wish.times
+        self.ticks.begin()
+        while self.ticks.elapsed <= course.duration:
+            if not self._untouched(heard):
+                return Ending("interrupted", f"asked to stop ({self.wish.first})")
+            stop = self._tick(course, watch, heard)
+            if stop is not None:
+                return Ending("stopped", str(stop), stop.rule, stop.may_retreat)
+            self.ticks.wait(lambda: self._untouched(heard))
+        return Ending("complete", "played to its end")
+
+    def _untouched(self, heard: int) -> bool:
+        return self.wish.times <= heard
+
+    def _tick(self, course: Course, watch: Watch, heard: int) -> Stop | None:
+        """Read, judge, send, show."""
+        elapsed = self.ticks.now
+        goals, speeds = self._next(course, elapsed)
+        sample = self._look(course, elapsed, goals)
+        stop = watch.check(sample)
+        self.pump.alarm = self.pump.alarm or stop
+        if stop is None and self._untouched(heard):
+            self.pump.set_goals(goals, speeds)
+        time = self.ticks.start + elapsed - self.origin
+        self.see(Shown(time, sample, self.ticks.skipped, stop))
+        return stop
+
+    def _look(self, course: Course, elapsed: float, goals: dict[int, int]) -> Sample:
+        states, pressure, pressed = self.pump.look()
+        return Sample(
+            time=self.pump.clock.now(),
+            servos=states,
+            pressure=pressure,
+            wanted=course.wanted(elapsed),
+            pressed=pressed,
+            goals=dict(self.pump.goals),
+            next_goals=goals,
+        )
+
+    def _next(self, course: Course, elapsed: float) -> tuple[dict[int, int], dict[int, float]]:
+        """Goals for the end of this tick [counts], within reach, and speeds to get there."""
+        now, then = course.goals(elapsed), course.goals(elapsed + self.ticks.period)
+        goals: dict[int, int] = {}
+        speeds: dict[int, float] = {}
+        for k, servo in enumerate(course.profile.servos):
+            before, reach = self.pump.goals[servo], self.pump.reach
+            step = min(max(round(float(then[k])) - before, -reach), reach)
+            goals[servo] = before + step
+            # Slow ramps go smoothly at their own speed, not in jerks of one count.
+            speed = max(abs(float(then[k] - now[k])), abs(step) - 1.0) / self.ticks.period
+            speeds[servo] = speed + SPEED
+        return goals, speeds
+
+    def _stand(self) -> None:
+        """Stand first, whatever comes then; a wish repeated meanwhile drops the torque."""
+        ending = self.ending
+        ending.standing = self.pump.hold()
+        if self.on_stop == "retract" and ending.may_retreat and ending.sure and self.pump.armed:
+            ending.standing = self._go_back()
+        if self.on_stop == "release" or self.wish.urgent:
+            ending.standing = self.pump.release()
+
+    def _go_back(self) -> list[Standing]:
+        """Draw the plungers back to home, slowly and under all rules that still make sense."""
+        pump = self.pump
+        try:
+            course = way_back(self.course, pump.goals, pump.settings.home)
+            back = self._run(course, Watch(retreat_rules(pump.settings)))
+        except PumpError as error:
+            back = Ending("stopped", str(error))
+        self.ending.retreat = "" if back.status == "complete" else back.reason
+        return pump.hold()
