@@ -115,8 +115,8 @@ def play(sequence: PoseSequence, start: Sequence[int]) -> np.ndarray:
     rows: list[list[int]] = []
     for number, (move, goal) in enumerate(zip(sequence.moves, sequence.goals(), strict=True), 1):
         asked = [EIGHTHS * count % 2**16 for count in goal]
-        for here in _frames(here, asked, frames_asked(move.ms)):
-            rows.append(here)
+        rows += _frames(here, asked, frames_asked(move.ms))
+        here = rows[-1]
         if here != asked:
             raise PumpError(f"move {number} of the sequence would never end on the board")
     return np.array(rows, dtype=int).reshape(-1, len(here))

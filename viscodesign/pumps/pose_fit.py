@@ -63,7 +63,8 @@ class PoseFit:
     @property
     def error(self) -> np.ndarray:
         """(T, P) played less wanted [counts]."""
-        return self.played - self.wanted
+        error: np.ndarray = self.played - self.wanted
+        return error
 
     @property
     def largest_error(self) -> float:

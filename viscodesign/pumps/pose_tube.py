@@ -76,7 +76,8 @@ class Tube:
         for frame in range(self.last, -1, -1):
             inside = (self.low[frame] <= goals) & (goals <= self.high[frame])
             stay[frame] = np.where(inside, np.maximum(stay[frame + 1], frame), -1)
-        return stay[:-1]
+        held: np.ndarray = stay[:-1]
+        return held
 
     def goals(self, frame: int) -> np.ndarray:
         """Goals at a frame, in steps of the grid."""
@@ -169,4 +170,5 @@ class Tube:
 def _counted(lengths: np.ndarray) -> np.ndarray:
     """0, 1, ... for each length, one after the other."""
     ends = np.cumsum(lengths)
-    return np.arange(int(ends[-1]) if len(ends) else 0) - np.repeat(ends - lengths, lengths)
+    starts = np.repeat(ends - lengths, lengths)
+    return np.arange(len(starts)) - starts
