@@ -63,12 +63,15 @@ class SerialLine(Line):
             return bytes(self._serial.read(self._serial.in_waiting))
 
     def close(self) -> None:
-        with self._told():
-            self._serial.close()
+        if self._serial.is_open:
+            with self._told():
+                self._serial.close()
 
     @contextmanager
     def _told(self) -> Iterator[None]:
         """What is raised by the port, told as an error of the pump."""
+        if not self._serial.is_open:
+            raise PumpError(f"{self.port}: has been closed")
         try:
             yield
         except serial.SerialTimeoutException:
