@@ -21,6 +21,7 @@ from viscodesign.pumps.pose_engine import (
     UNREAD,
     Move,
     PoseSequence,
+    frames_asked,
     play,
     time_asking,
 )
@@ -59,6 +60,17 @@ class PoseFit:
     def duration(self) -> float:
         """From the start of the profile to its end, or of one round [s]."""
         return self.frames * FRAME
+
+    @property
+    def move_frames(self) -> list[int]:
+        """Frames that each move lasts; the first, once or every round, one or two."""
+        return [frames_asked(move.ms) for move in self.sequence.moves]
+
+    @property
+    def fastest(self) -> float:
+        """Speed of the fastest servo [counts/s]."""
+        steps = np.abs(np.diff(self.played, axis=0)) / np.diff(self.time)[:, None]
+        return float(np.max(steps, initial=0.0))
 
     @property
     def error(self) -> np.ndarray:
