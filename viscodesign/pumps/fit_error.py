@@ -30,7 +30,10 @@ class FitError:
     def of(
         cls, fit: PoseFit, volume_per_count: float, pressure_per_count: Sequence[float]
     ) -> FitError:
-        """``volume_per_count`` [m3]; ``pressure_per_count`` (P,) [Pa], barrels at their stiffest."""
+        """Of a fit; ``volume_per_count`` [m3].
+
+        ``pressure_per_count`` (P,) [Pa], of the barrels at their stiffest.
+        """
         largest = np.max(np.abs(fit.error), axis=0)
         counts = float(np.max(largest))
         pressure = float(np.max(largest * np.asarray(pressure_per_count)))

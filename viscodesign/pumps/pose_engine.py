@@ -85,7 +85,7 @@ EXACT_FRAMES = tuple(
     for frames in range(1, MOST_FRAMES + 1)
     if frames_taken(EIGHTHS * PHANTOM, frames) == frames
 )
-"""Durations that the phantom holds exactly: all up to 91 frames (3 s), then ever fewer."""
+"""Durations that the phantom holds exactly: all up to 92 frames (3 s), then ever fewer."""
 
 
 def duration(sequence: PoseSequence, start: Sequence[int]) -> int:

@@ -17,8 +17,8 @@ from viscodesign.pumps.pose_tube import Tube
 Pose = tuple[tuple[int, ...], int]
 """Counts of the servos, and the phase."""
 FIRST_FRAMES = 2
-"""The first entry asks for this many frames; one would send a phantom that was never read into
-an endless move, for its step then overflows 16 bits."""
+"""The first entry asks for this many frames; one would send a phantom that was never read
+wandering for minutes, for its step then overflows 16 bits."""
 
 
 @dataclass(frozen=True)

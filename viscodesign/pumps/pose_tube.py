@@ -48,7 +48,8 @@ class Tube:
             low[[0, -1]], high[[0, -1]] = max(low[0], low[-1]), min(high[0], high[-1])
         low = np.clip(low, EIGHTHS * travel[0], None)
         high = np.clip(high, None, EIGHTHS * travel[1])
-        return cls(low, high, max(1, round(margin / 3)))
+        fitting, coarsest = round(margin / 3), (travel[1] - travel[0]) // 8
+        return cls(low, high, max(min(fitting, coarsest), 1))
 
     @property
     def last(self) -> int:
@@ -171,4 +172,5 @@ def _counted(lengths: np.ndarray) -> np.ndarray:
     """0, 1, ... for each length, one after the other."""
     ends = np.cumsum(lengths)
     starts = np.repeat(ends - lengths, lengths)
-    return np.arange(len(starts)) - starts
+    number: np.ndarray = np.arange(len(starts)) - starts
+    return number
