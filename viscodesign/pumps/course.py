@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -42,18 +43,21 @@ class Course:
             return (None,) * len(profile.inlets)
         return tuple(float(np.interp(elapsed, profile.time, p)) for p in profile.pressure.T)
 
-    def reach(self, period: float) -> int:
-        """Largest step between two ticks, rounded up and one more for rounding [counts]."""
-        slopes = np.abs(np.diff(self.profile.counts, axis=0)).max(axis=1) / np.diff(
-            self.profile.time
-        )
-        step = float(slopes.max(initial=0.0)) * period
-        if step > SERVO_SPEED * period:
+    @cached_property
+    def top_speed(self) -> float:
+        """Of its steepest part [counts/s]; raises `PumpError` where no servo is that fast."""
+        rise = np.abs(np.diff(self.profile.counts, axis=0)).max(axis=1, initial=0.0)
+        speed = float((rise / np.diff(self.profile.time)).max(initial=0.0))
+        if speed > SERVO_SPEED:
             raise PumpError(
-                f"the profile asks for {step / period:.0f} counts/s; the servo's no-load speed is "
+                f"the profile asks for {speed:.0f} counts/s; the servo's no-load speed is "
                 f"{SERVO_SPEED:.0f}: run `pump plan` on the spec"
             )
-        return math.ceil(step) + 1
+        return speed
+
+    def reach(self, seconds: float) -> int:
+        """Largest step in a time, rounded up and one more for rounding [counts]."""
+        return math.ceil(self.top_speed * seconds) + 1
 
 
 def led_in(profile: Profile, present: Mapping[int, int], settle: float = 0.0) -> Course:
