@@ -14,6 +14,8 @@ TRIES = 3
 """Of what may be repeated."""
 SILENCE = 0.1
 """Servos drop a packet whose bytes are this far apart [s] (e-manual, Protocol 1.0)."""
+BOARD = 253
+"""Id by which an ArbotiX speaks for itself."""
 BROKEN = ErrorBits.CHECKSUM | ErrorBits.INSTRUCTION
 """Said of a request that came broken (the PyPose firmware answers a wrong checksum by 64)."""
 MOST_BYTES = 4096
@@ -161,8 +163,9 @@ class Transactions:
         while self.line.read(MOST_BYTES, deadline) and self.line.clock.now() < deadline:
             pass
         speaker = servo if self._speaker is None else self._speaker
-        if any(map(self._speaks, {servo, speaker})) or self._speaker is None:
-            # Where nobody has ever given registers away, the silence has to be enough.
+        # A firmware that only acknowledges, before any servo has spoken: silence must do.
+        silent = servo == BOARD and self._speaker is None
+        if any(map(self._speaks, {servo, speaker})) or silent:
             self._owed.clear()
             return True
         return False

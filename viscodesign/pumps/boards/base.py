@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
+from viscodesign.errors import PumpError
 from viscodesign.pumps.line import Line
+from viscodesign.pumps.registers import Register
 
 
 @dataclass(frozen=True)
@@ -18,6 +20,12 @@ class Goal:
     """Goal position, 0 to 1023."""
     speed: int
     """Speed register, 1 to 1023 (0 would be full speed, and is refused)."""
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.count <= 1023:
+            raise PumpError(f"a goal of {self.count} counts; a servo turns from 0 to 1023")
+        if not 1 <= self.speed <= 1023:
+            raise PumpError(f"a speed of {self.speed}; the register takes 1 to 1023")
 
 
 class Board(ABC):
@@ -38,9 +46,13 @@ class Board(ABC):
     """Whether it reads analog and digital pins."""
     simulated: ClassVar[bool] = False
     """Whether nothing real moves; everything it says is labelled so."""
+    boot: ClassVar[float] = 0.0
+    """How long it takes to start, where opening its port resets it [s]."""
 
-    def __init__(self, line: Line) -> None:
+    def __init__(self, line: Line, servos: Sequence[int] = ()) -> None:
         self.line = line
+        self.servos = tuple(servos)
+        """Ids of the servos that should be there, as far as known."""
 
     @abstractmethod
     def identify(self) -> str:
@@ -57,6 +69,20 @@ class Board(ABC):
     @abstractmethod
     def write(self, servo: int, address: int, data: bytes) -> None:
         """Set registers of one servo, and see that it says so."""
+
+    def write_permanent(self, servo: int, address: int, data: bytes) -> None:
+        """Set registers of the EEPROM where they differ: for `pump calibrate` alone."""
+        raise PumpError(
+            f"servo {servo}: the board {self.name} does not write what servos keep without power"
+        )
+
+    def get(self, servo: int, register: Register) -> int:
+        """Value of one register."""
+        return register.decode(self.read(servo, register.address, register.size))
+
+    def set(self, servo: int, register: Register, value: int) -> None:
+        """Write one register that is forgotten without power."""
+        self.write(servo, register.address, register.encode(value))
 
     @abstractmethod
     def move(self, goals: Mapping[int, Goal]) -> None:

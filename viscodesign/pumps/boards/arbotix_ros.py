@@ -1,0 +1,97 @@
+"""`--board arbotix-ros`: the ArbotiX with its firmware for ROS."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+
+from viscodesign.errors import PumpError, UsageError
+from viscodesign.pumps import packets
+from viscodesign.pumps.boards.bus import BusBoard
+from viscodesign.pumps.line import Line
+from viscodesign.pumps.transaction import NoReplyError
+
+ARBOTIX = 253
+MODEL = 300
+DIGITAL_IN, ANALOG_IN, DIGITAL_OUT = 5, 18, 47
+"""Registers of the board itself: ports of 8 pins, channels, single pins (`ros.h`)."""
+PULLED_UP = b"\x02"
+"""An input with its pull-up, so that a broken wire reads as high."""
+FREE_PINS = [*range(1, 8), *range(12, 32)]
+"""D0 is the lamp, D8 to D11 are the serial ports."""
+SET_UP_AGAIN = 1.0
+"""A board that was reset has forgotten its pull-ups; so they are set anew this often [s]."""
+
+
+class ArbotixRos(BusBoard):
+    """Lets SYNC_WRITE through; reads pins. Analog values have 8 bits."""
+
+    name = "arbotix-ros"
+    baud = 115_200
+    streams = True
+    has_pins = True
+    boot = 2.0
+
+    def __init__(self, line: Line, servos: Sequence[int] = ()) -> None:
+        super().__init__(line, servos)
+        self._set_up: dict[int, float] = {}
+        """When each pin was made an input."""
+
+    def identify(self) -> str:
+        request = packets.read(ARBOTIX, 0, 3)
+        try:
+            data = self.wire.ask(request, 3, 0).parameters
+        except NoReplyError as error:
+            raise PumpError(
+                f"no ArbotiX answers at {self.baud} baud. {error} The firmware of PyPose needs "
+                "--board arbotix; an adapter without an ArbotiX needs --board dynamixel"
+            ) from None
+        if not data:
+            raise PumpError("the firmware of PyPose answers here: use --board arbotix")
+        if (model := int.from_bytes(data[:2], "little")) != MODEL:
+            raise PumpError(f"model {model} answers with id {ARBOTIX}; an ArbotiX is {MODEL}")
+        return f"ArbotiX with the firmware for ROS, version {data[2]}"
+
+    def write(self, servo: int, address: int, data: bytes) -> None:
+        """In pieces of two bytes, the most that it passes on, and read back.
+
+        It says of every write that it is done, and does not hear whether the servo says so.
+        """
+        for start in range(0, len(data), 2):
+            self._write_checked(servo, address + start, data[start : start + 2])
+
+    def _write_checked(self, servo: int, address: int, data: bytes) -> None:
+        self.wire.write(servo, address, data)
+        there = self.wire.read(servo, address, len(data))
+        if there != data:
+            raise PumpError(
+                f"servo {servo} did not take {packets.shown(data)} at address {address}: "
+                f"{packets.shown(there)} is there. It refuses what is out of range"
+            )
+
+    def analog(self, channel: int) -> float:
+        if not 0 <= channel <= 7:
+            raise UsageError(f"analog channel {channel}; the board has 0 to 7")
+        (value,) = self.wire.read(ARBOTIX, ANALOG_IN + channel, 1)
+        return (value + 0.5) / 256
+
+    def digital(self, pin: str) -> bool:
+        number = pin_number(pin)
+        now = self.line.clock.now()
+        if now - self._set_up.get(number, -math.inf) >= SET_UP_AGAIN:
+            self.wire.write(ARBOTIX, DIGITAL_OUT + number, PULLED_UP)
+            self._set_up[number] = now
+        (levels,) = self.wire.read(ARBOTIX, DIGITAL_IN + number // 8, 1)
+        return bool(levels >> number % 8 & 1)
+
+
+def pin_number(pin: str) -> int:
+    """Of 'D1' and its like, where a switch may hang."""
+    found = re.fullmatch(r"D(\d{1,2})", pin)
+    if not found or int(found[1]) not in FREE_PINS:
+        raise UsageError(
+            f"{pin!r} is no pin for a switch; those are D1 to D7 and D12 to D31 "
+            "(D0 is the lamp, D8 to D11 are the serial ports)"
+        )
+    return int(found[1])
