@@ -25,7 +25,7 @@ LAYERS = [
     ["sketch"],
     ["recording"],
     ["report"],
-    ["trajectory", "tradeoff"],
+    ["trajectory", "tradeoff", "pumpplan"],
     ["solve"],
     ["pumps"],
     ["scene"],
