@@ -151,7 +151,7 @@ class Rig:
         return self.play_armed()
 
     def play_armed(self) -> Ending:
-        course = led_in(self.profile(), self.pump.goals, settle=0.1)
+        course = led_in(self.profile(), self.pump.goals)
         self.stream = Stream(
             self.pump, course, self.wish, lambda s: self.see(s), rate=RATE, on_stop=self.on_stop
         )

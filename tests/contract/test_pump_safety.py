@@ -30,7 +30,11 @@ SAG = 15
 def promises(rig: Rig, *, hold: bool = True) -> None:
     """What holds for every stream, whatever happened to it."""
     for sent in rig.tap.sent:
-        assert sent.packet.code not in (Instruction.RESET, Instruction.REG_WRITE, Instruction.ACTION)
+        assert sent.packet.code not in (
+            Instruction.RESET,
+            Instruction.REG_WRITE,
+            Instruction.ACTION,
+        )
         assert all(start >= registers.RAM for _, start, _ in sent.writes()), "EEPROM"
         assert 0 not in sent.register(registers.MOVING_SPEED).values(), "full speed"
     _steps_are_small(rig)
@@ -164,7 +168,9 @@ def _change_one(rig: Rig, moment: int, change: Callable[[bytes], bytes]) -> Call
     """Change what comes after one request, and after no other."""
 
     def happen(number: int) -> None:
-        rig.tap.change = (lambda data: change(data) if data else data) if number == moment else _as_is
+        rig.tap.change = (
+            (lambda data: change(data) if data else data) if number == moment else _as_is
+        )
 
     return happen
 
@@ -280,9 +286,10 @@ def test_a_plunger_that_cannot_follow() -> None:
         assert ending.status == "stopped"
         assert ending.rule in ("following", "travel", "servo_alarm"), ending
         # The torque limit lets it be pressed back: that is what it is for.
-        assert abs(rig.bench.servos[0].output) <= rig.bench.servos[0].get(
-            registers.TORQUE_LIMIT
-        ) / registers_full()
+        assert (
+            abs(rig.bench.servos[0].output)
+            <= rig.bench.servos[0].get(registers.TORQUE_LIMIT) / registers_full()
+        )
 
 
 def registers_full() -> int:

@@ -15,6 +15,8 @@ from viscodesign.pumps.profile import Profile
 
 LEAD_SPEED = 50.0
 """On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
+SHORTEST = 0.1
+"""Of such a way [s]."""
 SERVO_SPEED = 97 / 60 * COUNTS_PER_TURN
 """No-load speed of an AX-18A [counts/s] (ROBOTIS e-manual)."""
 
@@ -24,8 +26,10 @@ class Course:
     """Set-points against time from the first tick on; S servos."""
 
     profile: Profile
-    lead: float
-    """Time from the first tick to the profile's own start [s]."""
+    begins: float
+    """Where the planned profile begins, from the first tick [s]."""
+    zero: float
+    """Where the scene's own time begins, from the first tick [s]."""
 
     @property
     def duration(self) -> float:
@@ -39,7 +43,7 @@ class Course:
     def wanted(self, elapsed: float) -> tuple[float | None, ...]:
         """(S,) gauge pressure that the model expects [Pa]; None on the way to the profile."""
         profile = self.profile
-        if elapsed < self.lead:
+        if elapsed < self.begins:
             return (None,) * len(profile.inlets)
         return tuple(float(np.interp(elapsed, profile.time, p)) for p in profile.pressure.T)
 
@@ -60,27 +64,24 @@ class Course:
         return math.ceil(self.top_speed * seconds) + 1
 
 
-def led_in(profile: Profile, present: Mapping[int, int], settle: float = 0.0) -> Course:
-    """A profile behind a slow way to its start, and a pause there for the pressure to settle.
+def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> Course:
+    """A profile behind a slow way to its first counts.
 
-    ``present``: position of each servo [counts]; ``settle`` [s].
+    ``present``: position of each servo [counts]; ``lead``: part of the profile that lies before
+    the scene's own start [s].
     """
     here = np.array([float(present[servo]) for servo in profile.servos])
     way = float(np.max(np.abs(profile.counts[0] - here), initial=0.0)) / LEAD_SPEED
     # Not at once even where it is there already: times have to rise.
-    way = max(way, 0.1)
-    lead = way + settle
-    stops = [0.0] if settle == 0.0 else [0.0, way]
-    counts = [here] if settle == 0.0 else [here, profile.counts[0]]
-    pressures = np.repeat(profile.pressure[:1], len(stops), axis=0)
+    begins = max(way, SHORTEST)
     joined = Profile(
         inlets=profile.inlets,
         servos=profile.servos,
-        time=np.concatenate((stops, profile.time + lead)),
-        counts=np.concatenate((np.array(counts), profile.counts)),
-        pressure=np.concatenate((pressures, profile.pressure)),
+        time=np.concatenate(([0.0], profile.time + begins)),
+        counts=np.concatenate((here[None], profile.counts)),
+        pressure=np.concatenate((profile.pressure[:1], profile.pressure)),
     )
-    return Course(joined, lead)
+    return Course(joined, begins, begins + lead)
 
 
 def way_back(course: Course, goals: Mapping[int, int], home: int) -> Course:
@@ -88,7 +89,7 @@ def way_back(course: Course, goals: Mapping[int, int], home: int) -> Course:
     servos = course.profile.servos
     here = np.array([float(goals[servo]) for servo in servos])
     there = np.full(len(servos), float(home))
-    way = max(float(np.max(np.abs(there - here))) / LEAD_SPEED, 0.1)
+    way = max(float(np.max(np.abs(there - here))) / LEAD_SPEED, SHORTEST)
     counts, none = np.stack((here, there)), np.zeros((2, len(servos)))
     profile = Profile(course.profile.inlets, servos, np.array([0.0, way]), counts, none)
-    return Course(profile, lead=math.inf)
+    return Course(profile, math.inf, math.inf)

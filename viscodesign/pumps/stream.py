@@ -28,7 +28,7 @@ class Shown:
     """What one tick gives to be recorded and seen."""
 
     time: float
-    """From the profile's start; negative on the way there [s]."""
+    """Of the scene; negative on the way to its start [s]."""
     sample: Sample
     skipped: int
     """Ticks skipped so far."""
@@ -78,7 +78,7 @@ class Stream:
         self.ending = Ending()
         self.ticks = Ticks(pump.clock, 1.0 / rate)
         self.origin = 0.0
-        """When the profile itself begins [s of the clock]."""
+        """When the scene's own time begins [s of the clock]."""
 
     def play(self) -> Ending:
         """To the course's end, a stop or a wish.
@@ -86,7 +86,7 @@ class Stream:
         However this is left, by an exception too, the pump stands (or it is said that no hold
         could be sent) and `ending` tells how.
         """
-        self.origin = self.pump.clock.now() + self.course.lead
+        self.origin = self.pump.clock.now() + self.course.zero
         try:
             self.ending = self._run(self.course, Watch(stream_rules(self.pump.settings)))
         except PumpError as error:
