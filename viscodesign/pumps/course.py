@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from viscodesign.pumps.profile import Profile
 
 LEAD_SPEED = 50.0
 """On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
+SHORTEST = 0.1
+"""Of such a way [s]."""
 SERVO_SPEED = 97 / 60 * COUNTS_PER_TURN
 """No-load speed of an AX-18A [counts/s] (ROBOTIS e-manual)."""
 
@@ -23,8 +26,10 @@ class Course:
     """Set-points against time from the first tick on; S servos."""
 
     profile: Profile
-    lead: float
-    """Time from the first tick to the profile's own start [s]."""
+    begins: float
+    """Where the planned profile begins, from the first tick [s]."""
+    zero: float
+    """Where the scene's own time begins, from the first tick [s]."""
 
     @property
     def duration(self) -> float:
@@ -38,45 +43,45 @@ class Course:
     def wanted(self, elapsed: float) -> tuple[float | None, ...]:
         """(S,) gauge pressure that the model expects [Pa]; None on the way to the profile."""
         profile = self.profile
-        if elapsed < self.lead:
+        if elapsed < self.begins:
             return (None,) * len(profile.inlets)
         return tuple(float(np.interp(elapsed, profile.time, p)) for p in profile.pressure.T)
 
-    def reach(self, period: float) -> int:
-        """Largest step between two ticks, rounded up and one more for rounding [counts]."""
-        slopes = np.abs(np.diff(self.profile.counts, axis=0)).max(axis=1) / np.diff(
-            self.profile.time
-        )
-        step = float(slopes.max(initial=0.0)) * period
-        if step > SERVO_SPEED * period:
+    @cached_property
+    def top_speed(self) -> float:
+        """Of its steepest part [counts/s]; raises `PumpError` where no servo is that fast."""
+        rise = np.abs(np.diff(self.profile.counts, axis=0)).max(axis=1, initial=0.0)
+        speed = float((rise / np.diff(self.profile.time)).max(initial=0.0))
+        if speed > SERVO_SPEED:
             raise PumpError(
-                f"the profile asks for {step / period:.0f} counts/s; the servo's no-load speed is "
+                f"the profile asks for {speed:.0f} counts/s; the servo's no-load speed is "
                 f"{SERVO_SPEED:.0f}: run `pump plan` on the spec"
             )
-        return math.ceil(step) + 1
+        return speed
+
+    def reach(self, seconds: float) -> int:
+        """Largest step in a time, rounded up and one more for rounding [counts]."""
+        return math.ceil(self.top_speed * seconds) + 1
 
 
-def led_in(profile: Profile, present: Mapping[int, int], settle: float = 0.0) -> Course:
-    """A profile behind a slow way to its start, and a pause there for the pressure to settle.
+def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> Course:
+    """A profile behind a slow way to its first counts.
 
-    ``present``: position of each servo [counts]; ``settle`` [s].
+    ``present``: position of each servo [counts]; ``lead``: part of the profile that lies before
+    the scene's own start [s].
     """
     here = np.array([float(present[servo]) for servo in profile.servos])
     way = float(np.max(np.abs(profile.counts[0] - here), initial=0.0)) / LEAD_SPEED
     # Not at once even where it is there already: times have to rise.
-    way = max(way, 0.1)
-    lead = way + settle
-    stops = [0.0] if settle == 0.0 else [0.0, way]
-    counts = [here] if settle == 0.0 else [here, profile.counts[0]]
-    pressures = np.repeat(profile.pressure[:1], len(stops), axis=0)
+    begins = max(way, SHORTEST)
     joined = Profile(
         inlets=profile.inlets,
         servos=profile.servos,
-        time=np.concatenate((stops, profile.time + lead)),
-        counts=np.concatenate((np.array(counts), profile.counts)),
-        pressure=np.concatenate((pressures, profile.pressure)),
+        time=np.concatenate(([0.0], profile.time + begins)),
+        counts=np.concatenate((here[None], profile.counts)),
+        pressure=np.concatenate((profile.pressure[:1], profile.pressure)),
     )
-    return Course(joined, lead)
+    return Course(joined, begins, begins + lead)
 
 
 def way_back(course: Course, goals: Mapping[int, int], home: int) -> Course:
@@ -84,7 +89,7 @@ def way_back(course: Course, goals: Mapping[int, int], home: int) -> Course:
     servos = course.profile.servos
     here = np.array([float(goals[servo]) for servo in servos])
     there = np.full(len(servos), float(home))
-    way = max(float(np.max(np.abs(there - here))) / LEAD_SPEED, 0.1)
+    way = max(float(np.max(np.abs(there - here))) / LEAD_SPEED, SHORTEST)
     counts, none = np.stack((here, there)), np.zeros((2, len(servos)))
     profile = Profile(course.profile.inlets, servos, np.array([0.0, way]), counts, none)
-    return Course(profile, lead=math.inf)
+    return Course(profile, math.inf, math.inf)

@@ -39,7 +39,7 @@ class Gauges:
 
     def read(self) -> tuple[float | None, ...]:
         """Gauge pressure at each inlet [Pa]; raises `PumpError` where a sensor gives none."""
-        pairs = zip(self.sensors, self.offsets, strict=True)
         return tuple(
-            None if sensor is None else sensor() - self.ambient - offset for sensor, offset in pairs
+            None if sensor is None else float(sensor()) - self.ambient - offset
+            for sensor, offset in zip(self.sensors, self.offsets, strict=True)
         )

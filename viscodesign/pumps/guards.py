@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from viscodesign.pumps.reading import Sample
+from viscodesign.pumps.sensors.base import SensorError, Stillness
 from viscodesign.scene.pump import Pump
 
 IN_SUCCESSION = 2
@@ -101,27 +102,20 @@ class SensorFrozen(Guard):
     """A reading that never changes while the model's pressure does is no reading."""
 
     rule = "sensor_frozen"
-    since: dict[int, tuple[float, float]] = field(default_factory=dict)
-    """By inlet: reading, and the model's pressure when it was first read [Pa]."""
+    still: dict[int, Stillness] = field(default_factory=dict)
+    """By inlet."""
 
     def check(self, sample: Sample) -> str | None:
         pairs = zip(sample.pressure, sample.wanted, strict=True)
         for inlet, (measured, wanted) in enumerate(pairs):
             if measured is None or wanted is None:
-                self.since.pop(inlet, None)
-            elif self._changed(inlet, measured, wanted) > UNMOVED:
-                return (
-                    f"the sensor reads the same {measured / 1e3:.2f} kPa gauge all the while the "
-                    f"plan went from {self.since[inlet][1] / 1e3:.1f} to {wanted / 1e3:.1f} kPa: "
-                    "check sensor, cable, and the hose for a leak"
-                )
+                self.still.pop(inlet, None)
+                continue
+            try:
+                self.still.setdefault(inlet, Stillness(UNMOVED)).check(measured, wanted)
+            except SensorError as error:
+                return f"{error}. See its cable, and whether the hose has a leak"
         return None
-
-    def _changed(self, inlet: int, measured: float, wanted: float) -> float:
-        """How far the model's pressure went while the reading stood still [Pa]."""
-        if inlet not in self.since or self.since[inlet][0] != measured:
-            self.since[inlet] = (measured, wanted)
-        return abs(wanted - self.since[inlet][1])
 
 
 @dataclass

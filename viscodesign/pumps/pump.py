@@ -55,6 +55,8 @@ class Pump:
         """Goals in force [counts]."""
         self.positions: dict[int, int] = {}
         """Last read [counts]."""
+        self.sent_at = -math.inf
+        """When the goals in force were sent [s of the clock]."""
         self.reach = 1
         """Farthest that a goal may lie from the one before [counts]: one tick's travel."""
 
@@ -112,6 +114,7 @@ class Pump:
             {servo: Goal(goal, speed_register(speeds[servo])) for servo, goal in goals.items()}
         )
         self.goals |= goals
+        self.sent_at = self.clock.now()
 
     def _refuse(self, goals: Mapping[int, int]) -> None:
         low, high = self.settings.travel

@@ -28,7 +28,7 @@ class Shown:
     """What one tick gives to be recorded and seen."""
 
     time: float
-    """From the profile's start; negative on the way there [s]."""
+    """Of the scene; negative on the way to its start [s]."""
     sample: Sample
     skipped: int
     """Ticks skipped so far."""
@@ -78,7 +78,7 @@ class Stream:
         self.ending = Ending()
         self.ticks = Ticks(pump.clock, 1.0 / rate)
         self.origin = 0.0
-        """When the profile itself begins [s of the clock]."""
+        """When the scene's own time begins [s of the clock]."""
 
     def play(self) -> Ending:
         """To the course's end, a stop or a wish.
@@ -86,7 +86,7 @@ class Stream:
         However this is left, by an exception too, the pump stands (or it is said that no hold
         could be sent) and `ending` tells how.
         """
-        self.origin = self.pump.clock.now() + self.course.lead
+        self.origin = self.pump.clock.now() + self.course.zero
         try:
             self.ending = self._run(self.course, Watch(stream_rules(self.pump.settings)))
         except PumpError as error:
@@ -118,20 +118,11 @@ class Stream:
 
     def _tick(self, course: Course, watch: Watch, heard: int) -> Stop | None:
         """Read, judge, send, show."""
+        states, pressure, pressed = self.pump.look()
+        # Only now: what was read may have come late, and the goals are to be those of this moment.
         elapsed = self.ticks.now
         goals, speeds = self._next(course, elapsed)
-        sample = self._look(course, elapsed, goals)
-        stop = watch.check(sample)
-        self.pump.alarm = self.pump.alarm or stop
-        if stop is None and self._untouched(heard):
-            self.pump.set_goals(goals, speeds)
-        time = self.ticks.start + elapsed - self.origin
-        self.see(Shown(time, sample, self.ticks.skipped, stop))
-        return stop
-
-    def _look(self, course: Course, elapsed: float, goals: dict[int, int]) -> Sample:
-        states, pressure, pressed = self.pump.look()
-        return Sample(
+        sample = Sample(
             time=self.pump.clock.now(),
             servos=states,
             pressure=pressure,
@@ -140,20 +131,34 @@ class Stream:
             goals=dict(self.pump.goals),
             next_goals=goals,
         )
+        stop = watch.check(sample)
+        self.pump.alarm = self.pump.alarm or stop
+        if stop is None and self._untouched(heard):
+            self.pump.set_goals(goals, speeds)
+        time = self.ticks.start + elapsed - self.origin
+        self.see(Shown(time, sample, self.ticks.skipped, stop))
+        return stop
 
     def _next(self, course: Course, elapsed: float) -> tuple[dict[int, int], dict[int, float]]:
-        """Goals for the end of this tick [counts], within reach, and speeds to get there."""
-        now, then = course.goals(elapsed), course.goals(elapsed + self.ticks.period)
+        """Goals one tick from now [counts], within reach, and speeds to get there."""
+        period = self.ticks.period
+        now, then = course.goals(elapsed), course.goals(elapsed + period)
+        reach = self._reach(course, period)
         goals: dict[int, int] = {}
         speeds: dict[int, float] = {}
         for k, servo in enumerate(course.profile.servos):
-            before, reach = self.pump.goals[servo], self.pump.reach
+            before = self.pump.goals[servo]
             step = min(max(round(float(then[k])) - before, -reach), reach)
             goals[servo] = before + step
             # Slow ramps go smoothly at their own speed, not in jerks of one count.
-            speed = max(abs(float(then[k] - now[k])), abs(step) - 1.0) / self.ticks.period
+            speed = max(abs(float(then[k] - now[k])), abs(step) - 1.0) / period
             speeds[servo] = speed + SPEED
         return goals, speeds
+
+    def _reach(self, course: Course, period: float) -> int:
+        """One tick's travel, or what there was time for where the last goals were sent late."""
+        since = self.pump.clock.now() - self.pump.sent_at
+        return course.reach(min(since, period))
 
     def _stand(self) -> None:
         """Stand first, whatever comes then; a wish repeated meanwhile drops the torque."""

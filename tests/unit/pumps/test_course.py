@@ -17,28 +17,29 @@ def profile(counts: list[float], servos: tuple[int, ...] = (1,)) -> Profile:
     return Profile(names, servos, time, columns, 10 * columns)
 
 
-@pytest.mark.parametrize("settle", [0.0, 2.0])
-def test_it_begins_where_the_plunger_is_and_goes_slowly(settle: float) -> None:
-    course = led_in(profile([300.0, 320.0]), {1: 200}, settle)
+@pytest.mark.parametrize("lead", [0.0, 0.5])
+def test_it_begins_where_the_plunger_is_and_goes_slowly(lead: float) -> None:
+    course = led_in(profile([300.0, 320.0]), {1: 200}, lead)
     assert course.goals(0.0) == pytest.approx([200.0])
-    assert course.lead == pytest.approx(100 / LEAD_SPEED + settle)
-    assert course.goals(course.lead) == pytest.approx([300.0])
-    assert course.goals(course.lead + 0.5) == pytest.approx([310.0])
-    assert course.duration == pytest.approx(course.lead + 1.0)
-    moments = np.arange(0.0, course.lead, 0.01)
+    assert course.begins == pytest.approx(100 / LEAD_SPEED)
+    assert course.zero == pytest.approx(course.begins + lead)
+    assert course.goals(course.begins) == pytest.approx([300.0])
+    assert course.goals(course.begins + 0.5) == pytest.approx([310.0])
+    assert course.duration == pytest.approx(course.begins + 1.0)
+    moments = np.arange(0.0, course.begins, 0.01)
     steps = np.diff([course.goals(t)[0] for t in moments])
     assert np.abs(steps).max() <= LEAD_SPEED * 0.01 * (1 + 1e-9)
 
 
 def test_no_pressure_is_expected_before_the_profile() -> None:
-    course = led_in(profile([300.0, 320.0]), {1: 200}, 1.0)
-    assert course.wanted(course.lead - 1e-6) == (None,)
-    assert course.wanted(course.lead + 0.5) == pytest.approx((3100.0,))
+    course = led_in(profile([300.0, 320.0]), {1: 200}, 0.7)
+    assert course.wanted(course.begins - 1e-6) == (None,)
+    assert course.wanted(course.begins + 0.5) == pytest.approx((3100.0,))
 
 
 def test_several_plungers_arrive_together() -> None:
     course = led_in(profile([300.0, 320.0], (1, 2)), {1: 200, 2: 290})
-    assert course.lead == pytest.approx(2.0)
+    assert course.begins == pytest.approx(2.0)
     assert course.goals(1.0) == pytest.approx([250.0, 295.0])
 
 
