@@ -12,7 +12,6 @@ from tests.pumps import HOME, Weights, bench, pump
 from viscodesign.pumps import registers
 from viscodesign.pumps.boards.dynamixel import Dynamixel
 from viscodesign.pumps.clock import SteppedClock
-from viscodesign.pumps.course import led_in
 from viscodesign.pumps.gauges import Gauges
 from viscodesign.pumps.interrupt import Wish
 from viscodesign.pumps.line import Line
@@ -147,13 +146,17 @@ class Rig:
 
     def play(self) -> Ending:
         """All of it: connect, arm, stream."""
-        self.begin()
+        self.pump.connect()
         return self.play_armed()
 
     def play_armed(self) -> Ending:
-        course = led_in(self.profile(), self.pump.goals)
         self.stream = Stream(
-            self.pump, course, self.wish, lambda s: self.see(s), rate=RATE, on_stop=self.on_stop
+            self.pump,
+            self.profile(),
+            self.wish,
+            lambda shown: self.see(shown),
+            rate=RATE,
+            on_stop=self.on_stop,
         )
         return self.stream.play()
 

@@ -16,6 +16,7 @@ import pytest
 from tests.pump_rig import RATE, TRAVEL, Rig, Sent
 from viscodesign.errors import PumpError
 from viscodesign.pumps import registers
+from viscodesign.pumps.course import led_in
 from viscodesign.pumps.guards import LOST
 from viscodesign.pumps.holding import HOLD_SPEED
 from viscodesign.pumps.packets import ErrorBits, Instruction
@@ -394,7 +395,7 @@ def test_late_ticks_are_skipped_and_never_caught_up(stall: float) -> None:
         assert rig.stream is not None
         assert rig.stream.ticks.skipped >= int(stall * RATE) - 1
         moves = [s for s in rig.tap.sent if s.packet.code == Instruction.SYNC_WRITE]
-        ticks = int(rig.stream.course.duration * RATE) + 1
+        ticks = int(led_in(rig.profile(), {1: 200}).duration * RATE) + 1
         assert len(moves) - 1 <= ticks - rig.stream.ticks.skipped  # one is the hold
         promises(rig)
 
@@ -419,17 +420,23 @@ def test_connecting_writes_nothing_at_all() -> None:
     assert all(s.packet.code in (Instruction.READ, Instruction.PING) for s in rig.tap.sent)
 
 
-def test_a_failure_while_arming_leaves_no_torque_unsaid() -> None:
-    for moment in range(1, 30):
-        rig = Rig()
-        rig.pump.connect()
-        before = len(rig.tap.sent)
-        rig.tap.happen = lambda number, rig=rig, before=before, moment=moment: (  # type: ignore[misc]
-            rig.bench.supply(5.9) if number - before == moment else None
-        )
-        try:
-            rig.pump.arm()
-        except PumpError:
-            standing = rig.pump.hold()
-            assert all(one.sure for one in standing)
-            assert rig.positions() == [200.0]
+def test_whatever_fails_while_arming_nothing_moves() -> None:
+    troubles: list[Callable[[Rig], None]] = [
+        lambda rig: rig.bench.supply(5.9),
+        lambda rig: rig.bench.servos[0].alarm(ErrorBits.OVERLOAD),
+        lambda rig: setattr(rig.bench, "answer", lambda packet, now: None),
+        lambda rig: rig.wish.note(2, None),
+    ]
+    for trouble in troubles:
+        for moment in range(1, 12):
+            rig = Rig()
+            rig.pump.connect()
+            before = len(rig.tap.sent)
+            rig.tap.happen = lambda number, rig=rig, before=before, moment=moment, do=trouble: (  # type: ignore[misc]
+                do(rig) if number - before == moment else None
+            )
+            ending = rig.play_armed()
+            assert ending.status in ("stopped", "interrupted")
+            assert len(rig.rows) <= 2
+            rig.wait(2.0)
+            assert rig.positions() == pytest.approx([200.0], abs=2 * rig.pump.reach)

@@ -84,12 +84,12 @@ def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> C
     return Course(joined, begins, begins + lead)
 
 
-def way_back(course: Course, goals: Mapping[int, int], home: int) -> Course:
+def way_back(profile: Profile, goals: Mapping[int, int], home: int) -> Course:
     """Slowly from the goals in force to home; no pressure is expected on the way."""
-    servos = course.profile.servos
+    servos = profile.servos
     here = np.array([float(goals[servo]) for servo in servos])
     there = np.full(len(servos), float(home))
     way = max(float(np.max(np.abs(there - here))) / LEAD_SPEED, SHORTEST)
     counts, none = np.stack((here, there)), np.zeros((2, len(servos)))
-    profile = Profile(course.profile.inlets, servos, np.array([0.0, way]), counts, none)
-    return Course(profile, math.inf, math.inf)
+    back = Profile(profile.inlets, servos, np.array([0.0, way]), counts, none)
+    return Course(back, math.inf, math.inf)

@@ -49,6 +49,8 @@ class Pump:
         self.switches = switches
         self.clock = clock
         self.drive = Drive(settings)
+        self.identity = ""
+        """What the board said of itself."""
         self.armed = False
         self.alarm: Stop | None = None
         self.goals: dict[int, int] = {}
@@ -62,7 +64,7 @@ class Pump:
 
     def connect(self) -> list[Servo]:
         """Identify the board and all servos; raises `PumpError` where they must not move."""
-        self.board.identify()
+        self.identity = self.board.identify()
         found = [find_servo(self.board, servo) for servo in self.servos]
         self.positions = {servo.id: servo.state.position for servo in found}
         wrong = [reason for servo in found for reason in objections(servo, self.settings)]

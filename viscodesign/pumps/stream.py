@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from viscodesign.errors import PumpError
-from viscodesign.pumps.course import Course, way_back
+from viscodesign.pumps.course import Course, led_in, way_back
 from viscodesign.pumps.guards import Stop, Watch, retreat_rules, stream_rules
 from viscodesign.pumps.holding import Standing
 from viscodesign.pumps.interrupt import Wish
+from viscodesign.pumps.profile import Profile
 from viscodesign.pumps.pump import SPEED, Pump
 from viscodesign.pumps.reading import Sample
 from viscodesign.pumps.ticks import Ticks
@@ -57,21 +58,26 @@ class Ending:
 
 
 class Stream:
-    """One course, streamed once by an armed pump."""
+    """One profile, streamed once by a connected pump."""
 
     def __init__(
         self,
         pump: Pump,
-        course: Course,
+        profile: Profile,
         wish: Wish,
         see: Callable[[Shown], None],
         *,
         rate: float,
+        lead: float = 0.0,
         on_stop: OnStop = "hold",
     ) -> None:
-        """``rate`` of the ticks [Hz]; ``see`` is given every tick after its goals are sent."""
+        """``rate`` of the ticks [Hz]; ``see`` is given every tick after its goals are sent.
+
+        ``lead``: part of the profile that lies before the scene's own start [s].
+        """
         self.pump = pump
-        self.course = course
+        self.profile = profile
+        self.lead = lead
         self.wish = wish
         self.see = see
         self.on_stop = on_stop
@@ -81,14 +87,13 @@ class Stream:
         """When the scene's own time begins [s of the clock]."""
 
     def play(self) -> Ending:
-        """To the course's end, a stop or a wish.
+        """Arm, go to the profile, and along it to its end, a stop or a wish.
 
         However this is left, by an exception too, the pump stands (or it is said that no hold
         could be sent) and `ending` tells how.
         """
-        self.origin = self.pump.clock.now() + self.course.zero
         try:
-            self.ending = self._run(self.course, Watch(stream_rules(self.pump.settings)))
+            self.ending = self._forward()
         except PumpError as error:
             self.ending = Ending("stopped", str(error), "replies", may_retreat=False)
         except BaseException as error:
@@ -98,6 +103,13 @@ class Stream:
         finally:
             self._stand()
         return self.ending
+
+    def _forward(self) -> Ending:
+        if not self.pump.armed:
+            self.pump.arm()
+        course = led_in(self.profile, self.pump.goals, self.lead)
+        self.origin = self.pump.clock.now() + course.zero
+        return self._run(course, Watch(stream_rules(self.pump.settings)))
 
     def _run(self, course: Course, watch: Watch) -> Ending:
         """Ticks until the course is over, a rule is broken, or the next wish to stop."""
@@ -173,7 +185,7 @@ class Stream:
         """Draw the plungers back to home, slowly and under all rules that still make sense."""
         pump = self.pump
         try:
-            course = way_back(self.course, pump.goals, pump.settings.home)
+            course = way_back(self.profile, pump.goals, pump.settings.home)
             back = self._run(course, Watch(retreat_rules(pump.settings)))
         except PumpError as error:
             back = Ending("stopped", str(error))

@@ -53,8 +53,7 @@ def test_what_no_servo_can_do_is_refused() -> None:
 
 
 def test_the_way_back_expects_no_pressure() -> None:
-    there = led_in(profile([300.0, 320.0]), {1: 300})
-    back = way_back(there, {1: 320}, 200)
+    back = way_back(profile([300.0, 320.0]), {1: 320}, 200)
     assert back.goals(0.0) == pytest.approx([320.0])
     assert back.goals(back.duration) == pytest.approx([200.0])
     assert back.wanted(back.duration) == (None,)

@@ -1,0 +1,112 @@
+"""A board for one command: opened once, every byte logged, and let go of whatever happens."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from viscodesign.errors import PumpError, UsageError
+
+if TYPE_CHECKING:
+    from viscodesign.pumps.boards.base import Board
+    from viscodesign.pumps.clock import Clock
+    from viscodesign.pumps.gauges import Gauges
+    from viscodesign.pumps.log import ByteLog
+    from viscodesign.pumps.sensors.base import PressureSource
+    from viscodesign.pumps.virtual.plant import Plant
+    from viscodesign.scene.pump import Sensor
+    from viscodesign.scene.scene import Scene
+
+
+@dataclass(frozen=True)
+class Way:
+    """How a command line says to reach a board."""
+
+    board: str
+    port: str | None
+    baud: int | None
+    pace: str = "1"
+    log: Path | None = None
+
+    @property
+    def simulated(self) -> bool:
+        """Whether nothing real moves."""
+        from viscodesign.pumps.opening import board_kind
+
+        return board_kind(self.board).simulated
+
+    @property
+    def label(self) -> str:
+        """To be put before what is told of a simulated board."""
+        return "[simulated] " if self.simulated else ""
+
+    def clock(self) -> Clock:
+        """The real one; a simulated board's at the pace asked for."""
+        from viscodesign.pumps.clock import SteppedClock, WallClock
+
+        if self.pace == "1":
+            return WallClock()
+        if not self.simulated:
+            raise UsageError(f"--pace {self.pace}: only the simulated board's time can be changed")
+        return SteppedClock() if self.pace == "max" else WallClock(_factor(self.pace))
+
+
+def _factor(text: str) -> float:
+    with contextlib.suppress(ValueError):
+        if 0.0 < (factor := float(text)) < float("inf"):
+            return factor
+    raise UsageError(f"--pace {text}: give a factor above 0, such as 10, or max")
+
+
+@contextlib.contextmanager
+def opened(
+    way: Way, clock: Clock, scene: Scene | None = None, plant: Plant | None = None
+) -> Iterator[tuple[Board, ByteLog]]:
+    """The board and the log of its bytes; nothing is asked of it yet, and nothing moves."""
+    from viscodesign.cli.output import complain
+    from viscodesign.pumps.log import ByteLog
+    from viscodesign.pumps.opening import open_board
+    from viscodesign.pumps.virtual.plant import AMBIENT
+
+    pump = None if scene is None else scene.pump
+    ambient = AMBIENT if scene is None else scene.ambient_pressure
+    log = ByteLog(way.log, complain)
+    try:
+        board = open_board(way.board, way.port, way.baud, log, clock, pump, plant, ambient)
+        try:
+            yield board, log
+        finally:
+            # A port that is gone has told so already.
+            with contextlib.suppress(PumpError):
+                board.line.close()
+    finally:
+        log.close()
+
+
+@contextlib.contextmanager
+def gauges(board: Board, scene: Scene, inlets: Sequence[str]) -> Iterator[Gauges]:
+    """The spec's pressure sensor, at the first inlet; on the board, or on a Phidgets' kit."""
+    from viscodesign.pumps.gauges import Gauges
+
+    pump = scene.pump
+    if pump is None or pump.sensor is None:
+        yield Gauges([None] * len(inlets), scene.ambient_pressure)
+        return
+    source = _source(board, pump.sensor)
+    try:
+        yield Gauges([source.absolute] + [None] * (len(inlets) - 1), scene.ambient_pressure)
+    finally:
+        source.close()
+
+
+def _source(board: Board, sensor: Sensor) -> PressureSource:
+    from viscodesign.pumps.sensors.board_analog import BoardAnalog
+    from viscodesign.pumps.sensors.phidget import Phidget
+
+    where = sensor.on
+    if where == "auto":
+        where = "board" if board.has_pins else "phidget"
+    return BoardAnalog(board, sensor.channel) if where == "board" else Phidget(sensor.channel)
