@@ -15,7 +15,7 @@ from viscodesign.pumps.gauges import Gauges
 from viscodesign.pumps.interrupt import Wish
 from viscodesign.pumps.packets import Instruction, Packet
 from viscodesign.pumps.pose_fit import PoseFit, fit_poses
-from viscodesign.pumps.pose_player import PosePlayer
+from viscodesign.pumps.pose_player import PosePlayer, divided
 from viscodesign.pumps.profile import Profile
 from viscodesign.pumps.pump import Pump
 from viscodesign.pumps.stream import Ending
@@ -99,15 +99,7 @@ class PoseRig:
         """Connected, loaded and at the start."""
         self.pump.connect()
         self.player.load()
-        self.pump.arm()
-        start = Profile(
-            self.wanted.inlets,
-            self.wanted.servos,
-            self.wanted.time[:1],
-            self.wanted.counts[:1],
-            self.wanted.pressure[:1],
-        )
-        ending = self.player.approach(start)
+        ending = self.player.approach(divided(self.wanted, 0.0)[0])
         assert ending.status == "complete", ending.reason
         self.bench.goals.clear()
 

@@ -14,7 +14,6 @@ import numpy as np
 from viscodesign.errors import PumpError
 from viscodesign.pumps import pose_packets, registers
 from viscodesign.pumps.boards.arbotix import Arbotix
-from viscodesign.pumps.course import led_in
 from viscodesign.pumps.holding import HOLD_SPEED, NEAR, Standing
 from viscodesign.pumps.interrupt import Wish
 from viscodesign.pumps.pose_engine import FRAME
@@ -78,6 +77,16 @@ def divided(profile: Profile, moment: float) -> tuple[Profile, Profile]:
     )
 
 
+def _rested(lead: Profile) -> Profile:
+    """The same with a rest at its end."""
+    return replace(
+        lead,
+        time=np.append(lead.time, lead.duration + LEAD_SETTLE),
+        counts=np.concatenate([lead.counts, lead.counts[-1:]]),
+        pressure=np.concatenate([lead.pressure, lead.pressure[-1:]]),
+    )
+
+
 def playing_speed(fit: PoseFit) -> int:
     """Moving speed register with which servos keep up with a fit, and hardly more."""
     return max(speed_register(FASTER * fit.fastest), HOLD_SPEED)
@@ -129,10 +138,10 @@ class PosePlayer:
         )
 
     def approach(self, lead: Profile, see: Callable[[Shown], None] = lambda shown: None) -> Ending:
-        """From where the plungers are to the lead's end, slowly and under all guards."""
-        present = {servo: self.pump.goals[servo] for servo in lead.servos}
-        course = led_in(lead, present, LEAD_SETTLE)
-        return Stream(self.pump, course, self.wish, see, rate=LEAD_RATE).play()
+        """Torque on, then from where the plungers are to the lead's end, under all guards."""
+        return Stream(
+            self.pump, _rested(lead), self.wish, see, rate=LEAD_RATE, lead=lead.duration
+        ).play()
 
     def play(self) -> Ending:
         """Play once, or loop until a wish to stop; however this ends, nothing plays then.

@@ -79,7 +79,8 @@ def test_a_play_whose_answer_is_lost_is_not_sent_again_but_halted() -> None:
     assert ending.status == "stopped"
     assert "may have started" in ending.reason
     assert ending.sure
-    assert len(rig.bench.goals) <= max(rig.fit.move_frames) + 3
+    # Half a second until nobody answers, then the move that it was in.
+    assert len(rig.bench.goals) <= 0.6 / FRAME + max(rig.fit.move_frames)
 
 
 @pytest.mark.parametrize("request_", range(5))
@@ -120,19 +121,21 @@ def test_a_pulled_cable_claims_no_hold() -> None:
 
 
 def test_the_way_to_the_start_is_slow_and_torque_and_speed_are_limited() -> None:
-    far = swing(amplitude=40.0)
-    rig = PoseRig(profile=far)
-    rig.bench.servos[0].position = 500.0
-    start = rig.clock.now()
-    rig.begin()
-    assert rig.clock.now() - start > 300 / 50
+    rig = PoseRig()
+    rig.bench.servos[0].position = HOME + 100.0
+    rig.pump.connect()
+    rig.player.load()
+    goals: list[tuple[float, int]] = []
+    lead, _ = divided(rig.wanted, 0.0)
+    rig.player.approach(lead, lambda shown: goals.append((shown.time, rig.pump.goals[1])))
+    times, counts = np.array(goals).T
+    speeds = np.abs(np.diff(counts)) / np.diff(times)
+    assert np.max(speeds) < 1.3 * 50
     assert rig.bench.servos[0].position == pytest.approx(HOME, abs=10)
     servo = rig.bench.servos[0]
     assert 0 < servo.get(registers.TORQUE_LIMIT) < 1023
     rig.player.play()
-    speeds = rig.board._speeds
-    assert 0 not in speeds.values()
-    assert playing_speed(rig.fit) < 200
+    assert 0 < playing_speed(rig.fit) < 200
 
 
 def test_a_servo_with_the_phantoms_id_is_refused_before_anything_is_loaded() -> None:
