@@ -82,7 +82,7 @@ def _kept_within(asked: Wanted, pump: Pump) -> Wanted:
     run = follow(with_pressures(asked.scene, asked.run.time, kept), asked.taken)
     lead = asked.lead
     if lead.time.size and not np.array_equal(kept[0], pressure[0]):
-        lead = lead_in(asked.scene, pump, asked.lines, run, asked.taken)
+        lead = _same_times(asked, lead_in(asked.scene, pump, asked.lines, run, asked.taken))
     return replace(asked, run=run, lead=lead)
 
 
@@ -168,7 +168,8 @@ def _same_times(goal: Wanted, lead: Lead) -> Lead:
         return np.stack([np.interp(share, lead.time, column) for column in values.T], axis=1)
 
     if not lead.time.size:
-        return goal.lead
+        flat = np.zeros_like(goal.lead.given)
+        return replace(goal.lead, pressure=flat + goal.scene.gauge_pressure, given=flat)
     return Lead(goal.lead.time, at(lead.pressure), at(lead.given), goal.lead.lasts)
 
 

@@ -297,6 +297,7 @@ SEEKERS: dict[str, tuple[Seek, ...]] = {
     "suction": (weaker,),
     "cap": (higher_cap, weaker),
     "resolution": (thinner, stronger),
+    "pressure_step": (thinner,),
     "speed_register": (thinner,),
 }
 """What may help against a limit, simplest first."""

@@ -26,6 +26,8 @@ SENSOR_STEP = 1.61e3
 """One count of the sensor where it is read with 8 bit, as the ROS firmware does [Pa]."""
 FEWEST_COUNTS = 5.0
 """Amplitude in counts below which a course is none, beside the servo's own margin of one."""
+FINE_STEPS = 20.0
+"""Counts that a swing of pressure should have, taken at once: below, it comes in steps."""
 SHORT_LIFE = 360.0
 """Battery life that is worth a word [s]."""
 STEPPING = 5.0
@@ -200,6 +202,28 @@ def cap(demand: Demand) -> PumpVerdict:
     )
 
 
+def cap_torque(demand: Demand) -> PumpVerdict:
+    """The software's cap itself against the servo's stall: whether it ever acts."""
+    pressure, allowed = demand.pump.max_pressure, STALL_SHARE * demand.stall_pressure
+    message = (
+        f"the cap of {pressure / 1e3:.4g} kPa gauge takes "
+        f"{100 * pressure / demand.stall_pressure:.0f} % of the stall torque at "
+        f"{demand.pump.supply_voltage:g} V"
+    )
+    if pressure > demand.stall_pressure:
+        message += f": the servo stalls before, at {demand.stall_pressure / 1e3:.4g} kPa gauge"
+    above = pressure - demand.scene.ambient_pressure
+    if pressure > allowed and above > 0.0:
+        message += (
+            f"; {pressure / 1e3:.4g} kPa abs would be {above / 1e3:.4g} kPa gauge, "
+            f"{100 * above / demand.stall_pressure:.0f} %"
+        )
+    ratio = pressure / allowed
+    return _verdict(
+        demand, "cap_torque", "advice", pressure, allowed, "Pa gauge", ratio, 0, message
+    )
+
+
 def resolution(demand: Demand) -> PumpVerdict:
     """Counts of the course against the servo's own steps and the gear's play."""
     swing, needed = float(np.ptp(demand.count)), FEWEST_COUNTS + demand.pump.gear_play
@@ -212,6 +236,23 @@ def resolution(demand: Demand) -> PumpVerdict:
     when = int(np.argmax(demand.count))
     return _verdict(
         demand, "resolution", "infeasible", swing, needed, "counts", ratio, when, message
+    )
+
+
+def pressure_step(demand: Demand) -> PumpVerdict:
+    """What one count does to the pressure before the actuator takes any, against the swing."""
+    barrel, volume = demand.barrel, demand.drive.volume_per_count
+    stiff = np.array([barrel.compliance(p, x) for p, x in demand.extremes])
+    step = volume / float(np.min(stiff))
+    swing = float(np.ptp(demand.pressure))
+    message = (
+        f"one count makes {step / 1e3:.3g} kPa at once, {1e3 / step:.3g} counts for a kPa, where "
+        f"the barrel is stiffest; the pressure swings by {swing / 1e3:.3g} kPa"
+    )
+    ratio = 0.0 if swing < 1.0 else FINE_STEPS * step / swing
+    when = int(np.argmax(demand.pressure))
+    return _verdict(
+        demand, "pressure_step", "advice", step, swing / FINE_STEPS, "Pa", ratio, when, message
     )
 
 
@@ -283,7 +324,9 @@ JUDGES: tuple[Judge, ...] = (
     barrel,
     suction,
     cap,
+    cap_torque,
     resolution,
+    pressure_step,
     sensor,
     speed_register,
     battery,
