@@ -69,7 +69,6 @@ def command(
         say(f"{way.label}{told['rows']} rows in {output}")
     if told["status"] == "interrupted":
         raise InterruptedRunError(f"stopped before its time; what was read is in {output}")
-'''
 
 
 def _record(

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from viscodesign.errors import PumpError
-from viscodesign.pumps.line import Line
 from viscodesign.pumps import registers
+from viscodesign.pumps.line import Line
 from viscodesign.pumps.registers import Register
 from viscodesign.pumps.transaction import NoReplyError, ServoError
 
