@@ -92,6 +92,14 @@ class Transactions:
         if self.read(servo, address, len(data)) != data:
             self.ask(packets.write(servo, address, data), 0)
 
+    def verify(self, servo: int, address: int, data: bytes) -> None:
+        """See that registers hold what was written, where a reply does not tell."""
+        if (there := self.read(servo, address, len(data))) != data:
+            raise PumpError(
+                f"servo {servo} did not take {shown(data)} at address {address}: it holds "
+                f"{shown(there)}. It refuses what is out of range"
+            )
+
     def tell(self, packet: Packet) -> None:
         """Send what nobody answers."""
         self.line.drain()
@@ -122,12 +130,16 @@ class Transactions:
             sure = self._settle(packet.id)
             if not sure and packet.code == Instruction.READ:
                 continue
+            # Before it is sent: whatever breaks in between, the reply may still come.
+            owed = {(packet.id, length) for length in lengths}
+            self._owed |= owed
             reply, came = self._exchange(packet, lengths, patience or self.patience)
-            if reply is None or not sure:
+            if not sure:
                 reply = None
-                self._owed |= {(packet.id, length) for length in lengths}
-            elif not reply.code & BROKEN:
-                break
+            elif reply is not None:
+                self._owed -= owed
+                if not reply.code & BROKEN:
+                    break
         if reply is None:
             raise NoReplyError(_nothing(packet, came, tries))
         return self._checked(packet, reply)

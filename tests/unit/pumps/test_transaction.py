@@ -201,3 +201,20 @@ def test_the_eeprom_is_written_for_calibration_alone() -> None:
     assert len(line.sent) == 1  # was there already
     wire.write_permanent(1, 6, bytes([6, 8]))
     assert str(line.sent[-1]) == str(packets.write(1, 6, bytes([6, 8])))
+
+
+def test_a_reply_that_was_not_waited_for_is_never_taken_for_another() -> None:
+    def slow(_: int, packet: Packet) -> list[tuple[float, bytes]]:
+        return [(0.05, truth(packet))]
+
+    line = Scripted(slow)
+    wire, read = Transactions(line), line.read
+
+    def interrupted(most: int, deadline: float) -> bytes:
+        raise KeyboardInterrupt
+
+    line.read = interrupted  # type: ignore[method-assign]
+    with pytest.raises(KeyboardInterrupt):
+        wire.read(1, 30, 2)
+    line.read = read  # type: ignore[method-assign]
+    assert wire.read(1, 36, 2) == bytes([36, 37])

@@ -7,13 +7,13 @@ import re
 from collections.abc import Sequence
 
 from viscodesign.errors import PumpError, UsageError
-from viscodesign.pumps import packets
+from viscodesign.pumps import packets, registers
 from viscodesign.pumps.boards.bus import BusBoard
 from viscodesign.pumps.line import Line
-from viscodesign.pumps.transaction import NoReplyError
+from viscodesign.pumps.transaction import BOARD, NoReplyError
 
-ARBOTIX = 253
 MODEL = 300
+LONGEST_READ = 24
 DIGITAL_IN, ANALOG_IN, DIGITAL_OUT = 5, 18, 47
 """Registers of the board itself: ports of 8 pins, channels, single pins (`ros.h`)."""
 PULLED_UP = b"\x02"
@@ -39,7 +39,7 @@ class ArbotixRos(BusBoard):
         """When each pin was made an input."""
 
     def identify(self) -> str:
-        request = packets.read(ARBOTIX, 0, 3)
+        request = packets.read(BOARD, 0, 3)
         try:
             data = self.wire.ask(request, 3, 0).parameters
         except NoReplyError as error:
@@ -50,40 +50,47 @@ class ArbotixRos(BusBoard):
         if not data:
             raise PumpError("the firmware of PyPose answers here: use --board arbotix")
         if (model := int.from_bytes(data[:2], "little")) != MODEL:
-            raise PumpError(f"model {model} answers with id {ARBOTIX}; an ArbotiX is {MODEL}")
+            raise PumpError(f"model {model} answers with id {BOARD}; an ArbotiX is {MODEL}")
         return f"ArbotiX with the firmware for ROS, version {data[2]}"
 
+    def read(self, servo: int, address: int, count: int) -> bytes:
+        """In pieces: its buffer for servos holds 32 bytes."""
+        starts = range(address, address + count, LONGEST_READ)
+        ends = [min(start + LONGEST_READ, address + count) for start in starts]
+        pairs = zip(starts, ends, strict=True)
+        return b"".join(self.wire.read(servo, start, end - start) for start, end in pairs)
+
     def write(self, servo: int, address: int, data: bytes) -> None:
-        """In pieces of two bytes, the most that it passes on, and read back.
+        """Read back: it says of every write that it is done, and does not hear the servo."""
+        for start, piece in _pieces(address, data):
+            self.wire.write(servo, start, piece)
+            self.wire.verify(servo, start, piece)
 
-        It says of every write that it is done, and does not hear whether the servo says so.
-        """
-        for start in range(0, len(data), 2):
-            self._write_checked(servo, address + start, data[start : start + 2])
-
-    def _write_checked(self, servo: int, address: int, data: bytes) -> None:
-        self.wire.write(servo, address, data)
-        there = self.wire.read(servo, address, len(data))
-        if there != data:
-            raise PumpError(
-                f"servo {servo} did not take {packets.shown(data)} at address {address}: "
-                f"{packets.shown(there)} is there. It refuses what is out of range"
-            )
+    def write_permanent(self, servo: int, address: int, data: bytes) -> None:
+        for start, piece in _pieces(address, data):
+            self.wire.write_permanent(servo, start, piece)
+            renamed = piece[0] if start == registers.ID.address else servo
+            self.wire.verify(renamed, start, piece)
 
     def analog(self, channel: int) -> float:
         if not 0 <= channel <= 7:
             raise UsageError(f"analog channel {channel}; the board has 0 to 7")
-        (value,) = self.wire.read(ARBOTIX, ANALOG_IN + channel, 1)
+        (value,) = self.wire.read(BOARD, ANALOG_IN + channel, 1)
         return (value + 0.5) / 256
 
     def digital(self, pin: str) -> bool:
         number = pin_number(pin)
         now = self.line.clock.now()
         if now - self._set_up.get(number, -math.inf) >= SET_UP_AGAIN:
-            self.wire.write(ARBOTIX, DIGITAL_OUT + number, PULLED_UP)
+            self.wire.write(BOARD, DIGITAL_OUT + number, PULLED_UP)
             self._set_up[number] = now
-        (levels,) = self.wire.read(ARBOTIX, DIGITAL_IN + number // 8, 1)
+        (levels,) = self.wire.read(BOARD, DIGITAL_IN + number // 8, 1)
         return bool(levels >> number % 8 & 1)
+
+
+def _pieces(address: int, data: bytes) -> list[tuple[int, bytes]]:
+    """Two bytes each, the most that it passes on; more it cuts off."""
+    return [(address + k, data[k : k + 2]) for k in range(0, len(data), 2)]
 
 
 def pin_number(pin: str) -> int:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from viscodesign.errors import PumpError
 from viscodesign.pumps import packets, registers
 from viscodesign.pumps.boards.bus import BusBoard
-from viscodesign.pumps.transaction import NoReplyError
+from viscodesign.pumps.transaction import BOARD, NoReplyError
 
 TRIED = range(1, 17)
 """Ids that are asked where nobody said which servos there are."""
-ARBOTIX = 253
-"""Id by which the firmwares of the ArbotiX answer for themselves."""
+ARBOTIX_MODEL = 300
 
 
 class Dynamixel(BusBoard):
@@ -35,13 +34,15 @@ class Dynamixel(BusBoard):
 
     def _refuse_arbotix(self) -> None:
         """Firmwares of the ArbotiX speak to id 253, and a servo should not have it."""
-        request = packets.read(ARBOTIX, registers.MODEL.address, 2)
+        request = packets.read(BOARD, registers.MODEL.address, 2)
         try:
             reply = self.wire.ask(request, 2, 0, tries=1)
         except NoReplyError:
             return
-        other = "arbotix-ros" if reply.parameters else "arbotix"
-        raise PumpError(f"an ArbotiX answers here, not a servo: use --board {other}")
+        model = int.from_bytes(reply.parameters, "little")
+        if model in (0, ARBOTIX_MODEL):
+            other = "arbotix-ros" if model else "arbotix"
+            raise PumpError(f"an ArbotiX answers here, not a servo: use --board {other}")
 
     def _servo(self, servo: int) -> str:
         """Model and version of a servo, or nothing where it does not answer."""

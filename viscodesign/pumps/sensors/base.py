@@ -13,10 +13,7 @@ class SensorError(PumpError):
 
 
 class PressureSource(ABC):
-    """An absolute sensor, zeroed to the ambient pressure that it measured itself."""
-
-    def __init__(self) -> None:
-        self._ambient: float | None = None
+    """An absolute sensor; gauge pressures take off the ambient one and its error at rest."""
 
     @abstractmethod
     def ratio(self) -> float:
@@ -41,17 +38,6 @@ class PressureSource(ABC):
                 "20 to 400 kPa"
             )
         return pressure
-
-    def zero(self, readings: int = 16) -> float:
-        """Take the pressure now for ambient [Pa absolute]; the pump must be open to the air."""
-        self._ambient = sum(self.absolute() for _ in range(readings)) / readings
-        return self._ambient
-
-    def gauge(self) -> float:
-        """Pressure over the ambient one [Pa]; `zero` comes first."""
-        if self._ambient is None:
-            raise SensorError("the pressure sensor has not been zeroed to ambient pressure")
-        return self.absolute() - self._ambient
 
 
 class Stillness:

@@ -11,7 +11,6 @@ class BoardAnalog(PressureSource):
     """As precise as the board's converter."""
 
     def __init__(self, board: Board, channel: int) -> None:
-        super().__init__()
         if not board.has_pins:
             raise PumpError(
                 f"the board {board.name} reads no analog inputs: leave `pump.sensor` out, or use "

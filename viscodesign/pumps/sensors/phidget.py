@@ -17,7 +17,6 @@ class Phidget(PressureSource):
     """A ratio input of a Phidget interface kit; the library is loaded when it is opened."""
 
     def __init__(self, channel: int) -> None:
-        super().__init__()
         library = _library("Phidget22.Devices.VoltageRatioInput")
         self._failure: type[Exception] = _library("Phidget22.PhidgetException").PhidgetException
         self._input: Any = None
