@@ -87,6 +87,13 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
     )
 
 
+def tips(problem: Problem, time: np.ndarray, values: dict[str, np.ndarray]) -> np.ndarray:
+    """x, z and angle of the tip (T, 3) from named outputs (T, n)."""
+    rows = _Rows(time, values)
+    _, shape, angle = _shapes(problem, rows, np.arange(len(time)))
+    return np.column_stack((shape[:, -1], angle))
+
+
 def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     """Call the output function at every solved edge."""
     equations = problem.equations

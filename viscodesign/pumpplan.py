@@ -20,16 +20,18 @@ Severity = Literal["ok", "advice", "infeasible"]
 
 @dataclass(frozen=True)
 class Change:
-    """One change, and what is left to do after it."""
+    """One change that makes a verdict pass, as was tried, and what is left to do after it."""
 
+    key: str
+    """What it changes: a key of the spec, or "pressure" or "time"."""
     words: str
-    """As in 'every pressure by 0.62'."""
+    """As in '0.62 times every pressure of the input'."""
     settings: tuple[str, ...]
-    """For `--set`."""
-    cures: bool
-    """Whether it alone makes its verdict pass; it was tried."""
+    """For `--set`; none where a table of the spec holds the numbers."""
     leaves: tuple[str, ...]
     """Verdicts that are infeasible after it."""
+    factor: float = 1.0
+    """Of all pressures, or all times, where that is what it changes."""
 
 
 @dataclass(frozen=True)

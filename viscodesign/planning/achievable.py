@@ -15,9 +15,10 @@ import numpy as np
 
 from viscodesign.physics import syringe_pump
 from viscodesign.planning.demand import Demand
+from viscodesign.planning.follow import Inlets, follow, to_its_end
 from viscodesign.planning.limits import SENSOR_FLOOR
 from viscodesign.planning.variants import with_inputs, with_pressures
-from viscodesign.planning.wanted import Lead, Wanted, follow, lead_in, to_its_end
+from viscodesign.planning.wanted import Lead, Wanted, lead_in
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.scene import Scene
 from viscodesign.simulating import simulate
@@ -53,7 +54,7 @@ def achieve(asked: Wanted, pump: Pump, progress: Progress | None = None) -> Achi
     paths = _paths(demands, pressure)
     apart, sweeps = np.inf, 0
     while apart > AGREED and sweeps < MOST_SWEEPS:
-        run = follow(_driven(goal.scene, demands, paths, before))
+        run = follow(_driven(goal.scene, demands, paths, before), asked.taken)
         sweeps += 1
         pressure = _with_lead(goal, run)
         again = _paths(demands, pressure)
@@ -64,11 +65,10 @@ def achieve(asked: Wanted, pump: Pump, progress: Progress | None = None) -> Achi
         if apart > AGREED:
             share = 1.0 if sweeps <= EASED else 0.5
             paths = [old + share * (new - old) for new, old in zip(again, paths, strict=True)]
-    run = to_its_end(
-        simulate(_driven(goal.scene, demands, paths, before), progress=progress)
-    )
-    found = _demands(goal, pump, run, demands, paths)
-    return Achieved(found, run, _clipped(wanted_demands, found, goal), sweeps, float(apart))
+    driven = _driven(goal.scene, demands, paths, before)
+    last = to_its_end(simulate(driven, progress=progress))
+    found = _demands(goal, pump, Inlets.of(last), demands, paths)
+    return Achieved(found, last, _clipped(wanted_demands, found, goal), sweeps, float(apart))
 
 
 def _kept_within(asked: Wanted, pump: Pump) -> Wanted:
@@ -79,10 +79,10 @@ def _kept_within(asked: Wanted, pump: Pump) -> Wanted:
     kept = np.clip(pressure, low, high)
     if np.array_equal(kept, pressure):
         return asked
-    run = follow(with_pressures(asked.scene, asked.run.time, kept))
+    run = follow(with_pressures(asked.scene, asked.run.time, kept), asked.taken)
     lead = asked.lead
     if lead.time.size and not np.array_equal(kept[0], pressure[0]):
-        lead = _lead_to(asked, pump, run)
+        lead = lead_in(asked.scene, pump, asked.lines, run, asked.taken)
     return replace(asked, run=run, lead=lead)
 
 
@@ -91,13 +91,6 @@ def bounds(demand: Demand) -> tuple[float, float]:
     ambient, stall = demand.scene.ambient_pressure, demand.stall_pressure
     floor = max(SENSOR_FLOOR, demand.scene.fluid.vapour_pressure or 0.0) - ambient
     return max(floor, -stall), min(demand.pump.max_pressure, stall)
-
-
-def _lead_to(asked: Wanted, pump: Pump, run: Trajectory) -> Lead:
-    start = np.array([values[0] for values in run.inlet_pressure.values()])
-    given = np.array([values[0] for values in run.inflow.values()])
-    settling = run.classification.scales.t_net
-    return lead_in(asked.scene, pump, asked.lines, start, given, settling)
 
 
 def _paths(demands: Sequence[Demand], pressure: Sequence[np.ndarray]) -> list[np.ndarray]:
@@ -143,30 +136,24 @@ def _driven(
     return with_inputs(scene, inputs)
 
 
-def _with_lead(goal: Wanted, run: Trajectory) -> list[np.ndarray]:
+def _with_lead(goal: Wanted, run: Inlets) -> list[np.ndarray]:
     """Pressures (T,) of each inlet: the lead-in's, then the run's."""
-    lead = goal.lead.pressure.T
-    return [
-        np.concatenate([first, values])
-        for first, values in zip(lead, run.inlet_pressure.values(), strict=True)
-    ]
+    return list(np.concatenate([goal.lead.pressure, run.pressure]).T)
 
 
 def _demands(
     goal: Wanted,
     pump: Pump,
-    run: Trajectory,
+    run: Inlets,
     demands: Sequence[Demand],
     paths: Sequence[np.ndarray],
 ) -> tuple[Demand, ...]:
     """What the pumps do, as a course of its own."""
     if goal.lead.time.size:
-        goal = replace(goal, lead=_same_times(goal, _lead_to(goal, pump, run)))
+        lead = lead_in(goal.scene, pump, goal.lines, run, goal.taken)
+        goal = replace(goal, lead=_same_times(goal, lead))
     pressure = _with_lead(goal, run)
-    given = [
-        np.concatenate([first, values])
-        for first, values in zip(goal.lead.given.T, run.inflow.values(), strict=True)
-    ]
+    given = np.concatenate([goal.lead.given, run.given]).T
     return tuple(
         replace(d, pressure=pressure[k], given=given[k], stated_position=paths[k])
         for k, d in enumerate(demands)

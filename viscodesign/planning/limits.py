@@ -200,6 +200,28 @@ def cap(demand: Demand) -> PumpVerdict:
     )
 
 
+def cap_torque(demand: Demand) -> PumpVerdict:
+    """The software's cap itself against the servo's stall: whether it ever acts."""
+    pressure, allowed = demand.pump.max_pressure, STALL_SHARE * demand.stall_pressure
+    message = (
+        f"the cap of {pressure / 1e3:.4g} kPa gauge takes "
+        f"{100 * pressure / demand.stall_pressure:.0f} % of the stall torque at "
+        f"{demand.pump.supply_voltage:g} V"
+    )
+    if pressure > demand.stall_pressure:
+        message += f": the servo stalls before, at {demand.stall_pressure / 1e3:.4g} kPa gauge"
+    above = pressure - demand.scene.ambient_pressure
+    if pressure > allowed and above > 0.0:
+        message += (
+            f"; {pressure / 1e3:.4g} kPa abs would be {above / 1e3:.4g} kPa gauge, "
+            f"{100 * above / demand.stall_pressure:.0f} %"
+        )
+    ratio = pressure / allowed
+    return _verdict(
+        demand, "cap_torque", "advice", pressure, allowed, "Pa gauge", ratio, 0, message
+    )
+
+
 def resolution(demand: Demand) -> PumpVerdict:
     """Counts of the course against the servo's own steps and the gear's play."""
     swing, needed = float(np.ptp(demand.count)), FEWEST_COUNTS + demand.pump.gear_play
@@ -283,6 +305,7 @@ JUDGES: tuple[Judge, ...] = (
     barrel,
     suction,
     cap,
+    cap_torque,
     resolution,
     sensor,
     speed_register,

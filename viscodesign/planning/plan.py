@@ -10,11 +10,14 @@ from viscodesign._version import __version__
 from viscodesign.physics import gas, syringe_pump
 from viscodesign.physics.servo import STEADY_SHARE
 from viscodesign.planning.achievable import Achieved, achieve
-from viscodesign.planning.changes import Trials, changes_for, together
+from viscodesign.planning.changes import changes_for, together
+from viscodesign.planning.barrel import line_at
 from viscodesign.planning.demand import Demand, course
+from viscodesign.planning.follow import Inlets, taken_effects, to_its_end
 from viscodesign.planning.limits import verdicts
+from viscodesign.planning.trials import Trials
 from viscodesign.planning.variants import planned, pump_of, servo_ids, with_effects_of
-from viscodesign.planning.wanted import shares_a_network, to_its_end, wanted
+from viscodesign.planning.wanted import Wanted, lead_in, shares_a_network
 from viscodesign.pumpplan import PumpPlan, PumpVerdict
 from viscodesign.scene.scene import Scene
 from viscodesign.simulating import simulate
@@ -36,8 +39,10 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
     pump = pump_of(scene)
     first = planned(scene)
     run = to_its_end(simulate(first, progress=progress))
-    settled = with_effects_of(first, run)
-    asked = wanted(settled, run, pump)
+    settled, taken, inlets = with_effects_of(first, run), taken_effects(run), Inlets.of(run)
+    lines = {name: line_at(settled, name, taken) for name in scene.inputs}
+    lead = lead_in(settled, pump, lines, inlets, taken)
+    asked = Wanted(settled, inlets, taken, lines, lead)
     demands = asked.demands(pump)
     trials = Trials(settled, asked, pump)
     found = tuple(_with_changes(trials, v) for d in demands for v in verdicts(d))

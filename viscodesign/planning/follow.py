@@ -1,0 +1,73 @@
+"""A scene followed for its inlets alone: no verdicts, no estimate of errors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from viscodesign.build import suggest_settings
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import catalogue
+from viscodesign.errors import SolveError
+from viscodesign.scene.scene import Scene
+from viscodesign.solving import solve
+from viscodesign.trajectory import Trajectory
+
+
+@dataclass(frozen=True)
+class Inlets:
+    """What happens at P inlets at T times."""
+
+    time: np.ndarray
+    """(T,) [s]"""
+    pressure: np.ndarray
+    """(T, P) gauge [Pa]."""
+    given: np.ndarray
+    """(T, P) to the network since it was filled [m3 at ambient density]."""
+
+    @classmethod
+    def of(cls, run: Trajectory) -> Inlets:
+        """Those of a run."""
+        return cls(run.time, _columns(run.inlet_pressure), _columns(run.inflow))
+
+
+def _columns(values: Mapping[str, np.ndarray]) -> np.ndarray:
+    return np.stack(list(values.values()), axis=1)
+
+
+def taken_effects(run: Trajectory) -> frozenset[str]:
+    """Names of the effects that a run took."""
+    return frozenset(v.name for v in run.effects if v.taken)
+
+
+def follow(scene: Scene, taken: frozenset[str]) -> Inlets:
+    """The inlets of a scene with just these effects; `SolveError` where a run breaks off."""
+    conditions = Conditions(scene, set(taken))
+    effects = [kind.of(conditions) for name, kind in catalogue().items() if name in taken]
+    run = solve(conditions, effects, suggest_settings(conditions, effects))
+    if run.solution.interrupted:
+        raise KeyboardInterrupt
+    if run.motion.failure is not None:
+        raise broken_off(str(run.motion.failure), run.motion.time)
+    return Inlets(run.motion.time, run.motion.inlet_pressure, run.motion.inflow)
+
+
+def to_its_end(run: Trajectory) -> Trajectory:
+    """A run, unless it broke off: then `SolveError` with its own words."""
+    if run.status == "interrupted":
+        raise KeyboardInterrupt
+    if run.status == "failed" and run.accuracy.estimated_tip_error_m is None:
+        raise broken_off(run.failure or "no reason given", run.time)
+    return run
+
+
+def broken_off(reason: str, times: np.ndarray) -> SolveError:
+    """The failure of a plan whose model did not come to the end."""
+    return SolveError(
+        f"the coupled model could not be followed: {reason}",
+        quantity="motion",
+        where="plan",
+        time_s=float(times[-1]) if times.size else 0.0,
+    )
