@@ -8,7 +8,7 @@ from viscodesign.errors import PumpError
 from viscodesign.pumps import packets
 from viscodesign.pumps.line import Line
 from viscodesign.pumps.packets import ErrorBits, Instruction, Packet, Parser, meaning, shown
-from viscodesign.pumps.registers import RAM
+from viscodesign.pumps.registers import ID, RAM
 
 TRIES = 3
 """Of what may be repeated."""
@@ -60,6 +60,16 @@ class Transactions:
 
     def ping(self, servo: int) -> None:
         self.ask(packets.ping(servo), 0)
+
+    def answers(self, servo: int) -> bool:
+        """Whether a servo answers when it is asked once; with error bits too."""
+        try:
+            self.ask(packets.read(servo, ID.address, ID.size), ID.size, tries=1)
+        except ServoError:
+            return True
+        except NoReplyError:
+            return False
+        return True
 
     def read(self, servo: int, address: int, count: int) -> bytes:
         """Registers; asked up to `TRIES` times."""

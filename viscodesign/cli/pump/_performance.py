@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,13 @@ from typing import TYPE_CHECKING, Any
 from viscodesign.cli.output import complain
 from viscodesign.cli.pump._confirm import confirm
 from viscodesign.cli.pump._session import Way, gauges, opened
-from viscodesign.cli.pump._told import ending_lines, plan_rows, servo_rows
+from viscodesign.cli.pump._setting import Setting
+from viscodesign.cli.pump._told import (
+    document_rows,
+    ending_lines,
+    plan_rows,
+    servo_documents,
+)
 from viscodesign.cli.text import table
 from viscodesign.pumps.interrupt import Wish, noted_signals
 from viscodesign.pumps.live_view import LiveView
@@ -83,8 +90,8 @@ class Performance:
     def perform(self) -> Ending:
         """Connect, show, ask, stream, stand; raises `PumpError` where it does not begin."""
         with (
-            opened(self.way, self.clock, self.scene, self.plant) as (board, log),
-            gauges(board, self.scene, self.plan.inlets) as sensors,
+            opened(self.way, self.clock, Setting.of(self.scene), self.plant) as (board, log),
+            self._gauges(board) as sensors,
         ):
             pump = self._pump(board, sensors)
             shown = self._connect(pump)
@@ -92,6 +99,10 @@ class Performance:
             confirm(shown if not (self.quiet and self.yes) else [], "Move the pump?", yes=self.yes)
             with noted_signals() as wish, self._record(board) as record:
                 return self._stream(pump, wish, record, log)
+
+    def _gauges(self, board: Board) -> AbstractContextManager[Gauges]:
+        ambient = self.scene.ambient_pressure
+        return gauges(board, self.settings.sensor, ambient, len(self.plan.inlets))
 
     def _pump(self, board: Board, sensors: Gauges) -> Pump:
         switches = Switches(self.settings.limit_switches)
@@ -102,12 +113,17 @@ class Performance:
         found = pump.connect()
         told = pump.gauges.zero()
         pump.look()
-        return [*self.lines(), f"found {pump.identity}", *table(servo_rows(found)), *told]
+        return [
+            *self.lines(),
+            f"found {pump.identity}",
+            *table(document_rows(servo_documents(found))),
+            *told,
+        ]
 
     def _calibration(self) -> dict[str, Any]:
         return {"home_counts": self.settings.home, "travel_counts": list(self.settings.travel)}
 
-    def _record(self, board: Board) -> Any:
+    def _record(self, board: Board) -> AbstractContextManager[Record]:
         facts = {
             "board": self.way.board,
             "simulated": board.simulated,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from viscodesign.errors import PumpError, UsageError
 
 if TYPE_CHECKING:
+    from viscodesign.cli.pump._setting import Setting
     from viscodesign.pumps.boards.base import Board
     from viscodesign.pumps.clock import Clock
     from viscodesign.pumps.gauges import Gauges
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from viscodesign.pumps.sensors.base import PressureSource
     from viscodesign.pumps.virtual.plant import Plant
     from viscodesign.scene.pump import Sensor
-    from viscodesign.scene.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -63,17 +63,15 @@ def _factor(text: str) -> float:
 
 @contextlib.contextmanager
 def opened(
-    way: Way, clock: Clock, scene: Scene | None = None, plant: Plant | None = None
+    way: Way, clock: Clock, setting: Setting, plant: Plant | None = None
 ) -> Iterator[tuple[Board, ByteLog]]:
     """The board and the log of its bytes; nothing is asked of it yet, and nothing moves."""
     from viscodesign.cli.output import complain
     from viscodesign.pumps.log import ByteLog
     from viscodesign.pumps.opening import open_board
-    from viscodesign.pumps.virtual.plant import AMBIENT
 
-    pump = None if scene is None else scene.pump
-    ambient = AMBIENT if scene is None else scene.ambient_pressure
     log = ByteLog(way.log, complain)
+    pump, ambient = setting.pump, setting.ambient
     try:
         board = open_board(way.board, way.port, way.baud, log, clock, pump, plant, ambient)
         try:
@@ -87,17 +85,19 @@ def opened(
 
 
 @contextlib.contextmanager
-def gauges(board: Board, scene: Scene, inlets: Sequence[str]) -> Iterator[Gauges]:
-    """The spec's pressure sensor, at the first inlet; on the board, or on a Phidgets' kit."""
+def gauges(board: Board, sensor: Sensor | None, ambient: float, inlets: int) -> Iterator[Gauges]:
+    """The pressure sensor of the first of several inlets, on the board or on a Phidgets' kit.
+
+    ``ambient``: absolute [Pa].
+    """
     from viscodesign.pumps.gauges import Gauges
 
-    pump = scene.pump
-    if pump is None or pump.sensor is None:
-        yield Gauges([None] * len(inlets), scene.ambient_pressure)
+    if sensor is None:
+        yield Gauges([None] * inlets, ambient)
         return
-    source = _source(board, pump.sensor)
+    source = _source(board, sensor)
     try:
-        yield Gauges([source.absolute] + [None] * (len(inlets) - 1), scene.ambient_pressure)
+        yield Gauges([source.absolute] + [None] * (inlets - 1), ambient)
     finally:
         source.close()
 

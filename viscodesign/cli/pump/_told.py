@@ -43,24 +43,44 @@ def plan_rows(plan: PumpPlan, pump: Pump, rate: float, on_stop: str) -> list[tup
     ]
 
 
-def servo_rows(servos: Sequence[Servo]) -> list[tuple[str, ...]]:
-    """A table of servos as they were found, its heading first."""
-    heading = ("id", "model", "position", "limits", "torque", "voltage", "temperature", "state")
-    return [heading, *(_servo_row(servo) for servo in servos)]
+def servo_documents(servos: Sequence[Servo]) -> list[dict[str, Any]]:
+    """Servos as they were found, under names with units."""
+    return [
+        {
+            "id": servo.id,
+            "model": servo.name,
+            "firmware": servo.firmware,
+            "position_counts": servo.state.position,
+            "limits_counts": list(servo.limits),
+            "torque": servo.state.torque,
+            "goal_counts": servo.state.goal,
+            "load_rel": servo.state.load,
+            "voltage_v": servo.state.voltage,
+            "temperature_degc": servo.state.temperature,
+            "complaint": servo.state.complaint,
+        }
+        for servo in servos
+    ]
 
 
-def _servo_row(servo: Servo) -> tuple[str, ...]:
-    state = servo.state
-    limits = "wheel mode" if servo.turns_endlessly else f"{servo.limits[0]} to {servo.limits[1]}"
+def document_rows(servos: Sequence[dict[str, Any]]) -> list[tuple[str, ...]]:
+    """The same as a table, its heading first."""
+    heading = ("id", "model", "position", "limits", "torque", "load", "voltage", "heat", "state")
+    return [heading, *(_row(servo) for servo in servos)]
+
+
+def _row(servo: dict[str, Any]) -> tuple[str, ...]:
+    low, high = servo["limits_counts"]
     return (
-        str(servo.id),
-        servo.name,
-        f"{state.position}",
-        limits,
-        "on" if state.torque else "off",
-        f"{state.voltage:.1f} V",
-        f"{state.temperature:.0f} degC",
-        state.complaint or "ok",
+        str(servo["id"]),
+        servo["model"],
+        f"{servo['position_counts']}",
+        f"{low} to {high}" if (low, high) != (0, 0) else "wheel mode",
+        "on" if servo["torque"] else "off",
+        f"{servo['load_rel']:+.0%}",
+        f"{servo['voltage_v']:.1f} V",
+        f"{servo['temperature_degc']:.0f} degC",
+        servo["complaint"] or "ok",
     )
 
 

@@ -27,6 +27,10 @@ class BusBoard(Board):
     def write_permanent(self, servo: int, address: int, data: bytes) -> None:
         self.wire.write_permanent(servo, address, data)
 
+    def answers(self, servo: int) -> bool:
+        """Asked once: of ids that are not there, each question costs its patience."""
+        return self.wire.answers(servo)
+
     def move(self, goals: Mapping[int, Goal]) -> None:
         """Nobody answers a SYNC_WRITE: whether it came, the positions tell."""
         if not goals:
