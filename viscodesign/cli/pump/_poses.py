@@ -12,7 +12,8 @@ from viscodesign.cli.output import complain
 from viscodesign.cli.progress import progress
 from viscodesign.cli.pump._confirm import confirm
 from viscodesign.cli.pump._session import Way, opened
-from viscodesign.cli.pump._told import ending_lines, servo_rows
+from viscodesign.cli.pump._setting import Setting
+from viscodesign.cli.pump._told import document_rows, ending_lines, servo_documents
 from viscodesign.cli.text import table
 from viscodesign.pumps.boards.arbotix import Arbotix
 from viscodesign.pumps.fit_error import FitError, Tolerance, refuse_coarse
@@ -163,10 +164,14 @@ class Upload:
 
     def perform(self) -> Ending | None:
         """Connect, ask, load, go to the start, play, stand; None where it is only loaded."""
-        with opened(self.way, self.clock, self.poses.scene) as (board, log):
+        with opened(self.way, self.clock, Setting.of(self.poses.scene)) as (board, log):
             pump = pump_with(board, self.poses, self.clock)
             found = pump.connect()
-            shown = [*self.poses.lines(), f"found {pump.identity}", *table(servo_rows(found))]
+            shown = [
+                *self.poses.lines(),
+                f"found {pump.identity}",
+                *table(document_rows(servo_documents(found))),
+            ]
             log.event("found", lines=shown, fit=self.poses.document())
             if self.moves:
                 quiet = self.quiet and self.yes

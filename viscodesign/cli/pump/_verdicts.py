@@ -91,7 +91,9 @@ def _changes(plan: PumpPlan) -> Iterator[str]:
 
 
 def _words(change: Change) -> str:
-    left = f"; then fails: {', '.join(change.leaves)}" if change.leaves else "; then all is feasible"
+    left = (
+        f"; then fails: {', '.join(change.leaves)}" if change.leaves else "; then all is feasible"
+    )
     return _settings(change) + left
 
 
