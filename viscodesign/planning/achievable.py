@@ -18,7 +18,7 @@ from viscodesign.planning.demand import Demand
 from viscodesign.planning.follow import Inlets, follow, to_its_end
 from viscodesign.planning.limits import SENSOR_FLOOR
 from viscodesign.planning.variants import with_inputs, with_pressures
-from viscodesign.planning.wanted import Lead, Wanted, lead_in
+from viscodesign.planning.wanted import Lead, Wanted, lead_in, shares_a_network
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.scene import Scene
 from viscodesign.simulating import simulate
@@ -49,12 +49,13 @@ def achieve(asked: Wanted, pump: Pump, progress: Progress | None = None) -> Achi
     """Let the pumps do what they can, and the coupled model what follows from it."""
     goal = _kept_within(asked, pump)
     wanted_demands, demands = asked.demands(pump), goal.demands(pump)
-    before = goal.lead.time.size
+    # Where inlets share a network its first flows are known from the lead-in alone.
+    before = 0 if shares_a_network(asked.scene) else goal.lead.time.size
     pressure = [d.pressure for d in demands]
     paths = _paths(demands, pressure)
     apart, sweeps = np.inf, 0
     while apart > AGREED and sweeps < MOST_SWEEPS:
-        run = follow(_driven(goal.scene, demands, paths, before), asked.taken)
+        run = follow(_driven(goal, demands, paths, before), asked.taken)
         sweeps += 1
         pressure = _with_lead(goal, run)
         again = _paths(demands, pressure)
@@ -65,8 +66,8 @@ def achieve(asked: Wanted, pump: Pump, progress: Progress | None = None) -> Achi
         if apart > AGREED:
             share = 1.0 if sweeps <= EASED else 0.5
             paths = [old + share * (new - old) for new, old in zip(again, paths, strict=True)]
-    driven = _driven(goal.scene, demands, paths, before)
-    last = to_its_end(simulate(driven, progress=progress))
+    last = to_its_end(simulate(_driven(goal, demands, paths, before), progress=progress))
+    last = replace(last, time=asked.run.time)
     found = _demands(goal, pump, Inlets.of(last), demands, paths)
     return Achieved(found, last, _clipped(wanted_demands, found, goal), sweeps, float(apart))
 
@@ -102,12 +103,14 @@ def _path(demand: Demand, pressure: np.ndarray) -> np.ndarray:
     """One plunger's: it starts at home, or where the run starts when nothing leads in."""
     drive = demand.drive
     low, high = demand.pump.travel
-    goals = drive.position(np.clip(np.round(demand.count), low, high))  # type: ignore[arg-type]
+    counts = np.clip(np.round(demand.count), low, high)
+    goals = np.array([drive.position(count) for count in counts])
     steps = np.diff(demand.time)
     path = np.empty_like(goals)
     path[0] = goals[0]
-    # The reach of every step in both directions, at the pressure where it begins.
-    reach = {sign: _speed(demand, pressure, sign)[:-1] * steps for sign in (1.0, -1.0)}
+    # The reach of every step in both directions, at the harder of its ends' pressures.
+    speeds = {sign: _speed(demand, pressure, sign) for sign in (1.0, -1.0)}
+    reach = {sign: np.minimum(v[:-1], v[1:]) * steps for sign, v in speeds.items()}
     for k, goal in enumerate(goals[1:]):
         way = goal - path[k]
         most = reach[1.0 if way > 0.0 else -1.0][k]
@@ -126,14 +129,19 @@ def _speed(demand: Demand, pressure: np.ndarray, sign: float) -> np.ndarray:
 
 
 def _driven(
-    scene: Scene, demands: Sequence[Demand], paths: Sequence[np.ndarray], before: int
+    goal: Wanted, demands: Sequence[Demand], paths: Sequence[np.ndarray], before: int
 ) -> Scene:
-    """The scene driven by plungers, from its own t = 0 on."""
+    """The scene driven by plungers from one of the times on; its outputs are the run's own."""
+    begin = float(demands[0].time[before])
     inputs = {
-        d.inlet: d.barrel.syringe(d.time[before:] - d.lead_s, path[before:])
+        d.inlet: d.barrel.syringe(d.time[before:] - begin, path[before:])
         for d, path in zip(demands, paths, strict=True)
     }
-    return with_inputs(scene, inputs)
+    outputs = goal.lead.lasts - begin + goal.run.time
+    run = goal.scene.run.model_copy(
+        update={"duration": float(outputs[-1]), "output_times": tuple(outputs.tolist())}
+    )
+    return with_inputs(goal.scene.model_copy(update={"run": run}), inputs)
 
 
 def _with_lead(goal: Wanted, run: Inlets) -> list[np.ndarray]:
@@ -173,9 +181,7 @@ def _same_times(goal: Wanted, lead: Lead) -> Lead:
     return Lead(goal.lead.time, at(lead.pressure), at(lead.given), goal.lead.lasts)
 
 
-def _clipped(
-    wanted: Sequence[Demand], found: Sequence[Demand], goal: Wanted
-) -> tuple[str, ...]:
+def _clipped(wanted: Sequence[Demand], found: Sequence[Demand], goal: Wanted) -> tuple[str, ...]:
     """What of the wanted motion is cut off, in words."""
     told = []
     for asked, done in zip(wanted, found, strict=True):
@@ -194,4 +200,3 @@ def _clipped(
             when = float(done.time[int(np.argmax(late))])
             told.append(f"{name}speed: up to {late.max():.3g} counts behind, at {when:.4g} s")
     return tuple(told)
-

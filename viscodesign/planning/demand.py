@@ -85,7 +85,8 @@ class Demand:
     @cached_property
     def count(self) -> np.ndarray:
         """Of the servo, not rounded."""
-        return np.asarray(self.drive.count(self.position))  # type: ignore[arg-type]
+        home, way = self.drive.count(0.0), self.drive.count(1.0) - self.drive.count(0.0)
+        return np.asarray(home + way * self.position)
 
     @cached_property
     def velocity(self) -> np.ndarray:

@@ -10,8 +10,8 @@ from viscodesign._version import __version__
 from viscodesign.physics import gas, syringe_pump
 from viscodesign.physics.servo import STEADY_SHARE
 from viscodesign.planning.achievable import Achieved, achieve
-from viscodesign.planning.changes import changes_for, together
 from viscodesign.planning.barrel import line_at
+from viscodesign.planning.changes import changes_for, together
 from viscodesign.planning.demand import Demand, course
 from viscodesign.planning.follow import Inlets, taken_effects, to_its_end
 from viscodesign.planning.limits import verdicts
@@ -23,8 +23,6 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulating import simulate
 from viscodesign.solving import Progress
 from viscodesign.trajectory import Notice, Status, Trajectory
-
-SERIOUS = ("infeasible", "advice")
 
 
 def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
@@ -90,7 +88,7 @@ def _deviation(run: Trajectory, other: Trajectory) -> np.ndarray:
     """Distance of two tips at the times that both have (T,) [m]."""
     both = min(len(run.tip), len(other.tip))
     apart = run.tip[:both, :2] - other.tip[:both, :2]
-    return np.hypot(apart[:, 0], apart[:, 1])
+    return np.asarray(np.hypot(apart[:, 0], apart[:, 1]))
 
 
 def _limits(demands: tuple[Demand, ...]) -> dict[str, float]:
@@ -182,8 +180,8 @@ def _notices(scene: Scene, demands: tuple[Demand, ...], achieved: Achieved) -> l
         told.append(
             Notice(
                 "shared_start",
-                "several inlets feed one network: how much of its first filling each gives is "
-                "that of the lead-in",
+                "several inlets feed one network: what flows from one to the other before t = 0 is "
+                f"that of a lead-in of {demands[0].lead_s:.4g} s",
             )
         )
     for demand in achieved.demands:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -37,8 +37,8 @@ HEIGHT = BOTTOM + 4 * TALL + 3 * GAP + LEGEND
 """All in inches."""
 LEAD_SHOWN = 0.2
 """Of the run: the part of a lead-in that is drawn at most."""
-WANTED = {"lw": 3.2, "alpha": 0.4, "solid_capstyle": "butt"}
-DONE = {"lw": 1.2}
+WANTED: dict[str, Any] = {"lw": 3.2, "alpha": 0.4, "solid_capstyle": "butt"}
+DONE: dict[str, Any] = {"lw": 1.2}
 BEYOND = 0.25
 """How far, in parts of a limit's range, a curve is followed beyond it."""
 
@@ -137,12 +137,17 @@ def _span(plan: PumpPlan) -> tuple[float, float]:
 
 
 def _curve(
-    axes: Axes, time: np.ndarray, values: np.ndarray, k: int, stepped: bool, style: dict[str, object]
+    axes: Axes,
+    time: np.ndarray,
+    values: np.ndarray,
+    k: int,
+    stepped: bool,
+    style: dict[str, Any],
 ) -> None:
     axes.plot(
         time, values, color=COLOURS[k % len(COLOURS)],
         ls=DASHES[k // len(COLOURS) % len(DASHES)],
-        drawstyle="steps-post" if stepped else "default", **style,  # type: ignore[arg-type]
+        drawstyle="steps-post" if stepped else "default", **style,
     )  # fmt: skip
 
 
@@ -163,9 +168,12 @@ def _mark(axes: Axes, name: str, level: float, limits: tuple[float, float]) -> N
 def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
     """Both paths in mm with equal axes, z downwards as the actuator hangs."""
     paths = [1e3 * run.tip[:, :2] for run in (plan.wanted_run, plan.achievable_run)]
-    styles = ({"lw": 4.0, "alpha": 0.45, "color": GREY}, {"lw": 1.3, "color": INK})
+    styles: tuple[dict[str, Any], ...] = (
+        {"lw": 4.0, "alpha": 0.45, "color": GREY},
+        {"lw": 1.3, "color": INK},
+    )
     for points, style in zip(paths, styles, strict=True):
-        axes.plot(*points.T, solid_joinstyle="round", **style)  # type: ignore[arg-type]
+        axes.plot(*points.T, solid_joinstyle="round", **style)
         axes.plot(*points[0], marker="o", ms=4, color=style["color"], zorder=4)
     both = np.concatenate(paths)
     centre = (both.min(axis=0) + both.max(axis=0)) / 2
@@ -194,8 +202,8 @@ def _draw_words(made: Figure, plan: PumpPlan, top: float) -> None:
 
 def _draw_legend(made: Figure, plan: PumpPlan, top: float) -> None:
     handles = [
-        Line2D([], [], color=GREY, label="wanted", **{**WANTED, "alpha": 0.5}),  # type: ignore[arg-type]
-        Line2D([], [], color=INK, label="achievable", **DONE),  # type: ignore[arg-type]
+        Line2D([], [], color=GREY, label="wanted", **{**WANTED, "alpha": 0.5}),
+        Line2D([], [], color=INK, label="achievable", **DONE),
     ]
     if len(plan.inlets) > 1:
         handles += [
@@ -210,4 +218,3 @@ def _draw_legend(made: Figure, plan: PumpPlan, top: float) -> None:
         handles=handles[:8], loc="lower left", ncols=8, handlelength=2.2, borderaxespad=0,
         columnspacing=1.4, bbox_to_anchor=(LEFT / width, (top + 0.07) / height),
     )  # fmt: skip
-
