@@ -14,7 +14,7 @@ from viscodesign.pumps.found import Servo, find_servo, objections
 from viscodesign.pumps.gauges import Gauges
 from viscodesign.pumps.guards import Stop
 from viscodesign.pumps.holding import HOLD_SPEED, Standing, hold, release
-from viscodesign.pumps.limits import torque_limit
+from viscodesign.pumps.limits import free_speed, torque_limit
 from viscodesign.pumps.reading import ServoState, read_servo, write_register
 from viscodesign.pumps.switches import Switches
 from viscodesign.scene.pump import Pump as Settings
@@ -72,9 +72,18 @@ class Pump:
             raise PumpError("\n".join(["nothing has moved:", *wrong]))
         return found
 
-    def arm(self) -> None:
-        """Torque on where each plunger stands; limits first, each read back."""
-        limit = torque_limit(self.settings)
+    def arm(self, speed: float = 0.0) -> None:
+        """Torque on where each plunger stands; limits first, each read back.
+
+        ``speed``: the fastest that is going to be asked for [counts/s]; raises `PumpError` where
+        the servo is not that fast.
+        """
+        if speed > free_speed(self.settings):
+            raise PumpError(
+                f"{speed:.0f} counts/s are asked for; without any load the servo makes "
+                f"{free_speed(self.settings):.0f}: see `pump plan`"
+            )
+        limit = torque_limit(self.settings, speed)
         for servo in self.servos:
             position = read_servo(self.board, servo).position
             write_register(self.board, servo, registers.TORQUE_LIMIT, limit)

@@ -7,14 +7,15 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from viscodesign.errors import PumpError
-from viscodesign.pumps.course import Course, led_in, way_back
-from viscodesign.pumps.guards import Stop, Watch, retreat_rules, stream_rules
+from viscodesign.pumps.course import Course, led_in, top_speed, way_back
+from viscodesign.pumps.guards import Guard, Stop, Watch, retreat_rules, stream_rules
 from viscodesign.pumps.holding import Standing
 from viscodesign.pumps.interrupt import Wish
 from viscodesign.pumps.profile import Profile
 from viscodesign.pumps.pump import SPEED, Pump
 from viscodesign.pumps.reading import Sample
 from viscodesign.pumps.ticks import Ticks
+from viscodesign.scene.pump import Pump as Settings
 
 LOWEST_RATE = 10.0
 """Slower ticks would take longer than a silence may last [Hz]."""
@@ -106,10 +107,13 @@ class Stream:
 
     def _forward(self) -> Ending:
         if not self.pump.armed:
-            self.pump.arm()
+            self.pump.arm(top_speed(self.profile))
         course = led_in(self.profile, self.pump.goals, self.lead)
         self.origin = self.pump.clock.now() + course.zero
-        return self._run(course, Watch(stream_rules(self.pump.settings)))
+        return self._run(course, self._watch(course, stream_rules))
+
+    def _watch(self, course: Course, rules: Callable[[Settings, int], list[Guard]]) -> Watch:
+        return Watch(rules(self.pump.settings, course.reach(self.ticks.period)))
 
     def _run(self, course: Course, watch: Watch) -> Ending:
         """Ticks until the course is over, a rule is broken, or the next wish to stop."""
@@ -186,7 +190,7 @@ class Stream:
         pump = self.pump
         try:
             course = way_back(self.profile, pump.goals, pump.settings.home)
-            back = self._run(course, Watch(retreat_rules(pump.settings)))
+            back = self._run(course, self._watch(course, retreat_rules))
         except PumpError as error:
             back = Ending("stopped", str(error))
         self.ending.retreat = "" if back.status == "complete" else back.reason
