@@ -22,6 +22,12 @@ WELL = 0
 TIMEOUT = -3001
 
 
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It gives up after two latencies, 34 ms, which a busy machine takes now and then."""
+    monkeypatch.setattr("dynamixel_sdk.port_handler.LATENCY_TIMER", 1000)
+
+
 @pytest.fixture
 def server() -> Iterator[PtyServer]:
     with PtyServer(BusAdapter(bench(1, 2)), WallClock()) as served:

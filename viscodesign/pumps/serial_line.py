@@ -19,6 +19,8 @@ SLICE = 0.005
 """Of waiting [s]: a deadline is passed by no more."""
 WRITE_TIMEOUT = 0.5
 """[s]; 256 bytes take 0.27 s at 9600 baud."""
+CFLAG = 2
+"""Place of the control modes among the attributes of a terminal."""
 GONE = (OSError, serial.SerialException, termios.error)
 """What a port raises whose cable was pulled: by what was being done, one or another."""
 
@@ -27,7 +29,8 @@ class SerialLine(Line):
     """Opened once, at its final speed, and for one program alone.
 
     Opening pulls DTR, which resets boards that are wired so; a second opening, or a change of
-    the speed after the opening, would reset them again.
+    the speed after the opening, would reset them again. At its closing DTR is left as it is, so
+    that the next opening does not pull it (`stty -hupcl`), and what a board plays goes on.
     """
 
     def __init__(self, port: str, baud: int, clock: Clock | None = None) -> None:
@@ -41,8 +44,14 @@ class SerialLine(Line):
         try:
             self._serial.baudrate = baud
             self._serial.open()
+            self._keep_dtr()
         except (ValueError, *GONE) as error:
             raise PumpError(_why_closed(port, baud, error)) from None
+
+    def _keep_dtr(self) -> None:
+        settings = termios.tcgetattr(self._serial)
+        settings[CFLAG] &= ~termios.HUPCL
+        termios.tcsetattr(self._serial, termios.TCSANOW, settings)
 
     def write(self, data: bytes) -> None:
         with self._told():

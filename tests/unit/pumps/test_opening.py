@@ -8,6 +8,7 @@ import pytest
 
 from tests.pumps import bench, pump, stepped
 from viscodesign.errors import PumpError, UsageError
+from viscodesign.pumps.boards.dynamixel import Dynamixel
 from viscodesign.pumps.clock import WallClock
 from viscodesign.pumps.log import ByteLog
 from viscodesign.pumps.opening import boards, open_board
@@ -53,6 +54,8 @@ def test_a_board_on_a_port(tmp_path: Path) -> None:
     log = ByteLog(tmp_path / "log.jsonl", print)
     with PtyServer(BusAdapter(bench(1)), WallClock()) as server:
         board = open_board("dynamixel", server.port, None, log, None, pump())
+        assert isinstance(board, Dynamixel)
+        board.wire.patience = 1.0
         assert "AX-18A" in board.identify()
         board.line.close()
         with pytest.raises(PumpError):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import termios
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,7 +12,8 @@ import serial
 
 from tests.pumps import bench
 from viscodesign.errors import PumpError
-from viscodesign.pumps import serial_line
+from viscodesign.pumps import registers, serial_line
+from viscodesign.pumps.boards.arbotix_ros import ArbotixRos
 from viscodesign.pumps.boards.base import Goal
 from viscodesign.pumps.boards.dynamixel import Dynamixel
 from viscodesign.pumps.clock import WallClock
@@ -19,6 +21,10 @@ from viscodesign.pumps.ports import latency_hint, ports
 from viscodesign.pumps.serial_line import SerialLine, users_of
 from viscodesign.pumps.virtual.bus import BusAdapter
 from viscodesign.pumps.virtual.pty import PtyServer
+from viscodesign.pumps.virtual.ros import Ros
+
+PATIENCE = 1.0
+"""For the thread that serves the port, on a busy machine [s]."""
 
 
 @pytest.fixture
@@ -31,11 +37,22 @@ def server() -> Iterator[PtyServer]:
 def test_a_board_speaks_through_a_port(server: PtyServer) -> None:
     line = SerialLine(server.port, 1_000_000)
     board = Dynamixel(line, [1])
+    board.wire.patience = PATIENCE
     assert board.identify() == "adapter on the servos' bus; servo 1: AX-18A, firmware 24"
     board.move({1: Goal(300, 200)})
     assert board.read(1, 30, 4) == bytes([44, 1, 200, 0])
     line.close()
     line.close()
+
+
+def test_a_firmware_speaks_through_a_port() -> None:
+    with PtyServer(Ros(bench(1)), WallClock()) as served:
+        line = SerialLine(served.port, 115_200)
+        board = ArbotixRos(line, [1])
+        board.wire.patience = PATIENCE
+        assert "firmware for ROS" in board.identify()
+        board.set(1, registers.TORQUE_LIMIT, 400)
+        line.close()
 
 
 def test_a_pulled_cable_is_an_error_of_the_pump_whatever_is_being_done(server: PtyServer) -> None:
@@ -115,6 +132,13 @@ def test_it_is_opened_once_and_at_its_speed(
     line.write(b"\x00")
     line.close()
     assert len(opened) == 1
+
+
+def test_closing_does_not_let_go_of_dtr(server: PtyServer) -> None:
+    SerialLine(server.port, 115200).close()
+    again = os.open(server.port, os.O_RDWR | os.O_NOCTTY)
+    assert not termios.tcgetattr(again)[2] & termios.HUPCL
+    os.close(again)
 
 
 def test_who_holds_a_port_is_told_but_not_ourselves(server: PtyServer) -> None:

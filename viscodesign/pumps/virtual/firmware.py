@@ -46,7 +46,9 @@ class Firmware(Device):
         self._coming: list[tuple[float, int]] = []
         self._inbox = bytearray()
         self._sent = 0.0
-        self.reset(0.0)
+        self._program: Work | None = None
+        self._wake = NEVER
+        self.start()
 
     def reset(self, now: float, boot: float = 0.0) -> None:
         """Power, the button or DTR: all is forgotten, and what comes meanwhile is lost."""
@@ -84,12 +86,14 @@ class Firmware(Device):
         return min(self._outbox.due(), self._next())
 
     def run(self, until: float) -> None:
-        """Let the processor work up to a moment."""
+        """Let the processor work up to a moment; the first one that is told is power-on."""
+        if self._program is None:
+            self.reset(until)
         while (moment := self._next()) <= until:
             self.now = max(moment, self.now)
             self._receive(self.now)
             self.bench.advance(self.now)
-            self._wake = next(self._program)
+            self._wake = next(self._program) if self._program else NEVER
         self._receive(until)
         self.bench.advance(until)
 

@@ -7,6 +7,7 @@ import pytest
 from tests.pumps import HOME, bench
 from viscodesign.pumps import packets
 from viscodesign.pumps.packets import Packet, Parser
+from viscodesign.pumps.virtual.bench import STEP
 from viscodesign.pumps.virtual.ros import Ros
 
 
@@ -82,3 +83,10 @@ def test_its_loop_plays_once_and_a_halt_starts_it_again() -> None:
     host.now += 10.0
     host.board.take(host.now)
     assert host.board.engine.frames > frames + 30
+
+
+def test_time_begins_when_it_is_first_spoken_to() -> None:
+    host = Host()
+    host.now = 1e6
+    assert host.send(packets.read(253, 0, 2)) is not None
+    assert host.board.bench._steps == pytest.approx(0.2 / STEP, abs=1)
