@@ -111,7 +111,8 @@ class PumpPlan:
     numbers: Mapping[str, Mapping[str, float]]
     """Inlet -> what the drive is, by names with units."""
     limits: Mapping[str, float]
-    """Torques that the pictures mark [N m]: `fifth_nm`, `stall_nm`."""
+    """What holds for all inlets: `fifth_nm`, `stall_nm`, `travel_low_counts`,
+    `travel_high_counts`, `cap_pa_gauge`, `battery_life_s`."""
     warnings: tuple[Notice, ...]
 
     @property

@@ -166,7 +166,10 @@ class Conditions:
     def barrel_compliance(self, name: str) -> float:
         """Volume per pressure of the fluid in a barrel at its start [m3/Pa]."""
         fluid, barrel = self.scene.fluid, self.barrels[name]
-        absolute, volume = self.scene.ambient_pressure + self.scene.gauge_pressure, barrel.full_volume
+        absolute, volume = (
+            self.scene.ambient_pressure + self.scene.gauge_pressure,
+            barrel.full_volume,
+        )
         if fluid.bulk_modulus is not None:
             cushion = gas.gas_compliance(barrel.cushion, absolute, 1.0)
             return (volume - barrel.cushion) / fluid.bulk_modulus + cushion

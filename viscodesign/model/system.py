@@ -394,7 +394,9 @@ class System:
     def fluid_energy(self) -> SX:
         """Energy of walls and fluid whose rate is the work of what flows in [J]."""
         energy = self.tube_energy
-        energy += sum((self.barrel_energy(n) + self.cushion_energy(n) for n in self.syringes), SX(0))
+        energy += sum(
+            (self.barrel_energy(n) + self.cushion_energy(n) for n in self.syringes), SX(0)
+        )
         energy += ca.sum1(self.wall.energy(ca.vertcat(*self.pressure.values())))
         for name in (*self.pressure, *self.storing_nodes()):
             pressure = self.node_pressure(name)

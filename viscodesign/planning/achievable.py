@@ -18,7 +18,7 @@ from viscodesign.planning.demand import Demand
 from viscodesign.planning.follow import Inlets, follow, to_its_end
 from viscodesign.planning.limits import SENSOR_FLOOR
 from viscodesign.planning.variants import with_inputs, with_pressures
-from viscodesign.planning.wanted import Lead, Wanted, lead_in
+from viscodesign.planning.wanted import Lead, Wanted, lead_in, shares_a_network
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.scene import Scene
 from viscodesign.simulating import simulate
@@ -49,12 +49,13 @@ def achieve(asked: Wanted, pump: Pump, progress: Progress | None = None) -> Achi
     """Let the pumps do what they can, and the coupled model what follows from it."""
     goal = _kept_within(asked, pump)
     wanted_demands, demands = asked.demands(pump), goal.demands(pump)
-    before = goal.lead.time.size
+    # Where inlets share a network its first flows are known from the lead-in alone.
+    before = 0 if shares_a_network(asked.scene) else goal.lead.time.size
     pressure = [d.pressure for d in demands]
     paths = _paths(demands, pressure)
     apart, sweeps = np.inf, 0
     while apart > AGREED and sweeps < MOST_SWEEPS:
-        run = follow(_driven(goal.scene, demands, paths, before), asked.taken)
+        run = follow(_driven(goal, demands, paths, before), asked.taken)
         sweeps += 1
         pressure = _with_lead(goal, run)
         again = _paths(demands, pressure)
@@ -65,8 +66,8 @@ def achieve(asked: Wanted, pump: Pump, progress: Progress | None = None) -> Achi
         if apart > AGREED:
             share = 1.0 if sweeps <= EASED else 0.5
             paths = [old + share * (new - old) for new, old in zip(again, paths, strict=True)]
-    driven = _driven(goal.scene, demands, paths, before)
-    last = to_its_end(simulate(driven, progress=progress))
+    last = to_its_end(simulate(_driven(goal, demands, paths, before), progress=progress))
+    last = replace(last, time=asked.run.time)
     found = _demands(goal, pump, Inlets.of(last), demands, paths)
     return Achieved(found, last, _clipped(wanted_demands, found, goal), sweeps, float(apart))
 
@@ -82,7 +83,7 @@ def _kept_within(asked: Wanted, pump: Pump) -> Wanted:
     run = follow(with_pressures(asked.scene, asked.run.time, kept), asked.taken)
     lead = asked.lead
     if lead.time.size and not np.array_equal(kept[0], pressure[0]):
-        lead = lead_in(asked.scene, pump, asked.lines, run, asked.taken)
+        lead = _same_times(asked, lead_in(asked.scene, pump, asked.lines, run, asked.taken))
     return replace(asked, run=run, lead=lead)
 
 
@@ -102,7 +103,8 @@ def _path(demand: Demand, pressure: np.ndarray) -> np.ndarray:
     """One plunger's: it starts at home, or where the run starts when nothing leads in."""
     drive = demand.drive
     low, high = demand.pump.travel
-    goals = drive.position(np.clip(np.round(demand.count), low, high))  # type: ignore[arg-type]
+    counts = np.clip(np.round(demand.count), low, high)
+    goals = np.array([drive.position(count) for count in counts])
     steps = np.diff(demand.time)
     path = np.empty_like(goals)
     path[0] = goals[0]
@@ -126,14 +128,19 @@ def _speed(demand: Demand, pressure: np.ndarray, sign: float) -> np.ndarray:
 
 
 def _driven(
-    scene: Scene, demands: Sequence[Demand], paths: Sequence[np.ndarray], before: int
+    goal: Wanted, demands: Sequence[Demand], paths: Sequence[np.ndarray], before: int
 ) -> Scene:
-    """The scene driven by plungers, from its own t = 0 on."""
+    """The scene driven by plungers from one of the times on; its outputs are the run's own."""
+    begin = float(demands[0].time[before])
     inputs = {
-        d.inlet: d.barrel.syringe(d.time[before:] - d.lead_s, path[before:])
+        d.inlet: d.barrel.syringe(d.time[before:] - begin, path[before:])
         for d, path in zip(demands, paths, strict=True)
     }
-    return with_inputs(scene, inputs)
+    outputs = goal.lead.lasts - begin + goal.run.time
+    run = goal.scene.run.model_copy(
+        update={"duration": float(outputs[-1]), "output_times": tuple(outputs.tolist())}
+    )
+    return with_inputs(goal.scene.model_copy(update={"run": run}), inputs)
 
 
 def _with_lead(goal: Wanted, run: Inlets) -> list[np.ndarray]:
@@ -168,13 +175,12 @@ def _same_times(goal: Wanted, lead: Lead) -> Lead:
         return np.stack([np.interp(share, lead.time, column) for column in values.T], axis=1)
 
     if not lead.time.size:
-        return goal.lead
+        flat = np.zeros_like(goal.lead.given)
+        return replace(goal.lead, pressure=flat + goal.scene.gauge_pressure, given=flat)
     return Lead(goal.lead.time, at(lead.pressure), at(lead.given), goal.lead.lasts)
 
 
-def _clipped(
-    wanted: Sequence[Demand], found: Sequence[Demand], goal: Wanted
-) -> tuple[str, ...]:
+def _clipped(wanted: Sequence[Demand], found: Sequence[Demand], goal: Wanted) -> tuple[str, ...]:
     """What of the wanted motion is cut off, in words."""
     told = []
     for asked, done in zip(wanted, found, strict=True):
@@ -193,4 +199,3 @@ def _clipped(
             when = float(done.time[int(np.argmax(late))])
             told.append(f"{name}speed: up to {late.max():.3g} counts behind, at {when:.4g} s")
     return tuple(told)
-

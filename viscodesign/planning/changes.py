@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from viscodesign.physics.servo import SERVOS
 from viscodesign.planning.trials import Aim, Case, Trials, left
-from viscodesign.planning.variants import scaled_fields
+from viscodesign.planning.variants import jumps, scaled_fields
 from viscodesign.pumpplan import Change, PumpVerdict
 from viscodesign.scene.inputs.table import Table
 from viscodesign.scene.keys import quantity_of
@@ -27,6 +27,7 @@ SLOWEST = 1000.0
 RETRIES = 10
 MORE = 0.97
 """What a factor that did not hold is changed by, first; each next time by twice as much."""
+GROWING = 2.0
 REFINED = 5
 """Halvings between one that did not hold and one that did."""
 THINNEST, WIDEST = 5e-3, 0.1
@@ -53,7 +54,7 @@ def together(trials: Trials, verdicts: tuple[PumpVerdict, ...]) -> tuple[Change,
     pressures, and of equals what changes least.
     """
     faults = [v for v in verdicts if v.severity == "infeasible"]
-    ways = [(change,) for v in faults for change in v.changes]
+    ways: list[tuple[Change, ...]] = [(change,) for v in faults for change in v.changes]
     if faults and not any(not way[0].leaves and _kept(way) == 1.0 for way in ways):
         ways += [_stepwise(trials, names) for names in (BY_PRESSURE, (*BY_PRESSURE, "cap"))]
     whole = [way for way in ways if way and not way[-1].leaves]
@@ -106,13 +107,32 @@ def stronger(trials: Trials, aim: Aim, case: Case) -> Found | None:
 
 
 def slower(trials: Trials, aim: Aim, case: Case) -> Found | None:
-    """Every time of inputs and run by a factor above one."""
+    """Every time of inputs and run by a factor above one; what jumps gets no slower by that."""
+    if jumps(trials.scene):
+        return gentler(trials, aim, case)
     return _scaled(trials, aim, case, "time", SLOWEST)
+
+
+def gentler(trials: Trials, aim: Aim, case: Case) -> Found | None:
+    """Every jump of the pressures spread over a time."""
+
+    def holds(lasting: float) -> bool:
+        demands = trials.demands(replace(case, ramp=lasting))
+        return demands is not None and aim.is_met(demands)
+
+    shortest = float(min(trials.asked.run.time[1:] - trials.asked.run.time[:-1]))
+    lasting = _holding(holds, _rounded(shortest, SLOWEST), SLOWEST)
+    if lasting is None:
+        return None
+    tried = replace(case, ramp=lasting)
+    words = f"every jump of the pressure spread over {lasting:.3g} s"
+    return Change("ramp", words, (), left(trials.demands(tried) or ())), tried
 
 
 def _scaled(trials: Trials, aim: Aim, case: Case, what: str, far: float) -> Found | None:
     def with_(factor: float) -> Case:
-        return replace(case, **{what: factor})
+        changed = {"pressure": case.pressure, "time": case.time, what: factor}
+        return replace(case, pressure=changed["pressure"], time=changed["time"])
 
     def foreseen(factor: float) -> bool:
         return aim.is_met(trials.foreseen(with_(factor)))
@@ -141,7 +161,7 @@ def _holding(holds: Callable[[float], bool], factor: float, far: float) -> float
     for _ in range(RETRIES):
         if holds(factor):
             break
-        failed, factor, step = factor, _rounded(factor * step, far), step * step
+        failed, factor, step = factor, _rounded(factor * step, far), step**GROWING
     else:
         return None
     for _ in range(REFINED if failed is not None else 0):
@@ -297,6 +317,7 @@ SEEKERS: dict[str, tuple[Seek, ...]] = {
     "suction": (weaker,),
     "cap": (higher_cap, weaker),
     "resolution": (thinner, stronger),
+    "pressure_step": (thinner,),
     "speed_register": (thinner,),
 }
 """What may help against a limit, simplest first."""

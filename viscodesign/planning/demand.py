@@ -18,6 +18,8 @@ from viscodesign.scene.scene import Scene
 
 STANDS = 0.05
 """Speed below which a plunger counts as standing [counts/s]: of round-off and drift."""
+AROUND = 5
+"""Times to both sides of one at which its direction is told: by more than a count."""
 
 
 @dataclass(frozen=True)
@@ -74,10 +76,17 @@ class Demand:
             return self.stated_position
         return np.asarray(self.barrel.position(self.pressure, self.given))
 
+    @property
+    def extremes(self) -> tuple[tuple[float, float], ...]:
+        """Pressure and position where the barrel is emptiest, fullest and pressed hardest."""
+        places = (np.argmax(self.position), np.argmin(self.position), np.argmax(self.pressure))
+        return tuple((float(self.pressure[k]), float(self.position[k])) for k in places)
+
     @cached_property
     def count(self) -> np.ndarray:
         """Of the servo, not rounded."""
-        return np.asarray(self.drive.count(self.position))  # type: ignore[arg-type]
+        home, way = self.drive.count(0.0), self.drive.count(1.0) - self.drive.count(0.0)
+        return np.asarray(home + way * self.position)
 
     @cached_property
     def velocity(self) -> np.ndarray:
@@ -121,8 +130,12 @@ class Demand:
 
     @cached_property
     def torque(self) -> np.ndarray:
-        """At the times, friction by the motion from then on [N m]."""
-        return self._torque(self.pressure, np.append(self.direction, 0.0))
+        """At the times [N m]; friction by the motion around them, which steps of a count hide."""
+        near = np.minimum(AROUND, len(self.time) - 1)
+        later = np.append(self.position[near:], np.full(near, self.position[-1]))
+        before = np.append(np.full(near, self.position[0]), self.position[: len(later) - near])
+        way = (later - before) / self.drive.advance_per_count
+        return self._torque(self.pressure, np.where(np.abs(way) > 1.0, np.sign(way), 0.0))
 
 
 def course(demands: Sequence[Demand]) -> PumpCourse:

@@ -13,6 +13,7 @@ import numpy as np
 from viscodesign.physics import syringe_pump
 from viscodesign.physics.servo import SPEED_UNIT, STEADY_SHARE
 from viscodesign.planning.demand import Demand
+from viscodesign.planning.variants import jumps
 from viscodesign.pumpplan import PumpVerdict, Severity
 
 STALL_SHARE = 0.8
@@ -26,6 +27,8 @@ SENSOR_STEP = 1.61e3
 """One count of the sensor where it is read with 8 bit, as the ROS firmware does [Pa]."""
 FEWEST_COUNTS = 5.0
 """Amplitude in counts below which a course is none, beside the servo's own margin of one."""
+FINE_STEPS = 20.0
+"""Counts that a swing of pressure should have, taken at once: below, it comes in steps."""
 SHORT_LIFE = 360.0
 """Battery life that is worth a word [s]."""
 STEPPING = 5.0
@@ -109,19 +112,17 @@ def speed(demand: Demand) -> PumpVerdict:
     allowed, step = float(demand.speed_left[when]), float(np.diff(demand.time)[when])
     message = (
         f"the plunger is to move at {1e3 * wanted:.3g} mm/s "
-        f"({1e6 * demand.drive.area * wanted:.3g} mL/s) where {demand.pressure[when] / 1e3:.3g} kPa "
-        f"gauge leaves the servo {1e3 * allowed:.3g} mm/s"
+        f"({1e6 * demand.drive.area * wanted:.3g} mL/s) where "
+        f"{demand.pressure[when] / 1e3:.3g} kPa gauge leaves the servo {1e3 * allowed:.3g} mm/s"
     )
     if ratio > 1.0 and _jumps(demand, when):
         message += f"; the wanted pressure jumps there, here taken to last {1e3 * step:.3g} ms"
-    return _verdict(
-        demand, "speed", "infeasible", wanted, allowed, "m/s", ratio, when, message
-    )
+    return _verdict(demand, "speed", "infeasible", wanted, allowed, "m/s", ratio, when, message)
 
 
 def _jumps(demand: Demand, when: int) -> bool:
-    change = np.abs(np.diff(demand.pressure))
-    return bool(change[when] > 0.5 * np.ptp(demand.pressure))
+    begin, end = demand.time[when : when + 2] - demand.lead_s
+    return any(begin <= t + 1e-9 and t <= end + 1e-9 for t in jumps(demand.scene))
 
 
 def travel(demand: Demand) -> PumpVerdict:
@@ -195,9 +196,7 @@ def cap(demand: Demand) -> PumpVerdict:
         f"up to {highest / 1e3:.4g} kPa gauge; pump.max_pressure allows {allowed / 1e3:.4g} kPa"
     )
     ratio = max(highest, 0.0) / allowed
-    return _verdict(
-        demand, "cap", "infeasible", highest, allowed, "Pa gauge", ratio, when, message
-    )
+    return _verdict(demand, "cap", "infeasible", highest, allowed, "Pa gauge", ratio, when, message)
 
 
 def cap_torque(demand: Demand) -> PumpVerdict:
@@ -237,6 +236,23 @@ def resolution(demand: Demand) -> PumpVerdict:
     )
 
 
+def pressure_step(demand: Demand) -> PumpVerdict:
+    """What one count does to the pressure before the actuator takes any, against the swing."""
+    barrel, volume = demand.barrel, demand.drive.volume_per_count
+    stiff = np.array([barrel.compliance(p, x) for p, x in demand.extremes])
+    step = volume / float(np.min(stiff))
+    swing = float(np.ptp(demand.pressure))
+    message = (
+        f"one count makes {step / 1e3:.3g} kPa at once, {1e3 / step:.3g} counts for a kPa, where "
+        f"the barrel is stiffest; the pressure swings by {swing / 1e3:.3g} kPa"
+    )
+    ratio = 0.0 if swing < 1.0 else FINE_STEPS * step / swing
+    when = int(np.argmax(demand.pressure))
+    return _verdict(
+        demand, "pressure_step", "advice", step, swing / FINE_STEPS, "Pa", ratio, when, message
+    )
+
+
 def sensor(demand: Demand) -> PumpVerdict:
     """Swing of pressure against the sensor's error, and its step with 8 bit."""
     swing = float(np.ptp(demand.pressure))
@@ -245,9 +261,7 @@ def sensor(demand: Demand) -> PumpVerdict:
         message += f", and one count of the 8 bit reading is {SENSOR_STEP / 1e3:g} kPa"
     ratio = 0.0 if swing < 1.0 else SENSOR_ACCURACY / swing
     when = int(np.argmax(demand.pressure))
-    return _verdict(
-        demand, "sensor", "advice", swing, SENSOR_ACCURACY, "Pa", ratio, when, message
-    )
+    return _verdict(demand, "sensor", "advice", swing, SENSOR_ACCURACY, "Pa", ratio, when, message)
 
 
 def speed_register(demand: Demand) -> PumpVerdict:
@@ -307,6 +321,7 @@ JUDGES: tuple[Judge, ...] = (
     cap,
     cap_torque,
     resolution,
+    pressure_step,
     sensor,
     speed_register,
     battery,

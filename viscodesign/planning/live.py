@@ -119,15 +119,13 @@ class ActuatorPlant(Plant):
         problem = replace(self.problem, schedule=self._solver.problem.schedule)
         here = self._here
         values = evaluate_along(problem, here.states[:, None], here.algebraics[:, None])
-        self.pressure = values["inlet_pressure"][0].copy()
+        self.pressure: np.ndarray = values["inlet_pressure"][0].copy()
         """(P,) gauge [Pa]."""
-        self.tip = tips(problem, np.zeros(1), values)[0]
+        self.tip: np.ndarray = tips(problem, np.zeros(1), values)[0]
         """x [m], z [m], angle [rad]."""
 
 
-def _problem(
-    scene: Scene, drive: Drive, names: frozenset[str]
-) -> tuple[Problem, tuple[str, ...]]:
+def _problem(scene: Scene, drive: Drive, names: frozenset[str]) -> tuple[Problem, tuple[str, ...]]:
     """The scene's equations with plungers at its inlets, at home."""
     still = np.array([0.0, 1.0])
     inputs = {

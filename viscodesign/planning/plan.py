@@ -10,8 +10,8 @@ from viscodesign._version import __version__
 from viscodesign.physics import gas, syringe_pump
 from viscodesign.physics.servo import STEADY_SHARE
 from viscodesign.planning.achievable import Achieved, achieve
-from viscodesign.planning.changes import changes_for, together
 from viscodesign.planning.barrel import line_at
+from viscodesign.planning.changes import changes_for, together
 from viscodesign.planning.demand import Demand, course
 from viscodesign.planning.follow import Inlets, taken_effects, to_its_end
 from viscodesign.planning.limits import verdicts
@@ -23,8 +23,6 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulating import simulate
 from viscodesign.solving import Progress
 from viscodesign.trajectory import Notice, Status, Trajectory
-
-SERIOUS = ("infeasible", "advice")
 
 
 def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
@@ -68,10 +66,7 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         verdicts=found,
         together=together(trials, found),
         numbers={d.inlet: _numbers(d) for d in demands},
-        limits={
-            "fifth_nm": STEADY_SHARE * demands[0].stall_torque,
-            "stall_nm": demands[0].stall_torque,
-        },
+        limits=_limits(demands),
         warnings=(*_notices(settled, demands, achieved), *run.warnings),
     )
 
@@ -93,18 +88,37 @@ def _deviation(run: Trajectory, other: Trajectory) -> np.ndarray:
     """Distance of two tips at the times that both have (T,) [m]."""
     both = min(len(run.tip), len(other.tip))
     apart = run.tip[:both, :2] - other.tip[:both, :2]
-    return np.hypot(apart[:, 0], apart[:, 1])
+    return np.asarray(np.hypot(apart[:, 0], apart[:, 1]))
+
+
+def _limits(demands: tuple[Demand, ...]) -> dict[str, float]:
+    """What holds for the pumps of all inlets."""
+    first, pump = demands[0], demands[0].pump
+    current = sum(_mean_current(d) for d in demands)
+    return {
+        "fifth_nm": STEADY_SHARE * first.stall_torque,
+        "stall_nm": first.stall_torque,
+        "travel_low_counts": float(pump.travel[0]),
+        "travel_high_counts": float(pump.travel[1]),
+        "cap_pa_gauge": pump.max_pressure,
+        "battery_life_s": syringe_pump.battery_life(pump.battery_capacity, current),
+    }
+
+
+def _mean_current(demand: Demand) -> float:
+    """Of one servo over the course [A]."""
+    current = syringe_pump.servo_current(demand.servo, demand.torque)
+    return float(np.trapezoid(current, demand.time)) / float(np.ptp(demand.time))
 
 
 def _numbers(demand: Demand) -> dict[str, float]:
     """What the drive of an inlet is, and what the plan takes of it."""
     pump, drive = demand.pump, demand.drive
-    stiffest = int(np.argmin([_barrel_compliance(demand, k) for k in range(len(demand.time))]))
-    fast = _barrel_compliance(demand, stiffest)
-    slow = _barrel_compliance(demand, 0) + _network_compliance(demand)
+    barrel = demand.barrel
+    fast = min(barrel.compliance(p, x) for p, x in demand.extremes)
+    slow = barrel.compliance(barrel.baseline, 0.0) + _network_compliance(demand)
     shape = (pump.syringe_diameter, pump.pinion_diameter)
     current = syringe_pump.servo_current(demand.servo, demand.torque)
-    mean = float(np.trapezoid(current, demand.time)) / float(np.ptp(demand.time))
     free = float(syringe_pump.speed_left(demand.servo, pump.supply_voltage, 0.0))
     low, high = pump.travel
     fastest = float(np.max(np.abs(demand.velocity))) * 2 / pump.pinion_diameter
@@ -124,15 +138,10 @@ def _numbers(demand: Demand) -> dict[str, float]:
         "largest_torque_nm": float(np.max(np.abs(demand.torque))),
         "largest_flow_m3_s": float(np.max(np.abs(demand.velocity))) * drive.area,
         "largest_current_a": float(np.max(current)),
-        "mean_current_a": mean,
-        "battery_life_s": syringe_pump.battery_life(pump.battery_capacity, mean),
+        "mean_current_a": _mean_current(demand),
         "fastest_speed_register": float(syringe_pump.speed_register(fastest)),
         "lead_in_s": demand.lead_s,
     }
-
-
-def _barrel_compliance(demand: Demand, k: int) -> float:
-    return demand.barrel.compliance(float(demand.pressure[k]), float(demand.position[k]))
 
 
 def _network_compliance(demand: Demand) -> float:
@@ -148,6 +157,8 @@ def _network_compliance(demand: Demand) -> float:
 
 
 AGREED_COUNTS = 0.5
+NEAR_CAP = 0.01
+"""Part of the cap by which it may be passed without a word."""
 
 
 def _notices(scene: Scene, demands: tuple[Demand, ...], achieved: Achieved) -> list[Notice]:
@@ -169,10 +180,22 @@ def _notices(scene: Scene, demands: tuple[Demand, ...], achieved: Achieved) -> l
         told.append(
             Notice(
                 "shared_start",
-                "several inlets feed one network: how much of its first filling each gives is "
-                "that of the lead-in",
+                "several inlets feed one network: what flows from one to the other before t = 0 is "
+                f"that of a lead-in of {demands[0].lead_s:.4g} s",
             )
         )
+    for demand in achieved.demands:
+        over = float(demand.pressure.max()) - demand.pump.max_pressure
+        if over > NEAR_CAP * demand.pump.max_pressure:
+            told.append(
+                Notice(
+                    "cap_passed",
+                    f"whole counts bring the pressure {over / 1e3:.3g} kPa above the cap for "
+                    "moments: a pump that watches it would stop there",
+                    demand.inlet,
+                    float(demand.time[int(np.argmax(demand.pressure))]),
+                )
+            )
     if achieved.unsettled_counts > AGREED_COUNTS:
         told.append(
             Notice(

@@ -8,7 +8,7 @@ from viscodesign.errors import SolveError
 from viscodesign.planning.demand import Demand
 from viscodesign.planning.follow import follow
 from viscodesign.planning.limits import infeasible, is_passed
-from viscodesign.planning.variants import scaled
+from viscodesign.planning.variants import ramped, scaled
 from viscodesign.planning.wanted import Wanted, lead_in, no_lead, shares_a_network
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.scene import Scene
@@ -22,6 +22,8 @@ class Case:
     """Factor of every pressure of the inputs."""
     time: float = 1.0
     """Factor of every time."""
+    ramp: float = 0.0
+    """Time over which every jump is spread [s]."""
     pump: Pump | None = None
     """Instead of the scene's own."""
 
@@ -47,21 +49,23 @@ class Trials:
     """As it is followed, with its effects settled."""
     asked: Wanted
     pump: Pump
-    _followed: dict[tuple[float, float], Wanted | None] = field(default_factory=dict)
+    _followed: dict[tuple[float, ...], Wanted | None] = field(default_factory=dict)
 
     def demands(self, case: Case) -> tuple[Demand, ...] | None:
         """What a case asks, through the coupled model; None where it cannot be followed."""
         pump = case.pump or self.pump
-        key = (case.pressure, case.time)
-        if key == (1.0, 1.0):
+        key = (case.pressure, case.time, case.ramp)
+        if key == (1.0, 1.0, 0.0):
             return self.asked.demands(pump)
         if key not in self._followed:
-            self._followed[key] = self._follow(*key, pump)
+            self._followed[key] = self._follow(case, pump)
         found = self._followed[key]
         return None if found is None else found.demands(pump)
 
-    def _follow(self, pressure: float, time: float, pump: Pump) -> Wanted | None:
-        scene, taken = scaled(self.scene, pressure=pressure, time=time), self.asked.taken
+    def _follow(self, case: Case, pump: Pump) -> Wanted | None:
+        scene, taken = scaled(self.scene, pressure=case.pressure, time=case.time), self.asked.taken
+        if case.ramp:
+            scene = ramped(scene, case.ramp)
         try:
             run = follow(scene, taken)
             # A lead-in never hurries; it matters where it tells which inlet gave how much.

@@ -66,9 +66,7 @@ def planned(scene: Scene) -> Scene:
     if scene.fluid.is_gas:
         modes |= {name: "on" for name in COUNTED if _may_take(scene, name)}
     effects = scene.effects.model_copy(update={"modes": modes})
-    return scene.model_copy(
-        update={"effects": effects, "run": _with_outputs(scene, _times(scene))}
-    )
+    return scene.model_copy(update={"effects": effects, "run": _with_outputs(scene, _times(scene))})
 
 
 def _may_take(scene: Scene, name: str) -> bool:
@@ -85,7 +83,7 @@ def _times(scene: Scene) -> np.ndarray:
     corners = [c for source in scene.inputs.values() for c in source.corners(duration)]
     times = np.unique(np.concatenate([np.linspace(0.0, duration, count + 1), corners]))
     keep = np.append(np.diff(times) > 1e-3 * duration / count, True)
-    return times[keep]
+    return np.asarray(times[keep])
 
 
 def _with_outputs(scene: Scene, times: np.ndarray) -> Any:
@@ -119,6 +117,48 @@ def with_pressures(scene: Scene, time: np.ndarray, pressure: np.ndarray) -> Scen
         update={"duration": float(time[-1]), "output_times": tuple(time.tolist())}
     )
     return with_inputs(scene.model_copy(update={"run": run}), tables)
+
+
+JUMP = 1e-6
+"""Part of a run before and behind a corner at which its values are compared."""
+SUDDEN = 0.01
+"""Part of the whole swing that a jump has at least."""
+
+
+def jumps(scene: Scene) -> list[float]:
+    """Times at which the pressure of an input jumps [s]."""
+    duration = scene.run.duration
+    found: set[float] = set()
+    for source in scene.inputs.values():
+        corners = np.array([0.0, *source.corners(duration)])
+        sides = [source.values(np.clip(corners + s * JUMP * duration, 0, None)) for s in (-1, 1)]
+        if scene.run.start == "rest":
+            sides[0][0] = 0.0
+        swing = float(np.ptp(np.concatenate(sides))) or 1.0
+        found |= set(corners[np.abs(sides[1] - sides[0]) > SUDDEN * swing].tolist())
+    return sorted(found)
+
+
+def ramped(scene: Scene, lasting: float) -> Scene:
+    """The scene with every jump of its pressures made a ramp of some time [s]."""
+    own, duration = scene.run.output_times_array(), scene.run.duration
+    starts = [t for t in jumps(scene) if t < duration]
+    ends = [min(t + lasting, duration) for t in starts]
+    time = np.unique(np.concatenate([own, starts, ends]))
+    columns = []
+    for source in scene.inputs.values():
+        values = source.values(time)
+        for begin, end in zip(starts, ends, strict=True):
+            before = source.values(np.array([max(begin - JUMP * duration, 0.0)]))[0]
+            if begin == 0.0 and scene.run.start == "rest":
+                before = 0.0
+            inside = (time >= begin) & (time < end)
+            share = (time[inside] - begin) / (end - begin)
+            values[inside] = before + share * (values[inside] - before)
+        columns.append(values)
+    keep = np.append(np.diff(time) > JUMP * duration, True)
+    pressure = scene.gauge_pressure + np.stack(columns, axis=1)
+    return with_pressures(scene, time[keep], pressure[keep])
 
 
 def scaled(scene: Scene, *, pressure: float = 1.0, time: float = 1.0) -> Scene:

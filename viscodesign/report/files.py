@@ -21,7 +21,11 @@ PROOF_PICTURE = "effects.png"
 SUMMARY = "summary.json"
 STUDY_FILES = ("accuracy.csv", "accuracy.json", "accuracy.png")
 """Of a study of accuracy, which may share the folder; a run leaves them alone."""
-OURS = {*TABLES, *PICTURES, PROOF_PICTURE, SUMMARY, *STUDY_FILES}
+PLAN_FILES = ("plan.csv", "plan.json", "plan.png")
+"""Of a plan of the pump, which may share it too."""
+OURS = {*TABLES, *PICTURES, PROOF_PICTURE, SUMMARY, *STUDY_FILES, *PLAN_FILES}
+LAST_WRITTEN = {SUMMARY, STUDY_FILES[1], PLAN_FILES[1]}
+"""Documents of which one at least is in every folder of ours."""
 
 
 def write_run(
@@ -83,7 +87,7 @@ def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
         names = sorted(file.name for file in folder.iterdir())
     strangers = [name for name in names if not _is_ours(name)]
-    if strangers and not force and not {SUMMARY, STUDY_FILES[1]} & set(names):
+    if strangers and not force and not LAST_WRITTEN & set(names):
         shown = ", ".join(strangers[:3]) + (", ..." if len(strangers) > 3 else "")
         raise UsageError(
             f"{folder} holds other files ({shown}); nothing was written. "

@@ -115,7 +115,7 @@ class Ground:
 
     @cached_property
     def told(self) -> np.ndarray:
-        """Which samples are output times (n,)."""
+        """Which samples are output times (n,); all where the first one lies beyond the sketch."""
         outputs = self._scene.run.output_times_array()
         nearest = np.searchsorted(outputs, self.time)
         near = np.minimum(
@@ -125,7 +125,8 @@ class Ground:
         # A motion is told as it comes to a corner, but as it leaves the start.
         after = np.concatenate([[False], np.diff(self.time) == 0.0])
         after[:2] = [True, False]
-        return np.flatnonzero((near <= 1e-9 * self.time[-1]) & ~after)
+        found = np.flatnonzero((near <= 1e-9 * self.time[-1]) & ~after)
+        return found if len(found) else np.flatnonzero(~after)
 
     def _values(self, name: str) -> np.ndarray:
         """An input's values at the samples (T,), on the right side of every corner."""

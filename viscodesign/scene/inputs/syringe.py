@@ -31,7 +31,9 @@ class Syringe(PiecewiseLinear):
     start: Length = Field(gt=0, description="Length of the filled barrel at the start")
     dead_volume: Volume = Field(0.0, ge=0, description="What the plunger cannot push out")
     cushion: Volume = Field(
-        0.0, ge=0, description="Gas in front of the plunger beside a liquid, at the baseline pressure"
+        0.0,
+        ge=0,
+        description="Gas in front of the plunger beside a liquid, at the baseline pressure",
     )
     file: str | None = Field(
         None, description="CSV with the columns time_s, position_m; relative to the spec"
