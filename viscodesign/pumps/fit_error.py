@@ -130,8 +130,9 @@ def _remedy(fit: PoseFit) -> str:
     gap = float(np.max(np.abs(fit.wanted[-1] - fit.wanted[0])))
     if fit.looped and gap > 1.0:
         return (
-            f"The profile ends {gap:.1f} counts from where it begins, so it cannot go round: "
-            "choose run.duration as whole cycles of the input, or leave --loop out"
+            f"The profile ends {gap:.1f} counts from where it begins, so it cannot go round: make "
+            "run.duration whole cycles of the input, and long enough for the pressures inside to "
+            "settle; or leave --loop out"
         )
     shorter = "slow the input down" if fit.looped else "--loop one cycle of it, slow it down"
     return f"`pump stream` has no such limits; else {shorter}, or allow more by --tolerance"

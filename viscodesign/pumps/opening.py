@@ -83,7 +83,13 @@ def servo_ids(pump: Pump | None) -> list[int]:
 def simulated_line(
     pump: Pump, clock: Clock, plant: Plant | None = None, ambient: float = AMBIENT
 ) -> Line:
-    """A line into a computed ArbotiX, and a calibrated pump behind it, its plungers at home."""
+    """A line into a computed ArbotiX with the firmware for ROS, and a pump behind it."""
+    bench = simulated_bench(pump, plant, ambient)
+    return DirectLine(Ros(bench, Pins(bench, ambient)), clock)
+
+
+def simulated_bench(pump: Pump, plant: Plant | None = None, ambient: float = AMBIENT) -> Bench:
+    """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
     drives = [Drive(pump) for _ in servo_ids(pump)]
     servos = [
         VirtualServo(servo, MODEL_NUMBERS[pump.servo], pump.home) for servo in servo_ids(pump)
@@ -92,8 +98,7 @@ def simulated_line(
         servo.supply(pump.supply_voltage)
         servo.set(registers.CW_LIMIT, pump.travel[0])
         servo.set(registers.CCW_LIMIT, pump.travel[1])
-    bench = Bench(servos, drives, plant or ClosedGas(drives, ambient))
-    return DirectLine(Ros(bench, Pins(bench, ambient)), clock)
+    return Bench(servos, drives, plant or ClosedGas(drives, ambient))
 
 
 def _check_port(kind: type[Board], port: str | None, baud: int | None) -> None:

@@ -98,7 +98,7 @@ def test_a_wait_with_the_phantom_lasts_what_was_asked(frames: int) -> None:
 def test_the_slowest_ramp_is_an_eighth_of_a_count_a_frame() -> None:
     rows = play(sequence(((200, PHANTOM), time_asking(MOST_FRAMES))), (100, 0))
     assert np.unique(np.diff(rows[:800, 0])).tolist() == [1]
-    assert 1 / EIGHTHS / FRAME == pytest.approx(3.8, abs=0.02)  # counts per second
+    assert pytest.approx(3.8, abs=0.02) == 1 / EIGHTHS / FRAME  # counts per second
 
 
 def test_the_phantom_holds_all_short_times_and_few_of_the_long_ones() -> None:
