@@ -93,7 +93,7 @@ def streaming(tmp_path: Path) -> Iterator[Streaming]:
             yield Streaming(process, pump, server, tmp_path / "run")
         finally:
             process.kill()
-            process.wait()
+            process.communicate()
 
 
 def is_hold(entry: dict[str, Any]) -> bool:
@@ -116,8 +116,9 @@ def test_from_a_signal_to_a_hold_on_the_wire(streaming: Streaming, number: int) 
     assert holds[0] <= REQUESTS
     took = requests[holds[0]]["monotonic_s"] - sent
     print(f"{signal.Signals(number).name}: hold after {1e3 * took:.1f} ms, {holds[0]} requests")
-    busy = max(b["monotonic_s"] - a["monotonic_s"] for a, b in zip(requests, requests[1:], strict=False))
-    assert took < WITHIN or busy > WITHIN / REQUESTS  # where the machine itself was asleep
+    # Where the machine itself kept the ticks waiting, only the count tells.
+    beside = json.loads((streaming.folder / "record.json").read_text())
+    assert took < WITHIN or beside["ticks"]["worst_lateness_s"] > WITHIN / 3
     _whole(streaming, "interrupted")
 
 
@@ -156,7 +157,7 @@ def test_a_port_that_vanishes_ends_with_4_and_says_that_no_hold_was_sent(
 def test_a_killed_host_leaves_a_pump_that_stands(streaming: Streaming) -> None:
     streaming.wait_for_ticks(20)
     streaming.process.kill()
-    streaming.process.wait()
+    streaming.process.communicate()
     time.sleep(0.2)
     with streaming.server.lock:
         before = streaming.bench.servos[0].position
