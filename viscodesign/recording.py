@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from io import FileIO
 from pathlib import Path
 from typing import Any
@@ -27,7 +27,12 @@ class Record:
     """
 
     def __init__(
-        self, path: Path, table: FileIO, inlets: Sequence[str], facts: Mapping[str, Any]
+        self,
+        path: Path,
+        table: FileIO,
+        inlets: Sequence[str],
+        facts: Mapping[str, Any],
+        more: Mapping[str, Callable[[], float]],
     ) -> None:
         self.path = path
         self.rows = 0
@@ -35,10 +40,11 @@ class Record:
         self._whole = 0
         """Bytes of whole rows in the file."""
         self._waiting = bytearray()
-        self._inlets = inlets
+        self._more = more
+        self._columns = columns(inlets, list(more))
         self._facts = dict(facts)
         self._flushed = time.monotonic()
-        self._line(columns(inlets))
+        self._line(self._columns)
 
     @property
     def beside(self) -> Path:
@@ -47,7 +53,9 @@ class Record:
 
     def add(self, moment: float, sample: Sample) -> None:
         """One row; ``moment`` is the time of its first column [s]."""
-        self._line([_number(value) for value in values(moment, sample)])
+        first, *others = values(moment, sample)
+        row = [first, *(value() for value in self._more.values()), *others]
+        self._line([_number(value) for value in row])
         self.rows += 1
         if time.monotonic() - self._flushed >= FLUSH:
             self.flush()
@@ -61,7 +69,7 @@ class Record:
             "status": status,
             "partial": status != "complete",
             "rows": self.rows,
-            "columns": columns(self._inlets),
+            "columns": self._columns,
             **self._facts,
             **more,
         }
@@ -88,16 +96,22 @@ class Record:
 
 
 @contextlib.contextmanager
-def recorded(path: Path, inlets: Sequence[str], facts: dict[str, Any]) -> Iterator[Record]:
+def recorded(
+    path: Path,
+    inlets: Sequence[str],
+    facts: Mapping[str, Any],
+    more: Mapping[str, Callable[[], float]] | None = None,
+) -> Iterator[Record]:
     """A record in progress; replaces an earlier one of the same name.
 
-    ``facts`` go into the JSON: board, whether simulated, spec, plan.
+    ``facts`` go into the JSON: board, whether simulated, spec, plan. ``more`` are columns
+    behind the time, each with what gives its value.
     """
     with refused_plainly(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         table = FileIO(path, "w")
     with contextlib.closing(table):
-        record = Record(path, table, inlets, facts)
+        record = Record(path, table, inlets, facts, more or {})
         record.state(RUNNING)
         try:
             yield record
@@ -105,9 +119,9 @@ def recorded(path: Path, inlets: Sequence[str], facts: dict[str, Any]) -> Iterat
             record.flush()
 
 
-def columns(inlets: Sequence[str]) -> list[str]:
+def columns(inlets: Sequence[str], more: Sequence[str] = ()) -> list[str]:
     """Names of the columns; time and pressures as in `trajectory.csv`."""
-    names = ["time_s"]
+    names = ["time_s", *more]
     names += [_named("inlet_pressure", inlets, inlet, "pa") for inlet in inlets]
     names += [_named("wanted_pressure", inlets, inlet, "pa") for inlet in inlets]
     for inlet in inlets:

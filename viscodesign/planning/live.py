@@ -18,6 +18,7 @@ from viscodesign.motion import tips
 from viscodesign.planning.barrel import NEARLY_FULL, Barrel, line_at
 from viscodesign.planning.variants import planned, pump_of, with_inputs
 from viscodesign.pumps.drive import Drive
+from viscodesign.pumps.virtual.plant import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.algebraic import Algebraic
 from viscodesign.solve.problem import Problem, Schedule, evaluate_along
@@ -35,7 +36,7 @@ GRID = 0.01
 """Length of the intervals of any other; what is left over waits for the next tick [s]."""
 
 
-class ActuatorPlant:
+class ActuatorPlant(Plant):
     """Gauge pressures at the plungers, and the tip, of a scene's actuator.
 
     It begins in equilibrium, filled at the baseline, all plungers at home. `advance` raises

@@ -28,7 +28,8 @@ HIGHEST_TEMPERATURE = 70.0
 PLAY = 5
 """A position this far outside of travel is not yet one that slipped [counts]."""
 FOLLOWING = 60
-"""A plunger this far behind its goal does not follow it [counts]: 17 degrees."""
+"""A plunger farther behind its goal than this and one tick's travel does not follow it
+[counts]; the servo's controller needs an error of up to 32 to give all its torque."""
 UNMOVED = 6e3
 """A reading that stays the same to the last bit while the model's pressure changes by this
 much is none [Pa]; the sensor is good to 1.5 % of its span, 5.7 kPa."""
@@ -169,12 +170,14 @@ class Following(Guard):
     """A plunger that stays behind its goal is blocked, or too weak."""
 
     rule = "following"
+    reach: int
+    """One tick's travel [counts]."""
     behind: InSuccession = field(default_factory=lambda: InSuccession(3))
 
     def check(self, sample: Sample) -> str | None:
         errors = {s: sample.goals[s] - state.position for s, state in sample.servos.items()}
         worst = max(errors, key=lambda servo: abs(errors[servo]))
-        if not self.behind.note(abs(errors[worst]) > FOLLOWING):
+        if not self.behind.note(abs(errors[worst]) > FOLLOWING + self.reach):
             return None
         return (
             f"servo {worst} is {abs(errors[worst])} counts from its goal: the plunger is blocked, "
@@ -284,19 +287,19 @@ class Watch:
                 yield Stop(guard.rule, reason, guard.trusted, guard.may_retreat)
 
 
-def stream_rules(pump: Pump) -> list[Guard]:
-    """What a profile is watched by."""
-    return [PressureCap(pump.max_pressure), SensorFrozen(), *retreat_rules(pump)]
+def stream_rules(pump: Pump, reach: int) -> list[Guard]:
+    """What a profile is watched by; ``reach`` is one tick's travel [counts]."""
+    return [PressureCap(pump.max_pressure), SensorFrozen(), *retreat_rules(pump, reach)]
 
 
-def retreat_rules(pump: Pump) -> list[Guard]:
+def retreat_rules(pump: Pump, reach: int) -> list[Guard]:
     """What remains while the plunger is drawn back, which makes room for the pressure."""
     low, high = pump.travel
     return [
         LimitSwitches(),
         Travel(low, high),
         ErrorBitsSet(),
-        Following(),
+        Following(reach),
         Obedience(),
         Overheating(),
         LowBattery(),

@@ -5,7 +5,7 @@ Needs no spec, so that `pump stop` works with none.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from viscodesign.errors import PumpError
@@ -43,15 +43,15 @@ def hold(
     servos: Sequence[int],
     clock: Clock,
     *,
-    last: Mapping[int, int] | None = None,
+    positions: dict[int, int] | None = None,
     within: float = PATIENCE,
 ) -> list[Standing]:
     """Send every servo to where it is, and read back that it holds that goal.
 
-    ``last``: positions of a moment ago, for a servo that takes commands but whose replies do
-    not come through. A servo without torque is left so: nothing drives it.
+    ``positions`` of a moment ago, for a servo that takes commands but whose replies do not come
+    through; they are brought up to date. A servo without torque is left so: nothing drives it.
     """
-    where = dict(last or {})
+    where = {} if positions is None else positions
     return _for_each(servos, clock, within, lambda servo: _hold(board, servo, where))
 
 
@@ -93,6 +93,9 @@ def _hold(board: Board, servo: int, last: dict[int, int]) -> Standing:
         return Standing(servo, True, f"shut itself off ({state.complaint or 'torque limit 0'})")
     try:
         board.move({servo: Goal(state.position, HOLD_SPEED)})
+    except PumpError as error:
+        return Standing(servo, False, f"no hold could be sent: {error}")
+    try:
         return _verified(servo, state.position, read_servo(board, servo))
     except PumpError as error:
         return Standing(servo, False, f"hold sent, but not verified: {error}")

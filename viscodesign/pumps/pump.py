@@ -14,7 +14,7 @@ from viscodesign.pumps.found import Servo, find_servo, objections
 from viscodesign.pumps.gauges import Gauges
 from viscodesign.pumps.guards import Stop
 from viscodesign.pumps.holding import HOLD_SPEED, Standing, hold, release
-from viscodesign.pumps.limits import torque_limit
+from viscodesign.pumps.limits import free_speed, torque_limit
 from viscodesign.pumps.reading import ServoState, read_servo, write_register
 from viscodesign.pumps.switches import Switches
 from viscodesign.scene.pump import Pump as Settings
@@ -57,6 +57,8 @@ class Pump:
         """Goals in force [counts]."""
         self.positions: dict[int, int] = {}
         """Last read [counts]."""
+        self.read_at = -math.inf
+        """When, about: between question and answer [s of the clock]."""
         self.sent_at = -math.inf
         """When the goals in force were sent [s of the clock]."""
         self.reach = 1
@@ -72,11 +74,20 @@ class Pump:
             raise PumpError("\n".join(["nothing has moved:", *wrong]))
         return found
 
-    def arm(self) -> None:
-        """Torque on where each plunger stands; limits first, each read back."""
-        limit = torque_limit(self.settings)
+    def arm(self, speed: float = 0.0) -> None:
+        """Torque on where each plunger stands; limits first, each read back.
+
+        ``speed``: the fastest that is going to be asked for [counts/s]; raises `PumpError` where
+        the servo is not that fast.
+        """
+        if speed > free_speed(self.settings):
+            raise PumpError(
+                f"{speed:.0f} counts/s are asked for; without any load the servo makes "
+                f"{free_speed(self.settings):.0f}: see `pump plan`"
+            )
+        limit = torque_limit(self.settings, speed)
         for servo in self.servos:
-            position = read_servo(self.board, servo).position
+            position = self._healthy(servo).position
             write_register(self.board, servo, registers.TORQUE_LIMIT, limit)
             write_register(self.board, servo, registers.MOVING_SPEED, HOLD_SPEED)
             # Some firmwares switch the torque on by this, so it comes behind both limits. Without
@@ -88,11 +99,17 @@ class Pump:
             self.goals[servo] = self._standing(servo, position, limit)
             self.positions[servo] = self.goals[servo]
 
+    def _healthy(self, servo: int) -> ServoState:
+        """Its state; a torque limit of 0 is an alarm's, and is not overwritten unsaid."""
+        state = read_servo(self.board, servo)
+        if state.errors or state.torque_limit == 0:
+            told = state.complaint or "its torque limit is 0: it shut itself off"
+            raise PumpError(f"servo {servo}: {told}. See `pump status`, then switch it off and on")
+        return state
+
     def _standing(self, servo: int, position: int, limit: int) -> int:
         """The goal that an armed servo holds, checked to be where it stands."""
-        state = read_servo(self.board, servo)
-        if state.errors:
-            raise PumpError(f"servo {servo} reports on arming: {state.complaint}")
+        state = self._healthy(servo)
         wrong = (
             abs(state.goal - position) > TAKEN
             or state.moving_speed != HOLD_SPEED
@@ -142,15 +159,19 @@ class Pump:
 
     def look(self) -> tuple[dict[int, ServoState], tuple[float | None, ...], frozenset[str]]:
         """Servos, pressures [Pa gauge] and pressed switches, read now."""
+        before = self.clock.now()
         states = {servo: read_servo(self.board, servo) for servo in self.servos}
         self.positions = {servo: state.position for servo, state in states.items()}
+        self.read_at = (before + self.clock.now()) / 2
         return states, self.gauges.read(), self.switches.read(self.board)
 
     def hold(self) -> list[Standing]:
         """Stand where it is, read back; nothing is sent where the torque was never on."""
         if not self.armed:
             return [Standing(s, True, "untouched: its torque was never on") for s in self.servos]
-        return hold(self.board, self.servos, self.clock, last=self.positions)
+        left = hold(self.board, self.servos, self.clock, positions=self.positions)
+        self.goals |= self.positions
+        return left
 
     def release(self) -> list[Standing]:
         """Torque off, read back; pressure may push the plunger back then."""

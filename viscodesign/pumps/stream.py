@@ -7,14 +7,17 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from viscodesign.errors import PumpError
-from viscodesign.pumps.course import Course, led_in, way_back
-from viscodesign.pumps.guards import Stop, Watch, retreat_rules, stream_rules
+from viscodesign.pumps.course import Course, led_in, top_speed, way_back
+from viscodesign.pumps.guards import Guard, Stop, Watch, retreat_rules, stream_rules
 from viscodesign.pumps.holding import Standing
 from viscodesign.pumps.interrupt import Wish
+from viscodesign.pumps.limits import free_speed
 from viscodesign.pumps.profile import Profile
-from viscodesign.pumps.pump import SPEED, Pump
+from viscodesign.pumps.pump import Pump
 from viscodesign.pumps.reading import Sample
+from viscodesign.pumps.setpoints import SetPoints
 from viscodesign.pumps.ticks import Ticks
+from viscodesign.scene.pump import Pump as Settings
 
 LOWEST_RATE = 10.0
 """Slower ticks would take longer than a silence may last [Hz]."""
@@ -105,40 +108,51 @@ class Stream:
         return self.ending
 
     def _forward(self) -> Ending:
+        if self.wish.asked:
+            return self._interrupted()
         if not self.pump.armed:
-            self.pump.arm()
+            self.pump.arm(top_speed(self.profile))
         course = led_in(self.profile, self.pump.goals, self.lead)
         self.origin = self.pump.clock.now() + course.zero
-        return self._run(course, Watch(stream_rules(self.pump.settings)))
+        return self._run(course, self._watch(course, stream_rules), 0)
 
-    def _run(self, course: Course, watch: Watch) -> Ending:
-        """Ticks until the course is over, a rule is broken, or the next wish to stop."""
+    def _watch(self, course: Course, rules: Callable[[Settings, int], list[Guard]]) -> Watch:
+        return Watch(rules(self.pump.settings, course.reach(self.ticks.period)))
+
+    def _run(self, course: Course, watch: Watch, heard: int) -> Ending:
+        """Ticks until the course is over, a rule is broken, or one more wish than was heard."""
         self.pump.reach = course.reach(self.ticks.period)
-        heard = self.wish.times
+        free = free_speed(self.pump.settings)
+        points = SetPoints(course, self.ticks.period, free)
         self.ticks.begin()
         while self.ticks.elapsed <= course.duration:
             if not self._untouched(heard):
-                return Ending("interrupted", f"asked to stop ({self.wish.first})")
-            stop = self._tick(course, watch, heard)
+                return self._interrupted()
+            stop = self._tick(course, points, watch, heard)
             if stop is not None:
                 return Ending("stopped", str(stop), stop.rule, stop.may_retreat)
             self.ticks.wait(lambda: self._untouched(heard))
         return Ending("complete", "played to its end")
 
+    def _interrupted(self) -> Ending:
+        return Ending("interrupted", f"asked to stop ({self.wish.first})")
+
     def _untouched(self, heard: int) -> bool:
         return self.wish.times <= heard
 
-    def _tick(self, course: Course, watch: Watch, heard: int) -> Stop | None:
+    def _tick(self, course: Course, points: SetPoints, watch: Watch, heard: int) -> Stop | None:
         """Read, judge, send, show."""
         states, pressure, pressed = self.pump.look()
         # Only now: what was read may have come late, and the goals are to be those of this moment.
-        elapsed = self.ticks.now
-        goals, speeds = self._next(course, elapsed)
+        elapsed, read = self.ticks.now, self.pump.read_at - self.ticks.start
+        reach = self._reach(course, self.ticks.period)
+        points.learn(read, self.pump.positions)
+        goals, speeds = points.next(elapsed, self.pump.goals, reach)
         sample = Sample(
             time=self.pump.clock.now(),
             servos=states,
             pressure=pressure,
-            wanted=course.wanted(elapsed),
+            wanted=course.wanted(read),
             pressed=pressed,
             goals=dict(self.pump.goals),
             next_goals=goals,
@@ -147,25 +161,9 @@ class Stream:
         self.pump.alarm = self.pump.alarm or stop
         if stop is None and self._untouched(heard):
             self.pump.set_goals(goals, speeds)
-        time = self.ticks.start + elapsed - self.origin
+        time = self.pump.read_at - self.origin
         self.see(Shown(time, sample, self.ticks.skipped, stop))
         return stop
-
-    def _next(self, course: Course, elapsed: float) -> tuple[dict[int, int], dict[int, float]]:
-        """Goals one tick from now [counts], within reach, and speeds to get there."""
-        period = self.ticks.period
-        now, then = course.goals(elapsed), course.goals(elapsed + period)
-        reach = self._reach(course, period)
-        goals: dict[int, int] = {}
-        speeds: dict[int, float] = {}
-        for k, servo in enumerate(course.profile.servos):
-            before = self.pump.goals[servo]
-            step = min(max(round(float(then[k])) - before, -reach), reach)
-            goals[servo] = before + step
-            # Slow ramps go smoothly at their own speed, not in jerks of one count.
-            speed = max(abs(float(then[k] - now[k])), abs(step) - 1.0) / period
-            speeds[servo] = speed + SPEED
-        return goals, speeds
 
     def _reach(self, course: Course, period: float) -> int:
         """One tick's travel, or what there was time for where the last goals were sent late."""
@@ -186,7 +184,8 @@ class Stream:
         pump = self.pump
         try:
             course = way_back(self.profile, pump.goals, pump.settings.home)
-            back = self._run(course, Watch(retreat_rules(pump.settings)))
+            heard = 1 if self.ending.status == "interrupted" else 0
+            back = self._run(course, self._watch(course, retreat_rules), heard)
         except PumpError as error:
             back = Ending("stopped", str(error))
         self.ending.retreat = "" if back.status == "complete" else back.reason

@@ -123,9 +123,9 @@ def test_travel(position: int, stops: bool) -> None:
 
 
 def test_a_blocked_plunger_is_noticed_after_three_samples() -> None:
-    behind = sample(state=servo(500, goal=561))
-    assert first_stop(Following(), [behind] * 5) == 2
-    assert first_stop(Following(), [sample(state=servo(500, goal=560))] * 5) is None
+    behind = sample(state=servo(500, goal=564))
+    assert first_stop(Following(3), [behind] * 5) == 2
+    assert first_stop(Following(3), [sample(state=servo(500, goal=563))] * 5) is None
 
 
 def test_a_lost_command_may_be_lost_twice() -> None:
@@ -161,12 +161,12 @@ def test_a_silence_of_a_quarter_of_a_second() -> None:
 
 
 def test_every_rule_names_itself_and_leaves_a_healthy_pump_alone() -> None:
-    rules = stream_rules(Pump(syringe_diameter=0.0349))
+    rules = stream_rules(Pump(syringe_diameter=0.0349), 3)
     assert len({guard.rule for guard in rules}) == len(rules) == 10
     assert all(guard.check(sample(time=0.01 * k)) is None for k in range(50) for guard in rules)
 
 
 def test_drawing_back_is_watched_by_all_but_the_pressure() -> None:
     pump = Pump(syringe_diameter=0.0349)
-    left_out = {g.rule for g in stream_rules(pump)} - {g.rule for g in retreat_rules(pump)}
+    left_out = {g.rule for g in stream_rules(pump, 3)} - {g.rule for g in retreat_rules(pump, 3)}
     assert left_out == {"pressure_cap", "sensor_frozen"}

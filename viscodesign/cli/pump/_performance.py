@@ -29,11 +29,11 @@ from viscodesign.pumps.switches import Switches
 from viscodesign.recording import Record, recorded
 
 if TYPE_CHECKING:
+    from viscodesign.planning.live import ActuatorPlant
     from viscodesign.pumpplan import PumpPlan
     from viscodesign.pumps.boards.base import Board
     from viscodesign.pumps.clock import Clock
     from viscodesign.pumps.gauges import Gauges
-    from viscodesign.pumps.virtual.plant import Plant
     from viscodesign.scene.pump import Pump as Settings
     from viscodesign.scene.scene import Scene
 
@@ -71,7 +71,8 @@ class Performance:
     plan: PumpPlan
     way: Way
     clock: Clock
-    plant: Plant | None
+    plant: ActuatorPlant | None
+    """What a simulated pump presses into."""
     rate: float
     on_stop: OnStop
     table: Path
@@ -132,7 +133,15 @@ class Performance:
             "calibration": self._calibration(),
             "ambient_pressure_pa_abs": self.scene.ambient_pressure,
         }
-        return recorded(self.table, self.plan.inlets, facts)
+        return recorded(self.table, self.plan.inlets, facts, self._tip())
+
+    def _tip(self) -> dict[str, Callable[[], float]]:
+        """Of the simulated actuator, where there is one: under the simulator's names."""
+        plant = self.plant
+        if plant is None:
+            return {}
+        names = ("tip_x_m", "tip_z_m", "tip_angle_rad")
+        return {name: lambda k=k: float(plant.tip[k]) for k, name in enumerate(names)}  # type: ignore[misc]
 
     def _stream(self, pump: Pump, wish: Wish, record: Record, log: ByteLog) -> Ending:
         outlet, view = self._view()

@@ -14,9 +14,11 @@ if TYPE_CHECKING:
 
 def plan_rows(plan: PumpPlan, pump: Pump, rate: float, on_stop: str) -> list[tuple[str, str]]:
     """What is going to be played, each number with its unit."""
+    from viscodesign.pumps.course import top_speed
     from viscodesign.pumps.limits import stalling_pressure, torque_limit
 
-    course, limit = plan.achievable, torque_limit(pump)
+    course = plan.achievable
+    limit = torque_limit(pump, top_speed(plan.profile(course)))
     counts, volume, pressure = course.count, 1e6 * course.volume, course.pressure / 1e3
     play = float(course.time[-1]) - course.lead_s
     low, high = pump.travel

@@ -78,6 +78,7 @@ def command(
     from viscodesign.cli.pump._session import Way
     from viscodesign.cli.pump._told import ending_document
     from viscodesign.cli.simulate import folder_name
+    from viscodesign.planning.live import ActuatorPlant
     from viscodesign.planning.plan import plan
     from viscodesign.planning.variants import pump_of
     from viscodesign.report.atomic import refused_plainly
@@ -96,7 +97,7 @@ def command(
         plan=planned,
         way=way,
         clock=clock,
-        plant=None,
+        plant=ActuatorPlant(scene) if way.simulated and not dry_run else None,
         rate=rate,
         on_stop=on_stop,  # type: ignore[arg-type]  # one of them, as checked
         table=folder / "record.csv",
