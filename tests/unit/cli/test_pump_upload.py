@@ -179,10 +179,8 @@ def test_it_plays_once(upload: Upload, port: str, pump: Watched, tmp_path: Path)
 
 
 def test_a_loop_ends_by_control_c(upload: Upload, port: str, pump: Watched) -> None:
-    rounds = len(SHORT.time) and 30
-
     def interrupt() -> None:
-        while len(pump.goals) < 1.5 * rounds:
+        while len(pump.goals) < 1.5 * 30:
             threading.Event().wait(0.05)
         os.kill(os.getpid(), signal.SIGINT)
 
@@ -213,9 +211,8 @@ def test_a_servo_that_is_ill_is_not_moved(upload: Upload, port: str, pump: Watch
     assert pump.goals == []
 
 
-def test_a_servo_that_is_not_there_is_told(upload: Upload, port: str) -> None:
-    two = swing((1, 2), duration=0.99, amplitude=15.0)
-    servos = "pump.servo_id={inlet1: 1, inlet2: 2}"
-    outcome = upload("--port", port, "--play", "--yes", "--set", servos, profile=two)
+def test_a_servo_that_is_not_there_is_told(upload: Upload) -> None:
+    with PtyServer(PyPose(bench(3)), WallClock()) as server:
+        outcome = upload("--port", server.port, "--play", "--yes")
     assert outcome.status == 4
-    assert "id 2 does not answer" in outcome.err
+    assert "id 1 does not answer" in outcome.err
