@@ -263,6 +263,16 @@ def test_the_live_actuator_is_the_simulated_one() -> None:
     assert np.hypot(*(plant.tip - found.tip[-1])[:2]) < 5e-3 * scene.actuator.length
 
 
+def test_the_live_actuator_begins_where_its_plungers_are() -> None:
+    """No time passed: equilibrium there, as the plan's closed forms have it."""
+    scene = leg(config="leg_16_pump")
+    found = plan(leg("input={kind: constant, value: 10 kPa}", config="leg_16_pump"))
+    plant = ActuatorPlant(scene)
+    place = found.wanted.position[-1]
+    assert plant.advance(0.0, place) == pytest.approx([10e3], rel=1e-3)
+    assert plant.advance(0.033, place) == pytest.approx([10e3], rel=1e-3)
+
+
 def test_the_bundled_scenes_are_there() -> None:
     assert (CONFIGS / "leg_16_pump.yaml").exists()
     assert (CONFIGS / "leg_16_pump_published.yaml").exists()
