@@ -55,9 +55,10 @@ def command(
 ) -> None:
     """Find home and travel, and keep them in the servo.
 
-    Its own angle limits are set to the travel. Against limit switches where the spec names them, slowly and with little torque; else by
-    hand, with the torque off. The only command that writes what a servo keeps without power:
-    ids, angle limits and whether it answers; only what differs, and each is asked for.
+    Its own angle limits are set to the travel. Against limit switches where the spec names
+    them, slowly and with little torque; else by hand, with the torque off. The only command
+    that writes what a servo keeps without power: ids, angle limits and whether it answers;
+    only what differs, and each is asked for.
     """
     from viscodesign import load
     from viscodesign.cli.output import say
