@@ -108,8 +108,9 @@ def _path(demand: Demand, pressure: np.ndarray) -> np.ndarray:
     steps = np.diff(demand.time)
     path = np.empty_like(goals)
     path[0] = goals[0]
-    # The reach of every step in both directions, at the pressure where it begins.
-    reach = {sign: _speed(demand, pressure, sign)[:-1] * steps for sign in (1.0, -1.0)}
+    # The reach of every step in both directions, at the harder of its ends' pressures.
+    speeds = {sign: _speed(demand, pressure, sign) for sign in (1.0, -1.0)}
+    reach = {sign: np.minimum(v[:-1], v[1:]) * steps for sign, v in speeds.items()}
     for k, goal in enumerate(goals[1:]):
         way = goal - path[k]
         most = reach[1.0 if way > 0.0 else -1.0][k]

@@ -39,8 +39,9 @@ GRID = 0.01
 class ActuatorPlant(Plant):
     """Gauge pressures at the plungers, and the tip, of a scene's actuator.
 
-    It begins in equilibrium, filled at the baseline, all plungers at home. `advance` raises
-    `SolveError` where the model cannot be followed.
+    It is filled at the baseline with all plungers at home, and begins in equilibrium, there or
+    where a first `advance` by no time puts them. `advance` raises `SolveError` where the model
+    cannot be followed.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -54,12 +55,11 @@ class ActuatorPlant(Plant):
         """Behind which the state is [s]."""
         self.position = np.zeros(len(self.inlets))
         """(P,) pushed in from home [m]."""
-        self._here = equilibrium(self.problem, 0.0, self.problem.schedule.initial_piece)
         self._solver = _solver(self.problem)
         self._any_length = not isinstance(self._solver, solver_catalogue()[DEFAULT_SOLVER])
         self._owed = 0.0
         self._work = Work()
-        self._read()
+        self._begin(self.position)
 
     @property
     def label(self) -> str:
@@ -78,10 +78,21 @@ class ActuatorPlant(Plant):
         """
         goal = np.minimum(np.asarray(positions, dtype=float), self._longest_way)
         begin = self.position
+        if seconds <= 0.0 and self.time == 0.0:
+            self._begin(goal)
         count, length = self._intervals(seconds)
         for k in range(1, count + 1):
             self._tick(length, begin + k / count * (goal - begin))
         return self.pressure
+
+    def _begin(self, position: np.ndarray) -> None:
+        """Equilibrium with the plungers at a place [m]."""
+        still = np.zeros_like(position)
+        piece = np.stack((self.area * position, still, still), axis=1).ravel()
+        self._here = equilibrium(self.problem, 0.0, piece)
+        self.position = position
+        self._solver.problem = replace(self.problem, schedule=_one_interval(GRID, piece))
+        self._read()
 
     def _intervals(self, seconds: float) -> tuple[int, float]:
         """Number and length [s] of the intervals of a tick."""

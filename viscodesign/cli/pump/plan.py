@@ -59,7 +59,7 @@ def command(
     pump_of(scene)
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
     prepare_folder(folder, force=force)
-    with progress(quiet, first="planning") as advance:
+    with progress(quiet, "planning", first="planning") as advance:
         found = plan(scene, progress=advance)
     files = write_plan(found, folder, plots=not no_plots, force=force)
     if json:
