@@ -35,6 +35,9 @@ FINEST = 0.5
 RATIO = 1.04
 """Between the margins that are tried."""
 MOST_FRAMES_FITTED = 10_000
+"""Of a profile [frames]: the search of one of a minute takes about as long."""
+USUAL_SEARCHES = 18
+"""Of one fit."""
 _WIDEST = 196
 """Number of a margin that is wider than all counts."""
 
@@ -85,10 +88,17 @@ class PoseFit:
 
 
 def fit_poses(
-    profile: Profile, *, loop: bool = False, travel: tuple[int, int] = (0, HIGHEST_COUNT)
+    profile: Profile,
+    *,
+    loop: bool = False,
+    travel: tuple[int, int] = (0, HIGHEST_COUNT),
+    progress: Callable[[float], None] = lambda part: None,
 ) -> PoseFit:
-    """The closest that 30 poses and 46 moves come to a profile; all within travel [counts]."""
-    return _Fitting(profile, loop, travel).best()
+    """The closest that 30 poses and 46 moves come to a profile; all within travel [counts].
+
+    ``progress`` is told the part that is done, roughly.
+    """
+    return _Fitting(profile, loop, travel, progress).best()
 
 
 @dataclass(frozen=True)
@@ -104,8 +114,16 @@ _Finder = Callable[[int], list[Vertex] | None]
 
 
 class _Fitting:
-    def __init__(self, profile: Profile, loop: bool, travel: tuple[int, int]) -> None:
+    def __init__(
+        self,
+        profile: Profile,
+        loop: bool,
+        travel: tuple[int, int],
+        progress: Callable[[float], None],
+    ) -> None:
         self.profile, self.loop, self.travel = profile, loop, travel
+        self.progress = progress
+        self._searches = 0
         exact = profile.duration / FRAME
         if exact > MOST_FRAMES_FITTED:
             raise PumpError(
@@ -157,6 +175,8 @@ class _Fitting:
         return self._search(number, poses).vertices(MOST_MOVES - 1)
 
     def _search(self, number: int, poses: set[Pose] | None = None) -> Search:
+        self._searches += 1
+        self.progress(min(self._searches / USUAL_SEARCHES, 1.0))
         return Search(self._tubes(number), closed=self.loop, poses=poses)
 
     def _tubes(self, number: int) -> list[Tube]:

@@ -74,7 +74,7 @@ def _sent(poses: Poses, *, moves: bool) -> list[bytes]:
 
     def see(elapsed: float) -> None:
         # A loop is left after its first round.
-        if elapsed > poses.fit.duration:
+        if poses.fit.looped and elapsed > poses.fit.duration:
             wish.times, wish.first = 1, "dry run"
 
     player = player_of(pump, poses, wish, see, tell=lambda words: None)

@@ -15,6 +15,7 @@ from viscodesign.cli.pump._session import Way, opened
 from viscodesign.cli.pump._setting import Setting
 from viscodesign.cli.pump._told import document_rows, ending_lines, servo_documents
 from viscodesign.cli.text import table
+from viscodesign.errors import InterruptedRunError
 from viscodesign.pumps.boards.arbotix import Arbotix
 from viscodesign.pumps.fit_error import FitError, Tolerance, refuse_coarse
 from viscodesign.pumps.gauges import Gauges
@@ -37,9 +38,9 @@ if TYPE_CHECKING:
     from viscodesign.scene.scene import Scene
 
 FORGOTTEN = (
-    "loaded, and not played. The board keeps it in RAM only: a reset, no power, or opening the "
-    "port again (which resets most boards) forgets it. Add --play or --loop to play it now, or "
-    "--export poses.h for a sketch that keeps it"
+    "loaded, and not played. The board keeps it in RAM only: a reset, a loss of power, or an "
+    "opening of the port that resets the board forgets it. Add --play or --loop to play it now, "
+    "or --export poses.h for a sketch that keeps it"
 )
 
 
@@ -66,11 +67,13 @@ class Poses:
         tolerance: Tolerance,
         *,
         loop: bool,
+        quiet: bool = False,
     ) -> Poses:
         """Fit a course of a plan; raises `PumpError` where it cannot be played closely enough."""
         profile = by_servo(plan.profile(course))
         lead, main = divided(profile, course.lead_s)
-        fit = fit_poses(main, loop=loop, travel=settings.travel)
+        with progress(quiet, "fitting", "fitting") as advance:
+            fit = fit_poses(main, loop=loop, travel=settings.travel, progress=advance)
         stiffness = [1e3 * plan.numbers[name]["kpa_per_count_fast"] for name in profile.inlets]
         volume = plan.numbers[profile.inlets[0]]["volume_per_count_m3"]
         error = FitError.of(fit, volume, stiffness)
@@ -87,7 +90,8 @@ class Poses:
         counts = np.array([goal[:-1] for goal in fit.sequence.goals()])
         low, high = self.settings.travel
         held = stalling_pressure(self.settings, limit) / 1e3
-        pace = "a round, until it is halted" if fit.looped else "once"
+        loses = "; the board's clock may lose up to 1 ms at each move"
+        pace = f"a round, until it is halted{loses}" if fit.looped else "once"
         return [
             ("plays", f"{self.scene.name}, {fit.duration:.4g} s {pace}"),
             (
@@ -191,6 +195,8 @@ class Upload:
             player.load()
             if not self.moves:
                 return None
+            if wish.asked:
+                raise InterruptedRunError("stopped before anything moved")
             ending = player.approach(self.poses.lead)
             if ending.status == "complete":
                 ending = player.play()

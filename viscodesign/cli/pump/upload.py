@@ -12,6 +12,7 @@ from viscodesign.cli.pump._options import Baud, Board, DryRun, Log, Port, Yes
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 
 if TYPE_CHECKING:
+    from viscodesign.cli.pump._poses import Poses
     from viscodesign.pumpplan import PumpCourse, PumpPlan
     from viscodesign.pumps.stream import Ending
 
@@ -43,7 +44,11 @@ def command(
             "--export", metavar="FILE", help="Write poses.h, for a sketch that needs no computer."
         ),
     ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Overwrite the exported file.")] = False,
+    picture: Annotated[
+        Path | None,
+        typer.Option("--picture", metavar="FILE", help="Draw wanted, played and error, as PNG."),
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite files that exist.")] = False,
     achievable: Annotated[
         bool,
         typer.Option(
@@ -66,7 +71,6 @@ def command(
     the pump while the board plays: Ctrl-C halts it after the move it is in.
     """
     from viscodesign import load
-    from viscodesign.cli.output import write_text
     from viscodesign.cli.progress import progress
     from viscodesign.cli.pump._pose_rehearsal import rehearsed
     from viscodesign.cli.pump._poses import FORGOTTEN, Poses, Upload
@@ -76,19 +80,17 @@ def command(
     from viscodesign.pumps.fit_error import Tolerance
 
     allowed = Tolerance.of(tolerance)
-    _check(board, port, play, loop, bool(export or dry_run))
+    _check(board, port, play, loop, bool(export or picture or dry_run))
     scene = load(spec, overrides or ())
     settings = pump_of(scene)
     with progress(quiet, "planning", "planning") as advance:
         planned = plan(scene, progress=advance)
     course = _course(planned, achievable)
-    poses = Poses.of(scene, settings, planned, course, allowed, loop=loop)
+    poses = Poses.of(scene, settings, planned, course, allowed, loop=loop, quiet=quiet)
     told: dict[str, Any] = poses.document()
-    if export is not None:
-        told |= {
-            "status": "written",
-            "file": str(write_text(export, poses.header(), overwrite=force)),
-        }
+    files = _write(poses, export, picture, force)
+    if files:
+        told |= {"status": "written", "files": [str(file) for file in files]}
     ending: Ending | None = None
     lines = poses.lines()
     if dry_run:
@@ -98,7 +100,8 @@ def command(
         ending = Upload(poses, way, way.clock(), play or loop, yes, quiet).perform()
         told["status"], lines = "loaded", [] if play or loop else [FORGOTTEN]
     if export is not None:
-        lines.append(f"written: {export}; its first lines say how a sketch plays it")
+        lines.append("a sketch that plays the header stands in its first lines")
+    lines += [f"written: {file}" for file in files]
     _say(told, ending, lines, json, quiet)
     _leave(ending)
 
@@ -132,6 +135,22 @@ def _course(plan: PumpPlan, achievable: bool) -> PumpCourse:
     bad = [f"  {v.message}" for v in plan.verdicts if v.severity == "infeasible"]
     remedy = "`pump plan` says what to change; --achievable plays what the pump can do"
     raise PumpError("\n".join(["the pump cannot play this:", *bad, remedy]))
+
+
+def _write(poses: Poses, export: Path | None, picture: Path | None, force: bool) -> list[Path]:
+    """The files asked for, each whole or not at all; none over another unless forced."""
+    from viscodesign.cli.output import write_text
+
+    taken = [file for file in (export, picture) if file is not None and file.exists()]
+    if taken and not force:
+        raise UsageError(f"{taken[0]} exists and is not overwritten; choose another, or --force")
+    if export is not None:
+        write_text(export, poses.header(), overwrite=force)
+    if picture is not None:
+        from viscodesign.report.fit_chart import draw_fit
+
+        draw_fit(poses.fit, poses.plan.wanted_run, picture)
+    return [file for file in (export, picture) if file is not None]
 
 
 def _say(

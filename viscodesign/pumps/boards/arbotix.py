@@ -13,9 +13,9 @@ from viscodesign.errors import PumpError
 from viscodesign.pumps import packets, registers
 from viscodesign.pumps.boards.base import Board, Goal
 from viscodesign.pumps.line import Line
-from viscodesign.pumps.packets import Packet, shown
+from viscodesign.pumps.packets import ErrorBits, Packet, shown
 from viscodesign.pumps.pose_packets import ARBOTIX, HALT
-from viscodesign.pumps.transaction import NoReplyError, Transactions
+from viscodesign.pumps.transaction import NoReplyError, ServoError, Transactions
 
 LONGEST_READ = 26
 """Bytes; a longer read overwrites the sequence."""
@@ -77,7 +77,14 @@ class Arbotix(Board):
             raise PumpError(
                 f"servo {servo}: {count} bytes at once; the PyPose firmware reads {LONGEST_READ}"
             )
-        return self.wire.read(servo, address, count)
+        try:
+            return self.wire.read(servo, address, count)
+        except ServoError as fault:
+            if fault.errors != ErrorBits.INSTRUCTION:
+                raise
+            # No servo says that of a read: it is the board, of packets that came broken.
+            self.hello()
+            return self.wire.read(servo, address, count)
 
     def write(self, servo: int, address: int, data: bytes) -> None:
         _refuse_long(servo, data)
