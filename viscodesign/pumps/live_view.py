@@ -68,9 +68,7 @@ class LiveView:
         for k, inlet in enumerate(self.inlets):
             name = f"{inlet} " if len(self.inlets) > 1 else ""
             wanted, measured = shown.sample.wanted[k], shown.sample.pressure[k]
-            parts.append(
-                f"{name}wanted {_kpa(wanted).strip()}, measured {_kpa(measured).strip()} gauge"
-            )
+            parts.append(f"{name}wanted {_kpa(wanted).strip()}, measured {_kpa(measured).strip()}")
         return [*parts, *([self._ticks(shown)] if shown.skipped else [])]
 
     def _label(self) -> str:

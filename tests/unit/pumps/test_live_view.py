@@ -69,7 +69,7 @@ def test_a_pipe_gets_a_line_every_few_seconds_without_codes() -> None:
         picture.show(shown(0.1 * k))
     lines = stream.getvalue().splitlines()
     assert len(lines) == 10.0 // REPORT
-    assert lines[0] == "[simulated] 0.0 of 8.0 s; wanted 12.50 kPa, measured 10.00 kPa gauge"
+    assert lines[0] == "[simulated] 0.0 of 8.0 s; wanted 12.50 kPa, measured 10.00 kPa"
     assert "\x1b" not in stream.getvalue()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -113,7 +113,7 @@ class Performance:
         """Identify all that is there, moving nothing; what a user should read of it."""
         found = pump.connect()
         told = pump.gauges.zero()
-        pump.look()
+        told += _unwatched(self.plan.inlets, pump.look()[1])
         return [
             *self.lines(),
             f"found {pump.identity}",
@@ -199,3 +199,9 @@ class Performance:
                 view.show(shown)
 
         return see
+
+
+def _unwatched(inlets: Sequence[str], pressure: Sequence[float | None]) -> list[str]:
+    """Inlets whose pressure nobody measures."""
+    blind = [name for name, value in zip(inlets, pressure, strict=True) if value is None]
+    return [f"{name} has no pressure sensor: only its torque limit guards it" for name in blind]
