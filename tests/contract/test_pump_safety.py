@@ -144,15 +144,27 @@ def test_a_servo_that_falls_silent(on_stop: str) -> None:
             return None if silent[0] and packet.id == 2 else answer(packet, now)
 
         rig.bench.answer = quiet  # type: ignore[method-assign]
-        streamed(rig, happen)
+        before = streamed(rig, happen)
         ending = rig.play_armed()
         assert (ending.status, ending.rule) == ("stopped", "replies")
         by_servo = {one.servo: one for one in ending.standing}
+        assert _silence_until_hold(rig, before, moment) < 0.25 + 1.5 / RATE
         assert by_servo[1].sure  # the other one is held all the same
         assert not by_servo[2].sure
         if on_stop != "release":
             assert "unseen" in by_servo[2].words
             promises(rig)
+
+
+def _silence_until_hold(rig: Rig, before: int, moment: int) -> float:
+    """From the first request that servo 2 leaves unanswered to the hold of servo 1 [s]."""
+    sent = rig.tap.sent[before:]
+    asked = next(s.time for s in sent[moment - 1 :] if s.packet.id == 2)
+    return next(
+        s.time - asked
+        for s in sent
+        if s.time > asked and list(s.register(registers.GOAL_POSITION)) == [1]
+    )
 
 
 def test_one_lost_or_broken_reply_is_asked_again_and_nothing_stops() -> None:

@@ -24,8 +24,8 @@ class LiveView:
     """On a terminal a picture, two bars for each inlet; in a pipe a line every few seconds."""
 
     inlets: Sequence[str]
-    cap: float
-    """Gauge [Pa]: the bars' right end."""
+    span: tuple[float, float]
+    """Gauge [Pa] at both ends of the bars: the deepest suction, or 0, and the cap."""
     duration: float
     """Of the profile [s]."""
     simulated: bool
@@ -68,9 +68,7 @@ class LiveView:
         for k, inlet in enumerate(self.inlets):
             name = f"{inlet} " if len(self.inlets) > 1 else ""
             wanted, measured = shown.sample.wanted[k], shown.sample.pressure[k]
-            parts.append(
-                f"{name}wanted {_kpa(wanted).strip()}, measured {_kpa(measured).strip()} gauge"
-            )
+            parts.append(f"{name}wanted {_kpa(wanted).strip()}, measured {_kpa(measured).strip()}")
         return [*parts, *([self._ticks(shown)] if shown.skipped else [])]
 
     def _label(self) -> str:
@@ -89,15 +87,23 @@ class LiveView:
         return f"({shown.skipped} ticks skipped)" if shown.skipped else ""
 
     def _bar(self, value: float | None, cells: int) -> str:
-        """From the left end: suction leaves it empty, the cap fills it."""
-        part = 0.0 if value is None else min(max(value / self.cap, 0.0), 1.0)
-        full = round(part * cells)
-        return "[" + "#" * full + "." * (cells - full) + "]"
+        """From the place of 0, marked, to both sides."""
+        low, high = self.span
+        zero = _cell(0.0, low, high, cells)
+        place = zero if value is None else _cell(value, low, high, cells)
+        first, last = sorted((zero, place))
+        bar = "." * first + "#" * (last - first) + "." * (cells - last)
+        return f"[{bar[:zero]}|{bar[zero:]}]"
 
     def _redraw(self, lines: Sequence[str]) -> None:
         up = f"\x1b[{self.height}A" if self.height else ""
         self.height = len(lines)
         self.outlet.write(up + "".join(f"\r\x1b[K{line}\n" for line in lines))
+
+
+def _cell(value: float, low: float, high: float, cells: int) -> int:
+    """Where a pressure lies on a bar."""
+    return round(min(max((value - low) / (high - low), 0.0), 1.0) * cells)
 
 
 def _kpa(value: float | None) -> str:

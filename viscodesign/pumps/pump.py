@@ -86,6 +86,7 @@ class Pump:
                 f"{free_speed(self.settings):.0f}: see `pump plan`"
             )
         limit = torque_limit(self.settings, speed)
+        self.board.hurry()
         for servo in self.servos:
             position = self._healthy(servo).position
             write_register(self.board, servo, registers.TORQUE_LIMIT, limit)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from viscodesign.errors import PumpError
@@ -53,6 +54,8 @@ class Transactions:
         self.line = line
         self.patience = patience
         """How long to wait for a reply [s]."""
+        self.longest = math.inf
+        """How long to go on asking the same thing [s]."""
         self._owed: set[tuple[int, int]] = set()
         """Id and number of parameters of replies that did not come."""
         self._speaker: int | None = None
@@ -126,7 +129,10 @@ class Transactions:
         that the request came broken is repeated like a lost one.
         """
         came, reply = b"", None
-        for _ in range(tries):
+        deadline = self.line.clock.now() + self.longest
+        for k in range(tries):
+            if k > 0 and self.line.clock.now() >= deadline:
+                break
             sure = self._settle(packet.id)
             if not sure and packet.code == Instruction.READ:
                 continue

@@ -173,9 +173,7 @@ def test_calibrate_writes_only_what_differs(call: Call, port: Port) -> None:
     assert before[1] == bytes(bench(2).servos[0].memory[: registers.RAM])  # the other servo
 
 
-def test_calibrate_asks_for_each(
-    call: Call, port: Port, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_calibrate_asks_for_each(call: Call, port: Port, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_confirm.sys.stdin, "isatty", lambda: True)
     answers = iter([True, False])
     monkeypatch.setattr(_confirm, "_agreed", lambda question: next(answers))

@@ -20,7 +20,7 @@ class Terminal(io.StringIO):
 
 def view(stream: io.TextIOBase, now: list[float], simulated: bool = False) -> LiveView:
     outlet = Outlet(stream)  # type: ignore[arg-type]
-    return LiveView(["inlet"], 20e3, 8.0, simulated, outlet, lambda: now[0])
+    return LiveView(["inlet"], (-10e3, 20e3), 8.0, simulated, outlet, lambda: now[0])
 
 
 def shown(time: float = 1.0, skipped: int = 0, stop: Stop | None = None) -> Shown:
@@ -33,14 +33,23 @@ def test_a_terminal_shows_numbers_and_bars_redrawn_in_place() -> None:
     picture.show(shown())
     first = stream.getvalue()
     assert "1.0 of 8.0 s" in first
-    assert "wanted     12.50 kPa [" in first
-    assert "measured   10.00 kPa [" in first
+    assert "wanted     12.50 kPa [..." in first
+    assert "measured   10.00 kPa [..." in first
     assert first.count("#") > 10
     assert "\x1b[3A" not in first
     now[0] += 1.0
     picture.show(shown(2.0, skipped=3))
     assert stream.getvalue()[len(first) :].startswith("\x1b[3A")
     assert "(3 ticks skipped)" in stream.getvalue()
+
+
+def test_bars_go_from_zero_to_both_sides() -> None:
+    picture = view(Terminal(), [0.0])
+    assert picture._bar(0.0, 30) == "[" + "." * 10 + "|" + "." * 20 + "]"
+    assert picture._bar(20e3, 30) == "[" + "." * 10 + "|" + "#" * 20 + "]"
+    assert picture._bar(-10e3, 30) == "[" + "#" * 10 + "|" + "." * 20 + "]"
+    assert picture._bar(99e3, 30) == picture._bar(20e3, 30)
+    assert picture._bar(None, 30) == picture._bar(0.0, 30)
 
 
 def test_a_terminal_is_not_redrawn_more_often_than_the_eye_sees() -> None:
@@ -60,7 +69,7 @@ def test_a_pipe_gets_a_line_every_few_seconds_without_codes() -> None:
         picture.show(shown(0.1 * k))
     lines = stream.getvalue().splitlines()
     assert len(lines) == 10.0 // REPORT
-    assert lines[0] == "[simulated] 0.0 of 8.0 s; wanted 12.50 kPa, measured 10.00 kPa gauge"
+    assert lines[0] == "[simulated] 0.0 of 8.0 s; wanted 12.50 kPa, measured 10.00 kPa"
     assert "\x1b" not in stream.getvalue()
 
 

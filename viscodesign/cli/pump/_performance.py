@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -86,7 +86,7 @@ class Performance:
     def lines(self) -> list[str]:
         """The plan, to be read before it is agreed to."""
         rows = plan_rows(self.plan, self.settings, self.rate, self.on_stop)
-        return [f"{self.way.label}{self.way.board}", *table(rows)]
+        return [f"{self.way.label}to be played on the board {self.way.board}", *table(rows)]
 
     def perform(self) -> Ending:
         """Connect, show, ask, stream, stand; raises `PumpError` where it does not begin."""
@@ -113,7 +113,7 @@ class Performance:
         """Identify all that is there, moving nothing; what a user should read of it."""
         found = pump.connect()
         told = pump.gauges.zero()
-        pump.look()
+        told += _unwatched(self.plan.inlets, pump.look()[1])
         return [
             *self.lines(),
             f"found {pump.identity}",
@@ -179,8 +179,8 @@ class Performance:
         outlet = Outlet(sys.stderr)
         course = self.plan.achievable
         duration = float(course.time[-1]) - course.lead_s
-        cap = self.settings.max_pressure
-        return outlet, LiveView(self.plan.inlets, cap, duration, self.way.simulated, outlet)
+        span = (min(float(course.pressure.min()), 0.0), self.settings.max_pressure)
+        return outlet, LiveView(self.plan.inlets, span, duration, self.way.simulated, outlet)
 
     def _seen_by(self, record: Record, log: ByteLog, view: LiveView) -> Callable[[Shown], None]:
         def see(shown: Shown) -> None:
@@ -199,3 +199,9 @@ class Performance:
                 view.show(shown)
 
         return see
+
+
+def _unwatched(inlets: Sequence[str], pressure: Sequence[float | None]) -> list[str]:
+    """Inlets whose pressure nobody measures."""
+    blind = [name for name, value in zip(inlets, pressure, strict=True) if value is None]
+    return [f"{name} has no pressure sensor: only its torque limit guards it" for name in blind]

@@ -45,13 +45,13 @@ class Way:
 
     def clock(self) -> Clock:
         """The real one; a simulated board's at the pace asked for."""
-        from viscodesign.pumps.clock import SteppedClock, WallClock
+        from viscodesign.pumps.clock import PacedClock, SteppedClock, WallClock
 
-        if self.pace == "1":
-            return WallClock()
-        if not self.simulated:
+        if self.simulated:
+            return SteppedClock() if self.pace == "max" else PacedClock(_factor(self.pace))
+        if self.pace != "1":
             raise UsageError(f"--pace {self.pace}: only the simulated board's time can be changed")
-        return SteppedClock() if self.pace == "max" else WallClock(_factor(self.pace))
+        return WallClock()
 
 
 def _factor(text: str) -> float:

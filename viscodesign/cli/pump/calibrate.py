@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 EXAMPLE = """\b
 Examples:
   viscodesign pump calibrate leg.yaml --board dynamixel --port /dev/ttyUSB0
-  viscodesign pump calibrate leg.yaml --board arbotix-ros --port /dev/ttyUSB0 --keep"""
+  viscodesign pump calibrate leg.yaml --board arbotix-ros --port /dev/ttyUSB0 \\
+    --keep"""
 AnyTravel = tuple[int, int]
 HIGHEST = 252
 """Id; 253 is the ArbotiX itself."""
@@ -52,11 +53,12 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Find home and travel, and set the servo's own angle limits to the travel.
+    """Find home and travel, and keep them in the servo.
 
-    Against limit switches where the spec names them, slowly and with little torque; else by
-    hand, with the torque off. The only command that writes what a servo keeps without power:
-    ids, angle limits and whether it answers; only what differs, and each is asked for.
+    Its own angle limits are set to the travel. Against limit switches where the spec names
+    them, slowly and with little torque; else by hand, with the torque off. The only command
+    that writes what a servo keeps without power: ids, angle limits and whether it answers;
+    only what differs, and each is asked for.
     """
     from viscodesign import load
     from viscodesign.cli.output import say

@@ -16,7 +16,10 @@ Example:
 
 
 def command(json: Json = False, quiet: Quiet = False, _debug: Debug = False) -> None:
-    """List serial ports, and what would make a slow one quick; opens none."""
+    """List serial ports, opening none.
+
+    Says too what would make a slow one quick.
+    """
     from viscodesign.cli.output import json_text, say
     from viscodesign.pumps.ports import ports
 

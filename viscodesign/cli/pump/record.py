@@ -46,10 +46,11 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Record pressure, position, load, voltage and temperature; reads only, no torque.
+    """Record what the pump's sensors say.
 
-    The columns are the simulator's and those of `pump stream`. Without a spec all servos that
-    answer are recorded, and no pressure.
+    Pressure, position, load, voltage and temperature; reads only, no torque. The columns are
+    the simulator's and those of `pump stream`. Without a spec all servos that answer are
+    recorded, and no pressure.
     """
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.pump._session import Way

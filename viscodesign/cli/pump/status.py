@@ -36,10 +36,10 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Show the servos that answer; with a spec, pressure and switches too.
+    """Show the servos that answer.
 
-    Reads only: no torque is switched, nothing is written to a servo. Exits with 4 where a
-    servo must not be moved as it is, and says why.
+    With a spec, pressure and switches too. Reads only: no torque is switched, nothing is
+    written to a servo. Exits with 4 where a servo must not be moved as it is, and says why.
     """
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.pump._session import Way, opened

@@ -48,7 +48,7 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Halt what the board plays, and hold every servo where it is.
+    """Stand still: halt the board, hold every servo.
 
     Works in any state and asks nothing. Says of each servo whether that was verified, and
     exits with 4 where it was not. A servo without torque is left without.

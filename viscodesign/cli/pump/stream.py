@@ -63,7 +63,7 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Play a spec's pressures on the pump, watched at every set-point.
+    """Play a spec's pressures, watched at every tick.
 
     Shows the plan and asks before anything moves. Every tick reads position, load, voltage,
     temperature and pressure, and stops at the first broken rule. Ctrl-C holds the plunger
@@ -173,6 +173,6 @@ def _leave(ending: Ending, folder: Path) -> None:
     """What did not end well is an error, after its files are written."""
     kept = f"the record up to there is in {folder}"
     if not ending.sure or ending.status == "stopped":
-        raise PumpError(f"{ending.reason}\n{kept}")
+        raise PumpError(f"stopped ({ending.rule or 'hold not verified'}); {kept}")
     if ending.status == "interrupted":
-        raise InterruptedRunError(f"{ending.reason}\n{kept}")
+        raise InterruptedRunError(f"interrupted; {kept}")

@@ -78,6 +78,12 @@ class Board(ABC):
             f"servo {servo}: the board {self.name} does not write what servos keep without power"
         )
 
+    def hurry(self) -> None:  # noqa: B027
+        """From now on something moves: give up asking before a silence has lasted too long.
+
+        Boards that play by themselves have nothing to do here.
+        """
+
     def answers(self, servo: int) -> bool:
         """Whether a servo answers at all; with error bits too."""
         try:
