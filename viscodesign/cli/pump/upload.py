@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 EXAMPLE = """\b
 Examples:
   viscodesign pump upload leg.yaml --dry-run --loop
-  viscodesign pump upload leg.yaml --port /dev/ttyUSB0 --play --tolerance "1 kPa"
-  viscodesign pump upload leg.yaml --loop --export poses.h"""
+  viscodesign pump upload leg.yaml --port /dev/ttyUSB0 --play
+  viscodesign pump upload leg.yaml --tolerance "0.5 kPa" --export poses.h"""
 
 
 def command(
@@ -63,12 +63,13 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Fit a spec's pressures to 30 poses and 46 moves, and let an ArbotiX play them.
+    """Fit a spec's pressures to 30 poses and 46 moves, for an ArbotiX to play.
 
-    For the firmware PyPose, with which the board comes. The fit follows that firmware's own
-    timing, and its largest error is that of the motion which the board plays; above --tolerance
-    it is refused. Before anything moves the plan is shown, and agreed to. Nothing supervises
-    the pump while the board plays: Ctrl-C halts it after the move it is in.
+    For the firmware PyPose, with which the board comes. The fit follows that
+    firmware's own timing; its largest error is that of the motion which the board
+    plays, and above --tolerance it is refused. Before anything moves the plan is
+    shown, and agreed to. Nothing supervises the pump while the board plays: Ctrl-C
+    halts it after the move it is in.
     """
     from viscodesign import load
     from viscodesign.cli.progress import progress
