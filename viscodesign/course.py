@@ -17,6 +17,10 @@ SLOW_SOUND_FRACTION = 0.3
 CHOKING_FRACTION = 0.8
 """Mach number near which a gas in a tube goes no faster, whatever drives it."""
 SMALL_STRETCH = 0.2
+LARGE_VOLUME = 7**0.5
+"""Volume of a bellow, of that at rest, from which no linear law can be trusted: there even a thin
+sphere of a neo-Hookean elastomer, whose pressure goes as 1/s - 1/s^7 with its stretch s, has
+passed its peak, at s^6 = 7."""
 SLIGHT = 0.02
 """Part of its floor by which a bellow may pass it: loads take volume too."""
 
@@ -47,6 +51,7 @@ def course_notices(conditions: Conditions, course: Course) -> Iterator[Notice]:
     if not course.time.size:
         return  # it ended before the first output
     yield from _bellow_extremes(conditions, course)
+    yield from _swelling_notice(conditions, course)
     yield from _flow_notices(conditions, course)
     yield from _strain_notices(conditions, course)
     yield from _curve_notice(conditions, course)
@@ -74,6 +79,22 @@ def _bellow_extremes(conditions: Conditions, course: Course) -> Iterator[Notice]
             f"{count} of {len(course.bellows)} bellows fall below their floor of "
             f"{law.floor_volume / law.rest_volume:.3g} of the rest volume; {course.bellows[which]} "
             f"goes to {least / law.rest_volume:.3g}",
+            course.bellows[which],
+            float(course.time[when]),
+        )
+
+
+def _swelling_notice(conditions: Conditions, course: Course) -> Iterator[Notice]:
+    if "material_curve" in conditions.taken:
+        return  # it was measured, or `extrapolated_curve` says where it was not
+    when, which = _worst(course.volume)
+    share = course.volume[when, which] / conditions.bellow.rest_volume
+    if share > LARGE_VOLUME:
+        yield Notice(
+            "large_volume",
+            f"{course.bellows[which]} swells to {share:.3g} times its rest volume: beyond about "
+            f"{LARGE_VOLUME:.2g} times an elastomer's wall gives way faster than linearly; give "
+            "what was measured (bellows.curve)",
             course.bellows[which],
             float(course.time[when]),
         )
@@ -129,7 +150,7 @@ def _curve_notice(conditions: Conditions, course: Course) -> Iterator[Notice]:
     curve = conditions.scene.bellows.curve
     if curve is None or curve.rows is None or "material_curve" not in conditions.taken:
         return
-    low, high = curve.rows[0][0], curve.rows[-1][0]
+    low, high = (pick(row[0] for row in curve.rows) for pick in (min, max))
     beyond = np.maximum(course.pressure - high, low - course.pressure)
     when, which = _worst(beyond)
     if beyond[when, which] > 0.0:

@@ -9,8 +9,10 @@ from collections.abc import Iterator
 
 from viscodesign.effects.conditions import Conditions
 from viscodesign.errors import Fault, SpecError
+from viscodesign.model.network_equations import SNAPS_AT_ONCE
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE
 from viscodesign.physics import bellow
+from viscodesign.scene.bellows import snaps
 
 MOST_CONTRAST = 1e13
 """Ratio of two tubes' resistances in one network that double precision still carries."""
@@ -31,7 +33,13 @@ def refuse_beyond_numbers(conditions: Conditions) -> None:
 
 
 def refuse_unsolvable(conditions: Conditions) -> None:
-    """Raise `SpecError` where feedback leaves a held section no positive compliance."""
+    """Raise `SpecError` for a curve that snaps at once, and for negative compliances.
+
+    The latter where feedback leaves a held section none that is positive.
+    """
+    at_once = "pressure_distribution" not in conditions.taken
+    if at_once and "material_curve" in conditions.taken and snaps(conditions.scene.bellows):
+        raise SpecError.plain(SNAPS_AT_ONCE)
     if "feedback" not in conditions.taken:
         return
     for name, key, value in _blocked(conditions):

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.model.formulation import Equations
 from viscodesign.model.rod import Body
+from viscodesign.model.unknowns import Unknowns
+from viscodesign.solve.stiffness import Stiffness
 
 
 @dataclass(frozen=True)
@@ -49,6 +52,17 @@ class Problem:
     flow_shares: np.ndarray
     """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
 
+    @cached_property
+    def stiffness(self) -> Stiffness | None:
+        """What judges a static rod by its algebraic equations; None where none is algebraic."""
+        unknowns, function = self.equations.algebraics, self.equations.algebraic_function
+        return _stiffness(unknowns, function)
+
+    @cached_property
+    def static_stiffness(self) -> Stiffness | None:
+        """The same by the equations of the equilibrium."""
+        return _stiffness(self.equations.statics, self.equations.static_function)
+
     @property
     def unknowns(self) -> int:
         """Number of states and algebraic unknowns."""
@@ -77,6 +91,12 @@ class Problem:
             self.equations.sealed_volumes,
             self.equations.parameter_values,
         )
+
+
+def _stiffness(unknowns: Unknowns, function: ca.Function) -> Stiffness | None:
+    if "position" not in unknowns.blocks:
+        return None
+    return Stiffness(unknowns, function.sparsity_out(1))
 
 
 class Bound:

@@ -121,7 +121,7 @@ def integrate(
         while record.done < len(edges) - 1 and failure is None and not interrupt.asked:
             first, began = record.done, clock.perf_counter()
             stop = min(first + length, len(edges) - 1)
-            columns, failure = ladder.march(record.here, first, stop, work)
+            columns, failure = ladder.go(record.here, first, stop, work)
             record.keep(columns)
             if failure is not None and failure.quantity != "work" and not interrupt.asked:
                 columns, failure = ladder.climb(record.here, record.done, work, failure)
