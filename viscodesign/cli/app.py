@@ -51,7 +51,7 @@ def viscodesign(
 
     A spec (YAML) describes one actuator, its tubes, its fluid and its input.
     Exit codes: 0 done; 2 wrong usage or spec; 3 the solve failed; 4 the pump or its
-    port; 130 interrupted.
+    port, or a plan that the pump cannot do; 130 interrupted.
     """
 
 

@@ -207,13 +207,16 @@ class PosePlayer:
         return Ending("complete", "played to its end")
 
     def _stand(self) -> list[Standing]:
-        """Halt what may be playing, then hold; where the board stays deaf, only that is told."""
+        """Halt what may be playing, then hold, or drop the torque where a stop was asked twice.
+
+        Where the board stays deaf, only that is told.
+        """
         if self._began is not None and not self._halted():
             return [
                 Standing(servo, False, "the board still plays or hangs; switch its power off")
                 for servo in self.pump.servos
             ]
-        return self.pump.hold()
+        return self.pump.release() if self.wish.urgent else self.pump.hold()
 
     def _halted(self) -> bool:
         """Halt; repeated, since a halt may be lost on the way, and never anything before it."""

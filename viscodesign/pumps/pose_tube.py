@@ -87,7 +87,8 @@ class Tube:
     def moves_from(self, frame: int, goal: int) -> np.ndarray:
         """(H, W) whether a move from a goal may last so many frames, to goals above the base.
 
-        Row F - 1 is for F frames, and its goals count from the base of the frame it ends in.
+        Row F - 1 is for F frames, and its goals count from the base of the frame it ends in;
+        the last row is that of the longest move there is.
         """
         longest = min(MOST_FRAMES, self.last - frame)
         allowed = np.zeros((longest, self.width), dtype=bool)
@@ -101,7 +102,7 @@ class Tube:
         inexact = np.ones(longest, dtype=bool)
         inexact[exact[exact <= longest] - 1] = False
         allowed[inexact] = False
-        return allowed
+        return allowed[: int(np.max(np.flatnonzero(allowed.any(axis=1)), initial=-1)) + 1]
 
     def is_open(self, frame: int, start: int, goal: int) -> bool:
         """Whether a move of two frames between goals stays inside."""

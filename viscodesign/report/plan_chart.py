@@ -54,6 +54,8 @@ class Panel:
     """Levels with their names."""
     most: tuple[float, float] | None = None
     """Range beyond which nothing is drawn."""
+    shows: float = 0.0
+    """A mark is brought into the picture where a curve comes to this part of it."""
 
 
 def draw_plan(plan: PumpPlan, path: Path) -> None:
@@ -102,6 +104,7 @@ def _panels(plan: PumpPlan) -> tuple[Panel, ...]:
             100.0,
             (("a fifth: advice", 20.0), ("stall", 100.0)),
             (0.0, 160.0),
+            0.5,
         ),
     )
 
@@ -118,6 +121,9 @@ def _draw_panel(axes: Axes, plan: PumpPlan, panel: Panel) -> None:
         low, high = min(low, values[inside].min()), max(high, values[inside].max())
     if panel.most is not None:
         low, high = max(low, panel.most[0]), min(high, panel.most[1])
+    for _, level in panel.marks:
+        if panel.shows and high >= panel.shows * level:
+            high = max(high, level)
     margin = 0.08 * (high - low) or 0.1 * abs(high) or 1.0
     axes.set(xlim=(begin, end), ylim=(low - margin, high + margin))
     axes.set_ylabel(panel.label, fontsize=8, labelpad=4)

@@ -100,6 +100,14 @@ def test_the_header_is_written_once(upload: Upload, tmp_path: Path) -> None:
     assert upload("--export", file, "--force", "--quiet") == Outcome(0, "", "")
 
 
+def test_the_fit_is_drawn(upload: Upload, tmp_path: Path) -> None:
+    file = tmp_path / "upload.png"
+    outcome = upload("--picture", file)
+    assert (outcome.status, outcome.err) == (0, "")
+    assert file.read_bytes().startswith(b"\x89PNG")
+    assert upload("--picture", file).status == 2
+
+
 def test_json_is_one_document(upload: Upload, tmp_path: Path) -> None:
     outcome = upload("--export", tmp_path / "poses.h", "--json")
     document = json.loads(outcome.out)

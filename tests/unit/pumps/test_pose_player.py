@@ -10,6 +10,7 @@ from tests.pumps import HOME
 from viscodesign.errors import PumpError
 from viscodesign.pumps import registers
 from viscodesign.pumps.pose_engine import FRAME
+from viscodesign.pumps.pose_packets import load_pose
 from viscodesign.pumps.pose_player import by_servo, divided, playing_speed
 from viscodesign.pumps.virtual import faults
 
@@ -83,17 +84,26 @@ def test_a_play_whose_answer_is_lost_is_not_sent_again_but_halted() -> None:
     assert len(rig.bench.goals) <= 0.6 / FRAME + max(rig.fit.move_frames)
 
 
-@pytest.mark.parametrize("request_", range(5))
-def test_what_is_left_of_half_a_packet_starts_nothing_unseen(request_: int) -> None:
+@pytest.mark.parametrize("cut", range(1, 9))
+def test_what_is_left_of_half_a_packet_starts_nothing_unseen(cut: int) -> None:
     rig = PoseRig()
     rig.begin()
-    rig.line.write(b"\xff\xff\xfd\x04")
+    rig.line.write(load_pose(0, (300, 0)).encode()[:cut])
     rig.clock.sleep(0.01)
     ending = rig.player.play()
     assert ending.status in ("complete", "stopped")
-    assert ending.sure
+    # Behind an id the next header is a length of 255, which hangs the firmware for good.
+    assert ending.sure is (cut != 3)
     played = len(rig.bench.goals) > 0
     assert played == (ending.status == "complete")
+
+
+def test_a_second_wish_to_stop_drops_the_torque_once_it_is_halted() -> None:
+    rig = PoseRig(loop=True)
+    rig.player.see = lambda elapsed: rig.wish.__dict__.update(times=2, first="SIGINT")
+    ending = rig.play()
+    assert ending.sure
+    assert "torque is off" in ending.standing[0].words
 
 
 @pytest.mark.parametrize("kind", [faults.LostReply, faults.CorruptReply, faults.CorruptRequest])
