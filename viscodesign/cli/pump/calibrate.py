@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 EXAMPLE = """\b
 Examples:
   viscodesign pump calibrate leg.yaml --board dynamixel --port /dev/ttyUSB0
-  viscodesign pump calibrate leg.yaml --board arbotix-ros --port /dev/ttyUSB0 \\
-    --keep"""
+  viscodesign pump calibrate leg.yaml --keep --board dynamixel \\
+    --port /dev/ttyUSB0"""
 AnyTravel = tuple[int, int]
 HIGHEST = 252
 """Id; 253 is the ArbotiX itself."""
