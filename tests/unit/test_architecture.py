@@ -24,6 +24,7 @@ LAYERS = [
     ["build", "outputs"],
     ["effects"],
     ["sketch"],
+    ["recording"],
     ["report"],
     ["trajectory", "tradeoff", "pumpplan"],
     ["solve"],

@@ -42,6 +42,9 @@ class Sensor(Part):
     """The pressure sensor's analog channel."""
 
     channel: int = Field(ge=0, le=7)
+    on: Literal["auto", "board", "phidget"] = Field(
+        "auto", description="Where it hangs; auto: on the board, or on a kit where that has no pins"
+    )
 
 
 class LimitSwitches(Part):
