@@ -25,7 +25,18 @@ class Fault:
         place = self.file
         if self.file and self.line is not None:
             place = f"{self.file}:{self.line}"
-        return ": ".join(part for part in (place, self.key, self.message) if part)
+        return ": ".join(_abridged(part) for part in (place, self.key, self.message) if part)
+
+
+LONGEST = 600
+"""Characters of a place, a key or a message: whatever a spec holds, a message can be read."""
+
+
+def _abridged(text: str) -> str:
+    """A text without its middle, where that makes it too long to read."""
+    if len(text) <= LONGEST:
+        return text
+    return f"{text[: LONGEST // 2]} [...] {text[-LONGEST // 4 :]}"
 
 
 class SpecError(ViscodesignError):

@@ -142,8 +142,8 @@ def _interpolated_nodes(
     problem: Problem, rows: _Rows, keep: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """The chain's nodes, with points between them on cubics that meet the tangents."""
-    position = rows["position"][keep].reshape(len(keep), -1, 2)
-    edges = position.shape[1]
+    edges = rows["position"].shape[1] // 2
+    position = rows["position"][keep].reshape(len(keep), edges, 2)
     per_edge = max(1, -(-SHAPE_POINTS // edges))
     angle = np.concatenate([np.zeros((len(keep), 1)), rows["angle"][keep]], axis=1)
     nodes = np.concatenate([np.zeros((len(keep), 1, 2)), position], axis=1)
