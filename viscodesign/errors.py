@@ -39,6 +39,10 @@ def _abridged(text: str) -> str:
     return f"{text[: LONGEST // 2]} [...] {text[-LONGEST // 4 :]}"
 
 
+MOST_TOLD = 60
+"""Faults that a message lists; what has more is no slip but another file."""
+
+
 class SpecError(ViscodesignError):
     """A spec that cannot be run; holds every fault that was found."""
 
@@ -46,7 +50,10 @@ class SpecError(ViscodesignError):
 
     def __init__(self, faults: Sequence[Fault]) -> None:
         self.faults = list(faults)
-        super().__init__("\n".join(str(fault) for fault in self.faults))
+        told = [str(fault) for fault in self.faults[:MOST_TOLD]]
+        if len(self.faults) > MOST_TOLD:
+            told.append(f"and {len(self.faults) - MOST_TOLD} faults more")
+        super().__init__("\n".join(told))
 
     @classmethod
     def plain(cls, message: str) -> SpecError:

@@ -24,6 +24,9 @@ from tests.fuzz.judge import (
 from tests.fuzz.scenes import Draft
 from viscodesign import Trajectory, load, simulate
 from viscodesign.cli.main import INTERNAL_ERROR, main
+from viscodesign.effects.conditions import Conditions
+from viscodesign.errors import SpecError
+from viscodesign.posed import refuse_beyond_numbers
 
 REFUSED, FAILED = 2, 3
 
@@ -67,6 +70,15 @@ def said(words: Sequence[str]) -> Said:
     return Said(code, out.getvalue(), err.getvalue())
 
 
+def has_timescales(file: Path, overrides: Sequence[str] = ()) -> bool:
+    """Whether numbers hold its sizes: then it has a place, be it ill posed for a solution."""
+    try:
+        refuse_beyond_numbers(Conditions(load(file, overrides)))
+    except SpecError:
+        return False
+    return True
+
+
 def commanded(draft: Draft, folder: Path, first: Verdict) -> Verdict:
     """The first verdict, with what the commands and the resolved spec add to it."""
     found = list(_of_commands(draft, folder, first))
@@ -80,11 +92,12 @@ def _of_commands(draft: Draft, folder: Path, first: Verdict) -> Iterator[str]:
     file = str(written(draft, folder))
     ran = {"complete": 0, "refused": REFUSED}.get(first.ending, FAILED)
     weighed = REFUSED if ran == REFUSED else 0
+    placed = 0 if has_timescales(Path(file)) else REFUSED
     lines = {
         ("simulate", file, "-o", str(folder / "cli"), "--no-plots", "--json", "-q"): ran,
         ("check", file, "--json"): weighed,
         ("check", file): weighed,
-        ("classify", file, "--json"): weighed,
+        ("classify", file, "--json"): placed,
     }
     for words, wanted in lines.items():
         answer = said(words)

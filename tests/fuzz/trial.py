@@ -12,8 +12,8 @@ from tests.fuzz.judge import Verdict, judged
 from tests.fuzz.scenes import Draft, draft
 from tests.fuzz.twins import TWINS, compared
 
-SECOND_LOOKS = (*TWINS, "commands")
-"""Every scene gets one of them, in turn."""
+SECOND_LOOKS = (*TWINS, "commands", *("none",) * 4)
+"""Scenes get one of them in turn, and some none."""
 
 
 def drawn(seed: object, number: int) -> Draft:
@@ -26,7 +26,9 @@ def tried(scene: Draft, number: int) -> Verdict:
     look = SECOND_LOOKS[number % len(SECOND_LOOKS)]
     with tempfile.TemporaryDirectory() as folder:
         first = judged(scene, Path(folder))
-        if look == "commands":
+        if look == "none":
+            verdict = first
+        elif look == "commands":
             verdict = commanded(scene, Path(folder), first)
         else:
             verdict = compared(look, dice_of("twin", number), scene, first)

@@ -115,7 +115,7 @@ def listed_otherwise(dice: Random, spec: Spec) -> Spec | None:
 def finer(dice: Random, spec: Spec) -> Spec:
     """A tenth of the accuracy."""
     spec["accuracy"] /= 10
-    spec["run"]["max_steps"] *= 10
+    spec["run"]["max_steps"] *= 4
     return spec
 
 
