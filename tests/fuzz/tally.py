@@ -39,7 +39,10 @@ class Tally:
             times = sorted(self.seconds)
             worst = ", ".join(f"{s:.1f} s (number {k})" for s, k in times[:-4:-1])
             middle = statistics.median(s for s, _ in times)
-            lines += ["", f"Processor time of a trial: {middle:.3g} s in the median; worst {worst}."]
+            lines += [
+                "",
+                f"Processor time of a trial: {middle:.3g} s in the median; worst {worst}.",
+            ]
         lines += [f"{self._numbers(name)}" for name in sorted(self.numbers)]
         return "\n".join(lines) + "\n"
 
