@@ -88,6 +88,17 @@ def _extreme_number(dice: Random, tree: Any) -> None:
         parent[key] = dice.choice([1, -1]) * float(f"{10 ** dice.uniform(-320, 308):.3g}")
 
 
+def _other_number(dice: Random, tree: Any) -> None:
+    """A number some powers of ten away: a wrong prefix, a slipped point."""
+    numbers = [
+        (parent, key)
+        for parent, key in places(tree)
+        if isinstance(parent[key], float) or (isinstance(parent[key], int) and parent[key] > 1)
+    ]
+    for parent, key in dice.sample(numbers, min(len(numbers), 2)):
+        parent[key] = float(f"{parent[key] * 10 ** dice.uniform(-6, 6):.3g}")
+
+
 def _wrap(dice: Random, tree: Any) -> None:
     """A value one level deeper than it belongs."""
     parent, key = _place(dice, tree)
@@ -107,7 +118,7 @@ def _move(dice: Random, tree: Any) -> None:
 
 TREE_DAMAGES: list[Callable[[Random, Any], None]] = [
     _delete, _rename, _odd_key, _odd_value, _odd_value, _odd_value, _wrong_unit, _extreme_number,
-    _wrap, _move,
+    _wrap, _move, _other_number, _other_number, _extreme_number,
 ]  # fmt: skip
 
 
@@ -127,6 +138,10 @@ def _set_value(dice: Random, tree: Any) -> str:
 
 def _set_unit(dice: Random, tree: Any) -> str:
     return f"{_path(dice, tree)}={dice.choice([1, -2, 0.5, '1e9'])} {dice.choice(UNITS)}"
+
+
+def _set_number(dice: Random, tree: Any) -> str:
+    return f"{_path(dice, tree)}={10 ** dice.uniform(-12, 12):.3g}"
 
 
 def _set_below(dice: Random, tree: Any) -> str:
@@ -153,5 +168,5 @@ def _word(dice: Random) -> str:
 
 
 OVERRIDES: list[Callable[[Random, Any], str]] = [
-    _set_value, _set_value, _set_unit, _set_below, _set_elsewhere,
+    _set_value, _set_value, _set_unit, _set_below, _set_elsewhere, _set_number, _set_number,
 ]  # fmt: skip
