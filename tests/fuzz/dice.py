@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from random import Random
 
-RARE = 0.03
+RARE = 0.015
 """Chance that a size is drawn far from the usual ones."""
 FAR = 5.0
 """Powers of ten that such a size may lie beyond its usual range."""

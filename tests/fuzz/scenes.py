@@ -16,9 +16,9 @@ from tests.fuzz.networks import network
 from viscodesign.effects.select import effect_names
 
 Spec = dict[str, Any]
-MOST_STEPS = 2_500
+MOST_STEPS = 1_500
 """Work that a scene may cost, its verification included."""
-SECTIONS = (1, 1, 1, 1, 2, 2, 2, 2, 2, 3, 3, 3, 4, 4, 5, 6, 7, 8, 12)
+SECTIONS = (1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 3, 4, 4, 5, 6, 8, 12)
 """Few of many: their cost grows faster than what they show."""
 
 

@@ -12,7 +12,7 @@ from tests.fuzz.judge import Verdict, judged
 from tests.fuzz.scenes import Draft, draft
 from tests.fuzz.twins import TWINS, compared
 
-SECOND_LOOKS = (*TWINS, "commands", *("none",) * 4)
+SECOND_LOOKS = (*TWINS, "commands", *("none",) * 7)
 """Scenes get one of them in turn, and some none."""
 
 
