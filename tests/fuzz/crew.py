@@ -21,6 +21,8 @@ TASKS_PER_WORKER = 200
 Task = Callable[[Any, int], Any]
 """Of a seed and a number; lives in a module, since workers import it."""
 
+Answer = tuple[int, Any, float]
+
 
 @dataclass(frozen=True)
 class Died:
@@ -47,9 +49,7 @@ class _Worker:
         self.pipe.close()
 
 
-def answers(
-    task: Task, seed: object, numbers: Iterable[int], jobs: int
-) -> Iterator[tuple[int, Any, float]]:
+def answers(task: Task, seed: object, numbers: Iterable[int], jobs: int) -> Iterator[Answer]:
     """Number, answer (or `Died`) and seconds of a processor of every task, as they come."""
     waiting = iter(numbers)
     workers = [w for _ in range(jobs) if (w := _started(task, seed, waiting)) is not None]

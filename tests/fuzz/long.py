@@ -8,6 +8,7 @@ python -m tests.fuzz.long --only-broken 137 --seed 1   one broken spec again
 from __future__ import annotations
 
 import argparse
+import contextlib
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -23,6 +24,8 @@ from tests.fuzz.judge import Verdict
 from tests.fuzz.tally import Tally
 from tests.fuzz.trial import drawn, tried
 
+EVERY = 100
+"""Trials between two words of progress."""
 MOST_KEPT = 3
 """Specs kept of every way to end early, for a look."""
 
@@ -102,7 +105,8 @@ def _counted(
 ) -> Tally:
     tally = Tally(title)
     numbers = range(given.first, given.first + count)
-    for number, answer, seconds in crew.answers(task, given.seed, numbers, given.jobs):
+    found = crew.answers(task, given.seed, numbers, given.jobs)
+    for number, answer, seconds in _until_interrupted(found):
         verdict = Verdict("dies", (answer.how,)) if isinstance(answer, crew.Died) else answer
         told = "; ".join(verdict.complaints)
         tally.add(number, verdict.ending, told, seconds, verdict.numbers)
@@ -113,7 +117,15 @@ def _counted(
             (given.output / name).write_text(head + text_of(given.seed, number), encoding="utf-8")
         if told:
             print(number, verdict.ending, told[:300], flush=True)
+        if tally.count % EVERY == 0:
+            print(f"{title}: {tally.count} of {count}", flush=True)
     return tally
+
+
+def _until_interrupted(found: Iterator[crew.Answer]) -> Iterator[crew.Answer]:
+    """What comes before Ctrl-C, which ends a count early: its table is printed all the same."""
+    with contextlib.suppress(KeyboardInterrupt):
+        yield from found
 
 
 def _one(text_of: Callable[[str, int], str], task: crew.Task, seed: str, number: int) -> int:

@@ -28,12 +28,16 @@ class Tally:
         for name, value in told.items():
             self.numbers[name].append(value)
 
+    @property
+    def count(self) -> int:
+        """How many trials."""
+        return sum(self.endings.values())
+
     def table(self) -> str:
         """In Markdown."""
-        count = sum(self.endings.values())
         lines = [f"## {self.title}", "", "| ending | trials |", "|---|---:|"]
         lines += [f"| {ending} | {n} |" for ending, n in self.endings.most_common()]
-        lines += [f"| **all** | **{count}** |", "", f"{len(self.findings)} findings."]
+        lines += [f"| **all** | **{self.count}** |", "", f"{len(self.findings)} findings."]
         lines += [f"- {number}: {told[:300]}" for number, told in sorted(self.findings)]
         if self.seconds:
             times = sorted(self.seconds)
