@@ -15,7 +15,7 @@ MEMORY = 6 << 30
 """Bytes of addresses that a worker may take; more is a finding, not the end of the machine."""
 DEADLINE = 1200.0
 """Wall seconds after which a worker is ended that no alarm could reach."""
-TASKS_PER_WORKER = 200
+TASKS_PER_WORKER = 500
 """After which a worker is replaced, so that nothing piles up."""
 
 Task = Callable[[Any, int], Any]
