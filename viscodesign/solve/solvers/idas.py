@@ -117,7 +117,7 @@ class Idas(Solver):
     def _patience(self) -> int:
         """Steps from one output to the next, once a part of the run has failed."""
         allowed = max(self.problem.most_steps // PART_AFTER_FAILURE, 1)
-        return min(MAX_STEPS_AFTER_FAILURE, allowed, self.options["max_num_steps"])
+        return min(MAX_STEPS_AFTER_FAILURE, allowed, int(self.options["max_num_steps"]))
 
     def remedies(self) -> Iterator[tuple[str, Solver]]:
         """Care, then order 2, then a smaller tolerance."""
