@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.solve.problem import Problem
+from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.transient import Solution
 from viscodesign.trajectory import Invariants
 
@@ -25,36 +27,6 @@ FLOW_NOISE = 1e-6
 ENERGIES = ("fluid_energy", "kinetic_energy", "load_energy", "elastic_energy")
 
 Rows = Mapping[str, np.ndarray]
-
-
-def read_invariants(problem: Problem, solution: Solution, rows: Rows, end: int) -> Invariants:
-    """Both balances over the first ``end`` solved times; ``rows``: named outputs (T, n)."""
-    volume = _volume_imbalance(problem, solution, rows, end)
-    energy, coupling = _energy_imbalance(problem, solution, rows, end)
-    return Invariants(volume, energy, coupling)
-
-
-def _volume_imbalance(problem: Problem, solution: Solution, rows: Rows, end: int) -> float:
-    """Largest difference between what flowed in and what is stored, over what moved."""
-    equations = problem.equations
-    stored = rows["stored"][:end]
-    # Where nothing moves, round-off is told against what is stored.
-    moved = max(
-        float(np.max(np.abs(stored - stored[0]))), STANDSTILL * float(np.max(np.abs(stored)))
-    )
-    worst = 0.0
-    fed = np.zeros((0, end))
-    if "inflow" in equations.states.blocks:
-        fed = equations.states.physical("inflow", solution.states)[:, :end]
-    for component, inflow in zip(equations.fed, fed, strict=False):
-        held = stored[:, _columns(problem, component)].sum(axis=1)
-        scale = max(moved, float(np.max(np.abs(inflow))))
-        worst = max(worst, float(np.max(np.abs(held - held[0] - inflow))) / scale)
-    for component, filled in zip(equations.sealed, equations.sealed_volumes, strict=True):
-        held = stored[:, _columns(problem, component)].sum(axis=1)
-        reference = held[0] if equations.network_form is NetworkForm.DISTRIBUTED else filled
-        worst = max(worst, float(np.max(np.abs(held - reference))) / moved)
-    return worst
 
 
 def _columns(problem: Problem, component: Component) -> list[int]:
@@ -155,3 +127,117 @@ def _trapezoids(force: np.ndarray, path: np.ndarray, step: int) -> np.ndarray:
     some, way = force[::step], path[::step]
     parts = np.sum((some[1:] + some[:-1]) / 2 * np.diff(way, axis=0), axis=1)
     return np.concatenate([[0.0], np.cumsum(parts)])
+
+
+@dataclass(frozen=True)
+class Block:
+    """Consecutive solved edges: scaled unknowns (n, m), integrals (nq, m), named outputs (m, n)."""
+
+    first: int
+    """Number of the first edge."""
+    states: np.ndarray
+    algebraics: np.ndarray
+    integrals: np.ndarray
+    rows: Rows
+
+
+class Ledger:
+    """Both balances of a run, told block by block."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._fluid = FluidLedger(problem)
+        self._kept: list[Block] = []
+        self._edges = 0
+
+    def add(self, block: Block) -> None:
+        """Take in the edges that follow those before."""
+        self._fluid.add(block)
+        self._edges += block.states.shape[1]
+        told = {name: block.rows[name] for name in ASKED_FOR if name in block.rows}
+        # Of what is more than can be held the balance of energy is not told.
+        is_held = self._edges <= MOST_EDGES
+        self._kept = [*self._kept, replace(block, rows=told)] if is_held else []
+
+    def invariants(self, steps: int) -> Invariants:
+        """What holds over all edges told, to which an integrator came in ``steps``."""
+        if not self._kept:
+            return Invariants(self._fluid.imbalance(), None, None)
+        kept = self._kept
+        states = np.concatenate([block.states for block in kept], axis=1)
+        integrals = np.concatenate([block.integrals for block in kept], axis=1)
+        rows = {n: np.concatenate([block.rows[n] for block in kept]) for n in kept[0].rows}
+        solution = Solution(states, states[:0], integrals, self._edges, Work(steps=steps))
+        energy, coupling = _energy_imbalance(self._problem, solution, rows, self._edges)
+        return Invariants(self._fluid.imbalance(), energy, coupling)
+
+
+MOST_EDGES = 50_000
+"""Edges over which work is summed up at once."""
+ASKED_FOR = (
+    *ENERGIES,
+    "pressure",
+    "unpaired_volume",
+    "carried_energy",
+    "stored",
+    "specific_work",
+    "plunger_pressure",
+    "pushed",
+)
+
+
+class FluidLedger:
+    """Largest difference between what flowed in and what is stored, over what moved."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        equations = problem.equations
+        self._fed = [_columns(problem, c) for c in equations.fed]
+        self._sealed = [_columns(problem, c) for c in equations.sealed]
+        self._start: np.ndarray | None = None
+        self._apart = np.zeros(len(self._fed) + len(self._sealed))
+        self._inflow = np.zeros(len(self._fed))
+        self._moved = self._held = 0.0
+
+    def add(self, block: Block) -> None:
+        """Take in the edges that follow those before."""
+        stored = block.rows["stored"]
+        if not stored.size:
+            return
+        if self._start is None:
+            self._start = stored[0]
+        self._moved = max(self._moved, float(np.max(np.abs(stored - self._start))))
+        self._held = max(self._held, float(np.max(np.abs(stored))))
+        self._add_fed(block, stored)
+        self._add_sealed(stored)
+
+    def _add_fed(self, block: Block, stored: np.ndarray) -> None:
+        states = self._problem.equations.states
+        if "inflow" not in states.blocks:
+            return
+        inflows = states.physical("inflow", block.states)
+        for k, (own, inflow) in enumerate(zip(self._fed, inflows, strict=True)):
+            self._inflow[k] = max(self._inflow[k], float(np.max(np.abs(inflow))))
+            self._note(k, stored, own, inflow)
+
+    def _add_sealed(self, stored: np.ndarray) -> None:
+        equations = self._problem.equations
+        distributed = equations.network_form is NetworkForm.DISTRIBUTED
+        filled = zip(self._sealed, equations.sealed_volumes, strict=True)
+        for k, (own, volume) in enumerate(filled, start=len(self._fed)):
+            assert self._start is not None
+            reference = 0.0 if distributed else volume - float(self._start[own].sum())
+            self._note(k, stored, own, reference)
+
+    def _note(self, k: int, stored: np.ndarray, own: list[int], came: np.ndarray | float) -> None:
+        assert self._start is not None
+        gained = stored[:, own].sum(axis=1) - self._start[own].sum()
+        self._apart[k] = max(self._apart[k], float(np.max(np.abs(gained - came))))
+
+    def imbalance(self) -> float:
+        """Over all edges told."""
+        # Where nothing moves, round-off is told against what is stored.
+        moved = max(self._moved, STANDSTILL * self._held)
+        scale = np.full(len(self._apart), moved)
+        scale[: len(self._fed)] = np.maximum(moved, self._inflow)
+        return float(np.max(self._apart / scale, initial=0.0)) if moved else 0.0

@@ -18,7 +18,7 @@ from viscodesign.model.system import Source, Syringe, System
 from viscodesign.model.unknowns import Sizes
 from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
 from viscodesign.scene.scene import Scene
-from viscodesign.solve.problem import Problem, Schedule
+from viscodesign.solve.problem import Pieces, Problem, Schedule
 from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue
 
 SHARE_OF_TIME = 0.5
@@ -152,17 +152,17 @@ def schedule(scene: Scene) -> Schedule:
     """Output times, corners of all inputs, and the coefficients between them."""
     duration = scene.run.duration
     times = scene.run.output_times_array()
-    corners = sorted({c for source in scene.inputs.values() for c in source.corners(duration)})
-    stops = _merge(np.array([0.0, *corners, duration]), duration)
+    corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
+    stops = _merge(np.concatenate([[0.0], *corners, [duration]]), duration)
     edges = _merge(np.concatenate([times, stops]), duration)
-    interval = np.searchsorted(stops, (edges[:-1] + edges[1:]) / 2, side="right") - 1
+    firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
     sources = scene.inputs.values()
     pieces = np.concatenate(
         [s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))], 1
     )
     initial = np.concatenate([s.initial_piece() for s in sources] or [np.zeros(0)])
     outputs = np.searchsorted(edges, times - 1e-12 * duration)
-    return Schedule(edges, pieces[interval], outputs, initial)
+    return Schedule(edges, Pieces(pieces, firsts, len(edges) - 1), outputs, initial)
 
 
 def _merge(times: np.ndarray, duration: float) -> np.ndarray:

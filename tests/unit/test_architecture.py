@@ -20,7 +20,8 @@ LAYERS = [
     ["classifying"],
     ["loading", "motion", "validity", "course", "posed", "stability"],
     ["watching"],
-    ["build", "balances"],
+    ["balances"],
+    ["build", "outputs"],
     ["effects"],
     ["sketch"],
     ["report"],
@@ -30,6 +31,7 @@ LAYERS = [
     ["scene"],
     ["model"],
     ["physics"],
+    ["shelf"],
     ["units", "errors", "catalog", "_version"],
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}

@@ -20,11 +20,11 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.coupling import BellowLaw, pair_pressures
+from viscodesign.model.coupling import BellowLaw, in_pairs
 from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, ChainRod
-from viscodesign.model.wall import LinearWall, Wall
+from viscodesign.model.wall import LinearWall, SnappingWall, Wall
 
 SX = ca.SX
 
@@ -106,6 +106,9 @@ class System:
         # Laws that an effect may replace.
         self.fluid: FluidLaw = Incompressible()
         self.wall: Wall = self.linear_wall()
+        self.filled_swelling = SX(0)
+        self.swelling: dict[str, SX] = {}
+        """Volume of every bellow beyond that at rest [m3], where pressure does not settle it."""
 
         # The sums that effects join.
         self.kinetic_energy = SX(0)
@@ -152,6 +155,7 @@ class System:
             *(self.wall_volume(name) for name in nodes),
             *(self.stored(name) for name in nodes),
             *(self.plunger_pressure(name) for name in self.syringes),
+            self.swelling_defects(),
             *self.pushed_value.values(),
             *self.inlet_pressure.values(),
         ]
@@ -168,6 +172,7 @@ class System:
             tuple(sorted(self.inertance)),
             tuple(self.syringes),
             type(self.fluid).__name__,
+            tuple(self.swelling),
             tuple(self._parameters),
         )
 
@@ -223,7 +228,7 @@ class System:
 
     @cached_property
     def _bellow_volumes(self) -> dict[str, SX]:
-        volumes = self.wall.volume(ca.vertcat(*self.pressure.values()))
+        volumes = self.wall.volume(ca.vertcat(*self.told_by.values()))
         return dict(zip(self.pressure, ca.vertsplit(volumes), strict=True))
 
     def volume(self, node: str) -> SX:
@@ -330,6 +335,27 @@ class System:
             self.parameter("stretch_per_pressure", law.stretch_per_pressure),
         )
 
+    def let_snap(self, wall: SnappingWall, filled: float) -> None:
+        """Give every bellow a law by which the pressure follows from its swelling.
+
+        ``filled``: swelling at the pressure at which sealed parts were filled [m3].
+        """
+        self.wall = wall
+        self.filled_swelling = self.parameter("filled_swelling", filled)
+        self.swelling = {name: SX.sym(f"swelling_{name}") for name in self.pressure}
+
+    @property
+    def told_by(self) -> dict[str, SX]:
+        """What the laws of the bellows' walls are functions of: pressure, or swelling."""
+        return self.swelling or self.pressure
+
+    def swelling_defects(self) -> SX:
+        """Pressure of every swelling less the bellow's own (B,) [Pa]; none where none swells."""
+        if not isinstance(self.wall, SnappingWall):
+            return SX(0, 1)
+        pressure = ca.vertcat(*self.pressure.values())
+        return self.wall.pressure(ca.vertcat(*self.swelling.values())) - pressure
+
     @cached_property
     def intrinsic_curvature(self) -> SX:
         """Curvature of every section that its pressures ask for (S,) [1/m]."""
@@ -344,14 +370,14 @@ class System:
 
     @cached_property
     def _columns(self) -> tuple[SX, SX]:
-        """Pressures of the left and of the right bellows, clamp first (S,)."""
-        left, right = zip(*pair_pressures(self.graph, self.pressure), strict=True)
+        """What the laws of the left and the right bellows depend on, clamp first (S,)."""
+        left, right = zip(*in_pairs(self.graph, self.told_by), strict=True)
         return ca.vertcat(*left), ca.vertcat(*right)
 
     def fluid_energy(self) -> SX:
         """Energy of walls and fluid whose rate is the work of what flows in [J]."""
         energy = self.tube_energy + sum((self.barrel_energy(name) for name in self.syringes), SX(0))
-        energy += ca.sum1(self.wall.energy(ca.vertcat(*self.pressure.values())))
+        energy += ca.sum1(self.wall.energy(ca.vertcat(*self.told_by.values())))
         for name in (*self.pressure, *self.storing_nodes()):
             pressure = self.node_pressure(name)
             energy += pressure * (self.volume(name) - self.wall_volume(name))

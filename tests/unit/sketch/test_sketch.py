@@ -290,6 +290,13 @@ def test_a_long_train_is_sketched_by_its_beginning() -> None:
     assert len(sketch.ground.time) < 3000
 
 
+def test_outputs_rarer_than_the_sketch_is_long_may_fall_upon_any_sample() -> None:
+    run = "run={duration: 2000 s, output_interval: 50 s}"
+    sketch = bare("input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}", run)
+    assert len(sketch.ground.told) > 500
+    assert sketch.distance(sketch.with_(uniform=False)) > 0.0
+
+
 def test_the_start_is_told_as_it_leaves_and_a_corner_as_it_is_reached() -> None:
     """A step at zero shows at once; one at an output time not yet."""
     sketch = bare(

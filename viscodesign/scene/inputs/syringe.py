@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
 from viscodesign.scene.base import Complaint, refuse_any
@@ -85,14 +86,14 @@ class Syringe(PiecewiseLinear):
             points.append((later, place))
         return points
 
-    def vertices(self, duration: float) -> list[tuple[float, float]]:
+    def vertices(self, duration: float) -> np.ndarray:
         points = self._positions()
         last, place = points[-1]
         end = max(duration, last) + 1.0
         if self.speeds is not None:
             place += self.speeds[-1][1] * (end - last)
         first = [(0.0, points[0][1])] if points[0][0] > 0 else []
-        return [(t, self.area * x) for t, x in [*first, *points, (end, place)]]
+        return np.array([(t, self.area * x) for t, x in [*first, *points, (end, place)]])
 
     def initial(self) -> float:
         return self.area * self._positions()[0][1]
