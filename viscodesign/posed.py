@@ -86,17 +86,12 @@ def _beyond(conditions: Conditions) -> Iterator[tuple[str, str]]:
         yield key, f"comes to {value:.3g} in SI units, beyond the range of numbers"
     if lost:
         return
-<<<<<<< HEAD
     of_network = list(_network(conditions))
     yield from of_network
     if not of_network:
         # The times of a network beyond numbers are none to compare a rod's with.
         yield from _rod(conditions)
-=======
-    yield from _network(conditions)
-    yield from _rod(conditions)
-    yield from _work(conditions)
->>>>>>> main
+        yield from _work(conditions)
 
 
 def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
