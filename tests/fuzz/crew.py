@@ -124,5 +124,8 @@ def _work(task: Task, seed: object, pipe: Connection) -> None:
         except EOFError:
             return
         began = time.process_time()
-        answer = task(seed, number)
+        try:
+            answer = task(seed, number)
+        except Exception as error:  # of the judge itself: told, not lost
+            answer = Died(f"{type(error).__name__} in the trial itself: {error}"[:300])
         pipe.send((answer, time.process_time() - began))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import datetime
 from collections.abc import Callable, Iterator
 from random import Random
@@ -29,6 +30,11 @@ UNITS = (
     "mm", "m", "kPa", "Pa", "s", "ms", "kg", "rad", "deg", "degC", "K", "N", "Hz", "m^2/Pa", "Pa*s",
     "J", "V", "A", "mol", "bit", "m^3", "1/m", "m/s", "%", "", "pint", "bar", "atm", "psi", "inch",
 )  # fmt: skip
+
+
+def _odd(dice: Random) -> Any:
+    """One of them of its own: later damages may change it."""
+    return copy.deepcopy(dice.choice(ODD_VALUES))
 
 
 def places(tree: Any) -> Iterator[Place]:
@@ -67,12 +73,12 @@ def _odd_key(dice: Random, tree: Any) -> None:
     parent, _ = _place(dice, tree, in_mapping=True)
     _, other = _place(dice, tree)
     key = dice.choice([other, "", " ", None, 7, 1.5, True, "<<", "a.b", "k" * 3000, "ключ", "\x07"])
-    parent[key] = dice.choice(ODD_VALUES)
+    parent[key] = _odd(dice)
 
 
 def _odd_value(dice: Random, tree: Any) -> None:
     parent, key = _place(dice, tree)
-    parent[key] = dice.choice(ODD_VALUES)
+    parent[key] = _odd(dice)
 
 
 def _wrong_unit(dice: Random, tree: Any) -> None:
@@ -103,7 +109,9 @@ def _wrap(dice: Random, tree: Any) -> None:
     """A value one level deeper than it belongs."""
     parent, key = _place(dice, tree)
     value = parent[key]
-    parent[key] = dice.choice([[value], {"value": value}, {str(key): value}, [value, value]])
+    parent[key] = dice.choice(
+        [[value], {"value": value}, {str(key): value}, [value, copy.deepcopy(value)]]
+    )
 
 
 def _move(dice: Random, tree: Any) -> None:
