@@ -75,8 +75,8 @@ class Outputs:
 
     def _interpolated_nodes(self, keep: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The chain's nodes, with points between them on cubics that meet the tangents."""
-        position = self["position"][keep].reshape(len(keep), -1, 2)
-        edges = position.shape[1]
+        edges = self["position"].shape[1] // 2
+        position = self["position"][keep].reshape(len(keep), edges, 2)
         per_edge = max(1, -(-SHAPE_POINTS // edges))
         angle = np.concatenate([np.zeros((len(keep), 1)), self["angle"][keep]], axis=1)
         nodes = np.concatenate([np.zeros((len(keep), 1, 2)), position], axis=1)

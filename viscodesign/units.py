@@ -80,6 +80,14 @@ class Kind:
         if not _starts_with_number(text):
             raise self._refuse(f"'{text}' has no number")
         quantity = self._quantity(text)
+        try:
+            return self._in_si(quantity, text)
+        except PydanticCustomError:
+            raise
+        except (TypeError, ValueError, ArithmeticError) as error:  # as pint does for decibels
+            raise self._refuse(f"'{text}' is in a unit that is not read here") from error
+
+    def _in_si(self, quantity: pint.Quantity[Any], text: str) -> float:
         if quantity.dimensionless and self.unit not in ("1", "rad") and not _has_unit(text):
             return float(quantity.magnitude)
         units = type(quantity)(Decimal(1), self.unit if self.unit != "1" else "")

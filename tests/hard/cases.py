@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tests.hard import (
     buckling_cases,
+    found_cases,
     gas_cases,
     limit_cases,
     linear_cases,
@@ -21,4 +22,5 @@ CASES: tuple[Case, ...] = (
     *rod_cases.CASES,
     *limit_cases.CASES,
     *snap_cases.CASES,
+    *found_cases.CASES,
 )

@@ -96,7 +96,8 @@ class Ground:
         sides = (np.array([-1.0]), np.zeros(len(time)), np.full(len(before), -1.0))
         shift = 1e-9 * duration * np.concatenate(sides)
         order = np.argsort(everything + shift, kind="stable")
-        return everything[order], shift[order]
+        # A sample that lies closer before a corner than the shift would follow it.
+        return np.maximum.accumulate(everything[order]), shift[order]
 
     def _window(self) -> float:
         """Time up to which the motion is sketched [s]."""

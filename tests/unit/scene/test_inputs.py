@@ -190,3 +190,11 @@ def test_refusals(source: str, words: str) -> None:
 def test_a_million_periods_are_refused() -> None:
     with pytest.raises(SpecError, match="periods"):
         leg("input={kind: square, high: 1, low: 0, frequency: 1 MHz}", "run.duration=100 s")
+
+
+def test_the_value_at_the_start_lists_no_periods_beyond_it() -> None:
+    fast = leg(
+        "input={kind: trapezoid, high: 1, rise: 1e-8 s, fall: 1e-8 s}",
+        "run={duration: 1e-6 s, output_interval: 1e-7 s}",
+    ).inputs["inlet"]
+    assert fast.values(np.zeros(1)).tolist() == [0.0]  # of a second there would be 5e7

@@ -113,7 +113,7 @@ class PiecewiseLinear(Input):
 
     def values(self, t: np.ndarray) -> np.ndarray:
         times = np.asarray(t, dtype=float)
-        starts, values, slopes = self._lines(float(np.max(times, initial=0.0)) or 1.0)
+        starts, values, slopes = self._lines(float(np.max(times, initial=0.0)))
         index = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
         return np.asarray(values[index] + slopes[index] * (times - starts[index]))
 
