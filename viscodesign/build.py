@@ -73,6 +73,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         scene.ambient_pressure,
         settings.edges_per_section,
     )
+    system.wide = _wide_tubes(conditions)
     for effect in effects:
         effect.join(system)
     sizes = Sizes(
@@ -92,6 +93,25 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         most_steps=scene.run.max_steps,
         flow_shares=_flow_shares(conditions, equations.network_form),
     )
+
+
+HARDLY_RESISTS = 3e-3
+"""Time in which a tube fills one bellow, in times of the input's swing, below which the flow
+through it is an unknown of its own. At the tolerances of the default accuracy (1e-5 of the
+pressure) an error of pressure would pass for 1/300 of that flow."""
+MOST_RESIST = 0.75
+"""Part of the tubes that bound the flow through the others."""
+
+
+def _wide_tubes(conditions: Conditions) -> frozenset[str]:
+    """Tubes whose flow the input's swing, or the other tubes, bound far more than they do."""
+    if not conditions.resistances:
+        return frozenset()
+    swing = min(conditions.scales.t_i, conditions.scene.run.duration)
+    filling = swing / conditions.bellow.compliance
+    others = float(np.quantile(list(conditions.resistances.values()), MOST_RESIST, method="nearest"))
+    least = HARDLY_RESISTS * max(filling, others)
+    return frozenset(name for name, value in conditions.resistances.items() if value < least)
 
 
 INEXTENSIBLE = 30.0

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from viscodesign.balances import read_invariants
+from viscodesign.balances import Block, Ledger
 from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
@@ -78,7 +78,7 @@ def read_motion(problem: Problem, solution: Solution) -> Motion:
         shape=shape,
         section_stretch=stretch[keep],
         section_turn=turn[keep],
-        invariants=read_invariants(problem, solution, rows.values, end),
+        invariants=_invariants(problem, solution, rows.values, end),
         failure=failure,
     )
 
@@ -104,6 +104,17 @@ def _evaluate(problem: Problem, solution: Solution) -> _Rows:
     for name in ("pressure", "volume", "unpaired_volume"):
         values[name] = values[name][:, problem.places]
     return _Rows(problem.schedule.edges[: solution.reached], values)
+
+
+def _invariants(
+    problem: Problem, solution: Solution, rows: dict[str, np.ndarray], end: int
+) -> Invariants:
+    """Both balances up to the first ``end`` solved edges."""
+    ledger = Ledger(problem)
+    unknowns = (solution.states, solution.algebraics, solution.integrals)
+    told = {name: values[:end] for name, values in rows.items()}
+    ledger.add(Block(0, *(columns[:, :end] for columns in unknowns), told))
+    return ledger.invariants(solution.work.steps)
 
 
 def _section_strains(problem: Problem, rows: _Rows) -> tuple[np.ndarray, np.ndarray]:

@@ -34,12 +34,15 @@ from viscodesign.model.network_equations import NetworkEquations, NetworkForm
 from viscodesign.model.rod_equations import RodEquations, RodForm
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes, SizeSymbols, Unknowns, column, substitute
+from viscodesign.model.work import Clock, Way, rates_and_ways
 
 SX = ca.SX
 
 
 MOST_KEPT = 16
 """Structures whose formulas are kept for the next scene of the same kind."""
+NUMBERS = 5
+"""Of what follows from the parameters alone, before the sizes of the unknowns."""
 MOST_COMPILED = 12
 """Compiled functions that are kept with each."""
 
@@ -60,7 +63,11 @@ class Formulas:
     ode: SX
     alg: SX
     rates: dict[str, SX]
-    """Powers and flows whose integrals the balances need."""
+    """Powers whose integrals the balances need [W]."""
+    quadrature: SX
+    """The same over the size of an energy: what an integrator integrates, and controls."""
+    ways: dict[str, Way]
+    """How works of forces along paths are integrated, by name."""
     function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> (ode, alg)."""
     static_function: ca.Function
@@ -71,8 +78,8 @@ class Formulas:
     output_function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
     quantity_function: ca.Function
-    """parameters -> (sealed_volumes, rest_amounts, motion time, swing time, and the
-    sizes of all blocks of states, algebraics and statics)."""
+    """parameters -> (sealed_volumes, rest_amounts, motion time, swing time, energy size, and
+    the sizes of all blocks of states, algebraics and statics)."""
     fed: tuple[Component, ...]
     sealed: tuple[Component, ...]
     storing: tuple[str, ...]
@@ -85,9 +92,9 @@ class Formulas:
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
         found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
-        sealed, rest, motion, swing = found[:4]
+        sealed, rest, motion, swing, energy = found[:NUMBERS]
         groups = [self.states, self.algebraics, self.statics]
-        ends = 4 + np.cumsum([0, *(len(group.blocks) for group in groups)])
+        ends = NUMBERS + np.cumsum([0, *(len(group.blocks) for group in groups)])
         sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
         own = {f.name: getattr(self, f.name) for f in fields(self)}
         names = ("states", "algebraics", "statics")
@@ -98,6 +105,7 @@ class Formulas:
             rest_amounts=rest,
             swing_time=float(swing[0]),
             motion_time=float(motion[0]),
+            energy_size=float(energy[0]),
         )
 
 
@@ -114,6 +122,8 @@ class Equations(Formulas):
     """Time in which the inlets may change by all of their pressure [s]."""
     motion_time: float
     """Time in which the rod moves by itself: the size of its velocities is length over it [s]."""
+    energy_size: float
+    """By which energies are divided in `quadrature` [J]."""
 
 
 _kept: Latest[Formulas] = Latest(MOST_KEPT)
@@ -165,8 +175,8 @@ class _Formulation:
             expressions = substitute(expressions, step)
         return expressions
 
-    def _balances(self) -> tuple[list[SX], dict[str, SX], dict[str, SX]]:
-        """(ode, alg), rates and outputs, in the unknowns."""
+    def _balances(self) -> tuple[list[SX], dict[str, SX], dict[str, SX], dict[str, Way]]:
+        """(ode, alg), rates, outputs and ways of works, in the unknowns."""
         network, rod = self.network.dynamics(), self.rod.dynamics()
         rates = self.network.rates() | self.rod.rates()
         outputs = self.network.outputs(self.rod.conjugate_volumes()) | self.rod.outputs()
@@ -174,11 +184,16 @@ class _Formulation:
         groups = (self.states, self.algebraics)
         resolved = self._resolve([*sides, *rates.values(), *outputs.values()], groups)
         count = 2 + len(rates)
-        return (
-            list(ca.cse(resolved[:2])),
-            dict(zip(rates, resolved[2:count], strict=True)),
-            dict(zip(outputs, resolved[count:], strict=True)),
-        )
+        rates = dict(zip(rates, resolved[2:count], strict=True))
+        outputs = dict(zip(outputs, resolved[count:], strict=True))
+        x, z = self.states.vector, self.algebraics.vector
+        clock = Clock(self.system.time, x, z, resolved[0])
+        works, ways = rates_and_ways(clock, outputs, self.network.works())
+        rates = {name: rate for name, rate in (rates | works).items() if not rate.is_zero()}
+        return list(ca.cse(resolved[:2])), rates, outputs, ways
+
+    def _energy_size(self) -> SX:
+        return self.network.energy_size() + self.rod.energy_size()
 
     def _statics(self) -> list[SX]:
         rod = self.system.rod
@@ -197,6 +212,7 @@ class _Formulation:
             self.network.rest_amounts(nodes),
             self.sizes.time,
             self.sizes.swing,
+            self._energy_size(),
             *(
                 size
                 for group in (self.states, self.algebraics, self.statics)
@@ -206,7 +222,7 @@ class _Formulation:
 
     def formulas(self) -> Formulas:
         """Assemble, resolve and compile."""
-        (ode, alg), rates, outputs = self._balances()
+        (ode, alg), rates, outputs, ways = self._balances()
         static, *static_values = self._statics()
         system, network = self.system, self.network
         quantities = self._quantities()
@@ -231,6 +247,8 @@ class _Formulation:
             ode=ode,
             alg=alg,
             rates=rates,
+            quadrature=column([rate / self._energy_size() for rate in rates.values()]),
+            ways=ways,
             function=ca.Function("balances", [x, z, *tail], [ode, alg]),
             static_function=ca.Function(
                 "equilibrium", [y, *tail], [static, ca.jacobian(static, y), *static_values]

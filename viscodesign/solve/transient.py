@@ -44,7 +44,7 @@ class Solution:
     algebraics: np.ndarray
     """(nz, m)"""
     integrals: np.ndarray
-    """(nq, m) running integrals of the equations' rates, in SI."""
+    """(nq, m) running integrals of the equations' rates, over `energy_size`."""
     reached: int
     """Number of edges solved, counted from the first."""
     work: Work

@@ -159,6 +159,6 @@ def _reduced(problem: Problem) -> ca.Function:
     """
     e = problem.equations
     x, z = e.states.vector, e.algebraics.vector
-    rates = ca.vertcat(e.ode, *e.rates.values())
+    rates = ca.vertcat(e.ode, e.quadrature)
     results = [rates, e.alg, *(ca.jacobian(f, v) for v in (z, x) for f in (rates, e.alg))]
     return ca.Function("reduced", [x, z, e.time, e.pieces, e.parameters], results)

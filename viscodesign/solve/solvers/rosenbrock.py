@@ -243,7 +243,7 @@ def step_function(equations: Equations) -> ca.Function:
     """
     integrals = SX.sym("integrals", len(equations.rates))
     y = ca.vertcat(equations.states.vector, equations.algebraics.vector, integrals)
-    rates = ca.vertcat(equations.ode, equations.alg, *equations.rates.values())
+    rates = ca.vertcat(equations.ode, equations.alg, equations.quadrature)
     t, h, tail = equations.time, SX.sym("step"), [equations.pieces, equations.parameters]
     balances = ca.Function("balances", [y, t, *tail], [rates])
     mass = ca.DM.ones(y.numel())
