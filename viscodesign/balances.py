@@ -147,7 +147,7 @@ class EnergyLedger:
         self._opening: np.ndarray | None = None
         """The row in which the stretch at hand began."""
         self._edges = 0
-        self._unsure = 0.0
+        self._summed = self._unsure = 0.0
         self._off = self._worst = 0.0
         self._works = dict.fromkeys(FORCE_AND_PATH, 0.0)
         self._largest = {"pump": 0.0, "coupling": 0.0, "stored": 0.0}
@@ -197,9 +197,11 @@ class EnergyLedger:
         ends = rows[cuts]
         for name in FORCE_AND_PATH:
             told = table.told(name, ends)
-            summed, unsure = table.summed(name, rows, cuts)
+            parts, unsure = table.summed(name, rows, cuts)
+            summed = np.concatenate([[0.0], np.cumsum(parts)])
             works[name] = self._works[name] + told - told[0] + summed
-            self._unsure += unsure
+            self._summed += float(np.abs(parts).sum())
+            self._unsure += float(unsure.sum())
             self._works[name] = float(works[name][-1])
         stored, lost = table.energies(ends).sum(axis=1), table.lost(ends)
         done = sum(works.values(), np.zeros(len(ends)))
@@ -240,8 +242,8 @@ class EnergyLedger:
             STANDSTILL**2 * self._problem.equations.energy_size,
         )
         # Samples that are rarer than the swings look smooth and are not.
-        rare = self._unsure > 0.0 and steps > MOST_STEPS_BETWEEN * self._edges
-        if rare or self._unsure > UNSURE * scale:
+        rare = steps > MOST_STEPS_BETWEEN * self._edges
+        if (self._summed if rare else self._unsure) > UNSURE * scale:
             return None, coupled
         return self._worst / scale, coupled
 
@@ -320,14 +322,15 @@ class EnergyTable:
         ends = self._spans.get("ends of " + work, slice(0, 0))
         return self._integral(work, rows) + rows[:, ends].sum(axis=1)
 
-    def summed(self, work: str, rows: np.ndarray, cuts: np.ndarray) -> tuple[np.ndarray, float]:
-        """The rest of it at rows ``cuts``, from none at the first, and its uncertainty [J]."""
+    def summed(
+        self, work: str, rows: np.ndarray, cuts: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The rest of it between rows ``cuts`` (g + 1,), and its uncertainty (g,) [J]."""
         span = self._spans.get("force of " + work, slice(0, 0))
         if span.start == span.stop:
-            return np.zeros(len(cuts)), 0.0
+            return np.zeros(len(cuts) - 1), np.zeros(len(cuts) - 1)
         force, path = rows[:, span], rows[:, self._spans["path of " + work]]
-        parts, unsure = path_integrals(rows[:, 0], force, path, cuts)
-        return np.concatenate([[0.0], np.cumsum(parts)]), float(unsure.sum())
+        return path_integrals(rows[:, 0], force, path, cuts)
 
     def _integral(self, rate: str, rows: np.ndarray) -> np.ndarray:
         if rate not in self._rates:

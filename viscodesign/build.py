@@ -16,6 +16,7 @@ from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES, Body
 from viscodesign.model.system import Source, Syringe, System
 from viscodesign.model.unknowns import Sizes
+from viscodesign.sampling import with_samples
 from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Problem, Schedule
@@ -88,7 +89,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         bellows=conditions.graph.bellows,
         bellows_along_tubes=conditions.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
-        schedule=schedule(scene),
+        schedule=with_samples(schedule(scene), equations),
         floor_volume=_floor(conditions, effects),
         most_steps=scene.run.max_steps,
         flow_shares=_flow_shares(conditions, equations.network_form),

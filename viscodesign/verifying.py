@@ -43,6 +43,8 @@ are tried."""
 ENERGY_LIMIT = 1e-4
 """Imbalance of energy, over the work done, above which smaller steps are tried once the tip is
 exact enough: a motion that looks right may still lose or gain what it should keep."""
+MOST_LEFT = 0.8
+"""Part of an imbalance that smaller steps may leave, or no more are tried."""
 
 
 @dataclass(frozen=True)
@@ -134,7 +136,7 @@ class Verifier:
             solved_m = time_m + space_m
             if parts.total_m <= self.requested_m or solved_m <= self._negligible():
                 imbalance = run.motion.invariants.energy_imbalance_rel or 0.0
-                if imbalance <= ENERGY_LIMIT or imbalance > lost / 2:
+                if imbalance <= ENERGY_LIMIT or imbalance > MOST_LEFT * lost:
                     return run, parts
                 lost = imbalance
         if time_m is None or space_m is None:

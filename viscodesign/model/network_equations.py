@@ -151,8 +151,8 @@ class NetworkEquations:
         return self._flow_sizes(tubes) * ca.DM(factors)
 
     def energy_size(self) -> SX:
-        """What the bellows take up at the size of pressure [J]."""
-        return len(self.system.pressure) * self._volume_size() * self.sizes.pressure
+        """What a bellow takes up at the size of pressure [J]."""
+        return self._volume_size() * self.sizes.pressure
 
     def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
         """Give every connected network one pressure: its inlet's, or an unknown."""

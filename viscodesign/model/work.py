@@ -48,12 +48,9 @@ class Clock:
         return ca.jacobian(value, self.time) + ca.jtimes(value, self.states, self.ode)
 
     def tells(self, values: SX) -> np.ndarray:
-        """Which of them (n,) depend on nothing but states and time; none where nothing moves."""
-        count = values.numel()
-        if not self.states.numel():
-            return np.zeros(count, dtype=bool)
+        """Which of them (n,) depend on nothing but states and time."""
         rows, _ = ca.jacobian(values, self.algebraics).sparsity().get_triplet()
-        return ~np.isin(np.arange(count), rows)
+        return ~np.isin(np.arange(values.numel()), rows)
 
 
 def rates_and_ways(
@@ -67,6 +64,9 @@ def rates_and_ways(
             continue
         direct = clock.tells(path)
         by_parts = clock.tells(force) & ~direct
+        if not clock.states.numel():
+            # No integrator: what depends on time alone has integrals all the same.
+            direct, by_parts = direct & clock.tells(force), np.zeros_like(by_parts)
         rates[name] = _chosen(force * clock.rate(path), direct) - _chosen(
             path * clock.rate(force), by_parts
         )

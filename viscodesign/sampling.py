@@ -1,0 +1,73 @@
+"""Solved times between the outputs, where works must be summed over them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from viscodesign.model.formulation import Equations
+from viscodesign.model.rod_equations import RodForm
+from viscodesign.solve.problem import Schedule
+
+PER_SWING = 64
+"""Samples in the time of an input's swing."""
+PER_MOTION = 2
+"""The same in the rod's own time, of which its first period takes almost two (1.8)."""
+MOST_SAMPLES = 2000
+"""Samples of a run beyond its outputs: they cost little beside its steps, but not nothing."""
+GRADES = 12
+"""Samples in the first interval behind a corner, each twice as far from it as the one before."""
+
+
+def with_samples(schedule: Schedule, equations: Equations) -> Schedule:
+    """The schedule, with edges so close that polynomials between them tell what happens.
+
+    Nothing is added where an integrator tells all work, nor where nothing moves.
+    """
+    if not any(way.sampled.any() for way in equations.ways.values()):
+        return schedule
+    edges = schedule.edges
+    corners = np.any(np.diff(schedule.pieces, axis=0) != 0.0, axis=1)
+    duration = float(edges[-1])
+    still = equations.swing_time >= duration and not corners.any()
+    if still and not equations.states.count:
+        return schedule
+    extra = [_even(edges, _spacing(equations, duration))]
+    begins = np.flatnonzero(np.concatenate([[True], corners]))
+    if len(begins) * GRADES <= MOST_SAMPLES:
+        extra.append(_graded(np.union1d(edges, extra[0]), edges[begins]))
+    return _refined(schedule, np.concatenate(extra))
+
+
+def _spacing(equations: Equations, duration: float) -> float:
+    swing = equations.swing_time or duration
+    spacing = swing / PER_SWING
+    if equations.rod_form is RodForm.DYNAMIC:
+        spacing = min(spacing, equations.motion_time / PER_MOTION)
+    return max(spacing, duration / MOST_SAMPLES)
+
+
+def _even(edges: np.ndarray, spacing: float) -> np.ndarray:
+    """Times that cut intervals longer than ``spacing`` into equal parts."""
+    parts = np.ceil(np.diff(edges) / spacing * (1 - 1e-9)).astype(int)
+    interval = np.repeat(np.arange(len(parts)), parts)
+    first = np.concatenate([[0], np.cumsum(parts)[:-1]])
+    share = (np.arange(len(interval)) - first[interval]) / parts[interval]
+    return np.asarray((edges[interval] + share * np.diff(edges)[interval])[share > 0.0])
+
+
+def _graded(edges: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """Times in the interval behind each corner, ever denser towards it."""
+    after = edges[np.searchsorted(edges, corners) + 1]
+    share = 0.5 ** np.arange(1, GRADES + 1)
+    return np.asarray((corners[:, None] + np.outer(after - corners, share)).ravel())
+
+
+def _refined(schedule: Schedule, times: np.ndarray) -> Schedule:
+    """The schedule with edges added."""
+    edges = np.union1d(schedule.edges, times)
+    middles = (edges[:-1] + edges[1:]) / 2
+    pieces = schedule.pieces[np.searchsorted(schedule.edges, middles) - 1]
+    outputs = np.searchsorted(edges, schedule.edges[schedule.outputs])
+    return replace(schedule, edges=edges, pieces=pieces, outputs=outputs)
