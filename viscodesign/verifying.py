@@ -22,7 +22,14 @@ from dataclasses import dataclass, replace
 from viscodesign.build import Settings
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
-from viscodesign.solving import Progress, Run, solve, tip_difference
+from viscodesign.solving import (
+    FlowDifference,
+    Progress,
+    Run,
+    flow_difference,
+    solve,
+    tip_difference,
+)
 
 MAX_REFINEMENTS = 6
 """Solutions beyond the first after which a run is given up as not reaching its accuracy."""
@@ -82,6 +89,8 @@ class Verifier:
         """Of all solutions together."""
         self.stalled = ""
         """Why further refinement is no use, where it is none."""
+        self.flows_apart: FlowDifference | None = None
+        """How far the last cut of the tolerance moved the flows."""
         self._apart: dict[str, float] = {}
         self._growing = 0
         self.interrupted = False
@@ -123,6 +132,8 @@ class Verifier:
             if not finer.is_complete:
                 return finer, None
             apart = tip_difference(run.motion, finer.motion)
+            if not in_space:
+                self.flows_apart = flow_difference(run.motion, finer.motion)
             run = finer
             self._watch_shrinking("space" if in_space else "time", apart)
             if in_space:

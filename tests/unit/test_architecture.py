@@ -20,7 +20,7 @@ LAYERS = [
     ["classifying"],
     ["loading", "motion", "validity", "course", "posed", "stability"],
     ["watching"],
-    ["build", "balances"],
+    ["build", "balances", "sampling", "path_integral"],
     ["effects"],
     ["sketch"],
     ["report"],

@@ -63,9 +63,11 @@ class Formulas:
     ode: SX
     alg: SX
     rates: dict[str, SX]
-    """Powers whose integrals the balances need [W]."""
+    """Powers whose integrals the balances need [W]; those of time alone stand last."""
     quadrature: SX
-    """The same over the size of an energy: what an integrator integrates, and controls."""
+    """The first of them, over the size of an energy: what an integrator integrates."""
+    timed_quadrature: SX
+    """The rest, which are formulas of the time."""
     ways: dict[str, Way]
     """How works of forces along paths are integrated, by name."""
     function: ca.Function
@@ -190,7 +192,16 @@ class _Formulation:
         clock = Clock(self.system.time, x, z, resolved[0])
         works, ways = rates_and_ways(clock, outputs, self.network.works())
         rates = {name: rate for name, rate in (rates | works).items() if not rate.is_zero()}
+        timed = {name for name, rate in rates.items() if not ca.depends_on(rate, ca.vertcat(x, z))}
+        rates = dict(sorted(rates.items(), key=lambda item: item[0] in timed))
         return list(ca.cse(resolved[:2])), rates, outputs, ways
+
+    def _quadratures(self, rates: dict[str, SX]) -> tuple[SX, SX]:
+        """Rates over the size of an energy: that depend on unknowns, and on time alone."""
+        unknowns, size = ca.vertcat(self.states.vector, self.algebraics.vector), self._energy_size()
+        scaled = [rate / size for rate in rates.values()]
+        moving = [rate for rate in scaled if ca.depends_on(rate, unknowns)]
+        return column(moving), column(scaled[len(moving) :])
 
     def _energy_size(self) -> SX:
         return self.network.energy_size() + self.rod.energy_size()
@@ -223,6 +234,7 @@ class _Formulation:
     def formulas(self) -> Formulas:
         """Assemble, resolve and compile."""
         (ode, alg), rates, outputs, ways = self._balances()
+        quadrature, timed = self._quadratures(rates)
         static, *static_values = self._statics()
         system, network = self.system, self.network
         quantities = self._quantities()
@@ -247,7 +259,8 @@ class _Formulation:
             ode=ode,
             alg=alg,
             rates=rates,
-            quadrature=column([rate / self._energy_size() for rate in rates.values()]),
+            quadrature=quadrature,
+            timed_quadrature=timed,
             ways=ways,
             function=ca.Function("balances", [x, z, *tail], [ode, alg]),
             static_function=ca.Function(

@@ -6,24 +6,12 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.model.formulation import Equations
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.newton import CONVERGED, MAX_ITERATIONS
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.silence import silence
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
-
-
-PER_SWING = 32
-"""Parts of an input's swing over which rates are integrated, each by itself, at first."""
-MOST_PARTS = 20_000
-"""Parts of one interval, at most."""
-POINTS = 4
-"""Points of Gauss in each."""
-EXACT = 1e-7
-"""Change of an integral, of the largest, at which it is taken as exact."""
-MOST_HALVINGS = 7
 
 
 class Algebraic(Solver):
@@ -41,7 +29,7 @@ class Algebraic(Solver):
             found = self._at_once(here, first, stop)
             if found is not None:
                 work.steps += stop - first
-                return self._columns(found, first), None
+                return self._columns(found), None
         return self._one_by_one(here, first, stop, work)
 
     def _at_once(self, here: Start, first: int, stop: int) -> np.ndarray | None:
@@ -85,52 +73,11 @@ class Algebraic(Solver):
             found.append(here.algebraics)
             work.steps += 1
         count = self.problem.equations.algebraics.count
-        return self._columns(np.array(found).T.reshape(count, len(found)), first), failure
+        return self._columns(np.array(found).T.reshape(count, len(found))), failure
 
-    def _columns(self, found: np.ndarray, first: int) -> Columns:
+    def _columns(self, found: np.ndarray) -> Columns:
         count = found.shape[1]
-        return np.zeros((0, count)), found, self._integrals(first, first + count)
-
-    def _integrals(self, first: int, stop: int) -> np.ndarray:
-        """Integrals of the rates over time from edge ``first`` to those that follow (nq, m).
-
-        Where nothing has a rate of its own, rates are formulas of the time. Parts are halved
-        until that changes little.
-        """
-        if not self.problem.equations.rates:
-            return np.zeros((0, stop - first))
-        edges = self.problem.schedule.edges[first : stop + 1]
-        spacing = (self.problem.equations.swing_time or edges[-1]) / PER_SWING
-        before = self._summed(first, edges, spacing)
-        for _ in range(MOST_HALVINGS):
-            spacing /= 2
-            found = self._summed(first, edges, spacing)
-            if np.max(np.abs(found - before)) <= EXACT * np.max(np.abs(found)):
-                break
-            before = found
-        return found
-
-    def _summed(self, first: int, edges: np.ndarray, spacing: float) -> np.ndarray:
-        """The same by Gauss's rule on parts of every interval that are no longer than that."""
-        equations = self.problem.equations
-        parts = np.ceil(np.minimum(np.diff(edges) / spacing, MOST_PARTS)).astype(int)
-        cuts = [np.linspace(a, b, n + 1) for a, b, n in zip(edges, edges[1:], parts, strict=False)]
-        begins, ends = np.concatenate([c[:-1] for c in cuts]), np.concatenate([c[1:] for c in cuts])
-        stop = first + len(parts)
-        pieces = np.repeat(self.problem.schedule.pieces[first:stop], parts, axis=0)
-        told = np.zeros((len(equations.rates), len(begins)))
-        rates = equations.compiled.get("rates", lambda: _rates(equations))
-        for place, weight in zip(*np.polynomial.legendre.leggauss(POINTS), strict=True):
-            at = begins + (place + 1) / 2 * (ends - begins)
-            values = np.array(rates(at[None, :], pieces.T, self.problem.numbers()))
-            told += weight / 2 * (ends - begins) * values
-        return np.asarray(np.cumsum(told, axis=1)[:, np.cumsum(parts) - 1])
-
-
-def _rates(equations: Equations) -> ca.Function:
-    """(time, pieces, numbers) -> rates over the size of an energy (nq,)."""
-    arguments = [equations.time, equations.pieces, equations.parameters]
-    return ca.Function("rates", arguments, [equations.quadrature])
+        return np.zeros((0, count)), found, np.zeros((0, count))
 
 
 def _march(problem: Problem, count: int) -> ca.Function:

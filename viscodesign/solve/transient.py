@@ -23,6 +23,7 @@ from viscodesign.solve.problem import Problem
 from viscodesign.solve.rung import Rung
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
+from viscodesign.solve.timed import timed_integrals
 
 CHUNK_SECONDS = 0.4
 """Wall time that one uninterrupted call of the integrator should take."""
@@ -69,11 +70,14 @@ class _Record:
         self._total = np.zeros(rates)
         self._columns = [(here.states[:, None], here.algebraics[:, None], self._total[:, None])]
 
-    def keep(self, columns: Columns) -> None:
-        """Add what a solver found from here on."""
+    def keep(self, columns: Columns, problem: Problem) -> None:
+        """Add what a solver found from here on, and the integrals that it left out."""
         states, algebraics, integrals = columns
-        if not states.shape[1]:
+        count = states.shape[1]
+        if not count:
             return
+        timed = timed_integrals(problem, self.done, count)
+        integrals = np.concatenate([integrals, timed])
         self._columns.append((states, algebraics, self._total[:, None] + integrals))
         self._total = self._total + integrals[:, -1]
         self.here = Start(states[:, -1], algebraics[:, -1])
@@ -122,10 +126,10 @@ def integrate(
             first, began = record.done, clock.perf_counter()
             stop = min(first + length, len(edges) - 1)
             columns, failure = ladder.march(record.here, first, stop, work)
-            record.keep(columns)
+            record.keep(columns, problem)
             if failure is not None and failure.quantity != "work" and not interrupt.asked:
                 columns, failure = ladder.climb(record.here, record.done, work, failure)
-                record.keep(columns)
+                record.keep(columns, problem)
             if failure is None and work.steps > problem.most_steps:
                 failure = march.overworked(edges[record.done])
             length = _next_length(record.done - first, clock.perf_counter() - began, work)

@@ -73,7 +73,7 @@ class Idas(Solver):
             "show_eval_warnings": False,
             "disable_internal_warnings": True,
             # Or steps that follow pressures well enough add up their work badly.
-            "quad_err_con": True,
+            "quad_err_con": equations.quadrature.numel() > 0,
             # Accelerations are noisy, and nothing is integrated from them but through the
             # velocities, whose error is controlled.
             "suppress_algebraic": "acceleration" in equations.algebraics.blocks,

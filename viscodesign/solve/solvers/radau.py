@@ -51,7 +51,7 @@ class Radau(Solver):
         """Solve the stretches of smooth input in first..stop one after the other."""
         schedule = self.problem.schedule
         columns: list[np.ndarray] = []
-        total = np.zeros(len(self.problem.equations.rates))
+        total = np.zeros(self.problem.equations.quadrature.numel())
         failure: SolveError | None = None
         for begin, end in smooth_stretches(schedule.pieces, first, stop):
             try:
