@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from tests.scenes import leg
+from viscodesign import simulate
 from viscodesign.build import suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
@@ -68,13 +69,17 @@ TERMS = [
 ]
 
 
+CUT = {"undamped rod let go": 1e-4, "driven one-way rod": 1e-2, "heavy fluid, shared pressure": 1e-2}
+"""Part of the first tolerance with which the energy is balanced; a tenth for most."""
+
+
 def balance(scene: str) -> Invariants:
     """At the tolerance that a run of the default accuracy ends with."""
     config, changes = SCENES[scene]
     conditions = Conditions(leg(*changes, config=config))
     effects = select_effects(conditions).effects
     settings = suggest_settings(conditions, effects)
-    run = solve(conditions, effects, replace(settings, tolerance=settings.tolerance / 10))
+    run = solve(conditions, effects, replace(settings, tolerance=settings.tolerance * CUT.get(scene, 0.1)))
     assert run.is_complete, run.motion.failure
     return run.motion.invariants
 
@@ -88,9 +93,12 @@ def fresh() -> Iterator[None]:
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_energy_is_balanced(scene: str) -> None:
-    found = balance(scene).energy_imbalance_rel
-    assert found is not None
-    assert found <= ENERGY_LIMIT
+    config, changes = SCENES[scene]
+    run = simulate(leg(*changes, config=config))
+    assert run.status == "complete", run.failure
+    for found in (run.invariants, balance(scene)):
+        assert found.energy_imbalance_rel is not None
+        assert found.energy_imbalance_rel <= ENERGY_LIMIT
 
 
 @pytest.mark.usefixtures("fresh")
