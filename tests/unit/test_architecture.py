@@ -13,7 +13,7 @@ PACKAGE = ROOT / "viscodesign"
 # From the top. A module may import from its own layer and from those below it.
 LAYERS = [
     ["cli", "__main__"],
-    ["studies"],
+    ["studies", "planning"],
     ["simulating", "checking"],
     ["proving", "verifying"],
     ["solving"],
@@ -26,6 +26,7 @@ LAYERS = [
     ["report"],
     ["trajectory", "tradeoff"],
     ["solve"],
+    ["pumps"],
     ["scene"],
     ["model"],
     ["physics"],

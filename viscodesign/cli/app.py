@@ -13,6 +13,7 @@ import typer
 from viscodesign._version import __version__
 from viscodesign.cli import accuracy, check, classify, effects, init, schema, simulate
 from viscodesign.cli.options import Debug
+from viscodesign.cli.pump import pump
 
 app = typer.Typer(
     name="viscodesign",
@@ -66,3 +67,5 @@ COMMANDS = {
 
 for _name, _module in COMMANDS.items():
     app.command(_name, epilog=_module.EXAMPLE)(_module.command)
+
+app.add_typer(pump)

@@ -59,6 +59,14 @@ class Pump(Part):
     max_pressure: Pressure = Field(25e3, gt=0, description="Gauge; software cap")
     home: int = Field(200, ge=0, le=SERVO_COUNTS, description="Counts, plunger at its start")
     travel: tuple[int, int] = (100, 1000)
+    push: Literal["up", "down"] = Field(
+        "up", description="Whether counts rise or fall as the plunger is pushed in"
+    )
+    filled_length: Length | None = Field(
+        None,
+        gt=0,
+        description="Of the barrel, plunger at home; else the drawn-out end of travel is full",
+    )
     sensor: Sensor | None = None
     limit_switches: LimitSwitches | None = None
 

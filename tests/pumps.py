@@ -1,0 +1,41 @@
+"""A pump on the bench for tests: what it is, and lines into it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from viscodesign.pumps.clock import SteppedClock
+from viscodesign.pumps.drive import Drive
+from viscodesign.pumps.virtual.bench import Bench
+from viscodesign.pumps.virtual.plant import ClosedGas, Plant
+from viscodesign.pumps.virtual.servo import VirtualServo
+from viscodesign.scene.pump import Pump
+
+HOME = 200
+
+
+def pump(**settings: Any) -> Pump:
+    given = {"syringe_diameter": 0.0349, "home": HOME, "sensor": {"channel": 0}}
+    return Pump.model_validate(given | settings)
+
+
+def bench(*ids: int, plant: Plant | None = None, **settings: Any) -> Bench:
+    """Plungers at home; each barrel closed where no plant is given."""
+    drives = [Drive(pump(**settings)) for _ in ids]
+    servos = [VirtualServo(id, position=HOME) for id in ids]
+    return Bench(servos, drives, plant or ClosedGas(drives))
+
+
+@dataclass
+class Weights(Plant):
+    """Pressures that somebody sets."""
+
+    pressures: Any
+
+    def advance(self, seconds: float, positions: Any) -> Any:
+        return self.pressures
+
+
+def stepped() -> SteppedClock:
+    return SteppedClock()

@@ -1,0 +1,22 @@
+"""`viscodesign pump`: one module per command; whoever adds a file adds a command.
+
+A file whose name begins with an underscore is shared by them and is none itself.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+
+import typer
+
+pump = typer.Typer(
+    name="pump",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    help="Plan a profile, and play it on the real pump or a simulated one.",
+)
+
+for _name in sorted(m.name for m in pkgutil.iter_modules(__path__) if not m.name.startswith("_")):
+    _module = importlib.import_module(f"{__name__}.{_name}")
+    pump.command(_name, epilog=_module.EXAMPLE)(_module.command)

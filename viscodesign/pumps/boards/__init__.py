@@ -1,0 +1,1 @@
+"""Boards that command the servos, one file each."""

@@ -1,0 +1,163 @@
+"""Packets of the Dynamixel protocol 1.0: built, and found again in a stream of bytes.
+
+Instruction FF FF ID LEN INS P1..Pn CHK, status FF FF ID LEN ERR P1..Pn CHK, with
+LEN = n + 2 and CHK = ~(ID + LEN + INS + P1 + .. + Pn), lowest byte.
+Source: ROBOTIS e-manual, Protocol 1.0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from enum import IntEnum, IntFlag
+
+HEADER = b"\xff\xff"
+BROADCAST = 254
+"""Speaks to all, and is never answered."""
+MOST_PARAMETERS = 253
+"""LEN is one byte and counts two more."""
+OVERHEAD = 6
+"""Bytes of a packet around its parameters."""
+
+
+class Instruction(IntEnum):
+    """What servos understand; firmwares add numbers of their own."""
+
+    PING = 1
+    READ = 2
+    WRITE = 3
+    REG_WRITE = 4
+    ACTION = 5
+    RESET = 6
+    SYNC_WRITE = 0x83
+
+
+class ErrorBits(IntFlag):
+    """Of a status packet."""
+
+    VOLTAGE = 1
+    ANGLE_LIMIT = 2
+    OVERHEAT = 4
+    RANGE = 8
+    CHECKSUM = 16
+    OVERLOAD = 32
+    INSTRUCTION = 64
+
+
+MEANING = {
+    ErrorBits.VOLTAGE: "supply voltage out of its limits",
+    ErrorBits.ANGLE_LIMIT: "goal position out of the angle limits",
+    ErrorBits.OVERHEAT: "too hot",
+    ErrorBits.RANGE: "value out of a register's range",
+    ErrorBits.CHECKSUM: "request arrived with a wrong checksum",
+    ErrorBits.OVERLOAD: "overload: its torque is already off",
+    ErrorBits.INSTRUCTION: "instruction not understood",
+}
+
+
+def meaning(errors: int) -> str:
+    """Words for the bits that are set."""
+    told = [words for bit, words in MEANING.items() if errors & bit]
+    return ", ".join(told if errors < 128 else [*told, "an error bit that the protocol lacks"])
+
+
+def shown(data: bytes) -> str:
+    """Bytes as people write them: FF FF 01."""
+    return data.hex(" ").upper() or "nothing"
+
+
+@dataclass(frozen=True)
+class Packet:
+    """One instruction or status packet."""
+
+    id: int
+    code: int
+    """The instruction, or the error bits."""
+    parameters: bytes = b""
+
+    def __post_init__(self) -> None:
+        if not (0 <= self.id <= BROADCAST and 0 <= self.code <= 255):
+            raise ValueError(f"a packet with id {self.id}, code {self.code}")
+        if len(self.parameters) > MOST_PARAMETERS:
+            raise ValueError(f"{len(self.parameters)} parameters; a packet holds {MOST_PARAMETERS}")
+
+    def encode(self) -> bytes:
+        body = bytes([self.id, len(self.parameters) + 2, self.code]) + self.parameters
+        return HEADER + body + bytes([checksum(body)])
+
+    def __str__(self) -> str:
+        return shown(self.encode())
+
+
+def checksum(body: bytes | bytearray) -> int:
+    """Of what stands between header and checksum."""
+    return ~sum(body) & 0xFF
+
+
+def ping(servo: int) -> Packet:
+    return Packet(servo, Instruction.PING)
+
+
+def read(servo: int, address: int, count: int) -> Packet:
+    return Packet(servo, Instruction.READ, bytes([address, count]))
+
+
+def write(servo: int, address: int, data: bytes) -> Packet:
+    return Packet(servo, Instruction.WRITE, bytes([address]) + data)
+
+
+def sync_write(address: int, data: Mapping[int, bytes]) -> Packet:
+    """The same registers of several servos, each its own values of one common length."""
+    (length,) = {len(values) for values in data.values()}
+    each = b"".join(bytes([servo]) + values for servo, values in data.items())
+    return Packet(BROADCAST, Instruction.SYNC_WRITE, bytes([address, length]) + each)
+
+
+class Parser:
+    """Finds packets in what comes, in pieces and between noise and foreign text.
+
+    What looks like a packet and has a wrong length or checksum is gone through again from its
+    second byte, since a true packet may have begun inside of it.
+    """
+
+    def __init__(self, most: int = MOST_PARAMETERS) -> None:
+        self._most = most
+        """Parameters of the longest packet that may come."""
+        self._bytes = bytearray()
+
+    def feed(self, data: bytes) -> list[Packet]:
+        """Packets that these bytes complete."""
+        self._bytes += data
+        return list(self._whole())
+
+    def rest(self) -> list[Packet]:
+        """Packets hidden behind the beginning of one that never was completed.
+
+        To be asked when nothing more will come; the parser begins anew.
+        """
+        found: list[Packet] = []
+        while self._bytes:
+            del self._bytes[0]
+            found += self._whole()
+        return found
+
+    def _whole(self) -> Iterator[Packet]:
+        while self._to_header() and len(self._bytes) >= OVERHEAD:
+            size = self._bytes[3] + 4
+            if self._bytes[2] > BROADCAST or not OVERHEAD <= size <= OVERHEAD + self._most:
+                del self._bytes[0]
+            elif len(self._bytes) < size:
+                return
+            elif checksum(self._bytes[2 : size - 1]) != self._bytes[size - 1]:
+                del self._bytes[0]
+            else:
+                yield Packet(self._bytes[2], self._bytes[4], bytes(self._bytes[5 : size - 1]))
+                del self._bytes[:size]
+
+    def _to_header(self) -> bool:
+        start = self._bytes.find(HEADER)
+        if start >= 0:
+            del self._bytes[:start]
+            return True
+        del self._bytes[: len(self._bytes) - self._bytes.endswith(HEADER[:1])]
+        return False

@@ -1,0 +1,55 @@
+"""Serial ports of this machine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+LATENCY = Path("/sys/bus/usb-serial/devices")
+"""Where Linux keeps how long an FTDI adapter collects bytes before it passes them on."""
+
+
+@dataclass(frozen=True)
+class Port:
+    """A port and what is known of it."""
+
+    name: str
+    description: str
+    maker: str
+    serial_number: str
+    hint: str
+    """What would make it better, or nothing."""
+
+
+def ports() -> list[Port]:
+    """All that the system knows, by name."""
+    from serial.tools import list_ports
+
+    return [
+        Port(
+            each.device,
+            each.description or "",
+            each.manufacturer or "",
+            each.serial_number or "",
+            latency_hint(each.device),
+        )
+        for each in sorted(list_ports.comports(), key=lambda each: str(each.device))
+    ]
+
+
+def latency_hint(port: str, devices: Path = LATENCY) -> str:
+    """How to make a slow FTDI adapter quick; nothing for others.
+
+    They come with 16 ms, which allows some 60 questions a second; 1 ms is the least.
+    """
+    timer = devices / Path(port).resolve().name / "latency_timer"
+    try:
+        milliseconds = int(timer.read_text())
+    except (OSError, ValueError):
+        return ""
+    if milliseconds <= 1:
+        return ""
+    return (
+        f"collects bytes for {milliseconds} ms, too slow for fast streaming; "
+        f"make it quick by: echo 1 | sudo tee {timer}"
+    )

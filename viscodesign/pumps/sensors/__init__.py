@@ -1,0 +1,1 @@
+"""Where pressures are measured."""

@@ -1,0 +1,1 @@
+"""Servos, boards and sensors that are only computed, and speak the real bytes."""
