@@ -19,10 +19,13 @@ from viscodesign.solve.statics import Start, consistent
 from viscodesign.trajectory import Invariants
 
 STANDSTILL = 1e-3
-"""Part of what is stored below which a motion counts as none in the balances."""
+"""Part of what is stored below which next to nothing moves. Steps need not tell such a motion's
+energy: its balance is told where it holds, and else not told, rather than over what is stored."""
 UNSURE = 1e-4
 """Part of the work by which the solved times may misjudge what is summed over them, and the
 balance still be told."""
+ROUND_OFF = 1e-9
+"""Part of what is stored below which nothing but round-off moves."""
 MOST_STEPS_BETWEEN = 20
 """Steps between two solved times, on average, up to which these show all that happens."""
 SAME = 1e-9
@@ -138,6 +141,9 @@ class EnergyLedger:
         self._problem = problem
         self._table = EnergyTable(problem)
         self._stretches = _stretches(problem.schedule.pieces)
+        uniform = problem.equations.network_form is NetworkForm.UNIFORM
+        # Else what is stored are states, and what jumps is no part of the ledger.
+        self._may_jump = uniform or "plunger" in problem.equations.ways
         self._stretch = 0
         """Number of the one at hand."""
         self._first = 0
@@ -215,6 +221,8 @@ class EnergyLedger:
     def _after(self, block: Block, edge: int, row: np.ndarray) -> np.ndarray:
         """The row with which a stretch begins: another than ended the one before, at a jump."""
         problem, k = self._problem, edge - block.first
+        if not self._may_jump:
+            return row
         states, schedule = block.states[:, k], problem.schedule
         before = Start(states, block.algebraics[:, k])
         time, piece = float(schedule.edges[edge]), schedule.pieces[edge]
@@ -225,7 +233,8 @@ class EnergyLedger:
         after = evaluate_at(problem, states, found.algebraics, time, piece)
         for name in ("pressure", "unpaired_volume"):
             after[name] = after[name][:, problem.places]
-        return self._table.of(row[:1], after, block.integrals[:, k : k + 1])[0]
+        rows = self._table.of(row[:1], after, block.integrals[:, k : k + 1])
+        return np.asarray(rows[0])
 
     def balance(self, steps: int) -> tuple[float | None, float | None]:
         """Imbalance over the work done, and the work of unpaired coupling [J]."""
@@ -233,19 +242,23 @@ class EnergyLedger:
             self._close(self._kept, np.array([0, len(self._kept) - 1]))
             self._kept = self._kept[-1:]
         coupled = self._works["coupling"] if self._is_coupled else None
-        scale = max(
-            self._largest["pump"],
-            self._largest["coupling"],
-            # Where nothing comes in, energies turn into each other.
-            float(np.max(self._high - self._low)),
-            STANDSTILL * self._largest["stored"],
-            STANDSTILL**2 * self._problem.equations.energy_size,
-        )
+        # Where nothing comes in, energies turn into each other.
+        swing = float(np.max(self._high - self._low))
+        moved = max(self._largest["pump"], self._largest["coupling"], swing)
+        scale = max(moved, ROUND_OFF * self._least)
         # Samples that are rarer than the swings look smooth and are not.
         rare = steps > MOST_STEPS_BETWEEN * self._edges
         if (self._summed if rare else self._unsure) > UNSURE * scale:
             return None, coupled
-        return self._worst / scale, coupled
+        imbalance = self._worst / scale
+        if moved < STANDSTILL * self._least and imbalance > UNSURE:
+            return None, coupled
+        return imbalance, coupled
+
+    @property
+    def _least(self) -> float:
+        """What is stored, or a little of what a scene like this one stores [J]."""
+        return max(self._largest["stored"], STANDSTILL * self._problem.equations.energy_size)
 
 
 def _stretches(pieces: np.ndarray) -> np.ndarray:
@@ -311,16 +324,17 @@ class EnergyTable:
 
     def energies(self, rows: np.ndarray) -> np.ndarray:
         """Stored (m, kinds) [J]."""
-        return rows[:, self._spans["energies"]]
+        return np.asarray(rows[:, self._spans["energies"]])
 
     def lost(self, rows: np.ndarray) -> np.ndarray:
         """Lost since the start (m,) [J]."""
-        return self._integral("tube_loss", rows) + self._integral("material_loss", rows)
+        lost = self._integral("tube_loss", rows) + self._integral("material_loss", rows)
+        return np.asarray(lost)
 
     def told(self, work: str, rows: np.ndarray) -> np.ndarray:
         """A work as far as it needs no sum over rows (m,) [J], up to a constant."""
         ends = self._spans.get("ends of " + work, slice(0, 0))
-        return self._integral(work, rows) + rows[:, ends].sum(axis=1)
+        return np.asarray(self._integral(work, rows) + rows[:, ends].sum(axis=1))
 
     def summed(
         self, work: str, rows: np.ndarray, cuts: np.ndarray
@@ -335,4 +349,4 @@ class EnergyTable:
     def _integral(self, rate: str, rows: np.ndarray) -> np.ndarray:
         if rate not in self._rates:
             return np.zeros(len(rows))
-        return rows[:, self._spans["integrals"].start + self._rates.index(rate)]
+        return np.asarray(rows[:, self._spans["integrals"].start + self._rates.index(rate)])

@@ -110,9 +110,10 @@ def _wide_tubes(conditions: Conditions) -> frozenset[str]:
         return frozenset()
     swing = min(conditions.scales.t_i, conditions.scene.run.duration)
     filling = swing / conditions.bellow.compliance
-    others = float(np.quantile(list(conditions.resistances.values()), MOST_RESIST, method="nearest"))
-    least = HARDLY_RESISTS * max(filling, others)
-    return frozenset(name for name, value in conditions.resistances.items() if value < least)
+    resistances = conditions.resistances
+    others = np.quantile(list(resistances.values()), MOST_RESIST, method="nearest")
+    least = HARDLY_RESISTS * max(filling, float(others))
+    return frozenset(name for name, value in resistances.items() if value < least)
 
 
 INEXTENSIBLE = 30.0

@@ -111,9 +111,9 @@ def _invariants(
 ) -> Invariants:
     """Both balances up to the first ``end`` solved edges."""
     ledger = Ledger(problem)
-    unknowns = (solution.states, solution.algebraics, solution.integrals)
     told = {name: values[:end] for name, values in rows.items()}
-    ledger.add(Block(0, *(columns[:, :end] for columns in unknowns), told))
+    unknowns = solution.states[:, :end], solution.algebraics[:, :end]
+    ledger.add(Block(0, *unknowns, solution.integrals[:, :end], told))
     return ledger.invariants(solution.work.steps)
 
 

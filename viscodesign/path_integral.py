@@ -40,9 +40,7 @@ def path_integrals(
     return found, unsure
 
 
-def _groups(
-    time: np.ndarray, force: np.ndarray, path: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def _groups(time: np.ndarray, force: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The same of groups of equal size: (g, k + 1), (g, k + 1, n)."""
     whole = _polynomial(time, force, path)
     if time.shape[1] == 2:

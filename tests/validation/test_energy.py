@@ -69,7 +69,11 @@ TERMS = [
 ]
 
 
-CUT = {"undamped rod let go": 1e-4, "driven one-way rod": 1e-2, "heavy fluid, shared pressure": 1e-2}
+CUT = {
+    "undamped rod let go": 1e-4,
+    "driven one-way rod": 1e-2,
+    "heavy fluid, shared pressure": 1e-2,
+}
 """Part of the first tolerance with which the energy is balanced; a tenth for most."""
 
 
@@ -79,7 +83,9 @@ def balance(scene: str) -> Invariants:
     conditions = Conditions(leg(*changes, config=config))
     effects = select_effects(conditions).effects
     settings = suggest_settings(conditions, effects)
-    run = solve(conditions, effects, replace(settings, tolerance=settings.tolerance * CUT.get(scene, 0.1)))
+    run = solve(
+        conditions, effects, replace(settings, tolerance=settings.tolerance * CUT.get(scene, 0.1))
+    )
     assert run.is_complete, run.motion.failure
     return run.motion.invariants
 
