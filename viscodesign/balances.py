@@ -25,7 +25,7 @@ UNSURE = 1e-4
 """Part of the work by which the solved times may misjudge what is summed over them, and the
 balance still be told."""
 ROUND_OFF = 1e-9
-"""Part of what is stored below which nothing but round-off moves."""
+"""Part of what is stored, or of what the bellows may store, below which all is round-off."""
 MOST_STEPS_BETWEEN = 20
 """Steps between two solved times, on average, up to which these show all that happens."""
 SAME = 1e-9
@@ -245,20 +245,15 @@ class EnergyLedger:
         # Where nothing comes in, energies turn into each other.
         swing = float(np.max(self._high - self._low))
         moved = max(self._largest["pump"], self._largest["coupling"], swing)
-        scale = max(moved, ROUND_OFF * self._least)
+        stored, size = self._largest["stored"], self._problem.equations.energy_size
+        scale = max(moved, ROUND_OFF * stored, ROUND_OFF * size)
         # Samples that are rarer than the swings look smooth and are not.
         rare = steps > MOST_STEPS_BETWEEN * self._edges
         if (self._summed if rare else self._unsure) > UNSURE * scale:
             return None, coupled
         imbalance = self._worst / scale
-        if moved < STANDSTILL * self._least and imbalance > UNSURE:
-            return None, coupled
-        return imbalance, coupled
-
-    @property
-    def _least(self) -> float:
-        """What is stored, or a little of what a scene like this one stores [J]."""
-        return max(self._largest["stored"], STANDSTILL * self._problem.equations.energy_size)
+        still = moved < STANDSTILL * max(stored, STANDSTILL * size)
+        return None if still and imbalance > UNSURE else imbalance, coupled
 
 
 def _stretches(pieces: np.ndarray) -> np.ndarray:

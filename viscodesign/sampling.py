@@ -14,8 +14,10 @@ PER_SWING = 64
 """Samples in the time of an input's swing."""
 PER_MOTION = 2
 """The same in the rod's own time, of which its first period takes almost two (1.8)."""
-MOST_SAMPLES = 2000
+MOST_SAMPLES = 20_000
 """Samples of a run beyond its outputs: they cost little beside its steps, but not nothing."""
+MOST_GRADED = 2_000
+"""The same of those behind corners."""
 GRADES = 12
 """Samples in the first interval behind a corner, each twice as far from it as the one before."""
 
@@ -35,7 +37,7 @@ def with_samples(schedule: Schedule, equations: Equations) -> Schedule:
         return schedule
     extra = [_even(edges, _spacing(equations, duration))]
     begins = np.flatnonzero(np.concatenate([[True], corners]))
-    if len(begins) * GRADES <= MOST_SAMPLES:
+    if len(begins) * GRADES <= MOST_GRADED:
         extra.append(_graded(np.union1d(edges, extra[0]), edges[begins]))
     return _refined(schedule, np.concatenate(extra))
 
