@@ -171,7 +171,7 @@ class EnergyLedger:
         last = block.first + len(rows) - 1
         while True:
             begin, end = self._stretches[self._stretch : self._stretch + 2]
-            ends = group_ends(begin, end)
+            ends = group_ends(begin, end) if self._table.sums else np.arange(begin + 1, end + 1)
             ends = ends[(ends > self._first) & (ends <= last)]
             if len(ends):
                 self._close(at_hand, np.concatenate([[0], ends - self._first]))
@@ -284,6 +284,8 @@ class EnergyTable:
             order = problem.places if name == "coupling" else slice(None)
             self._by_parts[name] = np.flatnonzero(way.by_parts[order])
             self._sampled[name] = np.flatnonzero(way.sampled[order])
+        self.sums = any(map(len, self._sampled.values()))
+        """Whether anything is summed over rows, rather than integrated."""
         self._spans: dict[str, slice] = {}
         self.width = 0
         for part, count in self._parts():

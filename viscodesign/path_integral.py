@@ -14,7 +14,7 @@ SURE_OF_ONE = 1 / 6
 
 
 def group_ends(first: int, last: int) -> np.ndarray:
-    """Ends of the groups of intervals that make up the edges first..last of a stretch."""
+    """Ends of the groups of intervals that make up a stretch from edge ``first`` to ``last``."""
     ends = np.arange(first + GROUP, last + 1, GROUP)
     if not len(ends):
         return np.array([last])

@@ -42,7 +42,7 @@ SCENES = {
     ),
     "driven one-way rod": (
         "leg_16_straight_air",
-        (FEW, "loads.tip_force={x: 0.05 N}", SINE, "run.duration=2 s",
+        (FEW, "loads.tip_force={x: 0.5 N}", SINE, "run={duration: 1 s, start: rest}",
          "effects={inertia: on, damping: on, others: off}"),
     ),
     "gas": (
@@ -52,8 +52,11 @@ SCENES = {
     "syringe": ("syringe_water", ("run.duration=2 s",)),
     "heavy fluid, shared pressure": (
         "leg_16_straight_water",
-        (FEW, "input={kind: sine, amplitude: 20 kPa, frequency: 5 Hz}", "run.duration=1 s",
-         "effects={fluid_mass: on, inertia: on, others: off}"),
+        (FEW, "input={kind: sine, amplitude: 20 kPa, frequency: 5 Hz}",
+         "fluid={name: mercury, viscosity: 1.5e-3, density: 13600}",
+         "loads.gravity={acceleration: 9.81, tilt: 90 deg}",
+         "run={duration: 0.5 s, output_interval: 7 ms, start: rest}",
+         "effects={gravity: on, fluid_mass: on, inertia: on, others: off}"),
     ),
 }  # fmt: skip
 
