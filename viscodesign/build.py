@@ -89,7 +89,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         bellows=conditions.graph.bellows,
         bellows_along_tubes=conditions.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
-        schedule=with_samples(schedule(scene), equations),
+        schedule=with_samples(schedule(scene), equations, scene.run.start == "rest"),
         floor_volume=_floor(conditions, effects),
         most_steps=scene.run.max_steps,
         flow_shares=_flow_shares(conditions, equations.network_form),

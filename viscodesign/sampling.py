@@ -18,11 +18,13 @@ MOST_SAMPLES = 20_000
 """Samples of a run beyond its outputs: they cost little beside its steps, but not nothing."""
 MOST_GRADED = 2_000
 """The same of those behind corners."""
+SAME = 1e-9
+"""Part of its size by which an input may differ on both sides of a corner and not jump."""
 GRADES = 12
 """Samples in the first interval behind a corner, each twice as far from it as the one before."""
 
 
-def with_samples(schedule: Schedule, equations: Equations) -> Schedule:
+def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool) -> Schedule:
     """The schedule, with edges so close that polynomials between them tell what happens.
 
     Nothing is added where an integrator tells all work, nor where nothing moves.
@@ -38,8 +40,30 @@ def with_samples(schedule: Schedule, equations: Equations) -> Schedule:
     extra = [_even(edges, _spacing(equations, duration))]
     begins = np.flatnonzero(np.concatenate([[True], corners]))
     if len(begins) * GRADES <= MOST_GRADED:
-        extra.append(_graded(np.union1d(edges, extra[0]), edges[begins]))
+        # Elsewhere they would but make an integrator begin with tiny steps.
+        sudden = [
+            k
+            for k in begins.tolist()
+            if _jumps(schedule, equations, k) or (not k and starts_at_rest)
+        ]
+        extra.append(_graded(np.union1d(edges, extra[0]), edges[sudden]))
     return _refined(schedule, np.concatenate(extra))
+
+
+def _jumps(schedule: Schedule, equations: Equations, edge: int) -> bool:
+    """Whether any inlet's value is another behind an edge than before it."""
+    output = equations.output_function
+    names = output.name_out()
+    unknowns = np.zeros(equations.states.count), np.zeros(equations.algebraics.count)
+    tail = 1.0, equations.sealed_volumes, equations.parameter_values
+    before = schedule.pieces[edge - 1] if edge else schedule.initial_piece
+    told = []
+    for piece in (before, schedule.pieces[edge]):
+        values = output.call([*unknowns, schedule.edges[edge], piece, *tail])
+        inlets = [values[names.index(name)] for name in ("inlet_pressure", "pushed")]
+        told.append(np.concatenate([np.array(value).ravel() for value in inlets]))
+    sizes = np.maximum(*np.abs(told))
+    return bool(np.any(np.abs(told[1] - told[0]) > SAME * sizes))
 
 
 def _spacing(equations: Equations, duration: float) -> float:

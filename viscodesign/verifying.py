@@ -51,7 +51,9 @@ ENERGY_LIMIT = 1e-4
 """Imbalance of energy, over the work done, above which smaller steps are tried once the tip is
 exact enough: a motion that looks right may still lose or gain what it should keep."""
 MOST_LEFT = 0.8
-"""Part of an imbalance that smaller steps may leave, or no more are tried."""
+"""Part of the least imbalance so far that smaller steps may leave, or they were no use."""
+MOST_STUCK = 2
+"""Solutions in a row that were no use, after which no more are tried: by chance one may be."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,8 @@ class Verifier:
         """The finest solution, and its error; None where one of them ended early."""
         space_m = 0.0 if run.is_exact_in_space else None
         time_m: float | None = None
-        lost = math.inf  # imbalance of energy that smaller steps are to lessen
+        lost = math.inf  # least imbalance of energy, that smaller steps are to lessen
+        stuck = 0
         while self.solutions <= MAX_REFINEMENTS and not self.stalled:
             if run.solution.asked_to_stop:
                 self.interrupted = True
@@ -147,9 +150,10 @@ class Verifier:
             solved_m = time_m + space_m
             if parts.total_m <= self.requested_m or solved_m <= self._negligible():
                 imbalance = run.motion.invariants.energy_imbalance_rel or 0.0
-                if imbalance <= ENERGY_LIMIT or imbalance > MOST_LEFT * lost:
+                stuck = stuck + 1 if imbalance > MOST_LEFT * lost else 0
+                if imbalance <= ENERGY_LIMIT or stuck >= MOST_STUCK:
                     return run, parts
-                lost = imbalance
+                lost = min(lost, imbalance)
         if time_m is None or space_m is None:
             return run, None
         return run, ErrorParts(time_m, space_m, self.omitted_m)
