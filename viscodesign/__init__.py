@@ -5,7 +5,8 @@
     trajectory.frame()
 
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
-follows its motion, `accuracy` measures what accuracy costs in time. Nothing here prints.
+follows its motion, `accuracy` measures what accuracy costs in time, `plan` turns its pressures
+into a pump's motion. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from viscodesign.checking import Check, check
     from viscodesign.classifying import classify
     from viscodesign.loading import load
+    from viscodesign.planning.plan import plan
+    from viscodesign.pumpplan import PumpPlan
     from viscodesign.scene.scene import Scene
     from viscodesign.simulating import simulate
     from viscodesign.studies.accuracy import accuracy
@@ -28,6 +31,7 @@ __all__ = [
     "AccuracyStudy",
     "Check",
     "Classification",
+    "PumpPlan",
     "Scene",
     "Trajectory",
     "__version__",
@@ -35,6 +39,7 @@ __all__ = [
     "check",
     "classify",
     "load",
+    "plan",
     "simulate",
 ]
 
@@ -42,12 +47,14 @@ _HOMES = {
     "AccuracyStudy": "tradeoff",
     "Check": "checking",
     "Classification": "trajectory",
+    "PumpPlan": "pumpplan",
     "Scene": "scene.scene",
     "Trajectory": "trajectory",
     "accuracy": "studies.accuracy",
     "check": "checking",
     "classify": "classifying",
     "load": "loading",
+    "plan": "planning.plan",
     "simulate": "simulating",
 }
 

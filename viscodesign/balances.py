@@ -72,8 +72,12 @@ class FluidLedger:
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
         equations = problem.equations
-        self._fed = [_columns(problem, c) for c in equations.fed]
-        self._sealed = [_columns(problem, c) for c in equations.sealed]
+        self._fed = [holding_columns(problem, c) for c in equations.fed]
+        self._driven = [
+            [k for k, name in enumerate(equations.driven) if name in c.inlets]
+            for c in equations.fed
+        ]
+        self._sealed = [holding_columns(problem, c) for c in equations.sealed]
         self._start: np.ndarray | None = None
         self._apart = np.zeros(len(self._fed) + len(self._sealed))
         self._inflow = np.zeros(len(self._fed))
@@ -96,7 +100,8 @@ class FluidLedger:
         if "inflow" not in states.blocks:
             return
         inflows = states.physical("inflow", block.states)
-        for k, (own, inflow) in enumerate(zip(self._fed, inflows, strict=True)):
+        for k, (own, driven) in enumerate(zip(self._fed, self._driven, strict=True)):
+            inflow = inflows[driven].sum(axis=0)
             self._inflow[k] = max(self._inflow[k], float(np.max(np.abs(inflow))))
             self._note(k, stored, own, inflow)
 
@@ -123,7 +128,7 @@ class FluidLedger:
         return float(np.max(self._apart / scale, initial=0.0)) if moved else 0.0
 
 
-def _columns(problem: Problem, component: Component) -> list[int]:
+def holding_columns(problem: Problem, component: Component) -> list[int]:
     """Where a component's nodes stand among those that hold fluid."""
     own = set(component.nodes)
     names = [*problem.bellows_along_tubes, *problem.equations.storing]
@@ -140,7 +145,9 @@ class EnergyLedger:
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
         self._table = EnergyTable(problem)
-        self._stretches = _stretches(problem.schedule.pieces)
+        pieces = problem.schedule.pieces
+        self._stretches = np.array([0, *pieces.changes, len(pieces)])
+        """Edges at which a stretch of smooth input begins, and the last of all."""
         uniform = problem.equations.network_form is NetworkForm.UNIFORM
         # Else what is stored are states, and what jumps is no part of the ledger.
         self._may_jump = uniform or "plunger" in problem.equations.ways
@@ -170,9 +177,8 @@ class EnergyLedger:
             self._opening = rows[0]
         last = block.first + len(rows) - 1
         while True:
-            begin, end = self._stretches[self._stretch : self._stretch + 2]
-            ends = group_ends(begin, end) if self._table.sums else np.arange(begin + 1, end + 1)
-            ends = ends[(ends > self._first) & (ends <= last)]
+            end = self._stretches[self._stretch + 1]
+            ends = self._ends(int(end), last)
             if len(ends):
                 self._close(at_hand, np.concatenate([[0], ends - self._first]))
                 at_hand, self._first = at_hand[ends[-1] - self._first :], int(ends[-1])
@@ -182,6 +188,12 @@ class EnergyLedger:
             self._opening = at_hand[0].copy()
             self._stretch += 1
         self._kept = at_hand
+
+    def _ends(self, stretch_end: int, last: int) -> np.ndarray:
+        """Ends of the whole groups that follow, up to the last edge told."""
+        if self._table.sums:
+            return group_ends(self._first, stretch_end, last)
+        return np.arange(self._first + 1, min(stretch_end, last) + 1)
 
     def _note_sizes(self, rows: np.ndarray, block: Block) -> None:
         """What is the scale of an imbalance."""
@@ -254,12 +266,6 @@ class EnergyLedger:
         imbalance = self._worst / scale
         still = moved < STANDSTILL * max(stored, STANDSTILL * size)
         return None if still and imbalance > UNSURE else imbalance, coupled
-
-
-def _stretches(pieces: np.ndarray) -> np.ndarray:
-    """Edges at which a stretch of smooth input begins, and the last of all."""
-    corners = 1 + np.flatnonzero(np.any(pieces[1:] != pieces[:-1], axis=1))
-    return np.array([0, *corners, len(pieces)])
 
 
 def _jumps(rows: Rows, k: int, after: Rows) -> bool:

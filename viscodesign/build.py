@@ -19,7 +19,7 @@ from viscodesign.model.unknowns import Sizes
 from viscodesign.sampling import with_samples
 from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
 from viscodesign.scene.scene import Scene
-from viscodesign.solve.problem import Problem, Schedule
+from viscodesign.solve.problem import Pieces, Problem, Schedule
 from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue
 
 SHARE_OF_TIME = 0.5
@@ -86,6 +86,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
     return Problem(
         equations=equations,
         body=conditions.body,
+        inlets=tuple(scene.inputs),
         bellows=conditions.graph.bellows,
         bellows_along_tubes=conditions.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
@@ -142,7 +143,9 @@ def _source(scene: Scene, name: str) -> Source:
     if isinstance(source, SyringeInput):
         fluid = scene.fluid
         modulus, exponent = fluid.bulk_modulus, fluid.polytropic_exponent
-        syringe = Syringe(source.full_volume, modulus, exponent)
+        # Beside a gas it is the same gas, and part of the full volume.
+        cushion = 0.0 if fluid.is_gas else source.cushion
+        syringe = Syringe(source.full_volume, modulus, exponent, cushion)
     return Source(
         lambda time, piece: source.expression(time, piece, ca), source.coefficients, syringe
     )
@@ -174,17 +177,17 @@ def schedule(scene: Scene) -> Schedule:
     """Output times, corners of all inputs, and the coefficients between them."""
     duration = scene.run.duration
     times = scene.run.output_times_array()
-    corners = sorted({c for source in scene.inputs.values() for c in source.corners(duration)})
-    stops = _merge(np.array([0.0, *corners, duration]), duration)
+    corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
+    stops = _merge(np.concatenate([[0.0], *corners, [duration]]), duration)
     edges = _merge(np.concatenate([times, stops]), duration)
-    interval = np.searchsorted(stops, (edges[:-1] + edges[1:]) / 2, side="right") - 1
+    firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
     sources = scene.inputs.values()
     pieces = np.concatenate(
         [s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))], 1
     )
     initial = np.concatenate([s.initial_piece() for s in sources] or [np.zeros(0)])
     outputs = np.searchsorted(edges, times - 1e-12 * duration)
-    return Schedule(edges, pieces[interval], outputs, initial)
+    return Schedule(edges, Pieces(pieces, firsts, len(edges) - 1), outputs, initial)
 
 
 def _merge(times: np.ndarray, duration: float) -> np.ndarray:

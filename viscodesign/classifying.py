@@ -7,6 +7,7 @@ from typing import Literal
 
 from viscodesign.effects.conditions import Conditions
 from viscodesign.physics.timescales import cutoff_frequency
+from viscodesign.posed import refuse_beyond_numbers
 from viscodesign.scene.scene import Scene
 from viscodesign.trajectory import Classification, Scales
 from viscodesign.validity import scene_notices
@@ -22,8 +23,13 @@ FAR_TOO_SLOW = 10.0
 
 
 def classify(scene: Scene) -> Classification:
-    """Timescales, ratios and quadrant of a scene; solves nothing."""
-    return classification(Conditions(scene))
+    """Timescales, ratios and quadrant of a scene; solves nothing.
+
+    Raises `SpecError` where sizes lie beyond what numbers hold.
+    """
+    conditions = Conditions(scene)
+    refuse_beyond_numbers(conditions)
+    return classification(conditions)
 
 
 def classification(conditions: Conditions) -> Classification:

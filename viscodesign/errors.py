@@ -25,7 +25,22 @@ class Fault:
         place = self.file
         if self.file and self.line is not None:
             place = f"{self.file}:{self.line}"
-        return ": ".join(part for part in (place, self.key, self.message) if part)
+        return ": ".join(_abridged(part) for part in (place, self.key, self.message) if part)
+
+
+LONGEST = 600
+"""Characters of a place, a key or a message: whatever a spec holds, a message can be read."""
+
+
+def _abridged(text: str) -> str:
+    """A text without its middle, where that makes it too long to read."""
+    if len(text) <= LONGEST:
+        return text
+    return f"{text[: LONGEST // 2]} [...] {text[-LONGEST // 4 :]}"
+
+
+MOST_TOLD = 60
+"""Faults that a message lists; what has more is no slip but another file."""
 
 
 class SpecError(ViscodesignError):
@@ -35,7 +50,10 @@ class SpecError(ViscodesignError):
 
     def __init__(self, faults: Sequence[Fault]) -> None:
         self.faults = list(faults)
-        super().__init__("\n".join(str(fault) for fault in self.faults))
+        told = [str(fault) for fault in self.faults[:MOST_TOLD]]
+        if len(self.faults) > MOST_TOLD:
+            told.append(f"and {len(self.faults) - MOST_TOLD} faults more")
+        super().__init__("\n".join(told))
 
     @classmethod
     def plain(cls, message: str) -> SpecError:

@@ -8,17 +8,13 @@ import numpy as np
 
 from viscodesign.balances import Block, Ledger
 from viscodesign.errors import SolveError
-from viscodesign.model.arcs import arc_nodes
-from viscodesign.model.network_equations import NetworkForm
-from viscodesign.model.rod_equations import RodForm
-from viscodesign.solve.problem import Problem, evaluate_along
-from viscodesign.solve.statics import refined
+from viscodesign.given import Given
+from viscodesign.outputs import Outputs, read_outputs
+from viscodesign.shelf import NoRoomError, Shelf, Table
+from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
 from viscodesign.trajectory import Invariants
 from viscodesign.watching import first_ending
-
-SHAPE_POINTS = 64
-"""Points of a drawn axis, at least."""
 
 
 @dataclass(frozen=True)
@@ -29,166 +25,147 @@ class Motion:
     tip: np.ndarray
     inlet_pressure: np.ndarray
     """(T, inlets) gauge."""
+    inflow: np.ndarray
+    """(T, inlets) given into the network since all was filled at the baseline, unloaded
+    [m3 at ambient density]."""
     pressure: np.ndarray
     volume: np.ndarray
     flow: np.ndarray
     junction_pressure: np.ndarray
     """(T, junctions) gauge."""
-    arc: np.ndarray
-    shape: np.ndarray
     section_stretch: np.ndarray
     section_turn: np.ndarray
+    arc: np.ndarray
+    shape: np.ndarray
+    """(N, K, 2), at every ``shape_every``-th output and at the last."""
+    shape_every: int
     invariants: Invariants
     failure: SolveError | None
 
 
-@dataclass(frozen=True)
-class _Rows:
-    """Named outputs at every solved edge, time along the first axis."""
+def read_motion(
+    problem: Problem, solution: Solution, shelf: Shelf | None = None, shape_every: int = 1
+) -> Motion:
+    """Evaluate every output and balance over what was solved, stretch by stretch.
 
-    time: np.ndarray
-    values: dict[str, np.ndarray]
-
-    def __getitem__(self, name: str) -> np.ndarray:
-        return self.values[name]
-
-
-def read_motion(problem: Problem, solution: Solution) -> Motion:
-    """Evaluate every output and balance over what was solved.
-
-    A section pressed to nothing ends the motion just before, with its name.
+    A section pressed to nothing ends the motion just before, with its name; so does a
+    disk that has no more room. ``shelf``: for the arrays; ``shape_every``: outputs from
+    one whole shape to the next.
     """
-    rows = _evaluate(problem, solution)
-    stretch, turn = _section_strains(problem, rows)
-    end, failure = first_ending(problem, rows.time, rows.values, stretch, solution.failure)
-    if end == 0 and failure is not None:
-        raise failure
-    outputs = problem.schedule.outputs
-    keep = outputs[outputs < end]
-    arc, shape, angle = _shapes(problem, rows, keep)
-    return Motion(
-        time=rows.time[keep],
-        tip=np.column_stack((shape[:, -1], angle)),
-        inlet_pressure=rows["inlet_pressure"][keep],
-        pressure=rows["pressure"][keep],
-        volume=rows["volume"][keep],
-        flow=_flows(problem, rows)[keep],
-        junction_pressure=rows["junction_pressure"][keep],
-        arc=arc,
-        shape=shape,
-        section_stretch=stretch[keep],
-        section_turn=turn[keep],
-        invariants=_invariants(problem, solution, rows.values, end),
-        failure=failure,
-    )
+    reader = _Reader(problem, solution, shelf or Shelf(), shape_every)
+    for outputs in read_outputs(problem, solution):
+        reader.take(outputs)
+        if reader.is_over:
+            break
+    if not reader.end and reader.failure is not None:
+        raise reader.failure
+    return reader.motion()
 
 
-def _evaluate(problem: Problem, solution: Solution) -> _Rows:
-    """Call the output function at every solved edge."""
-    equations = problem.equations
-    algebraics = solution.algebraics
-    shared = equations.network_form is NetworkForm.UNIFORM and equations.sealed
-    if shared or "junction_pressure" in equations.algebraics.blocks:
-        # What comes to a junction leaves it, and what is sealed stays: between the steps of an
-        # integrator that holds to its tolerance only.
-        algebraics = refined(problem, solution.states, algebraics)
-    values = evaluate_along(problem, solution.states, algebraics)
-    if equations.network_form is NetworkForm.DISTRIBUTED:
-        # From the states, in which what is stored and what flowed in agree to round-off.
-        blocks = [n for n in ("volume", "node_volume") if n in equations.states.blocks]
-        held = [equations.states.physical(n, solution.states).T for n in blocks]
-        values["stored"] = equations.rest_amounts + np.concatenate(held, axis=1)
-        if equations.incompressible:
-            bellows = values["stored"][:, : len(problem.bellows)]
-            values["volume"] = bellows - values["tube_volume"]
-    for name in ("pressure", "volume", "unpaired_volume"):
-        values[name] = values[name][:, problem.places]
-    return _Rows(problem.schedule.edges[: solution.reached], values)
+class _Reader:
+    """Tables of a motion that grow stretch by stretch, until something ends it."""
 
+    def __init__(
+        self, problem: Problem, solution: Solution, shelf: Shelf, shape_every: int
+    ) -> None:
+        self.failure: SolveError | None = None
+        self.is_over = False
+        self.end = 0
+        """Edges that have a meaning, from the first on."""
+        self.count = 0
+        """Outputs among them."""
+        self._problem, self._solution = problem, solution
+        self._shelf, self._every = shelf, shape_every
+        self._ledger = Ledger(problem)
+        self._given = Given(problem)
+        self._tables: dict[str, Table] = {}
+        self._last_shape: np.ndarray | None = None
 
-def _invariants(
-    problem: Problem, solution: Solution, rows: dict[str, np.ndarray], end: int
-) -> Invariants:
-    """Both balances up to the first ``end`` solved edges."""
-    ledger = Ledger(problem)
-    told = {name: values[:end] for name, values in rows.items()}
-    unknowns = solution.states[:, :end], solution.algebraics[:, :end]
-    ledger.add(Block(0, *unknowns, solution.integrals[:, :end], told))
-    return ledger.invariants(solution.work.steps)
-
-
-def _section_strains(problem: Problem, rows: _Rows) -> tuple[np.ndarray, np.ndarray]:
-    """Smallest stretch and turn of every section (T, S)."""
-    sections = problem.body.sections
-    if problem.equations.rod_form is RodForm.ARCS:
-        turn = rows["intrinsic_curvature"] * problem.body.section_length
-        return 1 + rows["intrinsic_stretch"], turn
-    stretch = rows["stretch"].reshape(len(rows.time), sections, -1).min(axis=2)
-    ends = rows["angle"].reshape(len(rows.time), sections, -1)[:, :, -1]
-    return stretch, np.diff(ends, axis=1, prepend=0.0)
-
-
-def _shapes(
-    problem: Problem, rows: _Rows, keep: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Reference arc (K,), axis (T, K, 2) from the clamp on, and angle of the tip (T,)."""
-    body = problem.body
-    if problem.equations.rod_form is RodForm.ARCS:
-        points = -(-SHAPE_POINTS // body.sections)
-        nodes, angles = arc_nodes(
-            rows["intrinsic_curvature"][keep],
-            1 + rows["intrinsic_stretch"][keep],
-            body.section_length,
-            points,
+    def take(self, outputs: Outputs) -> None:
+        """Add what a stretch has up to the motion's end."""
+        stretch, turn = outputs.section_strains()
+        is_last = outputs.end == self._solution.reached
+        end, failure = first_ending(
+            self._problem,
+            outputs.time,
+            outputs.values,
+            stretch,
+            self._solution.failure if is_last else None,
         )
-        tip_angle = angles[:, -1]
-    else:
-        nodes, tip_angle = _interpolated_nodes(problem, rows, keep)
-    clamp = np.zeros((len(keep), 1, 2))
-    shape = np.concatenate([clamp, nodes], axis=1)
-    return np.linspace(0.0, body.length, shape.shape[1]), shape, tip_angle
+        end = min(outputs.first + end, outputs.end)
+        # What ends the motion in the margin behind is found again by the stretch that owns it.
+        self.is_over = is_last or end < outputs.end
+        try:
+            self._add(outputs, end, stretch, turn)
+        except NoRoomError as error:
+            end, failure = self._cut(), SolveError(str(error), quantity="room", where="disk")
+            self.is_over = True
+        self.end = end
+        if self.is_over:
+            self.failure = failure
 
+    def _add(self, outputs: Outputs, end: int, stretch: np.ndarray, turn: np.ndarray) -> None:
+        schedule = self._problem.schedule
+        stop = int(np.searchsorted(schedule.outputs, end))
+        keep = schedule.outputs[self.count : stop] - outputs.first
+        shape, angle = outputs.shapes(keep)
+        due = (np.arange(self.count, stop) % self._every) == 0
+        rows = {
+            "time": outputs.time[keep],
+            "tip": np.column_stack((shape[:, -1], angle)),
+            "inlet_pressure": outputs["inlet_pressure"][keep],
+            "inflow": self._given.along(outputs, self._solution)[keep],
+            "pressure": outputs["pressure"][keep],
+            "volume": outputs["volume"][keep],
+            "flow": outputs.flows()[keep],
+            "junction_pressure": outputs["junction_pressure"][keep],
+            "section_stretch": stretch[keep],
+            "section_turn": turn[keep],
+            "shape": shape[due],
+        }
+        for name, values in rows.items():
+            if name not in self._tables:
+                self._tables[name] = self._shelf.table(*values.shape[1:])
+            self._tables[name].append(values)
+        if end > outputs.begin:
+            self._ledger.add(self._block(outputs, end))
+        if len(keep):
+            self._last_shape = None if due[-1] else shape[-1:]
+        self.count = stop
 
-def _interpolated_nodes(
-    problem: Problem, rows: _Rows, keep: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """The chain's nodes, with points between them on cubics that meet the tangents."""
-    position = rows["position"][keep].reshape(len(keep), -1, 2)
-    edges = position.shape[1]
-    per_edge = max(1, -(-SHAPE_POINTS // edges))
-    angle = np.concatenate([np.zeros((len(keep), 1)), rows["angle"][keep]], axis=1)
-    nodes = np.concatenate([np.zeros((len(keep), 1, 2)), position], axis=1)
-    tangent = np.stack((np.sin(angle), np.cos(angle)), axis=-1)
-    chord = np.diff(nodes, axis=1)
-    length = np.hypot(chord[..., 0], chord[..., 1])[:, :, None]
-    between = [
-        _hermite(nodes[:, :-1], nodes[:, 1:], length * tangent[:, :-1], length * tangent[:, 1:], s)
-        for s in np.arange(1, per_edge + 1) / per_edge
-    ]
-    points = np.stack(between, axis=2).reshape(len(keep), edges * per_edge, 2)
-    return points, angle[:, -1]
+    def _block(self, outputs: Outputs, end: int) -> Block:
+        """A stretch's own edges up to ``end``, for the balances."""
+        own, edges, found = outputs.rows_to(end), slice(outputs.begin, end), self._solution
+        return Block(
+            outputs.begin,
+            found.states[:, edges],
+            found.algebraics[:, edges],
+            found.integrals[:, edges],
+            {name: values[own] for name, values in outputs.values.items()},
+        )
 
+    def _cut(self) -> int:
+        """Back to the last row with a whole shape before a stretch that found no room.
 
-def _hermite(
-    a: np.ndarray, b: np.ndarray, slope_a: np.ndarray, slope_b: np.ndarray, s: float
-) -> np.ndarray:
-    if s == 1.0:
-        return b
-    return np.asarray(
-        (1 + 2 * s) * (1 - s) ** 2 * a
-        + s**2 * (3 - 2 * s) * b
-        + s * (1 - s) ** 2 * slope_a
-        + s**2 * (s - 1) * slope_b
-    )
+        Returns the edges up to that stretch.
+        """
+        shapes = -(-self.count // self._every)
+        self.count = (shapes - 1) * self._every + 1
+        for name, table in self._tables.items():
+            table.cut(shapes if name == "shape" else self.count)
+        self._last_shape = None
+        return self.end
 
-
-def _flows(problem: Problem, rows: _Rows) -> np.ndarray:
-    """Tube flows (T, Q); with one pressure per network, those that its volume changes ask for."""
-    if problem.equations.network_form is NetworkForm.DISTRIBUTED:
-        return rows["flow"]
-    if len(rows.time) < 2:
-        return np.zeros((len(rows.time), len(problem.flow_shares)))
-    from scipy.interpolate import CubicSpline
-
-    rates = CubicSpline(rows.time, rows["volume"], axis=0)(rows.time, 1)
-    return np.asarray(rates @ problem.flow_shares.T)
+    def motion(self) -> Motion:
+        """All that was read."""
+        if self._last_shape is not None:
+            self._tables["shape"].append(self._last_shape)
+        arrays = {name: table.array() for name, table in self._tables.items()}
+        points = arrays["shape"].shape[1]
+        return Motion(
+            **arrays,
+            arc=np.linspace(0.0, self._problem.body.length, points),
+            shape_every=self._every,
+            invariants=self._ledger.invariants(self._solution.work.steps),
+            failure=self.failure,
+        )

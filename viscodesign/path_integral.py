@@ -13,13 +13,14 @@ SURE_OF_ONE = 1 / 6
 """The same of a single straight line over the change of the force times the way."""
 
 
-def group_ends(first: int, last: int) -> np.ndarray:
-    """Ends of the groups of intervals that make up a stretch from edge ``first`` to ``last``."""
-    ends = np.arange(first + GROUP, last + 1, GROUP)
-    if not len(ends):
-        return np.array([last])
-    ends[-1] = last
-    return ends
+def group_ends(first: int, last: int, stop: int) -> np.ndarray:
+    """Ends, up to edge ``stop``, of the groups that make up a stretch from ``first`` to ``last``.
+
+    ``first`` may be the end of any but the last of them.
+    """
+    ends = np.arange(first + GROUP, min(last, stop) + 1, GROUP)
+    ends = ends[ends + GROUP <= last]
+    return np.append(ends, last) if stop >= last > first else ends
 
 
 def path_integrals(

@@ -9,8 +9,9 @@ from collections.abc import Iterator
 
 from viscodesign.effects.conditions import Conditions
 from viscodesign.errors import Fault, SpecError
-from viscodesign.model.rod import LARGEST_TURN_PER_EDGE
+from viscodesign.model.network_equations import SNAPS_AT_ONCE
 from viscodesign.physics import bellow
+from viscodesign.scene.bellows import snaps
 
 MOST_CONTRAST = 1e13
 """Ratio of two tubes' resistances in one network that double precision still carries."""
@@ -18,8 +19,8 @@ MOST_TIMES = 1e14
 """Ratio of two times that double precision still carries."""
 MOST_LOAD = 1e5
 """Force over EI/l2 beyond which a rod would turn within a thousandth of its length."""
-MOST_EDGES = 1000
-"""Edges of one section that a turn may ask for."""
+MOST_TURN = 400.0
+"""Radians, over the whole rod: every one of them asks for an edge, twice as many to verify."""
 MOST_STRETCH = 100.0
 
 
@@ -31,7 +32,13 @@ def refuse_beyond_numbers(conditions: Conditions) -> None:
 
 
 def refuse_unsolvable(conditions: Conditions) -> None:
-    """Raise `SpecError` where feedback leaves a held section no positive compliance."""
+    """Raise `SpecError` for a curve that snaps at once, and for negative compliances.
+
+    The latter where feedback leaves a held section none that is positive.
+    """
+    at_once = "pressure_distribution" not in conditions.taken
+    if at_once and "material_curve" in conditions.taken and snaps(conditions.scene.bellows):
+        raise SpecError.plain(SNAPS_AT_ONCE)
     if "feedback" not in conditions.taken:
         return
     for name, key, value in _blocked(conditions):
@@ -79,8 +86,12 @@ def _beyond(conditions: Conditions) -> Iterator[tuple[str, str]]:
         yield key, f"comes to {value:.3g} in SI units, beyond the range of numbers"
     if lost:
         return
-    yield from _network(conditions)
-    yield from _rod(conditions)
+    of_network = list(_network(conditions))
+    yield from of_network
+    if not of_network:
+        # The times of a network beyond numbers are none to compare a rod's with.
+        yield from _rod(conditions)
+        yield from _work(conditions)
 
 
 def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
@@ -117,11 +128,12 @@ def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
 def _rod(conditions: Conditions) -> Iterator[tuple[str, str]]:
     scene, turn, unit = conditions.scene, conditions.largest_turn, conditions.bending_force
     pressure = max(abs(conditions.lowest_pressure), conditions.pressure_range)
-    if not turn <= MOST_EDGES * LARGEST_TURN_PER_EDGE:
+    if not turn * conditions.body.sections <= MOST_TURN:
         yield (
             "bellows.angle_per_pressure",
-            f"at the input's pressures a section turns by {turn:.3g} rad, more than can be "
-            "followed; check the pressures, youngs_modulus and angle_per_pressure",
+            f"at the input's pressures a section turns by {turn:.3g} rad, and there are "
+            f"{conditions.body.sections}: more than the {MOST_TURN:g} rad that can be followed; "
+            "check the pressures, youngs_modulus and angle_per_pressure",
         )
     stretch = 2 * pressure * abs(conditions.bellow.stretch_per_pressure)
     if not stretch <= MOST_STRETCH:
@@ -151,4 +163,17 @@ def _rod(conditions: Conditions) -> Iterator[tuple[str, str]]:
             "actuator.density",
             f"the rod swings in {conditions.scales.t_s:.3g} s, {ratio:.2g} of run.duration: "
             "beyond what double precision carries; use effects.inertia: off",
+        )
+
+
+def _work(conditions: Conditions) -> Iterator[tuple[str, str]]:
+    scene = conditions.scene
+    duration, most = scene.run.duration, scene.run.max_steps
+    corners = sum(len(source.corners(duration)) for source in scene.inputs.values())
+    if corners > most:
+        yield (
+            "run.max_steps",
+            f"the inputs have {corners} corners in {duration:g} s, and every one takes a step or "
+            f"more: beyond the {most} that are allowed. Raise run.max_steps, or shorten "
+            f"run.duration to less than {duration * most / corners:.3g} s",
         )

@@ -32,20 +32,16 @@ def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool)
     if not any(way.sampled.any() for way in equations.ways.values()):
         return schedule
     edges = schedule.edges
-    corners = np.any(np.diff(schedule.pieces, axis=0) != 0.0, axis=1)
+    corners = schedule.pieces.changes
     duration = float(edges[-1])
-    still = equations.swing_time >= duration and not corners.any()
+    still = equations.swing_time >= duration and not len(corners)
     if still and not equations.states.count:
         return schedule
     extra = [_even(edges, _spacing(equations, duration))]
-    begins = np.flatnonzero(np.concatenate([[True], corners]))
+    begins = [0, *corners.tolist()]
     if len(begins) * GRADES <= MOST_GRADED:
         # Elsewhere they would but make an integrator begin with tiny steps.
-        sudden = [
-            k
-            for k in begins.tolist()
-            if _jumps(schedule, equations, k) or (not k and starts_at_rest)
-        ]
+        sudden = [k for k in begins if _jumps(schedule, equations, k) or (not k and starts_at_rest)]
         extra.append(_graded(np.union1d(edges, extra[0]), edges[sudden]))
     return _refined(schedule, np.concatenate(extra))
 
@@ -93,7 +89,6 @@ def _graded(edges: np.ndarray, corners: np.ndarray) -> np.ndarray:
 def _refined(schedule: Schedule, times: np.ndarray) -> Schedule:
     """The schedule with edges added."""
     edges = np.union1d(schedule.edges, times)
-    middles = (edges[:-1] + edges[1:]) / 2
-    pieces = schedule.pieces[np.searchsorted(schedule.edges, middles) - 1]
+    pieces = schedule.pieces.among(schedule.edges, edges)
     outputs = np.searchsorted(edges, schedule.edges[schedule.outputs])
     return replace(schedule, edges=edges, pieces=pieces, outputs=outputs)

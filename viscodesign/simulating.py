@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,8 +23,8 @@ from viscodesign.posed import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.proving import prove as prove_effects
 from viscodesign.scene.dump import resolved_yaml
 from viscodesign.scene.scene import Scene
+from viscodesign.shelf import Shelf, blocks
 from viscodesign.solve.rung import Rung
-from viscodesign.solve.statics import Start
 from viscodesign.solving import Progress, Run
 from viscodesign.stability import growth_notices
 from viscodesign.trajectory import Accuracy, Cost, Notice, Proof, Status, Trajectory, Verdict
@@ -39,6 +40,7 @@ def simulate(
     prove: bool = False,
     tolerance: float | None = None,
     progress: Progress | None = None,
+    scratch: Path | None = None,
 ) -> Trajectory:
     """Follow a scene's motion.
 
@@ -47,11 +49,13 @@ def simulate(
     solution is returned. With ``prove`` every
     effect is switched, solved again, and its change at the tip measured.
     ``tolerance`` is the integrator's, where it shall not follow from the accuracy.
-    ``progress`` is told the fraction done. A failure or an interrupt on the way is no
-    exception: the trajectory ends there, labelled. Raises `SpecError` for a scene
-    without a bounded solution, `SolveError` where not even a first equilibrium exists.
+    ``progress`` is told the fraction done. ``scratch`` is a folder for what a long run has
+    no memory for, the system's own if not given; nothing is left there. A failure or an
+    interrupt on the way is no exception: the trajectory ends there, labelled. Raises
+    `SpecError` for a scene without a bounded solution, `SolveError` where not even a first
+    equilibrium exists.
     """
-    conditions = Conditions(scene)
+    conditions = Conditions(scene, shelf=Shelf(scratch))
     refuse_beyond_numbers(conditions)
     selection = select_effects(conditions)
     refuse_unsolvable(conditions)
@@ -132,23 +136,13 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
     text = resolved_yaml(scene)
     found = classification(conditions)
     forced = tuple(verdict_notices(verdicts))
-    course = Course(
-        motion.time,
-        graph.bellows,
-        motion.pressure,
-        motion.volume,
-        tuple(t.name for t in graph.tubes),
-        motion.flow,
-        _lower_ends(graph, motion, tuple(scene.inputs)),
-        motion.section_stretch,
-        motion.section_turn,
-    )
     return Trajectory(
         name=scene.name,
         status="complete",
         time=motion.time,
         tip=motion.tip,
         inlet_pressure=dict(zip(scene.inputs, motion.inlet_pressure.T, strict=True)),
+        inflow=dict(zip(scene.inputs, motion.inflow.T, strict=True)),
         bellows=graph.bellows,
         pressure=motion.pressure,
         volume=motion.volume,
@@ -156,6 +150,7 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
         flow=motion.flow,
         arc=motion.arc,
         shape=motion.shape,
+        shape_every=motion.shape_every,
         length=scene.actuator.length,
         width=scene.actuator.height,
         classification=found,
@@ -165,7 +160,11 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
         invariants=motion.invariants,
         warnings=_merged(
             (*forced, *found.warnings, *_growth(conditions, run)),
-            (*course_notices(conditions, course), *doubted_balance(motion.invariants)),
+            (
+                *course_notices(conditions, _courses(conditions, motion)),
+                *doubted_balance(motion.invariants),
+                *_thinned(motion),
+            ),
         ),
         spec_text=text,
         spec_sha256=scene.source.sha256,
@@ -199,19 +198,48 @@ def _growth(conditions: Conditions, run: Run) -> list[Notice]:
     free = conditions.tip_force + conditions.weight == 0.0
     if "feedback" not in conditions.taken or ("damping" in conditions.taken and free):
         return []
-    solution = run.solution
-    return growth_notices(run.problem, Start(solution.states[:, 0], solution.algebraics[:, 0]))
+    return growth_notices(run.problem, run.solution.beginning)
 
 
-def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...]) -> np.ndarray:
+def _courses(conditions: Conditions, motion: Motion) -> Iterator[Course]:
+    """The motion, block by block, for the checks."""
+    graph, names = conditions.graph, tuple(conditions.scene.inputs)
+    told = (motion.time, motion.pressure, motion.volume, motion.flow, motion.inlet_pressure)
+    inner = (motion.junction_pressure, motion.section_stretch, motion.section_turn)
+    for rows in blocks(len(motion.time), *told, *inner):
+        yield Course(
+            motion.time[rows],
+            graph.bellows,
+            motion.pressure[rows],
+            motion.volume[rows],
+            tuple(t.name for t in graph.tubes),
+            motion.flow[rows],
+            _lower_ends(graph, motion, names, rows),
+            motion.section_stretch[rows],
+            motion.section_turn[rows],
+        )
+
+
+def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...], rows: slice) -> np.ndarray:
     """Lower gauge pressure of each tube's ends (T, Q) [Pa]."""
     columns = {
-        **dict(zip(graph.bellows, motion.pressure.T, strict=True)),
-        **dict(zip(inlets, motion.inlet_pressure.T, strict=True)),
-        **dict(zip(graph.junctions, motion.junction_pressure.T, strict=True)),
+        **dict(zip(graph.bellows, motion.pressure[rows].T, strict=True)),
+        **dict(zip(inlets, motion.inlet_pressure[rows].T, strict=True)),
+        **dict(zip(graph.junctions, motion.junction_pressure[rows].T, strict=True)),
     }
     lower = [np.minimum(columns[t.start], columns[t.end]) for t in graph.tubes]
-    return np.array(lower).T.reshape(len(motion.time), len(graph.tubes))
+    return np.array(lower).T.reshape(len(motion.time[rows]), len(graph.tubes))
+
+
+def _thinned(motion: Motion) -> Iterator[Notice]:
+    """Whether shapes were left out to keep the run's files small."""
+    if motion.shape_every > 1:
+        yield Notice(
+            "thinned_shapes",
+            f"whole shapes are kept at {len(motion.shape)} of {len(motion.time)} output times, "
+            f"every {motion.shape_every} of them and the last (run.shape_every); the tip at all",
+            "shape.csv",
+        )
 
 
 def _outcome(

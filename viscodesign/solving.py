@@ -13,6 +13,7 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.motion import Motion, read_motion
+from viscodesign.shelf import blocks
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium, rest
 from viscodesign.solve.transient import Solution, integrate
@@ -60,12 +61,15 @@ def solve(
     piece = problem.schedule.initial_piece
     steady = conditions.scene.run.start == "equilibrium"
     start = equilibrium(problem, 0.0, piece) if steady else rest(problem, piece)
-    solution = integrate(problem, start, settings.tolerance, progress, settings.solver)
+    solution = integrate(
+        problem, start, settings.tolerance, progress, settings.solver, conditions.shelf
+    )
     solved = clock.perf_counter()
-    motion = read_motion(problem, solution)
+    motion = read_motion(problem, solution, conditions.shelf, conditions.scene.run.shapes_apart)
     compile_s = solution.work.compile_s
     build_s, solve_s = built - began + compile_s, solved - built - compile_s
-    return Run(settings, problem, motion, solution, build_s, solve_s)
+    # What was read of the solution is not needed twice.
+    return Run(settings, problem, motion, solution.without_columns(), build_s, solve_s)
 
 
 def _problem(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:
@@ -100,5 +104,7 @@ def flow_difference(coarse: Motion, fine: Motion) -> FlowDifference | None:
 def tip_difference(coarse: Motion, fine: Motion) -> float:
     """Largest distance between two tips over the output times that both reached [m]."""
     both = min(len(coarse.tip), len(fine.tip))
-    apart = coarse.tip[:both, :2] - fine.tip[:both, :2]
-    return float(np.max(np.hypot(apart[:, 0], apart[:, 1])))
+    apart = (
+        coarse.tip[rows, :2] - fine.tip[rows, :2] for rows in blocks(both, coarse.tip, fine.tip)
+    )
+    return max(float(np.max(np.hypot(part[:, 0], part[:, 1]))) for part in apart)

@@ -172,7 +172,7 @@ class Trajectory:
     arc: np.ndarray
     """(K,) reference arc length of the shape's points [m], from the clamp."""
     shape: np.ndarray
-    """(T, K, 2): x, z of the axis [m]."""
+    """(N, K, 2): x, z of the axis [m], at the rows of `shape_rows`: all, or in a long run some."""
     length: float
     """Actuator length [m]."""
     width: float
@@ -189,6 +189,11 @@ class Trajectory:
     version: str
     ambient_pressure: float = 101325.0
     """Absolute [Pa]."""
+    inflow: Mapping[str, np.ndarray] = field(default_factory=dict)
+    """Inlet name -> (T,) what it has given to the network since all was filled at the baseline,
+    unloaded [m3 at ambient density]; from what is held, not from flows."""
+    shape_every: int = 1
+    """Rows from one shape to the next."""
     proof: tuple[Proof, ...] = ()
     """What every effect changes, where that was asked for."""
     ladder: tuple[Rung, ...] = ()
@@ -203,6 +208,13 @@ class Trajectory:
         """Number of equal sections along the axis (bellows come in pairs)."""
         return len(self.bellows) // 2
 
+    @property
+    def shape_rows(self) -> np.ndarray:
+        """Which rows (N,) of ``time`` have a shape: every ``shape_every``-th, and the last."""
+        last = len(self.time) - 1
+        rows = np.arange(0, last + 1, self.shape_every)
+        return rows if last % self.shape_every == 0 or last < 0 else np.append(rows, last)
+
     def summary(self) -> dict[str, Any]:
         """The run without its arrays, ready for JSON (numbers that are not finite as None)."""
         from viscodesign.report.tables import summary_document
@@ -216,7 +228,7 @@ class Trajectory:
         return trajectory_frame(self)
 
     def shape_frame(self) -> pd.DataFrame:
-        """The axis at every time: the columns of `shape.csv`."""
+        """The axis at the times of its shapes: the columns of `shape.csv`."""
         from viscodesign.report.tables import shape_frame
 
         return shape_frame(self)

@@ -49,6 +49,10 @@ class Kind:
             raise self._refuse(f"{_shown(given)} is not finite")
         return value
 
+    def written(self, value: float) -> Any:
+        """A value as a spec has it: SI with its unit; a fraction is a plain number."""
+        return value if self.unit == "1" else f"{value!r} {self.unit}"
+
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> core_schema.CoreSchema:
@@ -76,6 +80,14 @@ class Kind:
         if not _starts_with_number(text):
             raise self._refuse(f"'{text}' has no number")
         quantity = self._quantity(text)
+        try:
+            return self._in_si(quantity, text)
+        except PydanticCustomError:
+            raise
+        except (TypeError, ValueError, ArithmeticError) as error:  # as pint does for decibels
+            raise self._refuse(f"'{text}' is in a unit that is not read here") from error
+
+    def _in_si(self, quantity: pint.Quantity[Any], text: str) -> float:
         if quantity.dimensionless and self.unit not in ("1", "rad") and not _has_unit(text):
             return float(quantity.magnitude)
         units = type(quantity)(Decimal(1), self.unit if self.unit != "1" else "")
@@ -104,6 +116,50 @@ class Kind:
         article = "an" if self.name[0] in "aeiou" else "a"
         message = f"{complaint}; {article} {self.name} is wanted, like '{self.example}'"
         return PydanticCustomError("quantity", "{message}", {"message": message})
+
+
+class StatedPressure(float):
+    """A pressure [Pa], and what it was said to be counted from: "gauge", "abs", or nothing."""
+
+    counted: str = ""
+
+    @classmethod
+    def of(cls, value: float, counted: str) -> StatedPressure:
+        """A pressure with what it is counted from."""
+        made = cls(value)
+        made.counted = counted
+        return made
+
+    def gauge(self, ambient: float) -> float:
+        """The same above the ambient [Pa]; what nothing is said of is gauge."""
+        return float(self) - ambient if self.counted == "abs" else float(self)
+
+
+_COUNTED = re.compile(r"(.*\S)\s*\b(gauge|abs|absolute)", re.DOTALL)
+
+
+class StatedKind(Kind):
+    """A pressure that may say what it is counted from, as in '25 kPa gauge' or '140 kPa abs'."""
+
+    def parse(self, given: Any) -> StatedPressure:
+        """Read a pressure; what it is counted from is kept with it."""
+        if isinstance(given, StatedPressure):
+            return given
+        found = _COUNTED.fullmatch(given.strip()) if isinstance(given, str) else None
+        number, counted = found.groups() if found else (given, "")
+        return StatedPressure.of(super().parse(number), counted[:5].replace("absol", "abs"))
+
+    def written(self, value: float) -> Any:
+        """Gauge, and said to be."""
+        return f"{float(value)!r} {self.unit} gauge"
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        del handler  # a plain float would forget what it is counted from
+        return core_schema.no_info_plain_validator_function(
+            self.parse, json_schema_input_schema=core_schema.float_schema()
+        )
 
 
 def _starts_with_number(text: str) -> bool:
@@ -178,6 +234,7 @@ def _dimension_words(quantity: pint.Quantity[Any]) -> str:
 
 Length = Annotated[float, Kind("length", "m", "37.5 mm")]
 Pressure = Annotated[float, Kind("pressure", "Pa", "40 kPa")]
+CountedPressure = Annotated[float, StatedKind("pressure", "Pa", "25 kPa gauge")]
 Time = Annotated[float, Kind("time", "s", "20 ms")]
 Frequency = Annotated[float, Kind("frequency", "Hz", "0.5 Hz")]
 Angle = Annotated[float, Kind("angle", "rad", "90 deg")]
@@ -196,3 +253,4 @@ Volume = Annotated[float, Kind("volume", "m^3", "5 mL")]
 Speed = Annotated[float, Kind("speed", "m/s", "5 mm/s")]
 Area = Annotated[float, Kind("area", "m^2", "1e-5 m^2")]
 Voltage = Annotated[float, Kind("voltage", "V", "11.1 V")]
+Charge = Annotated[float, Kind("charge", "C", "450 mAh")]

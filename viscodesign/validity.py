@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from viscodesign.effects.conditions import Conditions
+from viscodesign.scene.bellows import falls, first_peak
 from viscodesign.trajectory import Notice, Verdict
 
 STEEP_RECIPROCITY = 1.05
@@ -18,6 +19,7 @@ def scene_notices(conditions: Conditions) -> Iterator[Notice]:
     yield from _pressure_notices(conditions)
     yield from _reciprocity_notices(conditions)
     yield from _network_notices(conditions)
+    yield from _curve_notices(conditions)
 
 
 def verdict_notices(verdicts: Iterable[Verdict]) -> Iterator[Notice]:
@@ -100,6 +102,20 @@ def _reciprocity_notices(conditions: Conditions) -> Iterator[Notice]:
                 "does work of its own",
                 "bellows",
             )
+
+
+def _curve_notices(conditions: Conditions) -> Iterator[Notice]:
+    curve = conditions.scene.bellows.curve
+    rows = (curve.rows or ()) if curve is not None else ()
+    if falls(rows) and conditions.scene.effects.mode("material_curve") != "off":
+        peak = first_peak(rows)
+        yield Notice(
+            "snapping_curve",
+            f"by bellows.curve a bellow snaps at {peak / 1e3:.4g} kPa gauge, where its pressure "
+            "falls as it swells: under such a pressure equal bellows swell one after another, and "
+            "small differences decide which is first",
+            "bellows.curve",
+        )
 
 
 def _network_notices(conditions: Conditions) -> Iterator[Notice]:

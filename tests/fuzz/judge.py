@@ -2,26 +2,38 @@
 
 from __future__ import annotations
 
+import csv
+import json
+import math
 import signal
+import traceback
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import yaml
 
-from tests.hard.case import STIR
-from viscodesign import Trajectory, check, load, simulate
+from tests.fuzz.scenes import Draft
+from tests.hard.case import STIR, VOLUME
+from viscodesign import Scene, Trajectory, check, load, simulate
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.report.files import write_run
+from viscodesign.watching import ENERGY_BROKEN, ENERGY_DOUBTED
 
-PATIENCE = 120
-"""Wall seconds after which a scene counts as hanging; the work limit is to end it long before."""
+PATIENCE = 60
+"""Seconds of a processor after which a scene counts as hanging; the work limit is to end it long
+before. Not those of a clock on the wall: the machine may be busy."""
 SLACK = 0.02
-"""Share of the pressures' range by which one may leave it at a rough accuracy."""
+"""Share of the inlets' range by which a pressure may leave it; the accuracy asked for is one of
+the tip, and may be rough."""
+MOST_CORNERS = 2000
+MOST_STRETCHED = 3.0
+"""Length of an actuator, of that at rest."""
+WORDS_OF_PROGRAMS = ("Traceback", ".cpp", "internal error", "NoneType", "casadi", "pydantic")
+"""What no message for a user holds."""
 
 
 class HangError(Exception):
@@ -35,85 +47,172 @@ class Verdict:
     ending: str
     complaints: tuple[str, ...] = ()
     steps: int = 0
+    numbers: dict[str, float] = field(default_factory=dict)
+    """For the table of all scenes."""
+    run: Trajectory | None = None
 
 
 @contextmanager
 def patience(seconds: int) -> Iterator[None]:
-    """Raise `HangError` inside after a while."""
+    """Raise `HangError` inside after so many seconds of the processor."""
 
     def ring(*_: object) -> None:
         raise HangError
 
-    before = signal.signal(signal.SIGALRM, ring)
-    signal.alarm(seconds)
+    before = signal.signal(signal.SIGPROF, ring)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         yield
     finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
 
 
-def judged(spec: dict[str, Any], folder: Path) -> Verdict:
+def judged(draft: Draft, folder: Path) -> Verdict:
     """Load, check, solve and write a spec as a user would; never raises."""
-    file = folder / "spec.yaml"
-    file.write_text(yaml.safe_dump(spec), encoding="utf-8")
     try:
         with warnings.catch_warnings(), patience(PATIENCE):
             warnings.simplefilter("error")
-            scene = load(file)
+            scene = load(written(draft, folder))
             check(scene)
             run = simulate(scene)
             write_run(run, folder / "run", plots=False)
+            complaints = tuple(_of_run(scene, run, folder / "run"))
     except SpecError as error:
-        return Verdict("refused", tuple(_of_message(str(error))))
+        return Verdict("refused", tuple(of_refusal(error)))
     except SolveError as error:
-        told = [
-            *_of_message(str(error)),
-            *([] if error.quantity and error.remedy else ["no remedy"]),
-        ]
-        return Verdict(f"no start: {error.quantity}", tuple(told))
+        silent = () if error.quantity and error.remedy else ("no remedy",)
+        return Verdict(f"no start: {error.quantity}", (*of_message(str(error)), *silent))
     except HangError:
         return Verdict("hangs", (f"no end after {PATIENCE} s",))
     except Exception as error:  # whatever else is a finding
-        return Verdict("breaks", (f"{type(error).__name__}: {error}",))
-    ending = run.status if run.failure is None else f"failed: {run.failure[:40]}"
-    return Verdict(ending, tuple(_of_run(run, folder / "run")), run.cost.steps)
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        where = f"{Path(place.filename).name}:{place.lineno}"
+        return Verdict("breaks", (f"{type(error).__name__} in {where}: {error}",))
+    return Verdict(_ending(run), complaints, run.cost.steps, _numbers(run), run)
 
 
-def _of_message(message: str) -> Iterator[str]:
-    if not message.strip() or "Traceback" in message or ".cpp" in message:
-        yield f"unclear message: {message[:200]}"
+def written(draft: Draft, folder: Path) -> Path:
+    """The spec's file, with its tables beside it."""
+    folder.mkdir(exist_ok=True)
+    for name, text in draft.files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    file = folder / "spec.yaml"
+    file.write_text(yaml.safe_dump(draft.spec, sort_keys=False), encoding="utf-8")
+    return file
 
 
-def _of_run(run: Trajectory, folder: Path) -> Iterator[str]:
+def of_message(message: str) -> Iterator[str]:
+    """What no user should have to read."""
+    if not message.strip() or any(word in message for word in WORDS_OF_PROGRAMS):
+        yield f"unclear message: {message[:300]!r}"
+
+
+def of_refusal(error: SpecError) -> Iterator[str]:
+    """A refusal has faults, and each of them says something."""
+    if not error.faults:
+        yield "refused without a fault"
+    for fault in error.faults:
+        yield from of_message(fault.message)
+
+
+def _ending(run: Trajectory) -> str:
+    if run.failure is None:
+        return run.status
+    words = "".join(c for c in run.failure if not c.isdigit())
+    return f"failed: {words[:40]}"
+
+
+def _numbers(run: Trajectory) -> dict[str, float]:
+    energy = run.invariants.energy_imbalance_rel
+    return {"energy": energy} if energy is not None and run.status == "complete" else {}
+
+
+def _of_run(scene: Scene, run: Trajectory, folder: Path) -> Iterator[str]:
     if run.status not in ("complete", "failed") or (run.status == "failed") != bool(run.failure):
         yield f"status {run.status} with the message {run.failure}"
-    yield from _of_message(run.failure or "none")
-    arrays = {"tip": run.tip, "pressure": run.pressure, "volume": run.volume, "flow": run.flow}
+    yield from of_message(run.failure or "none")
+    yield from (c for notice in run.warnings for c in of_message(notice.message))
+    arrays = {
+        "tip": run.tip, "pressure": run.pressure, "volume": run.volume,
+        "flow": run.flow, "shape": run.shape, "time": run.time,
+    }  # fmt: skip
     yield from (f"{name} is not finite" for name, a in arrays.items() if not np.isfinite(a).all())
     if np.any(np.diff(run.time) <= 0):
         yield "times do not ascend"
-    volume, error = run.invariants.volume_imbalance_rel, run.accuracy.estimated_tip_error_m
     if run.status == "complete":
-        if volume is not None and volume > 1e-8:
-            yield f"volume imbalance {volume:.2g}"
-        if error is None or not 0 <= error <= run.accuracy.requested_m:
-            yield f"complete with an error of {error}"
-        yield from _of_pressures(run)
-    text = (folder / "trajectory.csv").read_text() + (folder / "shape.csv").read_text()
-    if "nan" in text or "inf," in text:
-        yield "a table holds what is no number"
+        yield from _of_times(scene, run)
+        yield from _of_balances(run)
+        yield from _of_pressures(scene, run)
+    yield from _of_files(run, folder)
 
 
-def _of_pressures(run: Trajectory) -> Iterator[str]:
+def _of_times(scene: Scene, run: Trajectory) -> Iterator[str]:
+    told = scene.run.output_times_array()
+    if len(told) != len(run.time) or not np.allclose(told, run.time, rtol=1e-9, atol=0.0):
+        yield f"complete with {len(run.time)} times of {len(told)}, or others than asked for"
+
+
+def _of_balances(run: Trajectory) -> Iterator[str]:
+    volume, energy = run.invariants.volume_imbalance_rel, run.invariants.energy_imbalance_rel
+    error = run.accuracy.estimated_tip_error_m
+    if volume is not None and not volume <= VOLUME:
+        yield f"volume imbalance {volume:.2g}"
+    if energy is not None and not 0 <= energy <= ENERGY_BROKEN:
+        yield f"energy imbalance {energy:.2g}"
+    doubted = any(notice.code == "energy_imbalance" for notice in run.warnings)
+    if energy is not None and energy > ENERGY_DOUBTED and not doubted:
+        yield f"energy imbalance {energy:.2g} without a warning"
+    if error is None or not 0 <= error <= run.accuracy.requested_m:
+        yield f"complete with an error of {error}"
+
+
+def _of_pressures(scene: Scene, run: Trajectory) -> Iterator[str]:
+    """Without feedback and inertance pressures stay within the range of the inlets'."""
     taken = {v.name for v in run.effects if v.taken}
-    if STIR & taken or "syringe" in run.spec_text or len(run.time) < 20:
+    sources = list(scene.inputs.values())
+    if STIR & taken or not all(source.gives_pressure for source in sources):
         return
-    told = np.concatenate([*run.inlet_pressure.values(), run.pressure[0]])
-    low, high = told.min(), told.max()
-    # Between the outputs the inlets may go farther than is told.
-    slack = (SLACK + 0.3) * (high - low) + 1.0
-    if "sine" not in run.spec_text and "square" not in run.spec_text:
-        beyond = max(run.pressure.max() - high, low - run.pressure.min())
-        if beyond > slack:
-            yield f"a pressure leaves the inlets' range by {beyond:.3g} Pa"
+    duration = scene.run.duration
+    corners = [t for s in sources for t in s.corners(duration)][:MOST_CORNERS]
+    times = np.unique([*np.linspace(0.0, duration, 5000), *corners])
+    told = [scene.gauge_pressure + source.values(times) for source in sources]
+    before = [scene.gauge_pressure] if scene.run.start == "rest" else []
+    jumps = [[scene.gauge_pressure + s.values(np.zeros(1))[0] for s in sources]]
+    history = np.concatenate([*told, *jumps, run.pressure[0], before, *run.inlet_pressure.values()])
+    low, high = float(history.min()), float(history.max())
+    beyond = max(float(run.pressure.max()) - high, low - float(run.pressure.min()), 0.0)
+    if beyond - _head(scene, taken) > SLACK * (high - low) + 1e-6 * max(abs(low), abs(high)) + 1e-6:
+        yield f"a pressure leaves the inlets' range of {high - low:.3g} Pa by {beyond:.3g} Pa"
+
+
+def _head(scene: Scene, taken: set[str]) -> float:
+    """What the fluid's own weight may add between two ends of the actuator [Pa]."""
+    gravity = scene.loads.gravity
+    if gravity is None or "fluid_mass" not in taken:
+        return 0.0
+    return MOST_STRETCHED * scene.fluid.density * gravity.acceleration * scene.actuator.length
+
+
+def _of_files(run: Trajectory, folder: Path) -> Iterator[str]:
+    for name, rows in (("trajectory.csv", len(run.time)), ("shape.csv", None)):
+        with (folder / name).open(newline="") as file:
+            header, *lines = list(csv.reader(file))
+        if rows is not None and len(lines) != rows:
+            yield f"{name} has {len(lines)} rows of {rows}"
+        if any(len(line) != len(header) for line in lines):
+            yield f"{name} has rows of other lengths than its header"
+        elif not all(math.isfinite(float(cell)) for line in lines for cell in line):
+            yield f"{name} holds what is no number"
+    summary = strict_json((folder / "summary.json").read_text(encoding="utf-8"))
+    if not isinstance(summary, dict) or summary["status"] != run.status:
+        yield "summary.json does not tell the run's status"
+
+
+def strict_json(text: str) -> object:
+    """A JSON document, without the NaN and Infinity that Python would read."""
+
+    def refuse(word: str) -> float:
+        raise ValueError(f"{word} in a JSON document")
+
+    return json.loads(text, parse_constant=refuse)

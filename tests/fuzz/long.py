@@ -1,71 +1,139 @@
-"""Many random scenes: python -m tests.fuzz.long --scenes 2000 --seed 1 -o FOLDER
+"""Many random scenes and broken specs; see the README beside this file.
 
-Goes on after a finding. Prints how the scenes ended; every finding's spec is kept in the
-folder, with what was wrong as its first line.
+python -m tests.fuzz.long --scenes 2500 --broken 5000 --seed 1 --jobs 2 -o FOLDER
+python -m tests.fuzz.long --only 137 --seed 1          one scene again, its spec printed
+python -m tests.fuzz.long --only-broken 137 --seed 1   one broken spec again
 """
 
 from __future__ import annotations
 
 import argparse
-import tempfile
+import contextlib
+import sys
 import time
-from collections import Counter
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
 
 import yaml
-from hypothesis import HealthCheck, Phase, given, seed, settings
 
-from tests.fuzz.judge import judged
-from tests.fuzz.scenes import specs
+from tests.fuzz import crew
+from tests.fuzz.breaking import Broken, broken_spec
+from tests.fuzz.broken import outcome_of
+from tests.fuzz.dice import dice_of
+from tests.fuzz.judge import Verdict
+from tests.fuzz.tally import Tally
+from tests.fuzz.trial import drawn, tried
 
-MOST_KEPT = 2
+EVERY = 100
+"""Trials between two words of progress."""
+MOST_KEPT = 3
 """Specs kept of every way to end early, for a look."""
 
 
-def main() -> None:
-    """Draw, judge, count."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--scenes", type=int, default=2000)
-    parser.add_argument("--seed", type=int, default=1)
+def scene_trial(seed: str, number: int) -> Verdict:
+    """What a worker does with the number of a scene."""
+    return tried(drawn(seed, number), number)
+
+
+def broken_trial(seed: str, number: int) -> Verdict:
+    """What a worker does with the number of a broken spec."""
+    return outcome_of(broken_of(seed, number))
+
+
+def broken_of(seed: str, number: int) -> Broken:
+    """Broken spec ``number`` of a seed."""
+    return broken_spec(dice_of(f"broken:{seed}", number))
+
+
+def spec_text(seed: str, number: int) -> str:
+    """A scene's spec, with its tables as comments."""
+    scene = drawn(seed, number)
+    tables = [f"# {name}: {text!r}\n" for name, text in scene.files.items()]
+    return "".join(tables) + yaml.safe_dump(scene.spec, sort_keys=False)
+
+
+def broken_text(seed: str, number: int) -> str:
+    """A broken spec, readable."""
+    broken = broken_of(seed, number)
+    tables = [f"# {name}: {content[:2000]!r}\n" for name, content in broken.files.items()]
+    return f"# {broken.how}\n# --set {broken.overrides}\n{''.join(tables)}{broken.text[:20000]!r}\n"
+
+
+def main() -> int:
+    """Draw, judge, count; 1 where there is a finding."""
+    given = _arguments()
+    if given.only is not None:
+        return _one(spec_text, scene_trial, given.seed, given.only)
+    if given.only_broken is not None:
+        return _one(broken_text, broken_trial, given.seed, given.only_broken)
+    given.output.mkdir(parents=True, exist_ok=True)
+    began = time.strftime("%Y-%m-%d %H:%M")
+    tallies = list(_tallies(given))
+    text = f"# Seed {given.seed}, {began}\n\n" + "\n".join(t.table() for t in tallies)
+    (given.output / "table.md").write_text(text, encoding="utf-8")
+    print(text)
+    return int(any(t.findings for t in tallies))
+
+
+def _arguments() -> argparse.Namespace:
+    form = argparse.RawDescriptionHelpFormatter
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=form)
+    parser.add_argument("--scenes", type=int, default=0, help="how many random scenes")
+    parser.add_argument("--broken", type=int, default=0, help="how many broken specs")
+    parser.add_argument("--first", type=int, default=0, help="number of the first of them")
+    parser.add_argument("--seed", default="1")
+    parser.add_argument("--jobs", type=int, default=2, help="processes")
+    parser.add_argument("--only", type=int, help="this one scene, here and now")
+    parser.add_argument("--only-broken", type=int, help="this one broken spec")
     parser.add_argument("-o", "--output", type=Path, default=Path("fuzz"))
-    given_ = parser.parse_args()
-    given_.output.mkdir(parents=True, exist_ok=True)
-    endings: Counter[str] = Counter()
-    slowest: list[tuple[float, int]] = []
-    findings = 0
+    return parser.parse_args()
 
-    @seed(given_.seed)
-    @settings(
-        max_examples=given_.scenes,
-        deadline=None,
-        database=None,
-        phases=[Phase.generate],
-        suppress_health_check=list(HealthCheck),
-    )
-    @given(spec=specs())
-    def scenes(spec: dict[str, Any]) -> None:
-        nonlocal findings
-        began, count = time.perf_counter(), sum(endings.values())
-        with tempfile.TemporaryDirectory() as folder:
-            verdict = judged(spec, Path(folder))
-        endings[verdict.ending] += 1
-        slowest.append((time.perf_counter() - began, count))
-        if verdict.ending not in ("complete", "refused") and endings[verdict.ending] <= MOST_KEPT:
-            text = f"# {verdict.ending}\n{yaml.safe_dump(spec)}"
-            (given_.output / f"ended_{count:05d}.yaml").write_text(text, encoding="utf-8")
-        if verdict.complaints:
-            findings += 1
-            text = f"# {'; '.join(verdict.complaints)}\n{yaml.safe_dump(spec)}"
-            (given_.output / f"finding_{count:05d}.yaml").write_text(text, encoding="utf-8")
-            print(count, verdict.ending, "; ".join(verdict.complaints)[:200], flush=True)
 
-    scenes()
-    for ending, count in endings.most_common():
-        print(f"{count:6d}  {ending}")
-    print("slowest [s, scene]:", [(round(s, 1), k) for s, k in sorted(slowest)[-5:]])
-    print(f"{sum(endings.values())} scenes of seed {given_.seed}, {findings} findings")
+def _tallies(given: argparse.Namespace) -> Iterator[Tally]:
+    if given.scenes:
+        yield _counted("Scenes", given, given.scenes, scene_trial, spec_text)
+    if given.broken:
+        yield _counted("Broken specs", given, given.broken, broken_trial, broken_text)
+
+
+def _counted(
+    title: str,
+    given: argparse.Namespace,
+    count: int,
+    task: crew.Task,
+    text_of: Callable[[str, int], str],
+) -> Tally:
+    tally = Tally(title)
+    numbers = range(given.first, given.first + count)
+    found = crew.answers(task, given.seed, numbers, given.jobs)
+    for number, answer, seconds in _until_interrupted(found):
+        verdict = Verdict("dies", (answer.how,)) if isinstance(answer, crew.Died) else answer
+        told = "; ".join(verdict.complaints)
+        tally.add(number, verdict.ending, told, seconds, verdict.numbers)
+        early = verdict.ending not in ("complete", "refused", "loaded")
+        if told or (early and tally.endings[verdict.ending] <= MOST_KEPT):
+            name = f"{'finding' if told else 'ended'}_{title.split()[0].lower()}_{number:05d}.txt"
+            head = f"# {verdict.ending}: {told}\n"
+            (given.output / name).write_text(head + text_of(given.seed, number), encoding="utf-8")
+        if told:
+            print(number, verdict.ending, told[:300], flush=True)
+        if tally.count % EVERY == 0:
+            print(f"{title}: {tally.count} of {count}", flush=True)
+    return tally
+
+
+def _until_interrupted(found: Iterator[crew.Answer]) -> Iterator[crew.Answer]:
+    """What comes before Ctrl-C, which ends a count early: its table is printed all the same."""
+    with contextlib.suppress(KeyboardInterrupt):
+        yield from found
+
+
+def _one(text_of: Callable[[str, int], str], task: crew.Task, seed: str, number: int) -> int:
+    print(text_of(seed, number))
+    verdict = task(seed, number)
+    print(verdict.ending, *verdict.complaints, verdict.numbers, sep="\n")
+    return int(bool(verdict.complaints))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -1,181 +1,192 @@
-"""Random specs that are valid by every rule of the schema, whatever they lead to."""
+"""Random specs that are valid by every rule of the schema, whatever they lead to.
+
+Everything is drawn from one `random.Random`, so that a scene is told by the seed of it.
+"""
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass, field
+from random import Random
 from typing import Any
 
-from hypothesis import strategies as st
+from tests.fuzz.dice import around, happens, share, size
+from tests.fuzz.inputs import source
+from tests.fuzz.networks import network
+from viscodesign.effects.select import effect_names
 
-Draw = st.DrawFn
-EFFECTS = (
-    "pressure_distribution", "inertia", "rotary_inertia", "feedback", "gas_compressibility",
-    "fluid_inertance", "flow_regime", "collapse", "fluid_mass", "damping",
-)  # fmt: skip
-
-
-def about(value: float, low: float = -1.0, high: float = 1.0) -> st.SearchStrategy[float]:
-    """Numbers around one, over powers of ten."""
-    return st.floats(low, high).map(lambda power: float(f"{value * 10**power:.6g}"))
+Spec = dict[str, Any]
+MOST_STEPS = 1_500
+"""Work that a scene may cost, its verification included."""
+SECTIONS = (1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 3, 4, 4, 5, 6, 8, 12)
+"""Few of many: their cost grows faster than what they show."""
 
 
-@st.composite
-def specs(draw: Draw) -> dict[str, Any]:
-    """A whole spec as a mapping; sizes around the paper's, over some orders of magnitude."""
-    sections = draw(st.integers(1, 6))
-    inlets = draw(st.sampled_from([1, 1, 1, 2]))
-    network, names = draw(networks(sections, inlets))
-    fluid = draw(fluids())
-    duration = draw(about(1.0, -3, 1))
-    stiff = isinstance(fluid, str)
-    inputs = {name: draw(sources(duration, syringe=stiff)) for name in names}
-    spec: dict[str, Any] = {
+@dataclass(frozen=True)
+class Draft:
+    """A spec as a mapping, and the tables that lie beside it by their names."""
+
+    spec: Spec
+    files: dict[str, str] = field(default_factory=dict)
+
+
+def draft(dice: Random) -> Draft:
+    """A whole spec; sizes around the paper's, over some orders of magnitude."""
+    sections = dice.choice(SECTIONS)
+    several = sections > 1 and happens(dice, 0.25)
+    names = [f"in{k}" for k in range(dice.choice([2, 3]))] if several else ["inlet"]
+    fluid, yields = _fluid(dice)
+    duration = around(dice, 1.0, -6, 6) if happens(dice, 0.25) else around(dice, 1.0, -3, 1)
+    inputs = {name: source(dice, duration, syringe=yields) for name in names}
+    spec: Spec = {
         "name": "fuzz",
-        "actuator": {
-            "length": draw(about(0.109, -0.5, 0.5)),
-            "height": draw(about(0.03, -0.3, 0.3)),
-            "width": draw(about(0.02, -0.3, 0.3)),
-            "youngs_modulus": draw(about(1.8e6, -0.5, 1.0)),
-            "density": draw(about(950.0, -2, 2)),
-            "solid_fraction": 0.47,
-            "extension_factor": draw(about(0.53, -1, 2)),
-            "bending_factor": 0.55,
-            "damping_time": draw(st.sampled_from([0.0, 1e-4, 1e-3, 1e-2])),
-        },
-        "bellows": {
-            "count": 2 * sections,
-            "height": 0.01,
-            "width": 0.012,
-            "length": 0.018,
-            "area_per_pressure": draw(about(3.413e-9, -1, 1)),
-            "angle_per_pressure": draw(about(10.266, -1, 0.5)),
-            "extension_per_pressure": draw(about(0.047, -1, 0.5)),
-            "area_per_force": draw(st.one_of(st.just(0.0), about(3e-7, -1, 0.8))),
-            "area_per_moment": draw(st.one_of(st.just(0.0), about(1.2e-6, -1, 1.9))),
-        },
-        "network": network,
+        "actuator": _actuator(dice),
+        "bellows": _bellows(dice, sections),
+        "network": network(dice, sections, names),
         "fluid": fluid,
-        "gauge_pressure": draw(st.sampled_from([0.0, 0.0, 2e4, -1e4])),
-        "loads": draw(loads()),
-        "effects": draw(effects(len(names))),
-        "accuracy": draw(st.sampled_from([0.002, 0.005, 0.02])),
-        "run": {
-            "duration": duration,
-            "output_interval": duration / draw(st.integers(1, 25)),
-            "start": draw(st.sampled_from(["equilibrium", "equilibrium", "rest"])),
-            "max_steps": 4_000,
-        },
+        **_surroundings(dice),
+        "loads": _loads(dice),
+        "effects": _effects(dice, len(names)),
+        "accuracy": around(dice, 0.005, -0.7, 1) if happens(dice, 0.9) else 5e-4,
+        "run": _run(dice, duration),
+        **({"inputs": inputs} if several else {"input": inputs["inlet"]}),
     }
-    if names == ["inlet"]:
-        spec["input"] = inputs["inlet"]
-    else:
-        spec["inputs"] = inputs
-    return spec
+    return _with_files(dice, spec)
 
 
-@st.composite
-def networks(draw: Draw, sections: int, inlets: int) -> tuple[dict[str, Any], list[str]]:
-    """A named chain, or a random graph with junctions, loops and perhaps sealed parts."""
-    radius, length = draw(about(3.25e-4, -0.5, 0.5)), draw(about(0.0375, -1, 1))
-    sizes = {"tube_radius": radius, "tube_length": length}
-    layouts = ["straight"] + (["crossed"] if sections % 2 == 0 else [])
-    if inlets == 1 and draw(st.booleans()):
-        return {"layout": draw(st.sampled_from(layouts)), **sizes}, ["inlet"]
-    names = ["inlet"] if inlets == 1 else [f"in{k}" for k in range(inlets)]
-    bellows = [f"{side}{j}" for side in "RL" for j in range(1, sections + 1)]
-    nodes = [*names]
-    tubes: list[dict[str, Any]] = []
-    fed = draw(st.permutations(bellows))
-    for k, node in enumerate(fed):
-        if k >= inlets and draw(st.integers(0, 9)) == 0:
-            continue  # a sealed bellow
-        origin = names[k] if k < inlets else draw(st.sampled_from(nodes))
-        tubes.append(_tube(draw, origin, node))
-        nodes.append(node)
-    for k in range(draw(st.integers(0, 2))):
-        ends = draw(st.lists(st.sampled_from(nodes), min_size=2, max_size=2, unique=True))
-        tubes += [_tube(draw, end, f"j{k}") for end in ends]
-    if len(nodes) > 2 and draw(st.booleans()):
-        ends = draw(st.lists(st.sampled_from(nodes), min_size=2, max_size=2, unique=True))
-        tubes.append(_tube(draw, *ends))
-    return {"layout": "custom", **sizes, "tubes": tubes}, names
-
-
-def _tube(draw: Draw, start: str, end: str) -> dict[str, Any]:
-    return {"from": start, "to": end, "length": draw(about(0.0375, -2, 2))}
-
-
-@st.composite
-def fluids(draw: Draw) -> Any:
-    """A known one, or one of any viscosity."""
-    if draw(st.booleans()):
-        return draw(st.sampled_from(["air", "water"]))
-    own = {
-        "name": "own",
-        "viscosity": draw(about(1e-3, -6, 6)),
-        "density": draw(about(30, -1.5, 1.5)),
+def _actuator(dice: Random) -> Spec:
+    return {
+        "length": size(dice, 0.109, -0.5, 0.5),
+        "height": size(dice, 0.03, -0.3, 0.3),
+        "width": size(dice, 0.02, -0.3, 0.3),
+        "youngs_modulus": size(dice, 1.8e6, -0.5, 1.0),
+        "density": size(dice, 950.0, -2, 2),
+        "solid_fraction": share(dice, 0.01, 1.0),
+        "extension_factor": size(dice, 0.53, -1, 2),
+        "bending_factor": size(dice, 0.55, -0.5, 0.5),
+        "damping_time": dice.choice([0.0, 1e-4, 1e-3, 1e-2]),
     }
-    if draw(st.booleans()):
-        own["gas_constant"] = 287.0
-    return own
 
 
-@st.composite
-def sources(draw: Draw, duration: float, *, syringe: bool) -> dict[str, Any]:
-    """One input of any kind."""
-    high, low = draw(st.floats(-8e4, 1e5)), draw(st.floats(-5e4, 5e4))
-    time = duration * draw(st.floats(0.05, 2.0))
-    kinds: list[dict[str, Any]] = [
-        {"kind": "constant", "value": high},
-        {"kind": "step", "value": high, "time": duration * draw(st.sampled_from([0.0, 0.3]))},
-        {"kind": "sine", "amplitude": abs(high), "mean": low / 2, "frequency": 1 / time},
-        {"kind": "square", "high": high, "low": low, "frequency": 1 / time},
-        {
-            "kind": "trapezoid",
-            "high": high,
-            "low": low,
-            "rise": time / 4,
-            "hold": time / 4,
-            "fall": time / 2,
-        },
-        {
-            "kind": "double_sigmoid",
-            "start": 4e4,
-            "drop": abs(high),
-            "fall_time": time / 4,
-            "rise_time": time,
-            "transition": time / 4,
-        },
-        {"kind": "table", "rows": [[0.0, low], [time / 2, high], [time, low / 3]]},
-    ]
-    if syringe:
-        rows = [[0.0, 0.0], [time, draw(st.floats(-0.005, 0.02))]]
-        kinds.append({"kind": "syringe", "diameter": 0.02, "start": 0.05, "rows": rows})
-    return draw(st.sampled_from(kinds))
-
-
-@st.composite
-def loads(draw: Draw) -> dict[str, Any]:
-    """None, or some of them."""
-    found: dict[str, Any] = {}
-    if draw(st.booleans()):
-        found["gravity"] = {"tilt": draw(st.floats(0, 6.28))}
-    if draw(st.integers(0, 2)) == 0:
-        found["tip_force"] = {"x": draw(st.floats(-3, 3)), "z": draw(st.floats(-12, 3))}
-    if draw(st.integers(0, 3)) == 0:
-        found["payload"] = draw(about(0.02, -1, 1))
+def _bellows(dice: Random, sections: int) -> Spec:
+    found: Spec = {
+        "count": 2 * sections,
+        "height": size(dice, 0.01, -0.3, 0.3),
+        "width": size(dice, 0.012, -0.3, 0.3),
+        "length": size(dice, 0.018, -0.3, 0.3),
+        "area_per_pressure": size(dice, 3.413e-9, -1, 1),
+        "angle_per_pressure": dice.choice([1, 1, 1, -1]) * size(dice, 10.266, -1, 0.5),
+        "extension_per_pressure": size(dice, 0.047, -1, 0.5),
+        "collapse_fraction": share(dice, 0.0, 0.99) if happens(dice, 0.3) else 0.1,
+    }
+    if happens(dice, 0.6):
+        found["area_per_force"] = size(dice, 3e-7, -1, 0.8)
+    if happens(dice, 0.6):
+        found["area_per_moment"] = size(dice, 1.2e-6, -1, 1.9)
+    if happens(dice, 0.15):
+        found["curve"] = {"rows": _curve(dice)}
     return found
 
 
-@st.composite
-def effects(draw: Draw, inlets: int) -> Any:
-    """Left to the scene, or some of them forced."""
-    if draw(st.booleans()):
-        return "auto"
-    names = draw(st.lists(st.sampled_from(EFFECTS), unique=True, max_size=5))
-    forced: dict[str, str] = {name: draw(st.sampled_from(["on", "off", "auto"])) for name in names}
-    if inlets > 1:
-        forced.pop("pressure_distribution", None)
-    return {
-        **forced,
-        "others": draw(st.sampled_from(["auto", "auto", "off"] if inlets == 1 else ["auto"])),
+def _curve(dice: Random) -> list[list[float]]:
+    """Measured rows: the area rises, angle and extension may go up and down."""
+    pressures = [-6e4, -2e4, 0.0, 1e4, 5e4, 1.2e5]
+    monotone = happens(dice, 0.6)
+    area, rows = -2e-4, []
+    for k, pressure in enumerate(pressures):
+        area += 1e-4 * dice.choice([0.05, 0.5, 1.0])
+        lean = k if monotone else dice.uniform(0, 6)
+        rows.append([pressure, area, 0.08 * lean, 1e-3 * lean])
+    return rows
+
+
+def _fluid(dice: Random) -> tuple[Any, bool]:
+    """A known one, or one of any viscosity; and whether it yields."""
+    if happens(dice, 0.45):
+        return dice.choice(["air", "water"]), True
+    if happens(dice, 0.05):
+        return {"name": "glycerol-water", "fraction": share(dice, 0.0, 0.6)}, False
+    own: Spec = {
+        "name": "own",
+        "viscosity": around(dice, 1e-3, -6, 6),
+        "density": around(dice, 30, -1.5, 1.5),
     }
+    if happens(dice, 0.4):
+        own["gas_constant"] = around(dice, 287.0, -0.5, 1)
+        if happens(dice, 0.3):
+            own["polytropic_exponent"] = share(dice, 1.0, 1.6666)
+    elif happens(dice, 0.5):
+        own["bulk_modulus"] = around(dice, 2e9, -3, 0.5)
+        if happens(dice, 0.5):
+            own["vapour_pressure"] = share(dice, 0.0, 1e5)
+    return own, "gas_constant" in own or "bulk_modulus" in own
+
+
+def _surroundings(dice: Random) -> Spec:
+    found: Spec = {"gauge_pressure": dice.choice([0.0, 0.0, 0.0, 2e4, -1e4])}
+    if happens(dice, 0.2):
+        found["temperature"] = share(dice, 275.0, 312.0)
+    if happens(dice, 0.1):
+        found["ambient_pressure"] = around(dice, 101325.0, -0.5, 1)
+    return found
+
+
+def _loads(dice: Random) -> Spec:
+    found: Spec = {}
+    if happens(dice, 0.5):
+        found["gravity"] = {"tilt": share(dice, 0.0, 2 * math.pi)}
+        if happens(dice, 0.1):
+            found["gravity"]["acceleration"] = dice.choice([0.0, 1.62, 98.0])
+    if happens(dice, 0.3):
+        found["tip_force"] = {"x": share(dice, -3.0, 3.0), "z": share(dice, -12.0, 3.0)}
+    if happens(dice, 0.25):
+        found["payload"] = size(dice, 0.02, -1, 1)
+    return found
+
+
+def _effects(dice: Random, inlets: int) -> Any:
+    """Left to the scene, or some of them forced, or all."""
+    if happens(dice, 0.5):
+        return "auto"
+    if happens(dice, 0.1):
+        return dice.choice(["on", "off"])
+    names = dice.sample(effect_names(), dice.randint(0, 5))
+    forced = {name: dice.choice(["on", "off", "auto"]) for name in names}
+    if inlets > 1 and happens(dice, 0.9):
+        forced["pressure_distribution"] = "on"
+    return {**forced, "others": dice.choice(["auto", "auto", "off", "on"])}
+
+
+def _run(dice: Random, duration: float) -> Spec:
+    found: Spec = {
+        "duration": duration,
+        "start": dice.choice(["equilibrium", "equilibrium", "rest"]),
+        "max_steps": MOST_STEPS,
+    }
+    if happens(dice, 0.2):
+        times = sorted({duration * dice.random() for _ in range(dice.choice([1, 2, 10]))})
+        found["output_times"] = [*times, duration] if happens(dice, 0.5) else times
+    else:
+        found["output_interval"] = duration / dice.choice([1, 2, 5, 10, 25, 25, 60])
+    return found
+
+
+def _with_files(dice: Random, spec: Spec) -> Draft:
+    """Half of the tables lie in files of their own."""
+    files: dict[str, str] = {}
+    tables = {"table": ("time_s,pressure_pa", "t"), "syringe": ("time_s,position_m", "s")}
+    for name, given in {"": spec.get("input"), **spec.get("inputs", {})}.items():
+        if given and given["kind"] in tables and "rows" in given and happens(dice, 0.5):
+            header, letter = tables[given["kind"]]
+            files[f"{letter}{name}.csv"] = _csv(header, given.pop("rows"))
+            given["file"] = f"{letter}{name}.csv"
+    curve = spec["bellows"].get("curve")
+    if curve and happens(dice, 0.5):
+        header = "pressure_pa,area_m2,angle_rad,extension_m"
+        files["curve.csv"] = _csv(header, curve.pop("rows"))
+        curve["file"] = "curve.csv"
+    return Draft(spec, files)
+
+
+def _csv(header: str, rows: list[list[float]]) -> str:
+    return "\n".join([header, *(",".join(map(repr, row)) for row in rows)]) + "\n"

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
-
 import pytest
-from hypothesis import HealthCheck, given, settings
 
-from tests.fuzz.judge import judged
-from tests.fuzz.scenes import specs
+from tests.fuzz.trial import drawn, tried
+
+SEED = "every change"
+SCENES = 40
 
 
-@settings(
-    max_examples=40,
-    derandomize=True,
-    deadline=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],
-)
-@given(spec=specs())
-def test_random_scene(spec: dict[str, Any], tmp_path_factory: pytest.TempPathFactory) -> None:
-    folder: Path = tmp_path_factory.mktemp("scene")
-    assert not judged(spec, folder).complaints
+@pytest.mark.parametrize("number", range(SCENES))
+def test_random_scene(number: int) -> None:
+    """Again, with its spec: python -m tests.fuzz.long --seed "every change" --only NUMBER."""
+    assert not tried(drawn(SEED, number), number).complaints
+
+
+def test_a_scene_is_told_by_its_seed_and_number() -> None:
+    assert drawn(SEED, 3) == drawn(SEED, 3)
+    assert len({str(drawn(SEED, k).spec) for k in range(200)}) == 200

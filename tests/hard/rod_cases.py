@@ -1,4 +1,4 @@
-"""Hard cases of the rod: buckling, curling, stiffness, release, resonance, coupling."""
+"""Hard cases of the rod: curling, stiffness, release, resonance, coupling, symmetry."""
 
 from __future__ import annotations
 
@@ -9,88 +9,57 @@ from collections.abc import Iterator
 import numpy as np
 
 from tests.hard.case import EXACT, Case, Finding, Judge, at_most, relative, true, warned
-from tests.scenes import LEG_EI, LEG_LENGTH, chain_order, leg
+from tests.hard.rod_words import (
+    COUPLED,
+    DENSITY,
+    EI,
+    FINE,
+    INEXTENSIBLE,
+    PER_PASCAL,
+    PULSE,
+    SHORT,
+    STATIC,
+    STILL,
+    UNDAMPED,
+    L,
+    as_stated,
+    bent,
+    stiffness_ratio,
+    tip,
+    tip_at,
+)
+from tests.scenes import chain_order, leg
 from tests.validation.rc_network import columns
 from tests.validation.test_network import tubes
 from viscodesign import Trajectory, simulate
 
-L, EI = LEG_LENGTH, LEG_EI
-CRITICAL = np.pi**2 / 4 * EI / L**2
-"""Euler's load of an inextensible cantilever [N]."""
-PER_PASCAL = 8 * 10.266 / 1.8e6
-"""Angle of all sections per pressure of the left bellows above the right ones [rad/Pa]."""
-FINE = "accuracy=0.01 %"
-"""Of what vibrates for long."""
-STATIC = "effects={gravity: auto, others: off}"
-IN_MOTION = "effects={gravity: auto, inertia: auto, damping: auto, others: off}"
-UNDAMPED = "effects={inertia: on, gravity: auto, others: off}"
-COUPLED = (
-    "effects={pressure_distribution: on, inertia: on, feedback: on, gravity: auto, others: off}"
-)
-SHORT = "run={duration: 1 s, output_interval: 0.5 s}"
-STILL = "input={kind: constant, value: 0}"
-INEXTENSIBLE = "actuator.extension_factor=1e6"
-DENSITY = f"actuator.density={0.269 / (0.03 * 0.02 * 0.47)!r}"
-"""Of the references: 0.269 kg/m, the paper's rounded mass per length."""
+
+def mirrored(*swapped: str) -> Judge:
+    """Swapping the columns, and what else has a side, mirrors the motion to round-off."""
+
+    def judge(run: Trajectory) -> Iterator[Finding]:
+        yield from _mirror_image(run, 1e-12, *swapped)
+
+    return judge
 
 
-def stiffness_ratio(eta: float) -> str:
-    """Extension factor with which EA L2/EI is ``eta``."""
-    return f"actuator.extension_factor={eta * EI / (L**2 * 1.8e6 * 0.03 * 0.02)!r}"
+def nearly_mirrored(run: Trajectory) -> Iterator[Finding]:
+    """The same to the stated error: beyond 200 unknowns systems are solved by Householder's QR,
+    and CasADi's gives its factor a positive diagonal, for which a mirrored sign is another."""
+    yield from _mirror_image(run, 2 * as_stated(run) * L, FINE)
 
 
-def compressed(load: float, aside: float = 1e-3) -> tuple[str, ...]:
-    """A column under a multiple of Euler's load, with an imperfection in EI/L2."""
-    force = f"loads.tip_force={{x: {aside * EI / L**2!r}, z: {-load * CRITICAL!r}}}"
-    return STILL, STATIC, SHORT, force
-
-
-def bent(*points: tuple[float, float]) -> tuple[str, ...]:
-    """Intrinsic curvature times length against time, without extension."""
-
-    def table(sign: float) -> str:
-        rows = ", ".join(f"[{t!r} s, {sign * angle / PER_PASCAL / 2!r}]" for t, angle in points)
-        return f"{{kind: table, rows: [{rows}]}}"
-
-    return columns(16, table(1.0), table(-1.0))
-
-
-def tip(run: Trajectory, allowed: float, **wanted: float) -> Iterator[Finding]:
-    """The last tip, in lengths of the rod: x, z, and phi in rad."""
-    for name, value in wanted.items():
-        column = ("x", "z", "phi").index(name)
-        found = run.tip[-1, column] / (1.0 if name == "phi" else L)
-        yield Finding(f"tip {name}", float(found), value, allowed)
-
-
-def tip_at(run: Trajectory, time: float, allowed: float, **wanted: float) -> Iterator[Finding]:
-    """The tip at one time [m]."""
-    row = int(np.argmin(np.abs(run.time - time)))
-    for name, value in wanted.items():
-        found = float(run.tip[row, ("x", "z").index(name)])
-        yield Finding(f"tip {name}({time:g} s)", found, value, allowed)
-
-
-def as_stated(run: Trajectory) -> float:
-    """The error that a run states, in lengths."""
-    return (run.accuracy.estimated_tip_error_m or 0.0) / L
-
-
-def fold(run: Trajectory, first: float, speed: float, wanted: float) -> Iterator[Finding]:
-    """Curvature at which the branch is said to end."""
-    said = re.search(r"after t = ([\d.]+) s", run.failure or "")
-    found = first + speed * float(said[1]) if said else np.nan
-    yield Finding("kappa0 L at the fold", found, wanted, 1e-4)
-
-
-def mirrored(run: Trajectory) -> Iterator[Finding]:
-    """Whether swapping the columns mirrors the motion."""
-    other = simulate(leg(chain(swapped=True), SHORT))
+def _mirror_image(run: Trajectory, allowed: float, *swapped: str) -> Iterator[Finding]:
+    other = simulate(leg(chain(swapped=True), SHORT, *swapped))
     scale = float(np.max(np.abs(run.tip[:, 0])))
     yield true("it moves sideways", scale > 1e-3)
-    for name, column, sign in (("x", 0, 1), ("z", 1, -1), ("phi", 2, 1)):
+    for name, column, sign in (("x", 0, 1), ("z", 1, -1)):
         apart = np.max(np.abs(run.tip[:, column] + sign * other.tip[:, column]))
-        yield at_most(f"mirrored {name}", float(apart), 1e-12)
+        yield at_most(f"mirrored {name}", float(apart), allowed)
+    apart = np.max(np.abs(run.tip[:, 2] + other.tip[:, 2]))
+    yield at_most(
+        "mirrored phi [rad]", float(apart), allowed if allowed <= 1e-12 else 10 * allowed / L
+    )
 
 
 def chain(*, swapped: bool = False) -> str:
@@ -127,95 +96,28 @@ def ten_times_larger(run: Trajectory) -> Iterator[Finding]:
     yield at_most("tip apart", float(apart), 1e-9)
 
 
-def same_without(*changes: str) -> Judge:
-    """The tip is as in a scene that lacks an effect, to both stated errors."""
+def in_other_units(run: Trajectory) -> Iterator[Finding]:
+    """The same numbers, their units written otherwise."""
+    other = simulate(
+        leg(
+            "run={duration: 1000 ms, output_interval: 500 ms}",
+            "actuator.length=109 mm",
+            "actuator.height=3 cm",
+            "actuator.youngs_modulus=1800 kPa",
+            "bellows.extension_per_pressure=47 mm",
+            "network.tube_radius=325 um",
+            "input={kind: double_sigmoid, start: 40410 Pa, drop: 0.1413 MPa, fall_time: 500 ms, "
+            "rise_time: 4000 ms, transition: 875 ms}",
+        )
+    )
+    apart = np.max(np.abs(run.tip - other.tip)) / np.max(np.abs(run.tip))
+    yield at_most("tip apart", float(apart), 1e-10)
 
-    def judge(run: Trajectory) -> Iterator[Finding]:
-        other = simulate(leg(*changes))
-        apart = np.max(np.hypot(*(run.tip[:, :2] - other.tip[:, :2]).T)) / L
-        yield at_most("tip apart, in lengths", float(apart), as_stated(run) + as_stated(other))
 
-    return judge
-
-
-PULSE = "run={duration: 2 s, output_interval: 0.05 s}"
 GRAVITIES_100 = "loads.gravity={acceleration: 980.665, tilt: 90 deg}"
 FORCED = "loads.tip_force={x: 10 N, z: -5 N}"
 
 CASES: tuple[Case, ...] = (
-    Case(
-        "19a",
-        "1.1 times Euler's load, slightly aside",
-        "the bent, stable branch",
-        (*compressed(1.1), INEXTENSIBLE, FINE),
-        lambda run: tip(run, 1e-4, x=0.509533799298, phi=0.866452363899),
-    ),
-    Case(
-        "19b",
-        "8.9 times Euler's load",
-        "the tip turned by 176 degrees",
-        (*compressed(8.9), INEXTENSIBLE, FINE),
-        lambda run: tip(run, 1e-4, phi=3.0676611267),
-    ),
-    Case(
-        "19c",
-        "a perfect column above Euler's load",
-        "no stable equilibrium is near",
-        (*compressed(1.1, 0.0), INEXTENSIBLE),
-        ending="refused",
-        says=("no stable equilibrium", "% of the loads"),
-    ),
-    Case(
-        "20",
-        "the paper's column just above Euler's load",
-        "extension keeps it straight",
-        compressed(1.015, 0.0),
-        lambda run: tip(run, 1e-12, x=0.0, phi=0.0),
-    ),
-    Case(
-        "21a",
-        "snap-through at 1.5 times Euler's load, without inertia",
-        "the fold is named, to 1e-4",
-        (
-            *bent((0, 0.5), (1, -0.5)),
-            f"loads.tip_force.z={-1.5 * CRITICAL!r}",
-            INEXTENSIBLE,
-            STATIC,
-            EXACT,
-            "run={duration: 1 s, output_interval: 0.02 s}",
-        ),
-        lambda run: fold(run, 0.5, -1.0, -0.403760611117087),
-        ending="failed",
-        says=("no stable equilibrium", "snap", "effects.inertia"),
-    ),
-    Case(
-        "21b",
-        "the same at twice Euler's load",
-        "the fold is named, to 1e-4",
-        (
-            *bent((0, 0.5), (1, -1.5)),
-            f"loads.tip_force.z={-2.0 * CRITICAL!r}",
-            INEXTENSIBLE,
-            STATIC,
-            EXACT,
-            "run={duration: 1 s, output_interval: 0.02 s}",
-        ),
-        lambda run: fold(run, 0.5, -2.0, -1.01455729445420),
-        ending="failed",
-        says=("snap",),
-    ),
-    Case(
-        "21c",
-        "the snap itself",
-        "inertia follows it to the mirrored shape",
-        (
-            *bent((0, 2), (4, -2)),
-            f"loads.tip_force.z={-1.5 * CRITICAL!r}",
-            IN_MOTION,
-            "run={duration: 8 s, output_interval: 0.05 s}",
-        ),
-        lambda run: [*tip(run, 2 * as_stated(run), x=-run.tip[0, 0] / L, z=run.tip[0, 1] / L)],
-    ),
     Case(
         "22a",
         "curled once around",
@@ -236,6 +138,25 @@ CASES: tuple[Case, ...] = (
         ],
         converges=False,
     ),
+    Case(
+        "22c",
+        "curled from once to ten times around",
+        "at every full turn the tip is at the clamp",
+        (
+            *bent((0, 2 * np.pi), (9, 20 * np.pi)),
+            "effects={others: off}",
+            "run={duration: 9 s, output_interval: 1 s}",
+        ),
+        lambda run: [
+            at_most("tip off, in lengths", float(np.max(np.abs(run.tip[:, :2]))) / L, 1e-9),
+            at_most(
+                "turns off",
+                float(np.max(np.abs(run.tip[:, 2] / (2 * np.pi) - np.arange(1, 11)))),
+                1e-9,
+            ),
+        ],
+        converges=False,
+    ),
     *(
         Case(
             f"23{letter}",
@@ -245,7 +166,7 @@ CASES: tuple[Case, ...] = (
                 STILL,
                 STATIC,
                 SHORT,
-                EXACT,
+                FINE,
                 stiffness_ratio(eta),
                 f"loads.tip_force.x={5 * EI / L**2!r}",
             ),
@@ -259,40 +180,6 @@ CASES: tuple[Case, ...] = (
             ("d", 1e6, 0.7137951),
             ("e", 1e12, 0.7137915236154),
         )
-    ),
-    Case(
-        "24a",
-        "a rod without mass, inertia on",
-        "as without inertia",
-        (
-            "actuator.density=1e-9",
-            "effects={inertia: on, damping: on, pressure_distribution: on, others: off}",
-            PULSE,
-        ),
-        same_without("effects={pressure_distribution: on, damping: on, others: off}", PULSE),
-    ),
-    Case(
-        "24b",
-        "a thousand times the mass",
-        "complete",
-        (
-            "actuator.density=9.5e5",
-            "effects={inertia: on, damping: on, pressure_distribution: on, feedback: on, others: off}",
-            PULSE,
-        ),
-    ),
-    Case(
-        "2a",
-        "1e12 times the mass",
-        "the rod does not move in the pulse",
-        (
-            "actuator.density=9.5e14",
-            "effects={inertia: on, damping: on, pressure_distribution: on, others: off}",
-            PULSE,
-        ),
-        lambda run: [
-            at_most("sideways, in lengths", float(np.max(np.abs(run.tip[:, 0]))) / L, 1e-6)
-        ],
     ),
     Case(
         "25a",
@@ -356,7 +243,7 @@ CASES: tuple[Case, ...] = (
             UNDAMPED,
             DENSITY,
             INEXTENSIBLE,
-            EXACT,
+            "accuracy=0.001 %",
             "run={duration: 1 s, output_interval: 2 ms}",
         ),
         lambda run: tip_at(run, 1.0, 1.6e-7, x=-1.55049693804e-4),
@@ -468,9 +355,31 @@ CASES: tuple[Case, ...] = (
         "columns swapped",
         "the motion is mirrored to round-off",
         (chain(), SHORT),
-        mirrored,
+        mirrored(),
+    ),
+    Case(
+        "33b",
+        "columns swapped, of more than 200 unknowns",
+        "the motion is mirrored to the stated error",
+        (chain(), SHORT, FINE),
+        nearly_mirrored,
+        converges=False,
+    ),
+    Case(
+        "33c",
+        "columns swapped, gravity from the other side",
+        "the motion is mirrored to round-off",
+        (chain(), SHORT, "loads.gravity={tilt: 30 deg}"),
+        mirrored("loads.gravity={tilt: -30 deg}"),
     ),
     Case("34", "ten times the size", "the same in its own lengths", (SHORT,), ten_times_larger),
+    Case(
+        "34b",
+        "told in mm, kPa and ms",
+        "the same to round-off",
+        (SHORT,),
+        in_other_units,
+    ),
     Case(
         "36",
         "a tip force against gravity",
@@ -482,46 +391,6 @@ CASES: tuple[Case, ...] = (
             "loads.gravity={tilt: 180 deg}",
             "loads.tip_force={x: 0.01 N, z: 0.3 N}",
         ),
-    ),
-    *(
-        Case(
-            f"37{letter}",
-            f"viscosity {mu} Pa s, two-way coupled",
-            "complete",
-            (f"fluid={{name: own, viscosity: {mu}, density: 1.2}}", PULSE),
-            judge,
-        )
-        for letter, mu, judge in (
-            (
-                "a",
-                "1e-12",
-                same_without(
-                    "fluid={name: own, viscosity: 1e-12, density: 1.2}",
-                    "effects={feedback: on, inertia: on, damping: on, others: off}",
-                    PULSE,
-                ),
-            ),
-            ("b", "1e-9", lambda run: ()),
-            ("c", "1e-6", lambda run: ()),
-            ("d", "1e-3", lambda run: ()),
-            ("f", "1", lambda run: ()),
-            (
-                "e",
-                "1e6",
-                lambda run: [
-                    at_most("sideways, in lengths", float(np.ptp(run.tip[:, 0])) / L, 1e-4)
-                ],
-            ),
-        )
-    ),
-    *(
-        Case(
-            f"38{letter}",
-            f"one tube {factor:g} times as long, coupled",
-            "complete",
-            (f"network.changes={{R3-R4: {{length: {0.0375 * factor!r}}}}}", PULSE),
-        )
-        for letter, factor in (("a", 1e6), ("b", 1e-6))
     ),
 )
 

@@ -7,11 +7,13 @@ import pytest
 from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.balances import Block, Ledger
-from viscodesign.build import suggest_settings
+from viscodesign.build import build, suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
-from viscodesign.motion import _evaluate
-from viscodesign.solving import solve
+from viscodesign.motion import read_motion
+from viscodesign.outputs import read_outputs
+from viscodesign.solve.statics import equilibrium
+from viscodesign.solve.transient import integrate
 from viscodesign.trajectory import Invariants
 
 SHORT = ("bellows.count=4", "input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}",
@@ -70,20 +72,23 @@ def test_blocks_do_not_matter() -> None:
     effects = "effects={inertia: on, damping: on, feedback: on, others: off}"
     conditions = Conditions(leg(*SHORT, pulses, effects))
     chosen = select_effects(conditions).effects
-    run = solve(conditions, chosen, suggest_settings(conditions, chosen))
-    rows = _evaluate(run.problem, run.solution).values
-    unknowns = (run.solution.states, run.solution.algebraics, run.solution.integrals)
-    steps = run.solution.work.steps
+    settings = suggest_settings(conditions, chosen)
+    problem = build(conditions, chosen, settings)
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    found = integrate(problem, start, settings.tolerance)
+    wanted = read_motion(problem, found).invariants
+    rows = next(read_outputs(problem, found)).values
     for length in (1, 2, 7, 50):
-        ledger = Ledger(run.problem)
-        for k in range(0, run.solution.reached, length):
+        ledger = Ledger(problem)
+        for k in range(0, found.reached, length):
             cut = slice(k, k + length)
             told = {name: values[cut] for name, values in rows.items()}
-            ledger.add(Block(k, *(columns[:, cut] for columns in unknowns), told))
-        found, wanted = ledger.invariants(steps), run.motion.invariants
-        assert found.energy_imbalance_rel == pytest.approx(wanted.energy_imbalance_rel, rel=1e-6)
-        assert found.coupling_work_j == pytest.approx(wanted.coupling_work_j, rel=1e-9)
-        assert found.volume_imbalance_rel == wanted.volume_imbalance_rel
+            unknowns = found.states[:, cut], found.algebraics[:, cut]
+            ledger.add(Block(k, *unknowns, found.integrals[:, cut], told))
+        again = ledger.invariants(found.work.steps)
+        assert again.energy_imbalance_rel == pytest.approx(wanted.energy_imbalance_rel, rel=1e-6)
+        assert again.coupling_work_j == pytest.approx(wanted.coupling_work_j, rel=1e-9)
+        assert again.volume_imbalance_rel == wanted.volume_imbalance_rel
 
 
 def test_a_standstill_is_in_balance() -> None:

@@ -52,7 +52,7 @@ def at(scene: Conditions, what: str, when: int, place: int, value: float) -> Cou
 
 
 def notices(scene: Conditions, met: Course) -> list[Notice]:
-    return list(course_notices(scene, met))
+    return list(course_notices(scene, [met]))
 
 
 def codes(scene: Conditions, met: Course) -> list[str]:
@@ -75,6 +75,20 @@ def test_a_run_that_ended_before_its_first_output_has_nothing_to_tell() -> None:
     scene = conditions()
     nothing = course(scene, time=np.zeros(0), pressure=np.zeros((0, 4)))
     assert notices(scene, nothing) == []
+
+
+def test_a_bellow_that_swells_far_beyond_its_rest_is_told_with_number_and_place() -> None:
+    scene = conditions()
+    rest = scene.bellow.rest_volume
+    assert codes(scene, at(scene, "volume", 1, 2, 2.6 * rest)) == []
+    (told,) = notices(scene, at(scene, "volume", 1, 2, 5.0 * rest))
+    assert (told.code, told.where, told.time_s) == ("large_volume", scene.graph.bellows[2], 0.5)
+    assert "5 times its rest volume" in told.message
+
+
+def test_a_measured_curve_answers_for_large_volumes() -> None:
+    scene = conditions(CURVE, taken=("material_curve",))
+    assert codes(scene, at(scene, "volume", 1, 2, 5.0 * scene.bellow.rest_volume)) == []
 
 
 # -- flows ------------------------------------------------------------------

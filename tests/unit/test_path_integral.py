@@ -16,8 +16,13 @@ def column(values: np.ndarray) -> np.ndarray:
     ("last", "wanted"), [(1, [1]), (3, [3]), (4, [4]), (7, [7]), (8, [4, 8]), (11, [4, 11])]
 )
 def test_groups_cover_a_stretch(last: int, wanted: list[int]) -> None:
-    assert group_ends(0, last).tolist() == wanted
-    assert group_ends(10, 10 + last).tolist() == [10 + end for end in wanted]
+    assert group_ends(0, last, last).tolist() == wanted
+    for stop in range(last + 1):
+        early = [end for end in wanted if end <= stop]
+        assert group_ends(0, last, stop).tolist() == early
+        first = early[-1] if early else 0
+        later = [end for end in wanted if end > first]
+        assert group_ends(first, last, 99).tolist() == later
 
 
 @pytest.mark.parametrize("size", range(1, GROUP + 4))

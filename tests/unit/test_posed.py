@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.scenes import leg
-from viscodesign import check, simulate
+from viscodesign import check, classify, simulate
 from viscodesign.errors import SpecError
 
 SECOND = "run={duration: 1 s, output_interval: 0.1 s}"
@@ -36,3 +36,19 @@ def test_a_number_beyond_the_rest_is_refused_with_its_key(change: str, command: 
 def test_what_double_precision_carries_is_let_through() -> None:
     for change in ("network.changes={inlet-R1: {radius: 0.325 um}}", "actuator.density=1e15"):
         check(leg(change, SECOND))
+
+
+@pytest.mark.parametrize(
+    "change", [c for c in BEYOND if not c.startswith(("loads", "actuator.damping"))]
+)
+def test_what_has_no_numbers_has_no_place_on_the_plane(change: str) -> None:
+    with pytest.raises(SpecError) as refusal:
+        classify(leg(change, SECOND, "effects=auto"))
+    assert BEYOND[change] in str(refusal.value)
+
+
+def test_a_network_too_slow_for_numbers_is_named_and_not_divided_by() -> None:
+    with pytest.raises(SpecError, match="as much as tube"):
+        classify(
+            leg("network.changes={inlet-R1: {radius: 100 m}, R1-R2: {radius: 1e-9 m}}", SECOND)
+        )

@@ -66,6 +66,7 @@ def test_refuses_what_is_no_length(text: object) -> None:
     [
         ("37.5 kg", "'37.5 kg' is a mass; a length is wanted, like '37.5 mm'"),
         ("3 furlongz", "no unit is called 'furlongz'"),
+        ("1 dB", "'1 dB' is in a unit that is not read here; a length is wanted"),
         ("mm", "has no number"),
         ("yes", "has no number"),
         ("0,325 mm", "not a number with a unit"),

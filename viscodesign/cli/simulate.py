@@ -71,7 +71,9 @@ def command(
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
     prepare_folder(folder, force=force)
     with progress(quiet, "verifying and proving" if prove else "verifying") as advance:
-        trajectory = solve(scene, verify=not no_verify, prove=prove, progress=advance)
+        trajectory = solve(
+            scene, verify=not no_verify, prove=prove, progress=advance, scratch=folder
+        )
     files = write_run(trajectory, folder, plots=not no_plots, force=force)
     if json:
         say(json_text({**trajectory.summary(), "files": [str(file) for file in files]}))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from viscodesign.cli.describe import notice_lines, percent, quadrant_lines
 from viscodesign.cli.text import number, table
+from viscodesign.shelf import extremes
 from viscodesign.solve.rung import Rung
 from viscodesign.trajectory import Trajectory
 
@@ -62,7 +63,7 @@ def _times(trajectory: Trajectory) -> str:
 def _tip_extents(trajectory: Trajectory) -> str:
     if not trajectory.time.size:
         return "nothing computed"
-    low, high = trajectory.tip.min(axis=0), trajectory.tip.max(axis=0)
+    low, high = extremes(trajectory.tip)
     return (
         f"x {1e3 * low[0]:.1f} to {1e3 * high[0]:.1f} mm, "
         f"z {1e3 * low[1]:.1f} to {1e3 * high[1]:.1f} mm, "

@@ -15,6 +15,7 @@ from viscodesign.model.rod import Body
 from viscodesign.physics import beam, bellow, gas, timescales, tube
 from viscodesign.scene.inputs.syringe import Syringe
 from viscodesign.scene.scene import Scene
+from viscodesign.shelf import Shelf
 from viscodesign.sketch.ground import Ground
 from viscodesign.sketch.sketch import Sketch
 from viscodesign.solve.problem import Problem
@@ -29,6 +30,8 @@ class Conditions:
     taken: set[str] = field(default_factory=set)
     problems: dict[Hashable, Problem] = field(default_factory=dict)
     """What was built for this scene, for those who solve it again."""
+    shelf: Shelf = field(default_factory=Shelf)
+    """Where what is solved goes when it is large."""
 
     @property
     def accuracy(self) -> float:
@@ -136,20 +139,13 @@ class Conditions:
     # -- loads ----------------------------------------------------------------
 
     @cached_property
-    def inlet_samples(self) -> np.ndarray:
-        """Gauge pressures of all inlets, sampled densely and at both sides of every corner [Pa]."""
-        duration = self.scene.run.duration
-        times = [np.linspace(0.0, duration, 2001)]
-        for source in self.scene.inputs.values():
-            corners = np.array(source.corners(duration))
-            times += [corners, corners - 1e-9 * duration, corners + 1e-9 * duration]
-        grid = np.clip(np.concatenate(times), 0.0, duration)
-        baseline = self.scene.gauge_pressure
-        samples = [
-            baseline + source.values(grid) * (1.0 if source.gives_pressure else self._yield(name))
-            for name, source in self.scene.inputs.items()
-        ]
-        return np.concatenate([*samples, [baseline]])
+    def _pressures_met(self) -> tuple[float, float]:
+        """Lowest and highest gauge pressure of the baseline and of all inlets over the run [Pa]."""
+        baseline, met = self.scene.gauge_pressure, [self.scene.gauge_pressure]
+        for name, source in self.scene.inputs.items():
+            unit = 1.0 if source.gives_pressure else self._yield(name)
+            met += [baseline + unit * value for value in source.extremes(self.scene.run.duration)]
+        return min(met), max(met)
 
     def _yield(self, name: str) -> float:
         """Pressure per volume that a plunger pushes into its closed network [Pa/m3]."""
@@ -165,10 +161,14 @@ class Conditions:
 
     def barrel_compliance(self, name: str) -> float:
         """Volume per pressure of the fluid in a barrel at its start [m3/Pa]."""
-        fluid, volume = self.scene.fluid, self.barrels[name].full_volume
+        fluid, barrel = self.scene.fluid, self.barrels[name]
+        absolute, volume = (
+            self.scene.ambient_pressure + self.scene.gauge_pressure,
+            barrel.full_volume,
+        )
         if fluid.bulk_modulus is not None:
-            return volume / fluid.bulk_modulus
-        absolute = self.scene.ambient_pressure + self.scene.gauge_pressure
+            cushion = gas.gas_compliance(barrel.cushion, absolute, 1.0)
+            return (volume - barrel.cushion) / fluid.bulk_modulus + cushion
         return gas.gas_compliance(volume, absolute, fluid.polytropic_exponent)
 
     # -- the sketch -----------------------------------------------------------
@@ -185,20 +185,25 @@ class Conditions:
         """Flows of all tubes that slow laminar flow would have (T, Q) [m3/s]."""
         return self.bare_sketch.with_(uniform=False).flows()
 
-    @cached_property
+    @property
     def swing(self) -> float:
         """Largest gauge pressure of any inlet over the run, in size [Pa]."""
-        return float(np.max(np.abs(self.inlet_samples))) or 1.0
+        return max(abs(pressure) for pressure in self._pressures_met) or 1.0
 
-    @cached_property
+    @property
     def pressure_range(self) -> float:
         """Between the lowest and the highest gauge pressure of all inlets [Pa]."""
-        return float(np.ptp(self.inlet_samples))
+        return self.highest_pressure - self.lowest_pressure
 
-    @cached_property
+    @property
     def lowest_pressure(self) -> float:
         """Lowest gauge pressure of any inlet over the run [Pa]."""
-        return float(np.min(self.inlet_samples))
+        return self._pressures_met[0]
+
+    @property
+    def highest_pressure(self) -> float:
+        """Highest gauge pressure of any inlet over the run [Pa]."""
+        return self._pressures_met[1]
 
     @property
     def tip_force(self) -> float:

@@ -10,8 +10,10 @@ import numpy as np
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.system import System
-from viscodesign.model.wall import MeasuredWall
+from viscodesign.model.wall import MeasuredWall, SnappingWall
 from viscodesign.physics.curves import PiecewiseCubic
+from viscodesign.physics.snapping import SnapCurves
+from viscodesign.scene.bellows import falls
 from viscodesign.sketch.sketch import Sketch
 
 
@@ -21,7 +23,8 @@ class MaterialCurve(Effect):
 
     Monotone cubics through the rows, straight beyond them; zero at zero gauge. The angle
     and the extension are those of a section when one of its bellows, the left one, has
-    the pressure and the other none; the two bellows of a section add.
+    the pressure and the other none; the two bellows of a section add. Where the pressure
+    falls from row to row the cubics are functions of the area, and the bellow snaps.
     """
 
     name: ClassVar[str] = "material_curve"
@@ -33,6 +36,8 @@ class MaterialCurve(Effect):
 
     curves: tuple[PiecewiseCubic, ...]
     """Volume beyond rest, curvature and stretch against gauge pressure; none without a curve."""
+    snap: SnapCurves | None = None
+    """In their place where the pressure falls."""
 
     @classmethod
     def of(cls, conditions: Conditions) -> Self:
@@ -41,6 +46,9 @@ class MaterialCurve(Effect):
             return cls(())
         rows = np.array(curve.rows, dtype=float)
         section = conditions.body.section_length
+        if falls(curve.rows or ()):
+            baseline = conditions.scene.gauge_pressure
+            return cls((), SnapCurves.through(rows, conditions.bellow.length, section, baseline))
         factors = (conditions.bellow.length, 1 / section, 1 / section)
         found = tuple(
             PiecewiseCubic.monotone(rows[:, 0], rows[:, k + 1]).zeroed().scaled(factor)
@@ -49,10 +57,10 @@ class MaterialCurve(Effect):
         return cls(found)
 
     def present(self, conditions: Conditions) -> bool:
-        return bool(self.curves)
+        return bool(self.curves) or self.snap is not None
 
     def weight(self, conditions: Conditions) -> float:
-        low, high = float(conditions.inlet_samples.min()), float(conditions.inlet_samples.max())
+        low, high = conditions.lowest_pressure, conditions.highest_pressure
         pressure = np.linspace(min(low, 0.0), max(high, 0.0), 101)
         law = conditions.bellow
         linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)
@@ -64,12 +72,16 @@ class MaterialCurve(Effect):
         return max(found)
 
     def reason(self, conditions: Conditions) -> str:
+        if self.snap is not None:
+            return "measured rows stand in the place of the linear coefficients; by them it snaps"
         if not self.curves:
             return "no curve is given (bellows.curve)"
         return "measured rows stand in the place of the linear coefficients"
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Volume beyond rest, curvature and stretch at gauge pressures, any shape."""
+        if self.snap is not None:
+            return self.snap.loaded(pressure)
         volume, curvature, stretch = (curve(pressure) for curve in self.curves)
         return volume, curvature, stretch
 
@@ -78,4 +90,8 @@ class MaterialCurve(Effect):
 
     def join(self, system: System) -> None:
         rest = system.parameter("rest_volume", system.bellow.rest_volume)
+        if self.snap is not None:
+            wall = SnappingWall(rest, self.snap.pressure, self.snap.curvature, self.snap.stretch)
+            system.let_snap(wall, self.snap.filled)
+            return
         system.wall = MeasuredWall(rest, *self.curves)

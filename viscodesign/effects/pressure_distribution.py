@@ -8,6 +8,7 @@ from typing import ClassVar, Self
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
 from viscodesign.model.system import System
+from viscodesign.scene.bellows import snaps
 from viscodesign.sketch.sketch import Sketch
 
 
@@ -33,6 +34,8 @@ class PressureDistribution(Effect):
 
     def indispensable(self, conditions: Conditions) -> bool:
         # Two sources in one network differ by flow alone.
+        if snaps(conditions.scene.bellows):
+            return True
         inputs = conditions.scene.inputs
         parts = conditions.graph.components()
         return any(sum(inputs[n].gives_pressure for n in part.inlets) > 1 for part in parts)
@@ -43,6 +46,8 @@ class PressureDistribution(Effect):
     def reason(self, conditions: Conditions) -> str:
         if not conditions.graph.tubes:
             return "no tube joins anything"
+        if snaps(conditions.scene.bellows):
+            return "the measured curve snaps, and only flow tells how fast"
         if self.indispensable(conditions):
             return "two inlets feed one network, and only flow tells their pressures apart"
         scales = conditions.scales

@@ -86,6 +86,15 @@ class TubeCompliance(Effect):
                 at[end] += self._stores(t) / 2
         return sketch.with_(capacity=tuple(sorted(at.items())))
 
+    def stored_at(self, node: str, yields: bool) -> tuple[float, float]:
+        """Volume that tubes give a node [m3], and more of it per pressure [m3/Pa].
+
+        ``yields``: whether the fluid in them does.
+        """
+        own = [t for t in self.tubes for end in (t.start, t.end) if end == node]
+        volume = sum(tube.inner_volume(t.length, t.radius) / 2 for t in own) if yields else 0.0
+        return volume, sum(self._wall_stores(t) / 2 for t in own)
+
     def join(self, system: System) -> None:
         yields = not isinstance(system.fluid, Incompressible)
         for t in self.tubes:

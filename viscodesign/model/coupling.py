@@ -39,6 +39,6 @@ def places(graph: Graph) -> dict[str, Place]:
     }
 
 
-def pair_pressures(graph: Graph, pressure: dict[str, SX]) -> list[tuple[SX, SX]]:
-    """(left, right) pressure of every section, clamp first."""
-    return [(pressure[f"L{j + 1}"], pressure[f"R{j + 1}"]) for j in range(graph.sections)]
+def in_pairs(graph: Graph, values: dict[str, SX]) -> list[tuple[SX, SX]]:
+    """(left, right) value of every section, clamp first."""
+    return [(values[f"L{j + 1}"], values[f"R{j + 1}"]) for j in range(graph.sections)]

@@ -41,7 +41,7 @@ SX = ca.SX
 
 MOST_KEPT = 16
 """Structures whose formulas are kept for the next scene of the same kind."""
-NUMBERS = 5
+NUMBERS = 6
 """Of what follows from the parameters alone, before the sizes of the unknowns."""
 MOST_COMPILED = 12
 """Compiled functions that are kept with each."""
@@ -80,9 +80,11 @@ class Formulas:
     output_function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
     quantity_function: ca.Function
-    """parameters -> (sealed_volumes, rest_amounts, motion time, swing time, energy size, and
-    the sizes of all blocks of states, algebraics and statics)."""
+    """parameters -> (sealed_volumes, rest_amounts, filled_amounts, motion time, swing time,
+    energy size, and the sizes of all blocks of states, algebraics and statics)."""
     fed: tuple[Component, ...]
+    driven: tuple[str, ...]
+    """Inlets whose pressure is given, in the order of the state `inflow`."""
     sealed: tuple[Component, ...]
     storing: tuple[str, ...]
     """Nodes besides the bellows that hold fluid."""
@@ -94,7 +96,7 @@ class Formulas:
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
         found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
-        sealed, rest, motion, swing, energy = found[:NUMBERS]
+        sealed, rest, filled, motion, swing, energy = found[:NUMBERS]
         groups = [self.states, self.algebraics, self.statics]
         ends = NUMBERS + np.cumsum([0, *(len(group.blocks) for group in groups)])
         sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
@@ -105,6 +107,7 @@ class Formulas:
             parameter_values=values,
             sealed_volumes=sealed,
             rest_amounts=rest,
+            filled_amounts=filled,
             swing_time=float(swing[0]),
             motion_time=float(motion[0]),
             energy_size=float(energy[0]),
@@ -120,6 +123,8 @@ class Equations(Formulas):
     """What each sealed part was filled with [m3 at ambient density]."""
     rest_amounts: np.ndarray
     """What bellows and storing nodes hold at zero gauge [m3]."""
+    filled_amounts: np.ndarray
+    """The same at the baseline, with nothing loading and no plunger pushed in."""
     swing_time: float
     """Time in which the inlets may change by all of their pressure [s]."""
     motion_time: float
@@ -221,6 +226,7 @@ class _Formulation:
         return [
             self.network.filled(),
             self.network.rest_amounts(nodes),
+            self.network.filled_amounts(nodes),
             self.sizes.time,
             self.sizes.swing,
             self._energy_size(),
@@ -278,6 +284,7 @@ class _Formulation:
             ),
             quantity_function=ca.Function("quantities", [parameters], quantities),
             fed=network.fed,
+            driven=tuple(network.driven),
             sealed=network.sealed,
             storing=tuple(network.storing),
             incompressible=isinstance(system.fluid, Incompressible),

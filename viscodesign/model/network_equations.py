@@ -18,6 +18,10 @@ SX = ca.SX
 
 UNTESTED = 1e6
 """Factor to the size of an unknown by which no error of it counts."""
+SNAPS_AT_ONCE = (
+    "bellows.curve: between some of its rows the pressure falls as the bellow swells; it snaps "
+    "there, as fast as the tubes let it. Let effects.pressure_distribution be on or auto."
+)
 
 
 class NetworkForm(Enum):
@@ -44,6 +48,7 @@ class NetworkEquations:
         self.bare = [name for name in system.junction_pressure if name not in self.storing]
         self.components = tuple(system.graph.components())
         self.fed = tuple(c for c in self.components if self._pressure_inlets(c))
+        self.driven = [name for c in self.fed for name in self._pressure_inlets(c)]
         self.sealed = tuple(c for c in self.components if c not in self.fed and self._nodes(c))
         self.sealed_volumes = SX.sym("sealed_volumes", len(self.sealed))
         tubes = system.graph.tubes if self.form is NetworkForm.DISTRIBUTED else ()
@@ -109,13 +114,14 @@ class NetworkEquations:
         system, volume = self.system, self._volume_size()
         self.amounts = SX.sym("amount", len(system.pressure))
         self.node_amounts = SX.sym("node_amount", len(self.storing))
-        self.inflows = SX.sym("inflow", len(self.fed))
+        self.inflows = SX.sym("inflow", len(self.driven))
         states.add("volume", self.amounts, volume)
         states.add("node_volume", self.node_amounts, volume)
         states.add("inflow", self.inflows, volume * len(system.pressure))
         inertial, implicit = self._free(self.inertial), self._free(self.implicit)
         states.add("flow", self._flows(inertial), self._flow_sizes(inertial))
         for unknowns in (algebraics, statics):
+            unknowns.add("swelling", column(list(system.swelling.values())), volume)
             unknowns.add("pressure", column(list(system.pressure.values())), size)
             unknowns.add("junction_pressure", column(list(system.junction_pressure.values())), size)
             unknowns.add("syringe_pressure", column(self._syringe_pressures()), size)
@@ -157,6 +163,8 @@ class NetworkEquations:
     def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
         """Give every connected network one pressure: its inlet's, or an unknown."""
         system = self.system
+        if system.swelling:
+            raise SpecError.plain(SNAPS_AT_ONCE)
         shared = SX.sym("network_pressure", len(self.sealed))
         algebraics.add("network_pressure", shared, self.sizes.pressure)
         statics.add("network_pressure", shared, self.sizes.pressure)
@@ -195,9 +203,9 @@ class NetworkEquations:
 
     def rest_amounts(self, nodes: list[str]) -> SX:
         """What nodes hold at zero gauge, with nothing loading and nothing pushed [m3]."""
-        return self._content(nodes, SX(0))
+        return self._content(nodes, SX(0), SX(0))
 
-    def _content(self, nodes: list[str], pressure: SX) -> SX:
+    def _content(self, nodes: list[str], pressure: SX, swelling: SX) -> SX:
         system = self.system
         pressures = [
             *system.pressure.values(),
@@ -206,14 +214,17 @@ class NetworkEquations:
         ]
         others = [*system.normal_force, *system.moment, *system.pushed.values()]
         pairs = [(symbol, pressure) for symbol in pressures] + [(s, SX(0)) for s in others]
+        pairs += [(symbol, swelling) for symbol in system.swelling.values()]
         stored = column([system.stored(name) for name in nodes])
         return substitute([stored], pairs)[0]
 
     def filled(self) -> SX:
         """What every sealed part was filled with: its content at the baseline [m3]."""
-        return column(
-            [ca.sum1(self._content(self._nodes(c), self.system.baseline)) for c in self.sealed]
-        )
+        return column([ca.sum1(self.filled_amounts(self._nodes(c))) for c in self.sealed])
+
+    def filled_amounts(self, nodes: list[str]) -> SX:
+        """What nodes hold at the baseline, with nothing loading and nothing pushed [m3]."""
+        return self._content(nodes, self.system.baseline, self.system.filled_swelling)
 
     def departures(self) -> SX:
         """What bellows and storing nodes hold beyond rest, from pressures [m3]."""
@@ -237,16 +248,23 @@ class NetworkEquations:
             column([inflow[name] for name in (*self.system.pressure, *self.storing)]) / size,
         ]
         if self.fed:
-            # A state, not a quadrature: only then do the same linear formulas carry
-            # it and the volumes, and the balance holds to round-off.
-            sums = [sum((-inflow[n] for n in self._pressure_inlets(c)), SX(0)) for c in self.fed]
-            ode.append(column(sums) / (size * len(self.system.pressure)))
+            # States, not quadratures: only then do the same linear formulas carry
+            # them and the volumes, and the balance holds to round-off.
+            given = column([-inflow[name] for name in self.driven])
+            ode.append(given / (size * len(self.system.pressure)))
         rates, inertial = self._flow_rates(), self._free(self.inertial)
         ode.append(column([rates[t.name] for t in inertial]) / self._flow_sizes(inertial))
         # The state is the amount beyond that at rest: small departures keep their digits.
         held = ca.vertcat(self.amounts, self.node_amounts)
-        alg = [(held - self.departures()) / size, *self._junction_balances(rates)]
-        return ode, [*alg, *self._loss_defects(self.implicit)]
+        kept = (held - self.departures()) / size
+        # In the order of the unknowns: each line has its own on the diagonal.
+        count = len(self.system.pressure)
+        alg = [kept[:count], self._swelling_lines(), kept[count:]]
+        return ode, [*alg, *self._junction_balances(rates), *self._loss_defects(self.implicit)]
+
+    def _swelling_lines(self) -> SX:
+        """What a bellow's swelling asks for less its pressure, over the size of pressure."""
+        return self.system.swelling_defects() / self.sizes.pressure
 
     def _flow_rates(self) -> dict[str, SX]:
         """Acceleration of the flow in every tube with inertance [m3/s2]."""
@@ -301,6 +319,7 @@ class NetworkEquations:
         if self.form is NetworkForm.UNIFORM:
             return self._sealed_defects()
         return [
+            self._swelling_lines(),
             *self._steady_flows(list(self.system.pressure)),
             *self._junction_lines(),
             *self._steady_flows(list(self.system.syringes)),

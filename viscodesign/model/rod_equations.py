@@ -104,9 +104,14 @@ class RodEquations:
     def conjugate_volumes(self) -> SX:
         """Volume that a reciprocal coupling would store under the section's resultants (B,)."""
         system = self.system
-        pressure = ca.vertcat(*system.pressure.values())
-        bending = ca.jacobian(system.intrinsic_curvature, pressure)
-        extension = ca.jacobian(system.intrinsic_stretch, pressure)
+        own = ca.vertcat(*system.told_by.values())
+        bending = ca.jacobian(system.intrinsic_curvature, own)
+        extension = ca.jacobian(system.intrinsic_stretch, own)
+        if system.swelling:
+            # Per pressure: what was told per swelling, over the pressure per swelling.
+            slope = ca.diag(ca.jacobian(system.swelling_defects(), own))
+            slope = ca.repmat(_not_level(slope, system).T, system.graph.sections, 1)
+            bending, extension = bending / slope, extension / slope
         section = system.rod.h * system.rod.edges_per_section
         return section * (
             bending.T @ ca.vertcat(*system.moment) + extension.T @ ca.vertcat(*system.normal_force)
@@ -198,3 +203,13 @@ class RodEquations:
                 "elastic_energy": rod.elastic_potential(),
             }
         return found
+
+
+LEVEL = 1e-9
+"""Slope of a pressure, over that of the linear law, that is taken as no less."""
+
+
+def _not_level(slope: SX, system: System) -> SX:
+    """Pressures per swelling (B,), none of them nought [Pa/m3]."""
+    least = LEVEL / system.parameter("compliance", system.bellow.compliance)
+    return SX(ca.if_else(ca.fabs(slope) < least, least, slope))

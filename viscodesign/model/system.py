@@ -20,11 +20,11 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.coupling import BellowLaw, pair_pressures
+from viscodesign.model.coupling import BellowLaw, in_pairs
 from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, ChainRod
-from viscodesign.model.wall import LinearWall, Wall
+from viscodesign.model.wall import LinearWall, SnappingWall, Wall
 
 SX = ca.SX
 
@@ -38,6 +38,8 @@ class Syringe:
     bulk_modulus: float | None
     """Of a liquid [Pa]; None for a gas, which follows ``exponent``."""
     exponent: float = 1.0
+    cushion: float = 0.0
+    """Gas beside a liquid, of the full volume, at the baseline pressure [m3]."""
 
 
 @dataclass(frozen=True)
@@ -106,6 +108,9 @@ class System:
         # Laws that an effect may replace.
         self.fluid: FluidLaw = Incompressible()
         self.wall: Wall = self.linear_wall()
+        self.filled_swelling = SX(0)
+        self.swelling: dict[str, SX] = {}
+        """Volume of every bellow beyond that at rest [m3], where pressure does not settle it."""
 
         # The sums that effects join.
         self.kinetic_energy = SX(0)
@@ -155,6 +160,7 @@ class System:
             *(self.wall_volume(name) for name in nodes),
             *(self.stored(name) for name in nodes),
             *(self.plunger_pressure(name) for name in self.syringes),
+            self.swelling_defects(),
             *self.pushed_value.values(),
             *self.inlet_pressure.values(),
         ]
@@ -172,6 +178,7 @@ class System:
             tuple(sorted(self.wide)),
             tuple(self.syringes),
             type(self.fluid).__name__,
+            tuple(self.swelling),
             tuple(self._parameters),
         )
 
@@ -227,7 +234,7 @@ class System:
 
     @cached_property
     def _bellow_volumes(self) -> dict[str, SX]:
-        volumes = self.wall.volume(ca.vertcat(*self.pressure.values()))
+        volumes = self.wall.volume(ca.vertcat(*self.told_by.values()))
         return dict(zip(self.pressure, ca.vertsplit(volumes), strict=True))
 
     def volume(self, node: str) -> SX:
@@ -278,9 +285,50 @@ class System:
         return left * self.barrel_fluid(name).density(self.inlet_pressure[name])
 
     def _space(self, name: str) -> SX:
-        """Volume in front of a plunger [m3]."""
+        """Volume of fluid in front of a plunger [m3]."""
         full = self.parameter(f"syringe.{name}", self.syringes[name].full_volume)
-        return full - self.pushed[name]
+        return full - self.pushed[name] - self._cushion_volume(name)
+
+    def _cushion_amount(self, name: str) -> SX | None:
+        """The gas beside a barrel's liquid, as volume at ambient density [m3]; None without."""
+        cushion = self.syringes[name].cushion
+        if not cushion:
+            return None
+        volume = self.parameter(f"syringe.{name}.cushion", cushion)
+        return volume * self._cushion_gas.density(self.baseline)
+
+    @property
+    def _cushion_gas(self) -> Gas:
+        """It keeps the liquid's temperature."""
+        return Gas(self.ambient, 1.0)
+
+    def _cushion_volume(self, name: str) -> SX:
+        amount = self._cushion_amount(name)
+        if amount is None:
+            return SX(0)
+        return amount / self._cushion_gas.density(self.inlet_pressure[name])
+
+    def cushion_energy(self, name: str) -> SX:
+        """What the gas beside a barrel's liquid stores [J].
+
+        Minus the integral of the plunger's work per volume over the gas's volume, by parts.
+        """
+        amount = self._cushion_amount(name)
+        if amount is None:
+            return SX(0)
+        pressure = self.inlet_pressure[name]
+        work = self._cushion_gas.specific_work(pressure)
+        stored = amount * work - self._cushion_volume(name) * self.plunger_pressure(name)
+        if self._has_own_fluid(name):
+            # The plunger's work per volume is p + p2/(2 K): the liquid yields as well.
+            modulus = self.parameter(f"syringe.{name}.bulk_modulus", self._modulus(name))
+            stored += amount * self.ambient * (pressure - work) / modulus
+        return stored
+
+    def _modulus(self, name: str) -> float:
+        modulus = self.syringes[name].bulk_modulus
+        assert modulus is not None, "a gas has no cushion"
+        return modulus
 
     def barrel_fluid(self, name: str) -> FluidLaw:
         """The fluid in a barrel, which always yields: the plunger's position is given."""
@@ -334,6 +382,27 @@ class System:
             self.parameter("stretch_per_pressure", law.stretch_per_pressure),
         )
 
+    def let_snap(self, wall: SnappingWall, filled: float) -> None:
+        """Give every bellow a law by which the pressure follows from its swelling.
+
+        ``filled``: swelling at the pressure at which sealed parts were filled [m3].
+        """
+        self.wall = wall
+        self.filled_swelling = self.parameter("filled_swelling", filled)
+        self.swelling = {name: SX.sym(f"swelling_{name}") for name in self.pressure}
+
+    @property
+    def told_by(self) -> dict[str, SX]:
+        """What the laws of the bellows' walls are functions of: pressure, or swelling."""
+        return self.swelling or self.pressure
+
+    def swelling_defects(self) -> SX:
+        """Pressure of every swelling less the bellow's own (B,) [Pa]; none where none swells."""
+        if not isinstance(self.wall, SnappingWall):
+            return SX(0, 1)
+        pressure = ca.vertcat(*self.pressure.values())
+        return self.wall.pressure(ca.vertcat(*self.swelling.values())) - pressure
+
     @cached_property
     def intrinsic_curvature(self) -> SX:
         """Curvature of every section that its pressures ask for (S,) [1/m]."""
@@ -348,14 +417,17 @@ class System:
 
     @cached_property
     def _columns(self) -> tuple[SX, SX]:
-        """Pressures of the left and of the right bellows, clamp first (S,)."""
-        left, right = zip(*pair_pressures(self.graph, self.pressure), strict=True)
+        """What the laws of the left and the right bellows depend on, clamp first (S,)."""
+        left, right = zip(*in_pairs(self.graph, self.told_by), strict=True)
         return ca.vertcat(*left), ca.vertcat(*right)
 
     def fluid_energy(self) -> SX:
         """Energy of walls and fluid whose rate is the work of what flows in [J]."""
-        energy = self.tube_energy + sum((self.barrel_energy(name) for name in self.syringes), SX(0))
-        energy += ca.sum1(self.wall.energy(ca.vertcat(*self.pressure.values())))
+        energy = self.tube_energy
+        energy += sum(
+            (self.barrel_energy(n) + self.cushion_energy(n) for n in self.syringes), SX(0)
+        )
+        energy += ca.sum1(self.wall.energy(ca.vertcat(*self.told_by.values())))
         for name in (*self.pressure, *self.storing_nodes()):
             pressure = self.node_pressure(name)
             energy += pressure * (self.volume(name) - self.wall_volume(name))

@@ -18,7 +18,10 @@ SX = ca.SX
 
 
 class Wall(ABC):
-    """Volume, strains and energy of one bellow as functions of its gauge pressure."""
+    """Volume, strains and energy of one bellow as functions of its gauge pressure.
+
+    Of a `SnappingWall` they are functions of its swelling.
+    """
 
     @abstractmethod
     def volume(self, pressure: SX) -> SX:
@@ -113,3 +116,34 @@ class MeasuredWall(Wall):
     def energy(self, pressure: SX) -> SX:
         curve = self.volume_curve
         return SX(pressure * curve(pressure, ca) - curve.integral(pressure, ca))
+
+
+@dataclass(frozen=True)
+class SnappingWall(Wall):
+    """Laws through measured points between which the pressure falls as the bellow swells.
+
+    Under such a pressure the swelling is not settled: the laws are functions of the
+    swelling, the volume beyond that at rest [m3].
+    """
+
+    rest_volume: SX
+    pressure_curve: PiecewiseCubic
+    """Gauge pressure [Pa] of the swelling; the others, too."""
+    curvature_curve: PiecewiseCubic
+    stretch_curve: PiecewiseCubic
+
+    def pressure(self, swelling: SX) -> SX:
+        """Gauge pressure that holds a swelling [Pa]."""
+        return SX(self.pressure_curve(swelling, ca))
+
+    def volume(self, swelling: SX) -> SX:
+        return self.rest_volume + swelling
+
+    def curvature(self, swelling: SX) -> SX:
+        return SX(self.curvature_curve(swelling, ca))
+
+    def stretch(self, swelling: SX) -> SX:
+        return SX(self.stretch_curve(swelling, ca))
+
+    def energy(self, swelling: SX) -> SX:
+        return SX(self.pressure_curve.integral(swelling, ca))

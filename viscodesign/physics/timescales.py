@@ -29,12 +29,16 @@ def slowest_network_time(conductance: np.ndarray, compliance: np.ndarray, *, sea
     ``conductance`` (B, B): symmetric, of the nodes with volume, fixed pressures
     and junctions eliminated [m3/(Pa s)]; ``compliance`` (B,) [m3/Pa]. The inverse
     of the smallest eigenvalue of conductance against compliance; a sealed network
-    has one eigenvalue zero, its mean pressure, which is left out.
+    has one eigenvalue zero, its mean pressure, which is left out. An eigenvalue below
+    round-off of the largest one counts as that much: the time is then a lower bound.
     """
     root = 1.0 / np.sqrt(compliance)
     rates = np.linalg.eigvalsh(root[:, None] * conductance * root[None, :])
     settling = rates[1:] if sealed else rates
-    return float(1.0 / settling[0]) if settling.size else 0.0
+    if not settling.size:
+        return 0.0
+    least = len(rates) * np.finfo(float).eps * rates[-1]
+    return float(1.0 / max(settling[0], least))
 
 
 def cutoff_frequency(viscous_elastic_time: float) -> float:

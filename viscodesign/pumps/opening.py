@@ -6,6 +6,7 @@ from difflib import get_close_matches
 
 from viscodesign.catalog import members
 from viscodesign.errors import UsageError
+from viscodesign.pumps import registers
 from viscodesign.pumps.boards.base import Board
 from viscodesign.pumps.clock import Clock, WallClock
 from viscodesign.pumps.drive import Drive
@@ -14,7 +15,8 @@ from viscodesign.pumps.log import ByteLog, LoggedLine
 from viscodesign.pumps.serial_line import SerialLine
 from viscodesign.pumps.virtual.bench import Bench
 from viscodesign.pumps.virtual.direct_line import DirectLine
-from viscodesign.pumps.virtual.plant import ClosedGas, Plant
+from viscodesign.pumps.virtual.pins import Pins
+from viscodesign.pumps.virtual.plant import AMBIENT, ClosedGas, Plant
 from viscodesign.pumps.virtual.ros import Ros
 from viscodesign.pumps.virtual.servo import VirtualServo
 from viscodesign.scene.pump import Pump
@@ -46,11 +48,13 @@ def open_board(
     clock: Clock | None = None,
     pump: Pump | None = None,
     plant: Plant | None = None,
+    ambient: float = AMBIENT,
 ) -> Board:
     """A board behind its port, booted; moves nothing and asks nothing yet.
 
     ``plant`` is what the plungers of a simulated board press into, a closed barrel where none
-    is given. Whoever opens it closes its line.
+    is given; ``ambient`` the absolute pressure around its sensor [Pa]. Whoever opens it closes
+    its line.
     """
     kind = board_kind(name)
     _check_port(kind, port, baud)
@@ -59,7 +63,7 @@ def open_board(
     if kind.simulated:
         if pump is None:
             raise UsageError("--board simulated needs the `pump:` section of a spec")
-        line: Line = simulated_line(pump, clock, plant)
+        line: Line = simulated_line(pump, clock, plant, ambient)
     else:
         line = SerialLine(str(port), baud or kind.baud, clock)
     log.event("opened", board=name, port=port, baud=baud or kind.baud, simulated=kind.simulated)
@@ -76,15 +80,25 @@ def servo_ids(pump: Pump | None) -> list[int]:
     return [pump.servo_id] if isinstance(pump.servo_id, int) else list(pump.servo_id.values())
 
 
-def simulated_line(pump: Pump, clock: Clock, plant: Plant | None = None) -> Line:
-    """A line into a computed ArbotiX, and a pump behind it with its plungers at home."""
+def simulated_line(
+    pump: Pump, clock: Clock, plant: Plant | None = None, ambient: float = AMBIENT
+) -> Line:
+    """A line into a computed ArbotiX with the firmware for ROS, and a pump behind it."""
+    bench = simulated_bench(pump, plant, ambient)
+    return DirectLine(Ros(bench, Pins(bench, ambient)), clock)
+
+
+def simulated_bench(pump: Pump, plant: Plant | None = None, ambient: float = AMBIENT) -> Bench:
+    """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
     drives = [Drive(pump) for _ in servo_ids(pump)]
     servos = [
         VirtualServo(servo, MODEL_NUMBERS[pump.servo], pump.home) for servo in servo_ids(pump)
     ]
     for servo in servos:
         servo.supply(pump.supply_voltage)
-    return DirectLine(Ros(Bench(servos, drives, plant or ClosedGas(drives))), clock)
+        servo.set(registers.CW_LIMIT, pump.travel[0])
+        servo.set(registers.CCW_LIMIT, pump.travel[1])
+    return Bench(servos, drives, plant or ClosedGas(drives, ambient))
 
 
 def _check_port(kind: type[Board], port: str | None, baud: int | None) -> None:

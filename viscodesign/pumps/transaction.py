@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from viscodesign.errors import PumpError
 from viscodesign.pumps import packets
 from viscodesign.pumps.line import Line
 from viscodesign.pumps.packets import ErrorBits, Instruction, Packet, Parser, meaning, shown
-from viscodesign.pumps.registers import RAM
+from viscodesign.pumps.registers import ID, RAM
 
 TRIES = 3
 """Of what may be repeated."""
@@ -53,6 +54,8 @@ class Transactions:
         self.line = line
         self.patience = patience
         """How long to wait for a reply [s]."""
+        self.longest = math.inf
+        """How long to go on asking the same thing [s]."""
         self._owed: set[tuple[int, int]] = set()
         """Id and number of parameters of replies that did not come."""
         self._speaker: int | None = None
@@ -60,6 +63,16 @@ class Transactions:
 
     def ping(self, servo: int) -> None:
         self.ask(packets.ping(servo), 0)
+
+    def answers(self, servo: int) -> bool:
+        """Whether a servo answers when it is asked once; with error bits too."""
+        try:
+            self.ask(packets.read(servo, ID.address, ID.size), ID.size, tries=1)
+        except ServoError:
+            return True
+        except NoReplyError:
+            return False
+        return True
 
     def read(self, servo: int, address: int, count: int) -> bytes:
         """Registers; asked up to `TRIES` times."""
@@ -116,7 +129,10 @@ class Transactions:
         that the request came broken is repeated like a lost one.
         """
         came, reply = b"", None
-        for _ in range(tries):
+        deadline = self.line.clock.now() + self.longest
+        for k in range(tries):
+            if k > 0 and self.line.clock.now() >= deadline:
+                break
             sure = self._settle(packet.id)
             if not sure and packet.code == Instruction.READ:
                 continue

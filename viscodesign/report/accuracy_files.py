@@ -34,8 +34,8 @@ def write_study(
     folder = prepare_folder(directory, force=force)
     document = json.dumps(accuracy_document(study, budget_s), indent=2, ensure_ascii=False)
     contents = {
-        folder / TABLE: points_csv(study),
-        folder / DOCUMENT: text_bytes(document + "\n"),
+        folder / TABLE: [points_csv(study)],
+        folder / DOCUMENT: [text_bytes(document + "\n")],
     }
     picture = folder / PICTURE
     write_all(contents, first=lambda: _remove(picture))

@@ -5,12 +5,12 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import IO
 
 from viscodesign.errors import UsageError
+from viscodesign.report.leftovers import temporary_beside
 
 REMEDIES = {
     errno.ENOSPC: "Free some space, or use another folder.",
@@ -34,12 +34,14 @@ def replaced(path: Path) -> Iterator[IO[bytes]]:
     with refused_plainly(path):
         temporary: str | None = None
         try:
-            handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
+            handle, temporary = temporary_beside(path)
             with os.fdopen(handle, "wb") as file:
                 yield file
-            os.chmod(temporary, 0o666 & ~_umask())
-            os.replace(temporary, path)
-            temporary = None
+                file.flush()
+                # Still locked: nobody takes it for a leftover.
+                os.chmod(temporary, 0o666 & ~_umask())
+                os.replace(temporary, path)
+                temporary = None
         finally:
             if temporary is not None:
                 with contextlib.suppress(OSError):
@@ -69,15 +71,18 @@ def write_bytes(path: Path, content: bytes) -> None:
         file.write(content)
 
 
-def write_all(contents: dict[Path, bytes], first: Callable[[], None] = lambda: None) -> None:
-    """Write several files; none takes its place before all are on the disk.
+def write_all(
+    contents: Mapping[Path, Iterable[bytes]], first: Callable[[], None] = lambda: None
+) -> None:
+    """Write several files, part by part; none takes its place before all are on the disk.
 
     ``first`` is called then, right before they do.
     """
     with contextlib.ExitStack() as stack:
         # A stack is left in reverse order: the first file is to appear first.
-        for path, content in reversed(contents.items()):
+        for path, parts in reversed(list(contents.items())):
             file = stack.enter_context(replaced(path))
-            file.write(content)
+            for part in parts:
+                file.write(part)
             file.flush()
         first()

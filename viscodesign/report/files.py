@@ -5,13 +5,17 @@ from __future__ import annotations
 import csv
 import io
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 
 from viscodesign.errors import UsageError
 from viscodesign.report.atomic import refused_plainly, write_all, write_bytes
+from viscodesign.report.leftovers import clear_leftovers
 from viscodesign.report.tables import shape_columns, summary_document, trajectory_columns
+from viscodesign.shelf import BLOCK, blocks
+from viscodesign.solve.interrupt import gentle_interrupt
 from viscodesign.trajectory import Trajectory
 
 TABLES = ("trajectory.csv", "shape.csv", "spec.yaml")
@@ -21,7 +25,11 @@ PROOF_PICTURE = "effects.png"
 SUMMARY = "summary.json"
 STUDY_FILES = ("accuracy.csv", "accuracy.json", "accuracy.png")
 """Of a study of accuracy, which may share the folder; a run leaves them alone."""
-OURS = {*TABLES, *PICTURES, PROOF_PICTURE, SUMMARY, *STUDY_FILES}
+PLAN_FILES = ("plan.csv", "plan.json", "plan.png")
+"""Of a plan of the pump, which may share it too."""
+OURS = {*TABLES, *PICTURES, PROOF_PICTURE, SUMMARY, *STUDY_FILES, *PLAN_FILES}
+LAST_WRITTEN = {SUMMARY, STUDY_FILES[1], PLAN_FILES[1]}
+"""Documents of which one at least is in every folder of ours."""
 
 
 def write_run(
@@ -35,14 +43,18 @@ def write_run(
     """
     folder = prepare_folder(directory, force=force)
     contents = (
-        csv_text(*trajectory_columns(trajectory)),
-        csv_text(*shape_columns(trajectory)),
-        text_bytes(trajectory.spec_text),
+        trajectory_lines(trajectory),
+        shape_lines(trajectory),
+        [text_bytes(trajectory.spec_text)],
     )
     tables = [folder / name for name in TABLES]
     summary = folder / SUMMARY
     old = [summary, *(folder / name for name in (*PICTURES, PROOF_PICTURE))]
-    write_all(dict(zip(tables, contents, strict=True)), first=lambda: _remove(old))
+    with gentle_interrupt() as interrupt:
+        write_all(dict(zip(tables, contents, strict=True)), first=lambda: _remove(old))
+    if interrupt.asked:
+        # What took long to solve may take a while to write: it is not given up for that.
+        raise KeyboardInterrupt
     pictures = _draw(trajectory, folder) if plots else []
     document = json.dumps(summary_document(trajectory), indent=2, ensure_ascii=False)
     write_bytes(summary, text_bytes(document + "\n"))
@@ -83,18 +95,22 @@ def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
         names = sorted(file.name for file in folder.iterdir())
     strangers = [name for name in names if not _is_ours(name)]
-    if strangers and not force and not {SUMMARY, STUDY_FILES[1]} & set(names):
+    if strangers and not force and not LAST_WRITTEN & set(names):
         shown = ", ".join(strangers[:3]) + (", ..." if len(strangers) > 3 else "")
         raise UsageError(
             f"{folder} holds other files ({shown}); nothing was written. "
             "Use another folder with -o DIR, or --force"
         )
     _try_writing(folder)
+    clear_leftovers(folder, [*OURS, PROBE])
     return folder
 
 
+PROBE = ".write-test"
+
+
 def _try_writing(folder: Path) -> None:
-    probe = folder / ".write-test"
+    probe = folder / PROBE
     write_bytes(probe, b"")
     _remove([probe])
 
@@ -103,14 +119,40 @@ def _is_ours(name: str) -> bool:
     return name in OURS or name.startswith(".")
 
 
+def trajectory_lines(trajectory: Trajectory) -> Iterator[bytes]:
+    """`trajectory.csv`, block by block."""
+    names, _ = trajectory_columns(trajectory, slice(0))
+    yield csv_head(names)
+    inlets = trajectory.inlet_pressure.values()
+    told = (trajectory.time, trajectory.tip, *inlets, trajectory.pressure, trajectory.flow)
+    for rows in blocks(len(trajectory.time), *told):
+        yield csv_rows(trajectory_columns(trajectory, rows)[1])
+
+
+def shape_lines(trajectory: Trajectory) -> Iterator[bytes]:
+    """`shape.csv`, block by block."""
+    names, _ = shape_columns(trajectory, slice(0))
+    yield csv_head(names)
+    for rows in blocks(len(trajectory.shape), trajectory.shape, rows=BLOCK // 32):
+        yield csv_rows(shape_columns(trajectory, rows)[1])
+
+
 def csv_text(names: list[str], values: np.ndarray) -> bytes:
     """A table with every digit, so that reading it gives the same numbers."""
+    return csv_head(names) + csv_rows(values)
+
+
+def csv_head(names: list[str]) -> bytes:
+    """The names of a table's columns."""
     header = io.StringIO()
     # A name may hold a comma or a quote; a number never does.
-    csv.writer(header, lineterminator="").writerow(names)
-    lines = [header.getvalue()]
-    lines += [",".join(map(repr, row)) for row in values.tolist()]
-    return text_bytes("\n".join(lines) + "\n")
+    csv.writer(header, lineterminator="\n").writerow(names)
+    return text_bytes(header.getvalue())
+
+
+def csv_rows(values: np.ndarray) -> bytes:
+    """Rows (n, columns), each a line."""
+    return "".join([",".join(map(repr, row)) + "\n" for row in values.tolist()]).encode()
 
 
 def text_bytes(text: str) -> bytes:

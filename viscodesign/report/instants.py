@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import numpy as np
 
+from viscodesign.shelf import extremes, picked
 from viscodesign.trajectory import Trajectory
 
 DISTINCT = 0.01
 """Smallest difference worth a drawing of its own: of length, of the pressures' range."""
 
 
+MOST_COMPARED = 5000
+"""Shapes among which those to draw are sought."""
+
+
 def spread_instants(trajectory: Trajectory, count: int, *, pressures: bool = False) -> np.ndarray:
-    """Indices of up to ``count`` times, ascending, spread over what occurs.
+    """Indices of up to ``count`` shapes, ascending, spread over what occurs.
 
     The first, the last, then always the one that is farthest from all chosen so far,
     by its shape and, if asked, by its ``pressures``: a motion that pauses or repeats
     itself is not drawn twice, a fast one is not skipped.
     """
-    places = _configurations(trajectory, pressures)
+    compared = _compared(len(trajectory.shape))
+    places = _configurations(trajectory, compared, pressures)
     distance = np.linalg.norm(places - places[0], axis=1)
     chosen = [0]
     last = len(places) - 1
@@ -30,19 +36,29 @@ def spread_instants(trajectory: Trajectory, count: int, *, pressures: bool = Fal
             break
         chosen.append(farthest)
         distance = np.minimum(distance, np.linalg.norm(places - places[farthest], axis=1))
-    return np.array(sorted(chosen))
+    return np.asarray(compared[sorted(chosen)])
 
 
-def _configurations(trajectory: Trajectory, pressures: bool) -> np.ndarray:
-    """One row for each time; rows at distance 1 differ by a length, or all pressures' range."""
-    times, points = trajectory.shape.shape[:2]
-    shape: np.ndarray = trajectory.shape.reshape(times, -1)
+def _compared(shapes: int) -> np.ndarray:
+    """Which shapes are looked at: of many some, at odd distances that no cycle hides behind."""
+    if shapes <= MOST_COMPARED:
+        return np.arange(shapes)
+    scattered = np.random.default_rng(0).choice(shapes, MOST_COMPARED - 2, replace=False)
+    return np.unique([0, *scattered.tolist(), shapes - 1])
+
+
+def _configurations(trajectory: Trajectory, compared: np.ndarray, pressures: bool) -> np.ndarray:
+    """One row for each shape; rows at distance 1 differ by a length, or all pressures' range."""
+    points = trajectory.shape.shape[1]
+    shape: np.ndarray = picked(trajectory.shape, compared).reshape(len(compared), -1)
     shape = shape / (trajectory.length * np.sqrt(points))
-    span = float(np.ptp(trajectory.pressure))
+    low, high = extremes(trajectory.pressure)
+    span, largest = float(high.max() - low.min()), float(max(high.max(), -low.min()))
     # Below a millionth the range is rounding, not motion.
-    if not pressures or span <= 1e-6 * float(np.max(np.abs(trajectory.pressure))):
+    if not pressures or span <= 1e-6 * largest:
         return shape
-    scaled = trajectory.pressure / (span * np.sqrt(trajectory.pressure.shape[1]))
+    rows = trajectory.shape_rows[compared]
+    scaled = picked(trajectory.pressure, rows) / (span * np.sqrt(trajectory.pressure.shape[1]))
     # What moves is seen better than what changes its colour.
     return np.concatenate([shape, 0.5 * scaled], axis=1)
 

@@ -15,12 +15,15 @@ from viscodesign.report.style import (
     GREY,
     INLET_COLOURS,
     SEQUENTIAL,
+    TIME_DIGITS,
     axes_at,
     head,
     head_room,
     picture,
     shown,
 )
+from viscodesign.report.thinning import envelope
+from viscodesign.shelf import extremes
 from viscodesign.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -51,6 +54,7 @@ def draw_pressures(trajectory: Trajectory, path: Path) -> None:
             _draw_column(axes, trajectory, side, norm)
             _draw_levels(axes, trajectory, limits[1])
             axes.ticklabel_format(axis="y", style="plain", useOffset=False)
+            axes.ticklabel_format(axis="x", scilimits=TIME_DIGITS)
             axes.set(xlim=limits[0], ylim=limits[1], xlabel="time [s]")
             last = f" to {side}{trajectory.sections}" if trajectory.sections > 1 else ""
             axes.set_title(f"{title}, {side}1{last}", loc="left", fontsize=9)
@@ -69,31 +73,34 @@ def _section_colours(sections: int) -> Normalize:
 
 def _draw_column(axes: Axes, trajectory: Trajectory, side: str, norm: Normalize) -> None:
     columns = [k for k, name in enumerate(trajectory.bellows) if name.startswith(side)]
+    low, high = extremes(trajectory.pressure)
     # What swings least is drawn last: where many cycles fill their bands, each still shows.
-    columns.sort(key=lambda k: -float(np.ptp(trajectory.pressure[:, k])))
+    columns.sort(key=lambda k: -float(high[k] - low[k]))
     numbers = np.array([float(trajectory.bellows[k][1:]) for k in columns])
-    time = np.broadcast_to(trajectory.time[:, None], (len(trajectory.time), len(columns)))
-    curves = np.stack((time, trajectory.pressure[:, columns] / 1e3), axis=2).transpose(1, 0, 2)
+    time, pressure = envelope(trajectory.time, trajectory.pressure)
+    times = np.broadcast_to(time[:, None], (len(time), len(columns)))
+    curves = np.stack((times, pressure[:, columns] / 1e3), axis=2).transpose(1, 0, 2)
     lines = LineCollection(list(curves), cmap=SEQUENTIAL, norm=norm, linewidths=1.1, zorder=3)
     lines.set_array(numbers)
     axes.add_collection(lines)
     alone = len(trajectory.inlet_pressure) == 1
     for k, (name, values) in enumerate(trajectory.inlet_pressure.items()):
         axes.plot(
-            trajectory.time, values / 1e3, zorder=2, lw=2.4,
+            time, envelope(trajectory.time, values[:, None])[1][:, 0] / 1e3, zorder=2, lw=2.4,
             color=INLET_COLOURS[k % len(INLET_COLOURS)], ls=DASHES[k % len(DASHES)],
             label="inlet" if alone or name == "inlet" else f"inlet {shown(name, 14)}",
-            marker="_" if len(trajectory.time) == 1 else None,
+            marker="_" if len(time) == 1 else None,
         )  # fmt: skip
-    if len(trajectory.time) == 1:
-        axes.scatter(time[0], curves[:, 0, 1], c=numbers, cmap=SEQUENTIAL, norm=norm, zorder=3)
+    if len(time) == 1:
+        axes.scatter(times[0], curves[:, 0, 1], c=numbers, cmap=SEQUENTIAL, norm=norm, zorder=3)
 
 
 def _limits(trajectory: Trajectory) -> tuple[tuple[float, float], tuple[float, float]]:
     """Time [s] and pressure [kPa], both never of no extent."""
-    values = [trajectory.pressure, *trajectory.inlet_pressure.values()]
-    low = min(float(np.min(v)) for v in values) / 1e3
-    high = max(float(np.max(v)) for v in values) / 1e3
+    told = (trajectory.pressure, *trajectory.inlet_pressure.values())
+    lows, highs = zip(*(extremes(values) for values in told), strict=True)
+    low = min(float(np.min(v)) for v in lows) / 1e3
+    high = max(float(np.max(v)) for v in highs) / 1e3
     largest = max(abs(low), abs(high))
     # A range of rounding alone is drawn as a level line.
     margin = 0.06 * (high - low) if high - low > 1e-6 * largest else 0.1 * largest or 1.0

@@ -15,6 +15,7 @@ from matplotlib.colors import Colormap, ListedColormap, Normalize
 from viscodesign.report.filmstrip import Frame, Strip, arrange
 from viscodesign.report.instants import clamp_strokes, normals, spread_instants
 from viscodesign.report.style import DIVERGING, INK, axes_at, head, head_room, picture
+from viscodesign.shelf import extremes
 from viscodesign.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -68,12 +69,12 @@ def draw_shapes(trajectory: Trajectory, path: Path) -> None:
 
 def _poses(trajectory: Trajectory) -> Poses:
     instants = spread_instants(trajectory, SHOWN, pressures=True)
-    axis = trajectory.shape[instants] * 1e3
+    axis, rows = trajectory.shape[instants] * 1e3, trajectory.shape_rows[instants]
     return Poses(
-        time_labels(trajectory.time[instants]),
+        time_labels(trajectory.time[rows]),
         axis,
         _blocks(trajectory, axis),
-        trajectory.pressure[instants] / 1e3,
+        trajectory.pressure[rows] / 1e3,
         (0.7e3 * trajectory.width, 0.14e3 * trajectory.width),
     )
 
@@ -124,7 +125,8 @@ def _colouring(pressure: np.ndarray) -> tuple[Colormap, Normalize, tuple[float, 
     Pressures that all lie far from the ambient get the range between themselves
     instead, or the differences that bend the actuator could not be seen.
     """
-    low, high = (float(f(pressure)) / 1e3 for f in (np.min, np.max))
+    lows, highs = extremes(pressure)
+    low, high = float(lows.min()) / 1e3, float(highs.max()) / 1e3
     largest = max(abs(low), abs(high))
     if largest == 0.0:
         return DIVERGING, Normalize(-1.0, 1.0), (-1.0, 1.0)

@@ -50,6 +50,8 @@ SEQUENTIAL = ListedColormap(mpl.colormaps["viridis"](np.linspace(0.0, 0.9, 256))
 """Without its last, palest part, which vanishes on paper."""
 DIVERGING = mpl.colormaps["RdBu_r"]
 
+TIME_DIGITS = (-4, 5)
+"""Powers of ten between which times are written out: there is room for five digits."""
 TITLE_ROOM = 0.34
 BANNER_LINE = 0.17
 BANNER_LINES = 3

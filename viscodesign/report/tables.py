@@ -95,33 +95,37 @@ def summary_document(trajectory: Trajectory) -> dict[str, Any]:
     return dict(plain(document))
 
 
-def trajectory_columns(trajectory: Trajectory) -> tuple[list[str], np.ndarray]:
-    """Names and values (T, columns) of `trajectory.csv`; pressures are gauge."""
+WHOLE = slice(None)
+
+
+def trajectory_columns(trajectory: Trajectory, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
+    """Names and values (T, columns) of `trajectory.csv`, or of some rows; pressures are gauge."""
     names = ["time_s", "tip_x_m", "tip_z_m", "tip_angle_rad"]
     inlets = list(trajectory.inlet_pressure)
     alone = len(inlets) == 1
     names += ["inlet_pressure_pa" if alone else f"inlet_pressure_{name}_pa" for name in inlets]
     names += [f"pressure_{name}_pa" for name in trajectory.bellows]
     names += [f"flow_{name}_m3_s" for name in trajectory.tubes]
-    inlet_values = [values[:, None] for values in trajectory.inlet_pressure.values()]
+    inlet_values = [values[rows, None] for values in trajectory.inlet_pressure.values()]
     values = [
-        trajectory.time[:, None],
-        trajectory.tip,
+        trajectory.time[rows, None],
+        trajectory.tip[rows],
         *inlet_values,
-        trajectory.pressure,
-        trajectory.flow,
+        trajectory.pressure[rows],
+        trajectory.flow[rows],
     ]
     return names, np.concatenate(values, axis=1)
 
 
-def shape_columns(trajectory: Trajectory) -> tuple[list[str], np.ndarray]:
-    """Names and values (T K, 4) of `shape.csv`."""
-    times, points = trajectory.shape.shape[:2]
+def shape_columns(trajectory: Trajectory, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
+    """Names and values (N K, 4) of `shape.csv`, or of some shapes."""
+    time, shape = trajectory.time[trajectory.shape_rows[rows]], trajectory.shape[rows]
+    times, points = shape.shape[:2]
     values = np.column_stack(
         (
-            np.repeat(trajectory.time, points),
+            np.repeat(time, points),
             np.tile(trajectory.arc, times),
-            trajectory.shape.reshape(-1, 2),
+            shape.reshape(-1, 2),
         )
     )
     return ["time_s", "arc_m", "x_m", "z_m"], values

@@ -9,8 +9,19 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 from viscodesign.report.instants import clamp_strokes, outline, spread_instants
-from viscodesign.report.style import FAINT, INK, SEQUENTIAL, axes_at, head, head_room, picture
+from viscodesign.report.style import (
+    FAINT,
+    INK,
+    SEQUENTIAL,
+    TIME_DIGITS,
+    axes_at,
+    head,
+    head_room,
+    picture,
+)
+from viscodesign.report.thinning import MOST_ROWS
 from viscodesign.report.tip_path import draw_path, time_range
+from viscodesign.shelf import extremes
 from viscodesign.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -52,20 +63,22 @@ def draw_tip(trajectory: Trajectory, path: Path) -> None:
         bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, BOTTOM, 0.12, height))
         bar.set_label("time [s]")
         bar.outline.set_visible(False)
+        bar.ax.ticklabel_format(axis="y", scilimits=TIME_DIGITS)
         if len(trajectory.time) == 1:
             bar.set_ticks([float(trajectory.time[0])])
-        head(made, trajectory, "path of the tip", LEFT)
+        thinned = len(trajectory.time) > MOST_ROWS
+        head(made, trajectory, f"path of the tip{', in stretches' if thinned else ''}", LEFT)
 
 
 def _is_small(trajectory: Trajectory) -> bool:
-    extent = float(np.max(np.ptp(trajectory.tip[:, :2], axis=0)))
+    low, high = extremes(trajectory.tip)
+    extent = float(np.max((high - low)[:2]))
     return ZOOM_RANGE[0] < extent / trajectory.length < ZOOM_RANGE[1]
 
 
 def _draw_enlarged(axes: Axes, trajectory: Trajectory) -> None:
-    points = trajectory.tip[:, :2] * 1e3
-    middle = (points.min(axis=0) + points.max(axis=0)) / 2
-    half = 0.6 * float(np.max(np.ptp(points, axis=0)))
+    low, high = (1e3 * corner[:2] for corner in extremes(trajectory.tip))
+    middle, half = (low + high) / 2, 0.6 * float(np.max(high - low))
     axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
     axes.locator_params(nbins=5)
     axes.ticklabel_format(style="plain", useOffset=False)
@@ -86,7 +99,8 @@ def _draw_legend(made: Figure, axes: Axes, right: float, bottom: float) -> None:
 def _limits(trajectory: Trajectory, bodies: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Corners (x, z) [mm] of a frame about all that is drawn, of a sensible shape."""
     half, hatch = _clamp_size(trajectory)
-    points = np.concatenate([bodies.reshape(-1, 2), trajectory.tip[:, :2] * 1e3])
+    corners = [1e3 * corner[None, :2] for corner in extremes(trajectory.tip)]
+    points = np.concatenate([bodies.reshape(-1, 2), *corners])
     low = np.minimum(points.min(axis=0), (-half, -hatch))
     high = np.maximum(points.max(axis=0), (half, 0.0))
     margin = 0.04 * float(np.max(high - low))
@@ -124,6 +138,6 @@ def _draw_bodies(
     bent = LineCollection(
         list(trajectory.shape[instants] * 1e3), cmap=SEQUENTIAL, linewidths=0.8, zorder=3
     )
-    bent.set_array(trajectory.time[instants])
+    bent.set_array(trajectory.time[trajectory.shape_rows[instants]])
     bent.set_clim(*time_range(trajectory))
     axes.add_collection(bent)

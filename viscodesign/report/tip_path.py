@@ -8,6 +8,8 @@ import numpy as np
 from matplotlib.collections import LineCollection
 
 from viscodesign.report.style import INK, SEQUENTIAL
+from viscodesign.report.thinning import stretches
+from viscodesign.shelf import extremes
 from viscodesign.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -22,26 +24,41 @@ MANY_ROUNDS = 8
 def draw_path(axes: Axes, trajectory: Trajectory, size: float = 1.0) -> LineCollection:
     """Draw the path [mm] into axes whose limits are set, with direction, start and end.
 
+    Of a long run some stretches stand for the whole.
     ``size`` is that of the marks, 1 as usual.
     """
-    points, time = trajectory.tip[:, :2] * 1e3, trajectory.time
-    stride = -(-len(points) // PIECES)
-    starts = range(0, len(points) - 1, stride)
-    rounds = travelled(points)[-1] / max(float(np.sum(np.ptp(points, axis=0))), 1e-300)
+    parts = stretches(trajectory.tip[:, :2])
+    stride = -(-sum(part.stop - part.start for part in parts) // PIECES)
+    starts = [
+        slice(k, min(k + stride + 1, part.stop))
+        for part in parts
+        for k in range(part.start, part.stop - 1, stride)
+    ]
+    points = trajectory.tip[parts[-1], :2] * 1e3
+    extent = np.subtract(*reversed([corner[:2] for corner in extremes(trajectory.tip)]))
+    way = sum(travelled(trajectory.tip[part, :2])[-1] for part in parts)
+    rounds = way / max(float(np.sum(extent)), 1e-300)
     lines = LineCollection(
-        [points[k : k + stride + 1] for k in starts],
+        [trajectory.tip[rows, :2] * 1e3 for rows in starts],
         cmap=SEQUENTIAL,
         linewidths=2.0 if rounds < MANY_ROUNDS else 1.0,
         capstyle="round",
         zorder=4,
     )
-    lines.set_array(np.array([time[k : k + stride + 1].mean() for k in starts]))
+    lines.set_array(np.array([trajectory.time[rows].mean() for rows in starts]))
     lines.set_clim(*time_range(trajectory))
     axes.add_collection(lines)
     _draw_arrows(axes, points, size)
     common: dict[str, Any] = {"ls": "none", "mec": INK, "zorder": 6}
     # Of different sizes, so that both are seen where they are one place.
-    axes.plot(*points[0], marker="o", mfc="white", ms=8 * size, label="start", **common)
+    axes.plot(
+        *(trajectory.tip[0, :2] * 1e3),
+        marker="o",
+        mfc="white",
+        ms=8 * size,
+        label="start",
+        **common,
+    )
     axes.plot(*points[-1], marker="s", mfc=INK, ms=3.5 * size, label="end", **common)
     return lines
 

@@ -91,7 +91,9 @@ def _periods(inputs: Mapping[str, Input], duration: float, is_single: bool) -> I
             yield Complaint(
                 ("input",) if is_single else ("inputs", name),
                 f"{duration / source.period:.3g} periods in {duration:g} s; at most "
-                f"{MOST_PERIODS} are allowed",
+                f"{MOST_PERIODS} are allowed. Use a run.duration of "
+                f"{MOST_PERIODS * source.period:.3g} s or less; a cycle that repeats itself is "
+                "known long before",
             )
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
 from viscodesign.scene.base import Part, refuse, refuse_at
-from viscodesign.scene.table_file import not_rising, refuse_rows, with_rows
+from viscodesign.scene.table_file import refuse_rows, standing, with_rows
 from viscodesign.units import (
     Angle,
     Area,
@@ -42,7 +43,11 @@ MOST_CURVE_ROWS = 60
 
 
 class MaterialCurve(Part):
-    """What was measured of one bellow against its gauge pressure, row by row."""
+    """What was measured of one bellow, row by row in the order of its growing area.
+
+    Where the pressure falls between two rows the bellow snaps: under a given pressure its
+    swelling is not settled there.
+    """
 
     file: str | None = Field(
         None, description=f"CSV with the columns {', '.join(CURVE_COLUMNS)}; relative to the spec"
@@ -54,27 +59,56 @@ class MaterialCurve(Part):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, given: Any, info: ValidationInfo) -> Any:
-        return with_rows(given, info, CURVE_COLUMNS, not_rising, "a curve")
+        return with_rows(given, info, CURVE_COLUMNS, standing, "a curve")
 
     @model_validator(mode="after")
     def _fit_to_follow(self) -> MaterialCurve:
         rows = self.rows or ()
-        refuse_rows(rows, not_rising)
+        refuse_rows(rows, standing)
         if len(rows) > MOST_CURVE_ROWS:
             raise refuse_at("rows", f"{len(rows)} rows; at most {MOST_CURVE_ROWS} are allowed")
-        if not rows[0][0] <= 0.0 <= rows[-1][0]:
-            raise refuse_at("rows", "the pressures must reach across zero gauge")
-        closest = CLOSEST_ROWS * (rows[-1][0] - rows[0][0])
         for k, (before, after) in enumerate(itertools.pairwise(rows), start=2):
-            if after[0] - before[0] < closest:
-                raise refuse_at(
-                    "rows",
-                    f"rows {k - 1} and {k} are closer than {closest:.3g} Pa, a ten-thousandth of "
-                    "the measured range; leave one out",
-                )
             if after[1] <= before[1]:
                 raise refuse_at("rows", f"row {k}: the area must rise with the pressure")
+        if rows[1][0] < rows[0][0] or rows[-1][0] < rows[-2][0]:
+            raise refuse_at(
+                "rows",
+                "the pressure must rise with the area at both ends; only between them may it "
+                "fall, where a bellow snaps",
+            )
+        if not rows[0][0] <= 0.0 <= first_peak(rows):
+            raise refuse_at("rows", "the pressures must reach across zero gauge")
+        self._refuse_close(rows)
         return self
+
+    def _refuse_close(self, rows: tuple[tuple[float, ...], ...]) -> None:
+        """Raise a fault for rows that are closer than numbers can tell well."""
+        column, unit = (1, "m2") if falls(rows) else (0, "Pa")
+        closest = CLOSEST_ROWS * (rows[-1][column] - rows[0][column])
+        for k, (before, after) in enumerate(itertools.pairwise(rows), start=2):
+            if after[column] - before[column] < closest:
+                raise refuse_at(
+                    "rows",
+                    f"rows {k - 1} and {k} are closer than {closest:.3g} {unit}, a ten-thousandth "
+                    "of the measured range; leave one out",
+                )
+
+
+def falls(rows: Sequence[tuple[float, ...]]) -> bool:
+    """Whether the pressure of a curve falls anywhere while its area grows."""
+    return any(after[0] < before[0] for before, after in itertools.pairwise(rows))
+
+
+def first_peak(rows: Sequence[tuple[float, ...]]) -> float:
+    """Pressure up to which the first rows rise without a break [Pa]."""
+    pressures = [row[0] for row in rows]
+    rising = itertools.takewhile(lambda pair: pair[1] > pair[0], itertools.pairwise(pressures))
+    return max([pressures[0], *(after for _, after in rising)])
+
+
+def snaps(bellows: Bellows) -> bool:
+    """Whether a curve was measured by which a bellow snaps."""
+    return bellows.curve is not None and falls(bellows.curve.rows or ())
 
 
 class Bellows(Part):

@@ -12,7 +12,6 @@ from viscodesign.scene.effects_choice import OTHERS, EffectsChoice
 from viscodesign.scene.keys import quantity_of
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.yaml_text import plain_value
-from viscodesign.units import Kind
 
 
 class _Row(list[Any]):
@@ -66,7 +65,7 @@ def _value(value: Any, found: FieldInfo) -> Any:
     if isinstance(value, tuple):
         return [_entry(v) for v in value]
     if quantity is not None and isinstance(value, float):
-        return _with_unit(value, quantity)
+        return quantity.written(value)
     return value
 
 
@@ -74,8 +73,3 @@ def _entry(value: Any) -> Any:
     if isinstance(value, BaseModel):
         return _model(value)
     return _Row(value) if isinstance(value, tuple) else value
-
-
-def _with_unit(value: float, kind: Kind) -> Any:
-    """SI with its unit; temperatures stay in kelvin, fractions are plain numbers."""
-    return value if kind.unit == "1" else f"{value!r} {kind.unit}"

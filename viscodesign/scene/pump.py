@@ -7,7 +7,15 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, model_validator
 
 from viscodesign.scene.base import Complaint, Part, refuse, refuse_any, refuse_at
-from viscodesign.units import Length, Pressure, Voltage, Volume
+from viscodesign.units import (
+    Charge,
+    CountedPressure,
+    Force,
+    Length,
+    StatedPressure,
+    Voltage,
+    Volume,
+)
 
 SERVO_COUNTS = 1023
 HIGHEST_ID = 253
@@ -34,6 +42,9 @@ class Sensor(Part):
     """The pressure sensor's analog channel."""
 
     channel: int = Field(ge=0, le=7)
+    on: Literal["auto", "board", "phidget"] = Field(
+        "auto", description="Where it hangs; auto: on the board, or on a kit where that has no pins"
+    )
 
 
 class LimitSwitches(Part):
@@ -56,7 +67,13 @@ class Pump(Part):
     )
     supply_voltage: Voltage = Field(11.1, gt=0)
     dead_volume: Volume = Field(5e-6, ge=0)
-    max_pressure: Pressure = Field(25e3, gt=0, description="Gauge; software cap")
+    battery_capacity: Charge = Field(450e-3 * 3600, gt=0, description="Of all servos together")
+    plunger_friction: Force = Field(5.0, ge=0, description="Of a moving plunger; an assumption")
+    gear_play: float = Field(2.0, ge=0, description="Counts lost when the plunger turns back")
+    max_pressure: CountedPressure = Field(
+        25e3,
+        description="Software cap, like '25 kPa gauge' or '140 kPa abs'; gauge once it is read",
+    )
     home: int = Field(200, ge=0, le=SERVO_COUNTS, description="Counts, plunger at its start")
     travel: tuple[int, int] = (100, 1000)
     push: Literal["up", "down"] = Field(
@@ -69,6 +86,25 @@ class Pump(Part):
     )
     sensor: Sensor | None = None
     limit_switches: LimitSwitches | None = None
+
+    def above(self, ambient: float) -> Pump:
+        """The same with its pressures above the ambient [Pa]; a fault where that is not clear."""
+        stated = self.max_pressure
+        if not isinstance(stated, StatedPressure):
+            return self
+        if not stated.counted and stated > ambient:
+            kpa, above = f"{stated / 1e3:g} kPa", f"{(stated - ambient) / 1e3:.4g} kPa"
+            raise refuse_at(
+                "max_pressure",
+                f"{kpa} is above the ambient of {ambient / 1e3:g} kPa and could be meant either "
+                f"way; write '{kpa} gauge', or '{kpa} abs' ({above} gauge)",
+            )
+        gauge = stated.gauge(ambient)
+        if gauge <= 0.0:
+            kind = "abs" if stated.counted == "abs" else "gauge"
+            least = f"the ambient of {ambient / 1e3:g} kPa" if kind == "abs" else "0 kPa gauge"
+            raise refuse_at("max_pressure", f"{stated / 1e3:g} kPa {kind} is not above {least}")
+        return self.model_copy(update={"max_pressure": gauge})
 
     @model_validator(mode="after")
     def _travel_fits(self) -> Pump:

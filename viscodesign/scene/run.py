@@ -11,7 +11,10 @@ from pydantic import Field, model_validator
 from viscodesign.scene.base import Part, refuse_at
 from viscodesign.units import Time
 
-MOST_OUTPUTS = 1_000_000
+MOST_OUTPUTS = 10_000_000
+MOST_LISTED = 1_000_000
+MOST_SHAPES = 20_000
+"""Whole shapes after the first that are written down if the spec does not say how many."""
 USUAL_INTERVAL = 0.02
 """[s]"""
 
@@ -36,6 +39,12 @@ class Run(Part):
         1_000_000,
         ge=100,
         description="Steps after which a run is given up, those of its verification included",
+    )
+    shape_every: int | None = Field(
+        None,
+        ge=1,
+        description="Outputs from one whole shape in shape.csv to the next; if not given 1, or "
+        f"what makes at most {MOST_SHAPES} of them",
     )
     start: Literal["equilibrium", "rest"] = Field(
         "equilibrium",
@@ -62,8 +71,11 @@ class Run(Part):
     def _check_times(self, times: tuple[float, ...]) -> None:
         if not times:
             raise refuse_at("output_times", "the list is empty; at least one time is needed")
-        if len(times) > MOST_OUTPUTS:
-            raise refuse_at("output_times", f"{len(times)} times; at most {MOST_OUTPUTS}")
+        if len(times) > MOST_LISTED:
+            raise refuse_at(
+                "output_times",
+                f"{len(times)} times; at most {MOST_LISTED}. Use output_interval for more",
+            )
         for k, (before, after) in enumerate(itertools.pairwise(times)):
             if after <= before:
                 raise refuse_at(
@@ -76,6 +88,18 @@ class Run(Part):
                 f"{times[0]:g} s to {times[-1]:g} s; allowed are times from 0 to the duration of "
                 f"{self.duration:g} s",
             )
+
+    @property
+    def outputs(self) -> int:
+        """How many output times there are, or one more."""
+        if self.output_times is not None:
+            return len(self.output_times)
+        return int(self.duration / self.output_interval * (1 + 1e-12)) + 1
+
+    @property
+    def shapes_apart(self) -> int:
+        """Outputs from one whole shape to the next."""
+        return self.shape_every or max(1, -(-(self.outputs - 1) // MOST_SHAPES))
 
     def output_times_array(self) -> np.ndarray:
         """Output times (T,) [s]; by interval they start at 0 and end at the duration."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from pydantic import Field, PrivateAttr, field_validator, model_validator
+from pydantic import Field, PrivateAttr, ValidationInfo, field_validator, model_validator
 
 from viscodesign.model.graph import Graph
 from viscodesign.scene.actuator import Actuator
@@ -70,6 +70,13 @@ class Scene(Part):
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._+-]*( [A-Za-z0-9._+-]+)*", name):
             raise refuse(f"'{name}': use letters, digits, '_', '-', '.', '+'")
         return name
+
+    @field_validator("pump")
+    @classmethod
+    def _above_ambient(cls, pump: Pump | None, info: ValidationInfo) -> Pump | None:
+        """Its pressures as gauge; where the ambient is at fault itself, they wait."""
+        ambient = info.data.get("ambient_pressure")
+        return pump if pump is None or ambient is None else pump.above(ambient)
 
     @field_validator("loads", mode="before")
     @classmethod

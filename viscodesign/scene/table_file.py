@@ -91,11 +91,11 @@ def disorder(times: Sequence[float]) -> Iterator[tuple[int, str]]:
             yield k, f"time {after:g} s stands a third time; a jump takes two rows"
 
 
-def not_rising(pressures: Sequence[float]) -> Iterator[tuple[int, str]]:
-    """Places where pressure does not rise from row to row."""
+def standing(pressures: Sequence[float]) -> Iterator[tuple[int, str]]:
+    """Places where pressure stands still from row to row."""
     for k, (before, after) in enumerate(itertools.pairwise(pressures), start=1):
-        if after <= before:
-            yield k, f"pressure {after:g} Pa does not rise above the {before:g} Pa before it"
+        if after == before:
+            yield k, f"pressure {after:g} Pa is that of the row before it"
 
 
 def row_count(count: int) -> str:

@@ -21,6 +21,8 @@ PLAIN_SAMPLES = 80
 SAMPLES_PER_PERIOD = 24
 MOST_SWINGS = 60
 """Swings of the input after which a sketch ends: a longer train repeats itself."""
+FEWEST_TOLD = 24
+"""Output times that a sketch must meet, where it ends before the run does."""
 GRADES = 10
 FASTEST = 1e-3
 """Smallest graded step behind a corner, in parts of the time to the next one."""
@@ -94,7 +96,8 @@ class Ground:
         sides = (np.array([-1.0]), np.zeros(len(time)), np.full(len(before), -1.0))
         shift = 1e-9 * duration * np.concatenate(sides)
         order = np.argsort(everything + shift, kind="stable")
-        return everything[order], shift[order]
+        # A sample that lies closer before a corner than the shift would follow it.
+        return np.maximum.accumulate(everything[order]), shift[order]
 
     def _window(self) -> float:
         """Time up to which the motion is sketched [s]."""
@@ -115,7 +118,11 @@ class Ground:
 
     @cached_property
     def told(self) -> np.ndarray:
-        """Which samples are output times (n,)."""
+        """Which samples are output times (n,).
+
+        All of them where a sketch of a long train ends before it has met enough outputs:
+        those that follow may fall upon any part of a cycle.
+        """
         outputs = self._scene.run.output_times_array()
         nearest = np.searchsorted(outputs, self.time)
         near = np.minimum(
@@ -125,7 +132,9 @@ class Ground:
         # A motion is told as it comes to a corner, but as it leaves the start.
         after = np.concatenate([[False], np.diff(self.time) == 0.0])
         after[:2] = [True, False]
-        return np.flatnonzero((near <= 1e-9 * self.time[-1]) & ~after)
+        found = np.flatnonzero((near <= 1e-9 * self.time[-1]) & ~after)
+        is_cut = self.time[-1] < self._scene.run.duration
+        return np.flatnonzero(~after) if is_cut and len(found) < FEWEST_TOLD else found
 
     def _values(self, name: str) -> np.ndarray:
         """An input's values at the samples (T,), on the right side of every corner."""

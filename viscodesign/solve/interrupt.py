@@ -23,20 +23,28 @@ class Interrupt:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
+_open: list[Interrupt] = []
+"""Those of the main thread that listen, one inside of the other."""
+
+
 @contextmanager
 def gentle_interrupt() -> Iterator[Interrupt]:
     """Note Ctrl-C instead of raising it.
 
     An exception raised while the integrator calls back is taken there for a failed
     step, which is tried again: the wish would be lost. Only the main thread may
-    handle signals; in any other, nothing changes.
+    handle signals; in any other, nothing changes. Whoever is around this hears of it, too.
     """
     interrupt = Interrupt()
     if threading.current_thread() is not threading.main_thread():
         yield interrupt
         return
     before = signal.signal(signal.SIGINT, interrupt.note)
+    _open.append(interrupt)
     try:
         yield interrupt
     finally:
+        _open.pop()
+        if interrupt.asked and _open:
+            _open[-1].asked = True
         signal.signal(signal.SIGINT, before)

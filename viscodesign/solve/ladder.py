@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from viscodesign.errors import SolveError
+from viscodesign.solve.leaps import end_of_branch, has_branches, watched
 from viscodesign.solve.rung import Rung
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
@@ -27,22 +28,32 @@ class Ladder:
         self._others = others
         self._helped = False
 
+    def go(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """Solve intervals first..stop, as far as a rod without inertia keeps to its branch."""
+        return watched(self.march, here, first, stop, work)
+
     def climb(
         self, here: Start, edge: int, work: Work, failure: SolveError
     ) -> tuple[Columns, SolveError | None]:
         """Solve the interval from ``edge`` in some other way; the last failure where none is."""
         time = float(self.march.problem.schedule.edges[edge])
         reason = failure.short
-        if not self._others:
-            return self.march.nothing(), failure
+        if self._others and has_branches(self.march.problem) and failure.quantity == "motion":
+            failure = end_of_branch(self.march, here, edge, work) or failure
+        if not self._others or failure.quantity == "equilibrium":
+            return self.march.nothing(), failure  # no way of solving finds what is not there
         for tried, solver in self._attempts():
-            columns, again = solver(here, edge, edge + 1, work)
+            columns, again = watched(solver, here, edge, edge + 1, work)
             self.rungs.append(Rung(time, tried, again is None, reason))
             if again is None:
                 if self._helped:
                     self.march = solver
                 self._helped = True
                 return columns, None
+            if again.quantity == "equilibrium":
+                return self.march.nothing(), again
             reason = again.short
             failure = again if failure.quantity == "motion" else failure
         return self.march.nothing(), failure

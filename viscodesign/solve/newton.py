@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.solve.linear import direct_solver
+from viscodesign.solve.ways import STRAIGHT, Way
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, ca.DM]]
 Judge = Callable[[Sequence[np.ndarray], np.ndarray, ca.DM], bool]
@@ -39,8 +40,8 @@ class NewtonError(Exception):
         self.reached = reached
 
 
-def newton(function: Residual, start: np.ndarray) -> np.ndarray:
-    """Solve function(y) = 0 from ``start`` (n,), dimensionless.
+def newton(function: Residual, start: np.ndarray, way: Way = STRAIGHT) -> np.ndarray:
+    """Solve function(y) = 0 from ``start`` (n,), dimensionless, with steps along a ``way``.
 
     Damped by the natural monotonicity test: a step is judged by the correction that
     would follow it, not by the defect, which a stiff axis makes a poor judge.
@@ -57,7 +58,7 @@ def newton(function: Residual, start: np.ndarray) -> np.ndarray:
         size = _norm(step)
         if size <= CONVERGED:
             return np.asarray(y - step)
-        found = _advance(function, solve, y, step, size)
+        found = _advance(function, solve, y, step, way)
         if found is None:
             if size <= ROUND_OFF:
                 return y
@@ -71,12 +72,12 @@ def _advance(
     solve: Callable[[np.ndarray], np.ndarray],
     y: np.ndarray,
     step: np.ndarray,
-    size: float,
+    way: Way,
 ) -> tuple[np.ndarray, np.ndarray, ca.DM] | None:
     """The largest of the halved steps after which the next correction is smaller."""
-    fraction = 1.0
+    size, fraction = _norm(step), 1.0
     while fraction >= SMALLEST_FRACTION:
-        trial = y - fraction * step
+        trial = way.step(y, -fraction * step)
         residual, jacobian = function(trial)
         if np.all(np.isfinite(residual)) and _norm(solve(residual)) <= (1 - fraction / 4) * size:
             return trial, residual, jacobian
@@ -85,7 +86,10 @@ def _advance(
 
 
 def continuation(
-    family: Family, start: np.ndarray, accept: Judge = lambda near, found, jacobian: True
+    family: Family,
+    start: np.ndarray,
+    accept: Judge = lambda near, found, jacobian: True,
+    way: Way = STRAIGHT,
 ) -> np.ndarray:
     """Follow family(y, s) = 0 from ``start`` at s = 0 to s = 1, as fast as Newton allows.
 
@@ -97,9 +101,12 @@ def continuation(
     previous: tuple[np.ndarray, float] | None = None
     while reached < 1.0:
         target = min(1.0, reached + step)
-        guess = y if previous is None else _extrapolate(previous, (y, reached), target)
+        guess = y
+        if previous is not None:
+            before, back = previous
+            guess = way.beyond(before, y, (target - reached) / (reached - back))
         try:
-            found = newton(partial(_at, family, target), guess)
+            found = newton(partial(_at, family, target), guess, way)
             if not accept((guess, y), found, family(found, target)[1]):
                 raise NewtonError(0.0, 0)
         except NewtonError as failure:
@@ -114,13 +121,6 @@ def continuation(
 
 def _at(family: Family, load: float, y: np.ndarray) -> tuple[np.ndarray, ca.DM]:
     return family(y, load)
-
-
-def _extrapolate(
-    before: tuple[np.ndarray, float], now: tuple[np.ndarray, float], target: float
-) -> np.ndarray:
-    slope = (now[0] - before[0]) / (now[1] - before[1])
-    return np.asarray(now[0] + slope * (target - now[1]))
 
 
 def _factorised(jacobian: ca.DM, residual: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:

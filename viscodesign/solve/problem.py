@@ -4,12 +4,45 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.model.formulation import Equations
 from viscodesign.model.rod import Body
+from viscodesign.model.unknowns import Unknowns
+from viscodesign.solve.stiffness import Stiffness
+
+
+class Pieces:
+    """Coefficients (n, coefficients) of n intervals; neighbours that share them hold them once.
+
+    ``values`` (m, coefficients): those of m stretches; ``firsts`` (m,): where each begins.
+    """
+
+    def __init__(self, values: np.ndarray, firsts: np.ndarray, count: int) -> None:
+        self._values, self._firsts, self._count = values, firsts, count
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __getitem__(self, intervals: int | slice | Sequence[int] | np.ndarray) -> np.ndarray:
+        """Of one interval (coefficients,), or of several (k, coefficients)."""
+        if isinstance(intervals, slice):
+            intervals = np.arange(*intervals.indices(self._count))
+        stretch = np.searchsorted(self._firsts, intervals, side="right") - 1
+        return np.asarray(self._values[stretch])
+
+    @property
+    def changes(self) -> np.ndarray:
+        """Intervals whose coefficients are not those of the one before, ascending."""
+        new = np.any(self._values[1:] != self._values[:-1], axis=1)
+        return np.asarray(self._firsts[1:][new])
+
+    def among(self, edges: np.ndarray, finer: np.ndarray) -> Pieces:
+        """The same for the intervals of ``finer``, which holds all of these ``edges``."""
+        return Pieces(self._values, np.searchsorted(finer, edges[self._firsts]), len(finer) - 1)
 
 
 @dataclass(frozen=True)
@@ -22,7 +55,7 @@ class Schedule:
     """
 
     edges: np.ndarray
-    pieces: np.ndarray
+    pieces: Pieces
     outputs: np.ndarray
     initial_piece: np.ndarray
     """Coefficients just before t = 0, from which equilibrium is found."""
@@ -34,6 +67,7 @@ class Problem:
 
     equations: Equations
     body: Body
+    inlets: tuple[str, ...]
     bellows: tuple[str, ...]
     bellows_along_tubes: tuple[str, ...]
     """The same in the order of the unknowns."""
@@ -47,6 +81,17 @@ class Problem:
     """Steps after which a run is given up."""
     flow_shares: np.ndarray
     """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
+
+    @cached_property
+    def stiffness(self) -> Stiffness | None:
+        """What judges a static rod by its algebraic equations; None where none is algebraic."""
+        unknowns, function = self.equations.algebraics, self.equations.algebraic_function
+        return _stiffness(unknowns, function)
+
+    @cached_property
+    def static_stiffness(self) -> Stiffness | None:
+        """The same by the equations of the equilibrium."""
+        return _stiffness(self.equations.statics, self.equations.static_function)
 
     @property
     def unknowns(self) -> int:
@@ -78,6 +123,12 @@ class Problem:
         )
 
 
+def _stiffness(unknowns: Unknowns, function: ca.Function) -> Stiffness | None:
+    if "position" not in unknowns.blocks:
+        return None
+    return Stiffness(unknowns, function.sparsity_out(1))
+
+
 class Bound:
     """A call that reads and writes the same arrays each time, without any conversion.
 
@@ -102,18 +153,19 @@ class Bound:
 
 
 def evaluate_along(
-    problem: Problem, states: np.ndarray, algebraics: np.ndarray
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
 ) -> dict[str, np.ndarray]:
-    """All named outputs (m, n) at the first m edges, from unknowns (nx, m) and (nz, m)."""
+    """All named outputs (m, n) at m edges from ``first`` on, from unknowns (nx, m) and (nz, m)."""
     equations, schedule = problem.equations, problem.schedule
     output, count = equations.output_function, states.shape[1]
+    edges = np.arange(first, first + count)
     # A state just before a corner belongs to the interval that ends there.
-    pieces = schedule.pieces[np.maximum(np.arange(count) - 1, 0)]
+    pieces = schedule.pieces[np.maximum(edges - 1, 0)]
     tail = (equations.sealed_volumes, equations.parameter_values)
     rows = [
         states.T,
         algebraics.T,
-        schedule.edges[:count],
+        schedule.edges[edges],
         pieces,
         np.ones(count),
         *(np.broadcast_to(values, (count, len(values))) for values in tail),

@@ -14,8 +14,10 @@ from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.rod_equations import MOVING, RodForm
 from viscodesign.model.unknowns import Unknowns
+from viscodesign.solve.branch import NEARBY, Moment, branch_judge, constraints, followed
 from viscodesign.solve.newton import NewtonError, continuation, newton
 from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.ways import way_of
 
 Instant = tuple[float, np.ndarray]
 """A time [s] and the inlets' coefficients that hold at it."""
@@ -48,39 +50,12 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: boo
         return np.asarray(residual).ravel(), jacobian
 
     try:
-        y = continuation(family, guess, partial(_on_branch, equations.statics))
+        statics = equations.statics
+        accept = branch_judge(statics, problem.static_stiffness)
+        y = continuation(family, guess, accept, way_of(statics))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
     return _from_statics(problem, y, time, piece)
-
-
-NEARBY = 0.1
-"""Distance from where a node is foreseen, in lengths of the rod, up to which a shape is of the
-same branch; what lies beyond a fold is further off."""
-
-
-def _on_branch(
-    unknowns: Unknowns, near: Sequence[np.ndarray], found: np.ndarray, jacobian: ca.DM
-) -> bool:
-    """Whether a rod's shape is near one of those given, and stable.
-
-    Stable: its potential has a minimum, hence a positive definite stiffness. The elastic
-    curvature follows the positions and is eliminated; pressures are held.
-    """
-    if "position" not in unknowns.blocks:
-        return True
-    bend = unknowns.blocks["elastic_curvature"].span
-    place = unknowns.blocks["position"].span
-    if min(np.max(np.abs(found[place] - other[place])) for other in near) > NEARBY:
-        return False
-    matrix = np.array(jacobian.full())
-    follow = np.linalg.solve(matrix[bend, bend], matrix[bend, place])
-    stiffness = matrix[place, bend] @ follow - matrix[place, place]
-    try:
-        np.linalg.cholesky((stiffness + stiffness.T) / 2)
-    except np.linalg.LinAlgError:
-        return False
-    return True
 
 
 def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
@@ -90,40 +65,97 @@ def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
     y = np.zeros(statics.count)
     if "position" in statics.blocks:
         y[statics.blocks["position"].span] = _arc_positions(problem, None, None)
-    fluid = np.array(
-        [
-            index
-            for name, block in statics.blocks.items()
-            if "pressure" in name or name == "flow"
-            for index in range(block.span.start, block.span.stop)
-        ],
-        dtype=int,
-    )
     tail = problem.tail(time, piece, 0.0)
-
-    def network(p: np.ndarray) -> tuple[np.ndarray, ca.DM]:
-        y[fluid] = p
-        residual, jacobian, *_ = evaluate(equations.static_function, y, *tail)
-        return np.asarray(residual).ravel()[fluid], jacobian[fluid.tolist(), fluid.tolist()]
-
-    if fluid.size:
-        try:
-            y[fluid] = newton(network, y[fluid])
-        except NewtonError as failure:
-            raise _no_pressures(time) from failure
+    if "swelling" in statics.blocks:
+        _at_baseline(problem, y, time, piece)
+    fluid = [n for n in statics.blocks if "pressure" in n or n in ("flow", "swelling")]
+    try:
+        _settle(problem, y, fluid, tail)
+    except NewtonError as failure:
+        raise _no_pressures(problem, time) from failure
     if "position" in statics.blocks:
         _bend_to_arcs(problem, y, tail)
     return y
 
 
-def _no_pressures(time: float) -> SolveError:
+GENTLE = 8
+"""Power of the share that is balanced: fast flow begins to bend its law far below the last
+pressure."""
+
+
+def _settle(
+    problem: Problem, y: np.ndarray, names: Sequence[str], tail: tuple[float | np.ndarray, ...]
+) -> None:
+    """Solve blocks of the static unknowns ``y`` by their own equations, the others held.
+
+    At once where that works; else what is not yet balanced is taken away bit by bit. Always so
+    where bellows snap: of several swellings a bellow has the one that it comes to first.
+    """
+    statics = problem.equations.statics
+    spans = [block.span for name, block in statics.blocks.items() if name in names]
+    if not spans:
+        return
+    chosen = np.concatenate([np.arange(statics.count)[span] for span in spans])
+    trial = y.copy()
+
+    def balance(values: np.ndarray) -> tuple[np.ndarray, ca.DM]:
+        trial[chosen] = values
+        residual, jacobian, *_ = evaluate(problem.equations.static_function, trial, *tail)
+        return np.asarray(residual).ravel()[chosen], jacobian[chosen.tolist(), chosen.tolist()]
+
+    if "swelling" not in statics.blocks:
+        with suppress(NewtonError):
+            y[chosen] = newton(balance, y[chosen])
+            return
+    begun, _ = balance(y[chosen])
+
+    def family(values: np.ndarray, share: float) -> tuple[np.ndarray, ca.DM]:
+        defect, jacobian = balance(values)
+        return defect - (1 - share**GENTLE) * begun, jacobian
+
+    own = [k for k in range(len(chosen)) if chosen[k] in _swellings(statics)]
+
+    def settled(near: Sequence[np.ndarray], found: np.ndarray, jacobian: ca.DM) -> bool:
+        far = min(np.max(np.abs((found - other)[own]), initial=0.0) for other in near)
+        return far <= NEARBY and bool(np.all(np.array(ca.diag(jacobian))[own] > 0.0))
+
+    y[chosen] = continuation(family, y[chosen], settled)
+
+
+def _swellings(statics: Unknowns) -> range:
+    block = statics.blocks.get("swelling")
+    return range(block.span.start, block.span.stop) if block is not None else range(0)
+
+
+def _at_baseline(problem: Problem, y: np.ndarray, time: float, piece: np.ndarray) -> None:
+    """Put all pressures in ``y`` at the baseline, and the swellings that go with them."""
+    for name, block in problem.equations.statics.blocks.items():
+        if "pressure" in name:
+            y[block.span] = problem.baseline / block.size
+    try:
+        _settle(problem, y, ["swelling"], problem.tail(time, piece, 0.0))
+    except NewtonError as failure:
+        raise _no_pressures(problem, time) from failure
+
+
+def _no_pressures(problem: Problem, time: float) -> SolveError:
+    if "swelling" in problem.equations.statics.blocks:
+        return SolveError(
+            f"no steady state is come to at t = {time:.6g} s: on the way from bellows.curve's "
+            "rest to the first pressure a bellow snaps",
+            quantity="swelling",
+            where="network",
+            time_s=time,
+            remedy="Begin at a pressure below that of the first snap and raise it, or take "
+            "run.start: rest.",
+        )
     return SolveError(
         f"the steady pressures of the network cannot be found at t = {time:.6g} s",
         quantity="pressure",
         where="network",
         time_s=time,
         remedy="Look for tubes whose resistances differ by many orders of magnitude, for material "
-        "curves that fall, and for flow far beyond laminar (effects.flow_regime: off).",
+        "curves that are nearly level, and for flow far beyond laminar (effects.flow_regime: off).",
     )
 
 
@@ -160,7 +192,7 @@ def _from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarra
     if "volume" in equations.states.blocks:
         held = np.asarray(amounts).ravel() / equations.states.blocks["volume"].size
         known["volume"], known["node_volume"] = np.split(held, [len(problem.bellows)])
-        known["inflow"] = np.zeros(len(equations.fed))
+        known["inflow"] = np.zeros(len(equations.driven))
     if equations.rod_form in MOVING:
         known["velocity"] = np.zeros_like(known["position"])
         known["acceleration"] = np.zeros_like(known["position"])
@@ -176,9 +208,7 @@ def rest(problem: Problem, piece: np.ndarray) -> Start:
     equations = problem.equations
     statics, states = equations.statics, equations.states
     y = np.zeros(statics.count)
-    for name, block in statics.blocks.items():
-        if "pressure" in name:
-            y[block.span] = problem.baseline / block.size
+    _at_baseline(problem, y, 0.0, piece)
     if equations.rod_form is RodForm.STATIC:
         # Without inertia no rod stays straight under pressure: it starts unstrained.
         _bend_to_arcs(problem, y, problem.tail(0.0, piece, 0.0))
@@ -235,70 +265,40 @@ def consistent(
     equations = problem.equations
     if equations.algebraics.count == 0:
         return start
+    moment = Moment(start.states, time, piece)
     if before is not None and equations.rod_form is RodForm.STATIC:
-        return _followed(problem, start, before, (time, piece))
+        earlier = Moment(start.states, *before)
+        return Start(start.states, followed(problem, start.algebraics, earlier, moment))
 
     def family(z: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
-        return _constraints(problem, start.states, problem.tail(time, piece, load), z)
+        return constraints(problem, moment, z, load)
 
+    way = way_of(equations.algebraics)
     try:
-        return Start(start.states, newton(lambda z: family(z, 1.0), start.algebraics))
+        return Start(start.states, newton(lambda z: family(z, 1.0), start.algebraics, way))
     except NewtonError:
         pass  # far from the solution: come to it along the loads
     try:
-        accept = partial(_on_branch, equations.algebraics)
-        return Start(start.states, continuation(family, start.algebraics, accept))
+        accept = branch_judge(equations.algebraics, problem.stiffness)
+        return Start(start.states, continuation(family, start.algebraics, accept, way))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
 
 
-def _constraints(
-    problem: Problem, x: np.ndarray, tail: tuple[float | np.ndarray, ...], z: np.ndarray
-) -> tuple[np.ndarray, ca.DM]:
-    """Defects of the algebraic equations, and their Jacobian."""
-    alg, jacobian = evaluate(problem.equations.algebraic_function, x, z, *tail)
-    return np.asarray(alg).ravel(), jacobian
-
-
-def _followed(problem: Problem, start: Start, before: Instant, after: Instant) -> Start:
-    """A static rod's algebraic unknowns from one instant to another, without a leap."""
-
-    def family(z: np.ndarray, share: float) -> tuple[np.ndarray, ca.DM]:
-        time = before[0] + share * (after[0] - before[0])
-        piece = before[1] + share * (after[1] - before[1])
-        return _constraints(problem, start.states, problem.tail(time, piece), z)
-
-    try:
-        accept = partial(_on_branch, problem.equations.algebraics)
-        return Start(start.states, continuation(family, start.algebraics, accept))
-    except NewtonError as failure:
-        time = before[0] + failure.reached * (after[0] - before[0])
-        raise fold(time) from failure
-
-
-def refined(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.ndarray:
-    """Algebraic unknowns (nz, m) at the first m edges, solved for to round-off where they can."""
+def refined(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
+) -> np.ndarray:
+    """Algebraic unknowns (nz, m) at m edges from ``first`` on, to round-off where that can be."""
     schedule, found = problem.schedule, algebraics.copy()
+    way = way_of(problem.equations.algebraics)
     for k in range(states.shape[1]):
+        edge = first + k
         # A state just before a corner belongs to the interval that ends there.
-        tail = problem.tail(float(schedule.edges[k]), schedule.pieces[max(k - 1, 0)])
-        defects = partial(_constraints, problem, states[:, k], tail)
+        time, piece = float(schedule.edges[edge]), schedule.pieces[max(edge - 1, 0)]
+        defects = partial(constraints, problem, Moment(states[:, k], time, piece))
         with suppress(NewtonError):
-            found[:, k] = newton(defects, algebraics[:, k])
+            found[:, k] = newton(defects, algebraics[:, k], way)
     return found
-
-
-def fold(time: float) -> SolveError:
-    """The failure of a static rod whose branch of equilibria ends."""
-    return SolveError(
-        f"the rod has no stable equilibrium near its shape after t = {time:.6g} s: its static "
-        "branch ends there, and it would snap to another shape",
-        quantity="equilibrium",
-        where="rod",
-        time_s=float(time),
-        remedy="Lower the loads or the pressure, or let effects.inertia and effects.damping be "
-        "auto or on to follow the snap.",
-    )
 
 
 def vanished_section(time: float, section: int, stretch: float) -> SolveError:

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
 
 from viscodesign.catalog import members
 from viscodesign.errors import SolveError
+from viscodesign.shelf import NoRoomError, Shelf
 from viscodesign.solve import solvers
 from viscodesign.solve.algebraic import Algebraic
 from viscodesign.solve.interrupt import gentle_interrupt
@@ -59,35 +60,61 @@ class Solution:
     solver: str = DEFAULT_SOLVER
     """Name of the one that began."""
 
+    @property
+    def beginning(self) -> Start:
+        """Unknowns at the first edge."""
+        return Start(self.states[:, 0], self.algebraics[:, 0])
+
+    def without_columns(self) -> Solution:
+        """The same with unknowns and integrals at the first edge alone."""
+        first = (v[:, :1].copy() for v in (self.states, self.algebraics, self.integrals))
+        states, algebraics, integrals = first
+        return replace(self, states=states, algebraics=algebraics, integrals=integrals)
+
 
 class _Record:
     """Columns gathered chunk by chunk, and the place that they lead to."""
 
-    def __init__(self, here: Start, rates: int) -> None:
+    def __init__(self, here: Start, rates: int, shelf: Shelf) -> None:
         self.here = here
         self.done = 0
         """Edges passed."""
         self._total = np.zeros(rates)
-        self._columns = [(here.states[:, None], here.algebraics[:, None], self._total[:, None])]
+        self._tables = [shelf.table(n) for n in (len(here.states), len(here.algebraics), rates)]
+        self._add(here.states[:, None], here.algebraics[:, None], self._total[:, None])
 
-    def keep(self, columns: Columns, problem: Problem) -> None:
-        """Add what a solver found from here on, and the integrals that it left out."""
+    def keep(self, columns: Columns, problem: Problem) -> SolveError | None:
+        """Add what a solver found from here on, and the integrals that it left out.
+
+        Returns the failure where there is no room for it.
+        """
         states, algebraics, integrals = columns
         count = states.shape[1]
         if not count:
-            return
+            return None
         timed = timed_integrals(problem, self.done, count)
         integrals = np.concatenate([integrals, timed])
-        self._columns.append((states, algebraics, self._total[:, None] + integrals))
+        try:
+            self._add(states, algebraics, self._total[:, None] + integrals)
+        except NoRoomError as error:
+            return SolveError(str(error), quantity="room", where="disk")
         self._total = self._total + integrals[:, -1]
         self.here = Start(states[:, -1], algebraics[:, -1])
         self.done += states.shape[1]
+        return None
+
+    def _add(self, *columns: np.ndarray) -> None:
+        try:
+            for table, values in zip(self._tables, columns, strict=True):
+                table.append(values.T)
+        except NoRoomError:
+            for table in self._tables:
+                table.cut(self.done + 1)
+            raise
 
     def joined(self) -> Columns:
         """States, algebraic unknowns and integrals at all edges from the first."""
-        states, algebraics, integrals = (
-            np.concatenate(parts, axis=1) for parts in zip(*self._columns, strict=True)
-        )
+        states, algebraics, integrals = (table.array().T for table in self._tables)
         return states, algebraics, integrals
 
 
@@ -103,12 +130,13 @@ def integrate(
     tolerance: float,
     progress: Callable[[float], None] | None = None,
     solver: str = DEFAULT_SOLVER,
+    shelf: Shelf | None = None,
 ) -> Solution:
     """Follow the motion over all edges of the schedule.
 
     ``start``: states at t = 0; ``tolerance``: relative and absolute, on scaled
-    unknowns; ``solver``: its name in the catalogue. Never raises for a failure on the
-    way: what was reached is returned, with the failure.
+    unknowns; ``solver``: its name in the catalogue; ``shelf``: for what is found. Never
+    raises for a failure on the way: what was reached is returned, with the failure.
     """
     moves = problem.equations.states.count > 0
     if not solver_catalogue()[solver].takes(problem):
@@ -118,21 +146,23 @@ def integrate(
     edges = problem.schedule.edges
     work = Work()
     start = consistent(problem, start, edges[0], problem.schedule.pieces[0])
-    record = _Record(start, len(problem.equations.rates))
+    record = _Record(start, len(problem.equations.rates), shelf or Shelf())
     failure: SolveError | None = None
     length = _first_length(problem)
     with gentle_interrupt() as interrupt:
         while record.done < len(edges) - 1 and failure is None and not interrupt.asked:
             first, began = record.done, clock.perf_counter()
             stop = min(first + length, len(edges) - 1)
-            columns, failure = ladder.march(record.here, first, stop, work)
-            record.keep(columns, problem)
+            columns, failure = ladder.go(record.here, first, stop, work)
+            full = record.keep(columns, problem)
             if failure is not None and failure.quantity != "work" and not interrupt.asked:
                 columns, failure = ladder.climb(record.here, record.done, work, failure)
-                record.keep(columns, problem)
+                full = full or record.keep(columns, problem)
+            failure = full or failure
             if failure is None and work.steps > problem.most_steps:
                 failure = march.overworked(edges[record.done])
             length = _next_length(record.done - first, clock.perf_counter() - began, work)
+            length = min(length, _longest(problem))
             if progress is not None:
                 progress(edges[record.done] / edges[-1])
     early = record.done < len(edges) - 1
@@ -153,9 +183,16 @@ def _first_length(problem: Problem) -> int:
     intervals = len(problem.schedule.edges) - 1
     if intervals * max(problem.unknowns, 20) <= SHORT_RUN:
         return intervals
-    return max(1, int(FIRST_CHUNK * intervals))
+    return max(1, min(int(FIRST_CHUNK * intervals), _longest(problem)))
 
 
+def _longest(problem: Problem) -> int:
+    """Intervals whose unknowns one call of an integrator may hold in memory."""
+    return max(1, LARGEST_CHUNK // (problem.unknowns + len(problem.equations.rates) + 1))
+
+
+LARGEST_CHUNK = 1_000_000
+"""Numbers that one uninterrupted call of the integrator may give."""
 SHORT_RUN = 200_000
 """Intervals times unknowns up to which a run takes well under a second."""
 

@@ -9,7 +9,10 @@ import pytest
 from typer.testing import CliRunner
 
 from viscodesign.cli.app import COMMANDS, app
+from viscodesign.cli.pump import pump
 
+PUMP = sorted(command.name or "" for command in pump.registered_commands)
+MOVING = ("calibrate", "stream", "upload")
 HEAVY = ("numpy", "pydantic", "casadi", "scipy", "matplotlib", "pandas", "pint", "rich", "yaml")
 
 
@@ -36,6 +39,15 @@ def test_common_options_are_everywhere(name: str) -> None:
     for option in ("--json", "--quiet", "-q", "--output", "-o", "--debug", "--help"):
         assert option in page
     assert ("--set" in page) == (name in ("check", "classify", "simulate", "accuracy"))
+
+
+@pytest.mark.parametrize("name", PUMP)
+def test_pump_commands_have_examples_too(name: str) -> None:
+    result = CliRunner().invoke(app, ["pump", name, "--help"])
+    assert result.exit_code == 0
+    assert f"\n    viscodesign pump {name}" in result.stdout
+    assert all(len(line) <= 80 for line in result.stdout.splitlines())
+    assert ("--dry-run" in result.stdout) == (name in MOVING)
 
 
 def test_help_imports_nothing_heavy() -> None:

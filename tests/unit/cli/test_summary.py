@@ -17,7 +17,8 @@ from viscodesign.cli.describe import (
     share,
     verdict_lines,
 )
-from viscodesign.cli.summary import summary_lines
+from viscodesign.cli.summary import MOST_RUNGS, summary_lines
+from viscodesign.solve.rung import Rung
 from viscodesign.trajectory import Accuracy, Classification, Scales, Trajectory
 
 FILES = [Path("runs/leg/trajectory.csv"), Path("runs/leg/summary.json")]
@@ -36,6 +37,25 @@ def test_a_run_in_a_dozen_lines(trajectory: Trajectory) -> None:
     assert "effects     feedback" in text
     assert "left out    inertia" in text
     assert "runs/leg: trajectory.csv, summary.json" in text
+
+
+def test_what_was_tried_where_a_solver_stopped_is_told(trajectory: Trajectory) -> None:
+    assert "ladder" not in _summary(trajectory)
+    rungs = (
+        Rung(0.25, "order 2 at most", False, "the steps shrink to nothing"),
+        Rung(0.25, "Rodas5P instead", True, "the steps shrink to nothing"),
+    )
+    text = _summary(replace(trajectory, ladder=rungs))
+    assert "ladder      at 0.25 s: order 2 at most, in vain" in text
+    assert "ladder      at 0.25 s: Rodas5P instead, it went on" in text
+
+
+def test_of_many_attempts_the_first_are_told(trajectory: Trajectory) -> None:
+    rungs = tuple(Rung(0.1 * k, f"attempt {k}", False, "") for k in range(MOST_RUNGS + 3))
+    text = _summary(replace(trajectory, ladder=rungs))
+    assert text.count("ladder") == MOST_RUNGS
+    assert f"attempt {MOST_RUNGS - 1}" in text
+    assert f"attempt {MOST_RUNGS}," not in text
 
 
 def test_an_error_that_was_not_estimated(trajectory: Trajectory) -> None:

@@ -7,6 +7,7 @@ import errno
 import io
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -25,6 +26,7 @@ from viscodesign.report.files import (
     PICTURES,
     PROOF_PICTURE,
     TABLES,
+    csv_rows,
     csv_text,
     prepare_folder,
     write_run,
@@ -129,6 +131,21 @@ def test_an_interrupt_while_drawing_keeps_the_tables_but_no_summary(
         write_run(run, tmp_path)
     assert names(tmp_path) == set(TABLES)
     assert write_run(run, tmp_path, plots=False)
+
+
+def test_an_interrupt_while_tables_are_written_waits_for_them(
+    run: Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(values: np.ndarray) -> bytes:
+        os.kill(os.getpid(), signal.SIGINT)
+        monkeypatch.undo()
+        return csv_rows(values)
+
+    monkeypatch.setattr(files, "csv_rows", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        write_run(run, tmp_path)
+    assert names(tmp_path) == set(TABLES)
+    assert len((tmp_path / "trajectory.csv").read_text().splitlines()) == len(run.time) + 1
 
 
 @pytest.mark.usefixtures("sketched")

@@ -60,10 +60,13 @@ def many(count: int) -> str:
 @pytest.mark.parametrize(
     ("curve", "words"),
     [
-        ("{rows: [[0, 0, 0, 0], [0, 1e-4, 0, 0]]}", "bellows.curve.rows.1: row 2: pressure 0 Pa does not rise above the 0 Pa"),
-        ("{rows: [[-1, 0, 0, 0], [3, 1e-4, 0, 0], [2, 2e-4, 0, 0]]}", "row 3: pressure 2 Pa does not rise above the 3 Pa before it"),
+        ("{rows: [[0, 0, 0, 0], [0, 1e-4, 0, 0]]}", "bellows.curve.rows.1: row 2: pressure 0 Pa is that of the row before it"),
+        ("{rows: [[-1, 0, 0, 0], [3, 1e-4, 0, 0], [2, 2e-4, 0, 0]]}", "the pressure must rise with the area at both ends"),
         ("{rows: [[-1, 0, 0, 0], [0, 1e-4, 0, 0], [1, 1e-4, 0, 0]]}", "row 3: the area must rise with the pressure"),
         ("{rows: [[-1, 0, 0, 0], [1, -1e-4, 0, 0]]}", "row 2: the area must rise with the pressure"),
+        ("{rows: [[-1, 0, 0, 0], [-2, 1e-4, 0, 0], [3, 2e-4, 0, 0]]}", "the pressure must rise with the area at both ends"),
+        ("{rows: [[-2, 0, 0, 0], [-1, 1e-4, 0, 0], [-2, 2e-4, 0, 0], [5, 3e-4, 0, 0]]}", "the pressures must reach across zero gauge"),
+        ("{rows: [[-2, 0, 0, 0], [2, 1e-4, 0, 0], [1, 1.00001e-4, 0, 0], [5, 3e-4, 0, 0]]}", "rows 2 and 3 are closer than 3e-08 m2"),
         ("{rows: [[1, 0, 0, 0], [2, 1e-4, 0, 0]]}", "bellows.curve.rows: the pressures must reach across zero gauge"),
         ("{rows: [[-2, 0, 0, 0], [-1, 1e-4, 0, 0]]}", "the pressures must reach across zero gauge"),
         ("{rows: [[0, 0, 0, 0]]}", "1 rows; a table needs at least two"),
@@ -96,7 +99,7 @@ def test_zero_may_be_the_first_or_the_last_row() -> None:
 @pytest.mark.parametrize(
     ("table", "words"),
     [
-        (f"{HEADER}\n-1,0,0,0\n\n0,1e-4,0,0\n0,2e-4,0,0\n", "curve.csv, line 5: pressure 0 Pa does not rise above the 0 Pa"),
+        (f"{HEADER}\n-1,0,0,0\n\n0,1e-4,0,0\n0,2e-4,0,0\n", "curve.csv, line 5: pressure 0 Pa is that of the row before it"),
         (f"{HEADER}\n-1,0,0,0\n0,1e-4,0\n", "curve.csv, line 3: 3 values; 4 are wanted"),
         (f"{HEADER}\n-1,0,0,0\n0,x,0,0\n", "line 3: area_m2 is 'x', not a number"),
         (f"{HEADER}\n-1,0,0,0\n0,1e-4,,0\n", "line 3: angle_rad is empty"),

@@ -64,6 +64,44 @@ def test_values() -> None:
     assert made("sine").values(np.array([0.0, 1.0])) == pytest.approx([4e3, -2e3])
 
 
+@pytest.mark.parametrize("kind", SPECS)
+@pytest.mark.parametrize("duration", [0.2, 0.7, 1.0, 1.6, 3.3, 8.0])
+def test_extremes_are_those_of_dense_samples(kind: str, duration: float) -> None:
+    source = made(kind)
+    corners = np.array([0.0, *source.corners(duration)])
+    ends = np.array([*corners[1:], duration])
+    grid = np.concatenate([a + (b - a) * np.linspace(0.0, 1 - 1e-12, 4001)
+                           for a, b in zip(corners, ends, strict=True)])  # fmt: skip
+    values, (low, high) = source.values(grid), source.extremes(duration)
+    size = max(abs(low), abs(high))
+    assert low == pytest.approx(values.min(), abs=1e-6 * size)
+    assert high == pytest.approx(values.max(), abs=1e-6 * size)
+    assert low <= values.min() + 1e-12 * size
+    assert high >= values.max() - 1e-12 * size
+
+
+@pytest.mark.parametrize("phase", [0, 45, 90, 200, 300, -30, 725])
+@pytest.mark.parametrize("duration", [0.05, 0.3, 0.6, 1.1, 2000.0])
+def test_extremes_of_a_sine_of_any_phase(phase: int, duration: float) -> None:
+    source = leg(
+        f"input={{kind: sine, amplitude: -3 kPa, frequency: 1 Hz, phase: {phase} deg, mean: 1 kPa}}"
+    ).inputs["inlet"]
+    values = source.values(np.linspace(0.0, duration, 100_003))
+    tolerance = 10.0 if duration > 2 else 1e-3
+    assert source.extremes(duration) == pytest.approx((values.min(), values.max()), abs=tolerance)
+
+
+def test_no_run_is_as_long_as_to_hide_a_sine() -> None:
+    """Equal samples of 2000 s would all fall upon its zeros."""
+    source = leg("input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}").inputs["inlet"]
+    assert source.extremes(2000.0) == (-3e3, 3e3)
+
+
+def test_what_lies_behind_the_end_is_not_met() -> None:
+    assert made("step").extremes(1.0) == (0.0, 0.0)
+    assert made("table").extremes(0.75) == pytest.approx((1e3, 1.5e3))
+
+
 @pytest.mark.parametrize(
     ("kind", "expected"),
     [
@@ -152,3 +190,11 @@ def test_refusals(source: str, words: str) -> None:
 def test_a_million_periods_are_refused() -> None:
     with pytest.raises(SpecError, match="periods"):
         leg("input={kind: square, high: 1, low: 0, frequency: 1 MHz}", "run.duration=100 s")
+
+
+def test_the_value_at_the_start_lists_no_periods_beyond_it() -> None:
+    fast = leg(
+        "input={kind: trapezoid, high: 1, rise: 1e-8 s, fall: 1e-8 s}",
+        "run={duration: 1e-6 s, output_interval: 1e-7 s}",
+    ).inputs["inlet"]
+    assert fast.values(np.zeros(1)).tolist() == [0.0]  # of a second there would be 5e7

@@ -49,7 +49,7 @@ def test_the_usual_interval() -> None:
         ("duration: 0", ["run.duration: 0 is given; allowed are values above 0 s"]),
         ("duration: 1, output_times: []", ["run.output_times: the list is empty"]),
         ("duration: 1, output_interval: 2", ["run.output_interval: 2 s is longer than"]),
-        ("duration: 1e5 s", ["run.output_interval: 5e+06 outputs; at most 1000000"]),
+        ("duration: 1e6 s", ["run.output_interval: 5e+07 outputs; at most 10000000"]),
     ],
 )
 def test_faults(run: str, faults: list[str]) -> None:

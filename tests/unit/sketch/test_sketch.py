@@ -12,6 +12,7 @@ from scipy.linalg import expm
 from tests.scenes import LEG_EA, LEG_EI, LEG_LENGTH, leg
 from viscodesign import classify, simulate
 from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
 from viscodesign.sketch.sketch import Sketch
 
 RAMPS = "input={kind: table, rows: [[0, 1 kPa], [0.25, 5 kPa], [0.25, -2 kPa], [0.875, -2 kPa], [1, 0]]}"
@@ -290,6 +291,13 @@ def test_a_long_train_is_sketched_by_its_beginning() -> None:
     assert len(sketch.ground.time) < 3000
 
 
+def test_outputs_rarer_than_the_sketch_is_long_may_fall_upon_any_sample() -> None:
+    run = "run={duration: 2000 s, output_interval: 50 s}"
+    sketch = bare("input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}", run)
+    assert len(sketch.ground.told) > 500
+    assert sketch.distance(sketch.with_(uniform=False)) > 0.0
+
+
 def test_the_start_is_told_as_it_leaves_and_a_corner_as_it_is_reached() -> None:
     """A step at zero shows at once; one at an output time not yet."""
     sketch = bare(
@@ -309,3 +317,14 @@ def test_a_step_at_zero_is_told_from_the_start() -> None:
     sketch = bare(*step)
     assert sketch.tip[sketch.ground.told] == pytest.approx(solved, abs=1e-9)
     assert solved[0, 1] > LEG_LENGTH * 1.001
+
+
+def test_outputs_that_begin_behind_the_sketch_do_not_empty_it() -> None:
+    """A long train of swings is sketched for its first ones, whenever the outputs begin."""
+    scene = leg(
+        "input={kind: sine, amplitude: 5 kPa, frequency: 2 Hz}",
+        "run={duration: 40 s, output_times: [39.5, 40]}",
+        config="leg_4_air_auto",
+    )
+    selection = select_effects(Conditions(scene))
+    assert all(np.isfinite(v.contribution_m) for v in selection.verdicts)

@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign.build import Settings, suggest_settings
+from viscodesign.build import Settings, build, suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
 from viscodesign.scene.scene import Scene
+from viscodesign.solve.solvers.idas import Idas
+from viscodesign.solve.solvers.rosenbrock import Rosenbrock
 from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue
 from viscodesign.solving import Run, solve, tip_difference
 
@@ -95,3 +97,28 @@ def test_what_is_damped_keeps_the_default() -> None:
     conditions = Conditions(leg(*SCENES["damped, two-way"]))
     effects = select_effects(conditions).effects
     assert suggest_settings(conditions, effects).solver == DEFAULT_SOLVER
+
+
+TAKEN = {
+    "one-way": (*SCENES["one-way"], True),
+    "gas": (*SCENES["gas, turbulent, with corners"], True),
+    # A junction whose tubes' flows are all unknowns: the line of its pressure is a tube's, and here
+    # the first tube does not touch it.
+    "turbulent fork": (
+        SHORT,
+        "bellows.count=8",
+        "network={layout: custom, tube_length: 40 mm, tube_radius: 0.5 mm, tubes: [{from: inlet, to: R1}, {from: R1, to: j}, {from: j, to: R2}, {from: j, to: L1}]}",
+        "effects={flow_regime: on, pressure_distribution: on, others: off}",
+        False,
+    ),
+}
+
+
+@pytest.mark.parametrize("scene", TAKEN)
+def test_a_solver_without_pivoting_takes_what_has_pivots_on_the_diagonal(scene: str) -> None:
+    *overrides, takes = TAKEN[scene]
+    conditions = Conditions(leg(*(str(word) for word in overrides)))
+    problem = build(conditions, select_effects(conditions).effects, Settings(1, 1e-6))
+    assert Rosenbrock.takes(problem) is takes
+    assert Idas.takes(problem)
+    assert solved(leg(*(str(word) for word in overrides)), "rosenbrock", 1e-5).is_complete

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from viscodesign.errors import PumpError
+from viscodesign.pumps import registers
 from viscodesign.pumps.line import Line
 from viscodesign.pumps.registers import Register
+from viscodesign.pumps.transaction import NoReplyError, ServoError
 
 
 @dataclass(frozen=True)
@@ -75,6 +77,22 @@ class Board(ABC):
         raise PumpError(
             f"servo {servo}: the board {self.name} does not write what servos keep without power"
         )
+
+    def hurry(self) -> None:  # noqa: B027
+        """From now on something moves: give up asking before a silence has lasted too long.
+
+        Boards that play by themselves have nothing to do here.
+        """
+
+    def answers(self, servo: int) -> bool:
+        """Whether a servo answers at all; with error bits too."""
+        try:
+            self.read(servo, registers.ID.address, registers.ID.size)
+        except ServoError:
+            return True
+        except NoReplyError:
+            return False
+        return True
 
     def get(self, servo: int, register: Register) -> int:
         """Value of one register."""

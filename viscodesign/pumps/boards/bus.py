@@ -10,6 +10,11 @@ from viscodesign.pumps.boards.base import Board, Goal
 from viscodesign.pumps.line import Line
 from viscodesign.pumps.transaction import Transactions
 
+QUICK = 0.05
+"""For a reply while something moves [s]: three times what the slowest adapters take."""
+MOST = 0.15
+"""For all tries to get one [s]: a silence of a quarter of a second stops a pump."""
+
 
 class BusBoard(Board):
     """Reads and writes go to the servos, a move to all of them in one SYNC_WRITE."""
@@ -26,6 +31,13 @@ class BusBoard(Board):
 
     def write_permanent(self, servo: int, address: int, data: bytes) -> None:
         self.wire.write_permanent(servo, address, data)
+
+    def hurry(self) -> None:
+        self.wire.patience, self.wire.longest = QUICK, MOST
+
+    def answers(self, servo: int) -> bool:
+        """Asked once: of ids that are not there, each question costs its patience."""
+        return self.wire.answers(servo)
 
     def move(self, goals: Mapping[int, Goal]) -> None:
         """Nobody answers a SYNC_WRITE: whether it came, the positions tell."""

@@ -57,6 +57,10 @@ class Input(Part):
         """Value at times (n,); after a jump its new one."""
 
     @abstractmethod
+    def extremes(self, duration: float) -> tuple[float, float]:
+        """Lowest and highest value that a run of this duration meets: exact, never sampled."""
+
+    @abstractmethod
     def swing_time(self) -> float:
         """Shortest monotone swing of the profile, 1 % to 99 % [s]; infinite without one."""
 
@@ -76,8 +80,8 @@ class PiecewiseLinear(Input):
     coefficients: ClassVar[int] = 3
 
     @abstractmethod
-    def vertices(self, duration: float) -> list[tuple[float, float]]:
-        """(time, value) from 0 on, to the duration or the last change."""
+    def vertices(self, duration: float) -> np.ndarray:
+        """(n, 2): time and value from 0 on, to the duration or the last change."""
 
     @abstractmethod
     def initial(self) -> float:
@@ -93,7 +97,8 @@ class PiecewiseLinear(Input):
         return value + slope * (t - reference)
 
     def corners(self, duration: float) -> list[float]:
-        return sorted({t for t, _ in self.vertices(duration) if 0.0 < t < duration})
+        time = self.vertices(duration)[:, 0]
+        return [float(t) for t in np.unique(time[(time > 0.0) & (time < duration)])]
 
     def pieces(self, edges: np.ndarray) -> np.ndarray:
         middles = (edges[:-1] + edges[1:]) / 2
@@ -108,13 +113,22 @@ class PiecewiseLinear(Input):
 
     def values(self, t: np.ndarray) -> np.ndarray:
         times = np.asarray(t, dtype=float)
-        starts, values, slopes = self._lines(float(np.max(times, initial=0.0)) or 1.0)
+        starts, values, slopes = self._lines(float(np.max(times, initial=0.0)))
         index = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
         return np.asarray(values[index] + slopes[index] * (times - starts[index]))
 
+    def extremes(self, duration: float) -> tuple[float, float]:
+        """Of the vertices before the end, and of the line that leads up to it."""
+        points = self.vertices(duration)
+        met = points[points[:, 0] < duration, 1]
+        starts, values, slopes = self._lines(duration)
+        last = max(int(np.searchsorted(starts, duration)) - 1, 0)
+        end = float(values[last] + slopes[last] * (duration - starts[last]))
+        return float(np.min(met, initial=end)), float(np.max(met, initial=end))
+
     def _lines(self, duration: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Start, value there and slope of every line; the last runs on level."""
-        points = np.array(self.vertices(duration), dtype=float)
+        points = self.vertices(duration)
         time, value = points[:, 0], points[:, 1]
         step = np.diff(time)
         real = step > 0.0
@@ -127,6 +141,11 @@ class PiecewiseLinear(Input):
 
     def swing_time(self) -> float:
         return shortest_swing(self.profile())
+
+
+def points_of(vertices: np.ndarray) -> list[tuple[float, float]]:
+    """Rows (n, 2) as pairs."""
+    return [(float(t), float(p)) for t, p in vertices]
 
 
 def shortest_swing(profile: list[tuple[float, float]]) -> float:

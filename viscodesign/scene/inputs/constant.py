@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import ClassVar, Literal
 
+import numpy as np
 from pydantic import Field
 
-from viscodesign.scene.inputs.base import PiecewiseLinear
+from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
 from viscodesign.units import Pressure
 
 
@@ -17,11 +18,11 @@ class Constant(PiecewiseLinear):
     kind: Literal["constant"]
     value: Pressure = Field(description="Gauge pressure above the baseline")
 
-    def vertices(self, duration: float) -> list[tuple[float, float]]:
-        return [(0.0, self.value), (duration, self.value)]
+    def vertices(self, duration: float) -> np.ndarray:
+        return np.array([(0.0, self.value), (duration, self.value)])
 
     def initial(self) -> float:
         return float(self.value)
 
     def profile(self) -> list[tuple[float, float]]:
-        return self.vertices(1.0)
+        return points_of(self.vertices(1.0))

@@ -50,6 +50,12 @@ class DoubleSigmoid(Input):
     def values(self, t: np.ndarray) -> np.ndarray:
         return np.asarray(self.expression(np.asarray(t), None, np))
 
+    def extremes(self, duration: float) -> tuple[float, float]:
+        """At the ends, and half-way between fall and rise: nowhere else do both slopes agree."""
+        middle = (self.fall_time + self.rise_time) / 2
+        found = self.values(np.array([0.0, min(middle, duration), duration]))
+        return float(found.min()), float(found.max())
+
     def swing_time(self) -> float:
         """Of one sigmoid, the two being apart: ln 99 / k."""
         if self.drop == 0.0:

@@ -44,6 +44,19 @@ class Sine(Input):
     def values(self, t: np.ndarray) -> np.ndarray:
         return np.asarray(self.expression(np.asarray(t), None, np))
 
+    def extremes(self, duration: float) -> tuple[float, float]:
+        """The crests where the phase passes one, else the ends."""
+        first = self.phase / (2 * math.pi)
+        last = first + self.frequency * duration
+        ends = [float(v) for v in self.values(np.array([0.0, duration]))]
+        # Turns 1/4, 3/4, 5/4, ... are crests of the sine, up and down by turns.
+        crests = [
+            self.mean + sign * self.amplitude
+            for turn, sign in ((0.25, 1.0), (0.75, -1.0))
+            if math.floor(last - turn) >= math.ceil(first - turn)
+        ]
+        return min([*ends, *crests]), max([*ends, *crests])
+
     def swing_time(self) -> float:
         if self.amplitude == 0.0:
             return math.inf

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from typing import ClassVar, Literal
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from viscodesign.scene.base import refuse_at
-from viscodesign.scene.inputs.base import PiecewiseLinear
+from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
 from viscodesign.units import Fraction, Frequency, Pressure
 
 
@@ -34,16 +35,14 @@ class Square(PiecewiseLinear):
     def period(self) -> float:
         return float(1.0 / self.frequency)
 
-    def vertices(self, duration: float) -> list[tuple[float, float]]:
-        points: list[tuple[float, float]] = []
-        for k in range(math.floor(duration * self.frequency) + 1):
-            start, turn = k / self.frequency, (k + self.duty) / self.frequency
-            end = (k + 1) / self.frequency
-            points += [(start, self.high), (turn, self.high), (turn, self.low), (end, self.low)]
-        return points
+    def vertices(self, duration: float) -> np.ndarray:
+        start = np.arange(math.floor(duration * self.frequency) + 1.0)
+        times = np.stack((start, start + self.duty, start + self.duty, start + 1), axis=1)
+        values = np.tile((self.high, self.high, self.low, self.low), len(start))
+        return np.column_stack((times.reshape(-1) / self.frequency, values))
 
     def initial(self) -> float:
         return float(self.high)
 
     def profile(self) -> list[tuple[float, float]]:
-        return self.vertices(1.0 / self.frequency)
+        return points_of(self.vertices(1.0 / self.frequency))

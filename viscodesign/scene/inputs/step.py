@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar, Literal
 
+import numpy as np
 from pydantic import Field
 
 from viscodesign.scene.inputs.base import PiecewiseLinear
@@ -18,9 +19,10 @@ class Step(PiecewiseLinear):
     value: Pressure = Field(description="Gauge pressure above the baseline after the step")
     time: Time = Field(0.0, ge=0, description="When it jumps")
 
-    def vertices(self, duration: float) -> list[tuple[float, float]]:
+    def vertices(self, duration: float) -> np.ndarray:
         before = [(0.0, 0.0), (self.time, 0.0)] if self.time > 0 else []
-        return [*before, (self.time, self.value), (max(duration, self.time) + 1.0, self.value)]
+        end = max(duration, self.time) + 1.0
+        return np.array([*before, (self.time, self.value), (end, self.value)])
 
     def initial(self) -> float:
         return 0.0

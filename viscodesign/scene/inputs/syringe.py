@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
 from viscodesign.scene.base import Complaint, refuse_any
@@ -30,6 +31,11 @@ class Syringe(PiecewiseLinear):
     diameter: Length = Field(gt=0, description="Inner diameter of the barrel")
     start: Length = Field(gt=0, description="Length of the filled barrel at the start")
     dead_volume: Volume = Field(0.0, ge=0, description="What the plunger cannot push out")
+    cushion: Volume = Field(
+        0.0,
+        ge=0,
+        description="Gas in front of the plunger beside a liquid, at the baseline pressure",
+    )
     file: str | None = Field(
         None, description="CSV with the columns time_s, position_m; relative to the spec"
     )
@@ -70,8 +76,8 @@ class Syringe(PiecewiseLinear):
 
     @property
     def full_volume(self) -> float:
-        """Volume in front of the plunger at its start [m3]."""
-        return self.area * self.start + self.dead_volume
+        """Volume in front of the plunger at its start, a cushion included [m3]."""
+        return self.area * self.start + self.dead_volume + self.cushion
 
     def _positions(self) -> list[tuple[float, float]]:
         """(time, position) where the speed changes; the last speed of a list is kept."""
@@ -85,14 +91,14 @@ class Syringe(PiecewiseLinear):
             points.append((later, place))
         return points
 
-    def vertices(self, duration: float) -> list[tuple[float, float]]:
+    def vertices(self, duration: float) -> np.ndarray:
         points = self._positions()
         last, place = points[-1]
         end = max(duration, last) + 1.0
         if self.speeds is not None:
             place += self.speeds[-1][1] * (end - last)
         first = [(0.0, points[0][1])] if points[0][0] > 0 else []
-        return [(t, self.area * x) for t, x in [*first, *points, (end, place)]]
+        return np.array([(t, self.area * x) for t, x in [*first, *points, (end, place)]])
 
     def initial(self) -> float:
         return self.area * self._positions()[0][1]

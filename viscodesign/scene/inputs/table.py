@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear
@@ -35,10 +36,10 @@ class Table(PiecewiseLinear):
         refuse_rows(self.rows or (), disorder)
         return self
 
-    def vertices(self, duration: float) -> list[tuple[float, float]]:
+    def vertices(self, duration: float) -> np.ndarray:
         rows = [(float(t), float(p)) for t, p in self.rows or ()]
         first = [(0.0, rows[0][1])] if rows[0][0] > 0 else []
-        return [*first, *rows, (max(duration, rows[-1][0]) + 1.0, rows[-1][1])]
+        return np.array([*first, *rows, (max(duration, rows[-1][0]) + 1.0, rows[-1][1])])
 
     def initial(self) -> float:
         return float((self.rows or ())[0][1])

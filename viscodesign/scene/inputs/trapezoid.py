@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from typing import ClassVar, Literal
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from viscodesign.scene.base import refuse
-from viscodesign.scene.inputs.base import PiecewiseLinear
+from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
 from viscodesign.units import Pressure, Time
 
 
@@ -35,22 +36,18 @@ class Trapezoid(PiecewiseLinear):
         """Length of a cycle [s]."""
         return float(self.rise + self.hold + self.fall + self.rest)
 
-    def vertices(self, duration: float) -> list[tuple[float, float]]:
-        points: list[tuple[float, float]] = []
-        for k in range(math.floor(duration / self.period) + 1):
-            start = k * self.period
-            top = start + self.rise
-            end = top + self.hold
-            points += [
-                (start, self.low),
-                (top, self.high),
-                (end, self.high),
-                (end + self.fall, self.low),
-            ]
-        return [*points, ((math.floor(duration / self.period) + 1) * self.period, self.low)]
+    def vertices(self, duration: float) -> np.ndarray:
+        cycles = math.floor(duration / self.period) + 1
+        start = np.arange(cycles) * self.period
+        top = start + self.rise
+        end = top + self.hold
+        times = np.stack((start, top, end, end + self.fall), axis=1).reshape(-1)
+        values = np.tile((self.low, self.high, self.high, self.low), cycles)
+        last = (cycles * self.period, self.low)
+        return np.concatenate([np.column_stack((times, values)), [last]])
 
     def initial(self) -> float:
         return float(self.low)
 
     def profile(self) -> list[tuple[float, float]]:
-        return self.vertices(1.5 * self.period)
+        return points_of(self.vertices(1.5 * self.period))

@@ -11,7 +11,7 @@ from typing import ClassVar
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Pieces, Problem
 from viscodesign.solve.statics import Instant, Start
 
 Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -110,7 +110,7 @@ class Solver(ABC):
         )
 
 
-def smooth_stretches(pieces: np.ndarray, first: int, stop: int) -> list[tuple[int, int]]:
+def smooth_stretches(pieces: Pieces, first: int, stop: int) -> list[tuple[int, int]]:
     """Runs of intervals in first..stop that share their inputs' coefficients."""
     new = np.any(pieces[first + 1 : stop] != pieces[first : stop - 1], axis=1)
     marks = [first, *(first + 1 + np.flatnonzero(new)).tolist(), stop]

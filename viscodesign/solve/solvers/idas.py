@@ -28,8 +28,11 @@ CAUTIOUS_STEP = 1e-12
 """First step after a failure, in parts of the run."""
 MAX_STEPS_AFTER_FAILURE = 5_000
 """The same, once a part of the run has failed."""
+PART_AFTER_FAILURE = 20
+"""The part of all steps allowed that each try to find the place of a failure may take."""
+TOO_MUCH_WORK = "IDA_TOO_MUCH_WORK"
 REASONS = {
-    "IDA_TOO_MUCH_WORK": "too many steps are needed from one output to the next",
+    TOO_MUCH_WORK: "too many steps are needed from one output to the next",
     "IDA_TOO_MUCH_ACC": "the tolerance is below what numbers can tell",
     "IDA_ERR_FAIL": "the steps shrink to nothing, since each leaves too large an error",
     "IDA_CONV_FAIL": "the steps shrink to nothing, since the equations of none can be solved",
@@ -88,11 +91,12 @@ class Idas(Solver):
         except SolveError as error:
             return self.nothing(), error
         except RuntimeError as error:
+            if TOO_MUCH_WORK in str(error):
+                work.steps += self.options["max_num_steps"]
             if stop - first == 1:
-                return self.nothing(), self.failure(_last_words(error), first)
+                return self.nothing(), self._ended(error, first, work)
         # What failed once is sought with little patience: a stuck step is not a slow one.
-        patience = min(MAX_STEPS_AFTER_FAILURE, self.options["max_num_steps"])
-        self.options["max_num_steps"] = patience
+        self.options["max_num_steps"] = self._patience()
         middle = (first + stop) // 2
         before, failure = self(here, first, middle, work)
         if failure is not None or not before[0].shape[1]:
@@ -105,10 +109,20 @@ class Idas(Solver):
         integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
         return (joined[0], joined[1], integrals), failure
 
+    def _ended(self, error: RuntimeError, edge: int, work: Work) -> SolveError:
+        """The failure of one interval; all work that is allowed may be done."""
+        if work.steps >= self.problem.most_steps:
+            return self.overworked(self.problem.schedule.edges[edge])
+        return self.failure(_last_words(error), edge)
+
+    def _patience(self) -> int:
+        """Steps from one output to the next, once a part of the run has failed."""
+        allowed = max(self.problem.most_steps // PART_AFTER_FAILURE, 1)
+        return min(MAX_STEPS_AFTER_FAILURE, allowed, int(self.options["max_num_steps"]))
+
     def remedies(self) -> Iterator[tuple[str, Solver]]:
         """Care, then order 2, then a smaller tolerance."""
-        patience = min(MAX_STEPS_AFTER_FAILURE, self.options["max_num_steps"])
-        changes: dict[str, Any] = {"max_num_steps": patience}
+        changes: dict[str, Any] = {"max_num_steps": self._patience()}
         for tried, change in (
             # The first step is guessed from rates that may be about to jump: take less.
             (

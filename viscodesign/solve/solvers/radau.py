@@ -23,8 +23,11 @@ FREE = 1e30
 """Tolerance of what no error test shall see."""
 MOST_STATES = 300
 """States up to which it is offered where another solver failed."""
-MAX_STEPS = 200_000
+MAX_STEPS = 20_000
 """Steps in one stretch of smooth input after which a run is given up."""
+RATES_PER_STEP = 30
+"""Evaluations of the rates that a step may take on average; three for every iteration, and
+fourteen are common."""
 
 
 class Radau(Solver):
@@ -88,6 +91,8 @@ class _Stretch:
     ) -> None:
         self.solver, self.piece, self.work = solver, piece, work
         self.guess = here.algebraics
+        self.steps_left = min(MAX_STEPS, solver.problem.most_steps - work.steps)
+        self.rates_left = RATES_PER_STEP * self.steps_left
         self.start = np.concatenate([here.states, total])
         self.numbers = solver.problem.numbers()
 
@@ -108,6 +113,9 @@ class _Stretch:
 
     def _rates(self, time: float, y: np.ndarray) -> np.ndarray:
         self.work.residual_calls += 1
+        self.rates_left -= 1
+        if self.rates_left < 0:
+            raise self.solver.overworked(time)
         x = y[: self.solver.states]
         return np.array(self._evaluate(time, x, self._algebraics(time, x))[0]).ravel()
 
@@ -136,7 +144,10 @@ class _Stretch:
             jac=self._jacobian,
         )
         found: list[np.ndarray] = []
-        for _ in range(min(MAX_STEPS, self.solver.problem.most_steps)):
+        while len(found) < end - begin:
+            if self.steps_left <= 0:
+                raise self.solver.overworked(method.t)
+            self.steps_left -= 1
             if method.step() is not None and method.status == "failed":
                 break
             self.work.steps += 1
@@ -146,8 +157,6 @@ class _Stretch:
                 y = dense(time)
                 z = self._algebraics(time, y[: self.solver.states])
                 found.append(np.insert(y, self.solver.states, z))
-            if method.status == "finished":
-                break
         return found
 
 

@@ -1,0 +1,169 @@
+"""A real process on a pseudo-terminal, in real time: from a signal to a hold on the wire.
+
+The bounds are counts of requests between both, which no busy machine changes; the times are
+taken from the process's own log of bytes.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import pytest
+
+from tests.pump_rig import TRAVEL
+from tests.pumps import bench
+from tests.scenes import CONFIGS, ROOT
+from viscodesign.pumps import registers
+from viscodesign.pumps.clock import WallClock
+from viscodesign.pumps.holding import HOLD_SPEED
+from viscodesign.pumps.virtual.bench import Bench
+from viscodesign.pumps.virtual.pty import PtyServer
+from viscodesign.pumps.virtual.ros import Ros
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals and terminals")
+
+SPEC = CONFIGS / "leg_16_pump.yaml"
+GENTLE = ["input.start=3 kPa", "input.drop=6 kPa", "run.duration=30 s", "input.rise_time=20 s"]
+WITHIN = 0.1
+"""From the signal to the hold [s]."""
+REQUESTS = 6
+"""At most between both: what is left of a tick, and the position that the hold needs."""
+
+
+@dataclass
+class Streaming:
+    """A `pump stream` under way, and the pump that it moves."""
+
+    process: subprocess.Popen[str]
+    bench: Bench
+    server: PtyServer
+    folder: Path
+
+    def log(self) -> list[dict[str, Any]]:
+        """What the process has logged so far."""
+        path = self.folder / "log.jsonl"
+        lines = path.read_text().splitlines() if path.exists() else []
+        return [json.loads(line) for line in lines if line.endswith("}")]
+
+    def wait_for_ticks(self, count: int) -> None:
+        limit = time.monotonic() + 120
+        while sum(entry["kind"] == "tick" for entry in self.log()) < count:
+            assert self.process.poll() is None, self.process.communicate()
+            assert time.monotonic() < limit
+            time.sleep(0.02)
+
+    def end(self) -> tuple[int, str]:
+        """Exit code and standard error."""
+        _, err = self.process.communicate(timeout=60)
+        return self.process.returncode, err
+
+
+@pytest.fixture
+def streaming(tmp_path: Path) -> Iterator[Streaming]:
+    pump = bench(1, home=500)
+    servo = pump.servos[0]
+    servo.supply(11.1)
+    servo.position = 500.0
+    servo.set(registers.CW_LIMIT, TRAVEL[0])
+    servo.set(registers.CCW_LIMIT, TRAVEL[1])
+    with PtyServer(Ros(pump), WallClock()) as server:
+        words = ["pump", "stream", str(SPEC), "--board", "arbotix-ros", "--port", server.port]
+        words += ["--yes", "-o", str(tmp_path / "run")]
+        words += [word for change in GENTLE for word in ("--set", change)]
+        process = subprocess.Popen(
+            [sys.executable, "-m", "viscodesign", *words],
+            cwd=tmp_path,
+            env=os.environ | {"PYTHONPATH": str(ROOT)},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        try:
+            yield Streaming(process, pump, server, tmp_path / "run")
+        finally:
+            process.kill()
+            process.communicate()
+
+
+def is_hold(entry: dict[str, Any]) -> bool:
+    """Whether a logged request is a SYNC_WRITE of one goal at the speed of a hold."""
+    data = bytes.fromhex(entry.get("hex", ""))
+    sync = entry["kind"] == "tx" and data[2:5] == bytes([254, 9, 0x83])
+    return sync and int.from_bytes(data[10:12], "little") == HOLD_SPEED
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_from_a_signal_to_a_hold_on_the_wire(streaming: Streaming, number: int) -> None:
+    streaming.wait_for_ticks(20)
+    streaming.process.send_signal(number)
+    sent = time.monotonic()
+    status, err = streaming.end()
+    assert status == 130, err
+    assert "Traceback" not in err
+    requests = [e for e in streaming.log() if e["kind"] == "tx" and e["monotonic_s"] > sent]
+    holds = [k for k, entry in enumerate(requests) if is_hold(entry)]
+    assert holds[0] <= REQUESTS
+    took = requests[holds[0]]["monotonic_s"] - sent
+    print(f"{signal.Signals(number).name}: hold after {1e3 * took:.1f} ms, {holds[0]} requests")
+    # Where the machine itself kept the ticks waiting, only the count tells.
+    beside = json.loads((streaming.folder / "record.json").read_text())
+    assert took < WITHIN or beside["ticks"]["worst_lateness_s"] > WITHIN / 3
+    _whole(streaming, "interrupted")
+
+
+def _whole(streaming: Streaming, status: str) -> None:
+    """The record has whole rows, and says what it is."""
+    table = pd.read_csv(streaming.folder / "record.csv")
+    beside = json.loads((streaming.folder / "record.json").read_text())
+    assert (beside["status"], beside["partial"], beside["simulated"]) == (status, True, False)
+    assert beside["rows"] == len(table)
+    assert table["inlet_pressure_pa"].notna().all()
+
+
+def test_a_second_signal_drops_the_torque(streaming: Streaming) -> None:
+    streaming.wait_for_ticks(10)
+    streaming.process.send_signal(signal.SIGINT)
+    streaming.process.send_signal(signal.SIGTERM)
+    status, err = streaming.end()
+    assert status == 130, err
+    with streaming.server.lock:
+        assert not streaming.bench.servos[0].get(registers.TORQUE_ENABLE)
+    assert "torque is off, verified" in err
+
+
+def test_a_port_that_vanishes_ends_with_4_and_says_that_no_hold_was_sent(
+    streaming: Streaming,
+) -> None:
+    streaming.wait_for_ticks(10)
+    streaming.server.close()
+    status, err = streaming.end()
+    assert status == 4, err
+    assert "no hold could be sent" in err
+    assert "NOT VERIFIED" in err
+    _whole(streaming, "stopped")
+
+
+def test_a_killed_host_leaves_a_pump_that_stands(streaming: Streaming) -> None:
+    streaming.wait_for_ticks(20)
+    streaming.process.kill()
+    streaming.process.communicate()
+    time.sleep(0.2)
+    with streaming.server.lock:
+        before = streaming.bench.servos[0].position
+    time.sleep(1.0)
+    with streaming.server.lock:
+        assert abs(streaming.bench.servos[0].position - before) <= 1.0
+    beside = json.loads((streaming.folder / "record.json").read_text())
+    assert (beside["status"], beside["partial"]) == ("running", True)
+    assert (streaming.folder / "record.csv").read_text().endswith("\n")

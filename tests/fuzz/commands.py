@@ -1,0 +1,122 @@
+"""The same specs through the command line: exit codes, one JSON document, one message."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import signal
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from tests.fuzz.judge import (
+    PATIENCE,
+    HangError,
+    Verdict,
+    of_message,
+    patience,
+    strict_json,
+    written,
+)
+from tests.fuzz.scenes import Draft
+from viscodesign import Trajectory, load, simulate
+from viscodesign.cli.main import INTERNAL_ERROR, main
+from viscodesign.effects.conditions import Conditions
+from viscodesign.errors import SpecError
+from viscodesign.posed import refuse_beyond_numbers
+
+REFUSED, FAILED = 2, 3
+
+
+@dataclass(frozen=True)
+class Said:
+    """What a command line came to."""
+
+    code: int
+    out: str
+    err: str
+
+    def complaints(self, words: Sequence[str]) -> Iterator[str]:
+        """What no command may do."""
+        shown = f"'{' '.join(words)[:120]}'"
+        if self.code not in (0, REFUSED, FAILED):
+            yield f"{shown} exits with {self.code}: {self.err[:300]}"
+        if self.code and not self.err.strip():
+            yield f"{shown} exits with {self.code} and says nothing"
+        if self.code:
+            yield from (f"{shown}: {c}" for c in of_message(self.err))
+
+
+def said(words: Sequence[str]) -> Said:
+    """Run one command line in this process."""
+    out, err = io.StringIO(), io.StringIO()
+    with (
+        warnings.catch_warnings(),
+        contextlib.redirect_stdout(out),
+        contextlib.redirect_stderr(err),
+    ):
+        warnings.simplefilter("error")
+        before = signal.getsignal(signal.SIGINT)
+        try:
+            with patience(PATIENCE):
+                code = main(words)
+        except HangError:
+            return Said(INTERNAL_ERROR, out.getvalue(), f"no end after {PATIENCE} s")
+        finally:
+            signal.signal(signal.SIGINT, before)
+    return Said(code, out.getvalue(), err.getvalue())
+
+
+def has_timescales(file: Path, overrides: Sequence[str] = ()) -> bool:
+    """Whether numbers hold its sizes: then it has a place, be it ill posed for a solution."""
+    try:
+        refuse_beyond_numbers(Conditions(load(file, overrides)))
+    except SpecError:
+        return False
+    return True
+
+
+def commanded(draft: Draft, folder: Path, first: Verdict) -> Verdict:
+    """The first verdict, with what the commands and the resolved spec add to it."""
+    found = list(_of_commands(draft, folder, first))
+    if first.run is not None and not first.complaints:
+        found += _again(folder / "run" / "spec.yaml", first.run)
+    numbers = {**first.numbers, "commands compared": 1.0}
+    return replace(first, complaints=(*first.complaints, *found), numbers=numbers)
+
+
+def _of_commands(draft: Draft, folder: Path, first: Verdict) -> Iterator[str]:
+    file = str(written(draft, folder))
+    ran = {"complete": 0, "refused": REFUSED}.get(first.ending, FAILED)
+    weighed = REFUSED if ran == REFUSED else 0
+    placed = 0 if has_timescales(Path(file)) else REFUSED
+    lines = {
+        ("simulate", file, "-o", str(folder / "cli"), "--no-plots", "--json", "-q"): ran,
+        ("check", file, "--json"): weighed,
+        ("check", file): weighed,
+        ("classify", file, "--json"): placed,
+    }
+    for words, wanted in lines.items():
+        answer = said(words)
+        yield from answer.complaints(words)
+        if answer.code != wanted:
+            yield f"'{words[0]}' exits with {answer.code}, and not {wanted}: {answer.err[:200]}"
+        if "--json" in words and answer.code != REFUSED and answer.out:
+            strict_json(answer.out)
+
+
+def _again(resolved: Path, first: Trajectory) -> Iterator[str]:
+    """The resolved spec gives the same numbers, to the last digit."""
+    again = simulate(load(resolved))
+    if again.status != first.status:
+        yield f"spec.yaml, run again, ends {again.status}: {again.failure}"
+    elif not (
+        np.array_equal(again.tip, first.tip) and np.array_equal(again.pressure, first.pressure)
+    ):
+        size = (
+            float(np.max(np.abs(again.tip - first.tip))) if len(again.tip) == len(first.tip) else 0
+        )
+        yield f"spec.yaml, run again, gives other numbers (tip {size:.3g} apart)"

@@ -1,0 +1,180 @@
+"""Damages to the keys and values of a spec, and overrides that do the same."""
+
+from __future__ import annotations
+
+import copy
+import datetime
+from collections.abc import Callable, Iterator
+from random import Random
+from typing import Any
+
+Place = tuple[Any, Any]
+"""A mapping or list, and the key or index in it."""
+
+ODD_VALUES: list[Any] = [
+    None, True, False, "", " ", [], {}, [[]], [None], {"": ""}, {"a": {"b": [1]}}, 0, -1, 1, 10**400,
+    -(10**30), 2**63, 2**64, 1e308, -1e308, 5e-324, float("nan"), float("inf"), -float("inf"),
+    "nan", "inf", "1e999", "-1e999", "1e-999", "1_000", "0x10", "0o17", "1:30", "=", "<<", "*a", "&a",
+    "yes", "no", "on", "off", "auto", "null", "~", "äöü", "\u202e", "\x85", "\u2028", "🙂", "١٢ mm",
+    "½ mm", "1 ㎜", "a" * 5000, "9" * 5000, "1 " + "m*" * 30 + "m", "1 m^9999", "1 m**m", "2**99999 m",
+    "(1 m)", "1 m)", "((((1", "1 m/0", "1/0 m", "0/0", "1e3", "1 e3 m", "%", "5 %", "5 % %", "5 mm mm",
+    "12 parsec", "3 furlongz", "20 degC", "-500 degC", "20 degC/m", "1 delta_degC", "1 dB", "1 m + 1 s",
+    "1 m - 1 m", "--1", "+-1", ".", "-", "1.2.3", "1,5 mm", "1 mm # no", "__import__('os')", "{}", "[]",
+    "R1", "L1", "inlet", "R1-R2", "../../etc/passwd", "/dev/zero", "/dev/null", "table.csv", "\x00",
+    "\x1b[31m", "\ud800", "line\nline", "tab\ttab", datetime.date(2026, 1, 1),
+    datetime.datetime(2026, 1, 1, 12), b"binary", {1, 2}, {"kind": None}, {"kind": []}, {"kind": "sine"},
+    {"kind": {"kind": 1}}, {"name": "own"}, {1: 2}, {None: 1}, {True: 1}, [[0, 0], [1]], [[0, 0], [1, 2, 3]],
+    [0] * 3000, {f"k{k}": k for k in range(300)},
+]  # fmt: skip
+UNITS = (
+    "mm", "m", "kPa", "Pa", "s", "ms", "kg", "rad", "deg", "degC", "K", "N", "Hz", "m^2/Pa", "Pa*s",
+    "J", "V", "A", "mol", "bit", "m^3", "1/m", "m/s", "%", "", "pint", "bar", "atm", "psi", "inch",
+)  # fmt: skip
+
+
+def _odd(dice: Random) -> Any:
+    """One of them of its own: later damages may change it."""
+    return copy.deepcopy(dice.choice(ODD_VALUES))
+
+
+def places(tree: Any) -> Iterator[Place]:
+    """Every entry of every mapping and list below."""
+    entries: Iterator[Any] = iter(())
+    if isinstance(tree, dict):
+        entries = iter(list(tree))
+    elif isinstance(tree, list):
+        entries = iter(range(len(tree)))
+    for key in entries:
+        yield tree, key
+        yield from places(tree[key])
+
+
+def _place(dice: Random, tree: Any, *, in_mapping: bool = False) -> Place:
+    found = [p for p in places(tree) if isinstance(p[0], dict) or not in_mapping]
+    return dice.choice(found) if found else ({"": None}, "")
+
+
+def _delete(dice: Random, tree: Any) -> None:
+    parent, key = _place(dice, tree)
+    del parent[key]
+
+
+def _rename(dice: Random, tree: Any) -> None:
+    """A key with a slip of the finger."""
+    parent, key = _place(dice, tree, in_mapping=True)
+    word = str(key)
+    at = dice.randrange(len(word) + 1)
+    slip = dice.choice(["", "x", "_", " ", "é", ".", word[:1] * 2, ":", "\t", "#"])
+    parent[word[:at] + slip + word[at + 1 :]] = parent.pop(key)
+
+
+def _odd_key(dice: Random, tree: Any) -> None:
+    """A key that no spec has, or one from another section."""
+    parent, _ = _place(dice, tree, in_mapping=True)
+    _, other = _place(dice, tree)
+    key = dice.choice([other, "", " ", None, 7, 1.5, True, "<<", "a.b", "k" * 3000, "ключ", "\x07"])
+    parent[key] = _odd(dice)
+
+
+def _odd_value(dice: Random, tree: Any) -> None:
+    parent, key = _place(dice, tree)
+    parent[key] = _odd(dice)
+
+
+def _wrong_unit(dice: Random, tree: Any) -> None:
+    parent, key = _place(dice, tree)
+    number = dice.choice([1, 0, -3, 0.5, "1e-3", "1e300", "1e-300", "7"])
+    parent[key] = f"{number} {dice.choice(UNITS)}"
+
+
+def _extreme_number(dice: Random, tree: Any) -> None:
+    """A number of a size that nobody meant."""
+    parent, key = _place(dice, tree)
+    if isinstance(parent[key], (int, float, str)):
+        parent[key] = dice.choice([1, -1]) * float(f"{10 ** dice.uniform(-320, 308):.3g}")
+
+
+def _other_number(dice: Random, tree: Any) -> None:
+    """A number some powers of ten away: a wrong prefix, a slipped point."""
+    numbers = [
+        (parent, key)
+        for parent, key in places(tree)
+        if isinstance(parent[key], float) or (isinstance(parent[key], int) and parent[key] > 1)
+    ]
+    for parent, key in dice.sample(numbers, min(len(numbers), 2)):
+        parent[key] = float(f"{parent[key] * 10 ** dice.uniform(-6, 6):.3g}")
+
+
+def _wrap(dice: Random, tree: Any) -> None:
+    """A value one level deeper than it belongs."""
+    parent, key = _place(dice, tree)
+    value = parent[key]
+    parent[key] = dice.choice(
+        [[value], {"value": value}, {str(key): value}, [value, copy.deepcopy(value)]]
+    )
+
+
+def _move(dice: Random, tree: Any) -> None:
+    """A value where another belongs."""
+    parent, key = _place(dice, tree)
+    other, name = _place(dice, tree)
+    value = other[name]
+    if isinstance(value, (dict, list)):
+        value = str(value)[:60]
+    parent[key] = value
+
+
+TREE_DAMAGES: list[Callable[[Random, Any], None]] = [
+    _delete, _rename, _odd_key, _odd_value, _odd_value, _odd_value, _wrong_unit, _extreme_number,
+    _wrap, _move, _other_number, _other_number, _extreme_number,
+]  # fmt: skip
+
+
+def _path(dice: Random, tree: Any) -> str:
+    """The dotted path of an entry."""
+    parts, here = [], tree
+    while isinstance(here, (dict, list)) and here and (not parts or dice.random() < 0.8):
+        keys = list(here) if isinstance(here, dict) else list(range(len(here)))
+        parts.append(dice.choice(keys))
+        here = here[parts[-1]]
+    return ".".join(map(str, parts))
+
+
+def _set_value(dice: Random, tree: Any) -> str:
+    return f"{_path(dice, tree)}={_word(dice)}"
+
+
+def _set_unit(dice: Random, tree: Any) -> str:
+    return f"{_path(dice, tree)}={dice.choice([1, -2, 0.5, '1e9'])} {dice.choice(UNITS)}"
+
+
+def _set_number(dice: Random, tree: Any) -> str:
+    return f"{_path(dice, tree)}={10 ** dice.uniform(-12, 12):.3g}"
+
+
+def _set_below(dice: Random, tree: Any) -> str:
+    """A key below one that may have none."""
+    more = dice.choice(
+        ["x", "0", "-1", "999999999999", "kind", "tubes.0", "a.b.c.d.e", "", ".", "١"]
+    )
+    return f"{_path(dice, tree)}.{more}={_word(dice)}"
+
+
+def _set_elsewhere(dice: Random, tree: Any) -> str:
+    keys = ["", "=", "==", ".", "..", "a", "run", "run.", ".run", "Run.duration", "effects", "inputs.a",
+            "network.changes.R1-R2", "pump.servo_id", "\x00", "ключ", "a" * 3000, ".".join("a" * 500)]  # fmt: skip
+    return dice.choice(keys) + dice.choice(["=", "", " = ", "=="]) + _word(dice)
+
+
+def _word(dice: Random) -> str:
+    """What may stand behind the equals sign."""
+    odd = dice.choice(ODD_VALUES)
+    words = [str(odd)[:6000], repr(odd)[:6000], "[", "{", "[[0,0],[1,1e5]]", "{kind: sine}", "- a", "a: b", "!!x y",
+             "&a [*a]", "*a", "'", '"', "|\n x", "# x", "---\na\n---\nb", "%YAML 9.9", "@", "`", "[" * 500,
+             "{a: " * 200, "? a", "!", "&a", "<<: 1", "{<<: 1}", "{[1]: 2}", "{a: 1, a: 2}"]  # fmt: skip
+    return dice.choice(words)
+
+
+OVERRIDES: list[Callable[[Random, Any], str]] = [
+    _set_value, _set_value, _set_unit, _set_below, _set_elsewhere, _set_number, _set_number,
+]  # fmt: skip

@@ -1,0 +1,34 @@
+"""Damaged specs are refused with their place, or are valid after all; never a traceback."""
+
+from __future__ import annotations
+
+from random import Random
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from tests.fuzz.breaking import broken_spec
+from tests.fuzz.broken import outcome_of
+from tests.fuzz.long import broken_of
+
+SEED = "every change"
+SPECS = 200
+
+
+def test_independent_damages() -> None:
+    """One again: python -m tests.fuzz.long --seed "every change" --only-broken NUMBER."""
+    outcomes = {k: outcome_of(broken_of(SEED, k), solve=False) for k in range(SPECS)}
+    assert not {k: o.complaints for k, o in outcomes.items() if o.complaints}
+    assert {o.ending for o in outcomes.values()} == {"refused", "loaded"}
+
+
+@settings(
+    max_examples=100,
+    derandomize=True,
+    deadline=None,
+    database=None,
+    suppress_health_check=list(HealthCheck),
+)
+@given(dice=st.randoms(use_true_random=False))
+def test_damages_that_hypothesis_seeks_and_shrinks(dice: Random) -> None:
+    assert not outcome_of(broken_spec(dice), solve=False).complaints

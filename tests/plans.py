@@ -1,0 +1,82 @@
+"""A plan that nobody had to compute."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from tests.trajectories import made_run
+from viscodesign.pumpplan import PumpCourse, PumpPlan, PumpVerdict
+from viscodesign.pumps.profile import Profile
+
+
+def made_course(profile: Profile, lead: float = 0.0) -> PumpCourse:
+    """A course through a profile's counts; of its other columns only what is told."""
+    shape = profile.counts.shape
+    none = np.zeros(shape)
+    return PumpCourse(
+        time=profile.time,
+        lead_s=lead,
+        pressure=profile.pressure,
+        given=none,
+        position=none,
+        volume=0.0725e-6 * (profile.counts - profile.counts[0]),
+        count=profile.counts,
+        flow=none,
+        torque=none,
+        stall_share=np.full(shape, 0.12),
+        speed_share=np.full(shape, 0.3),
+    )
+
+
+def made_plan(profile: Profile, lead: float = 0.0, *, feasible: bool = True) -> PumpPlan:
+    """A plan whose pump plays a profile."""
+    run = made_run(
+        name="leg",
+        bellows=2,
+        time=np.array([0.0, 1.0]),
+        tip=np.array([[0.0, 0.109, 0.0], [0.02, 0.1, 0.4]]),
+    )
+    verdict = PumpVerdict(
+        name="pressure",
+        inlet=profile.inlets[0],
+        severity="ok" if feasible else "infeasible",
+        wanted=30e3,
+        allowed=25e3,
+        unit="Pa",
+        ratio=1.2,
+        time_s=0.5,
+        message="up to 30 kPa gauge; pump.max_pressure allows 25 kPa",
+    )
+    course = made_course(profile, lead)
+    numbers = {"kpa_per_count_fast": 0.1, "volume_per_count_m3": 0.0725e-6}
+    return PumpPlan(
+        name="leg",
+        version="0.0.0",
+        spec_sha256="00ff" * 16,
+        status="complete",
+        failure=None,
+        inlets=profile.inlets,
+        servos=profile.servos,
+        servo="AX-18A",
+        wanted=course,
+        achievable=replace(course, count=np.round(course.count)),
+        wanted_run=run,
+        achievable_run=run,
+        deviation=np.zeros(2),
+        clipped=(),
+        sweeps=1,
+        unsettled_counts=0.0,
+        verdicts=(verdict,),
+        together=(),
+        numbers={name: numbers for name in profile.inlets},
+        limits={"fifth_nm": 0.36, "stall_nm": 1.8},
+        warnings=(),
+    )
+
+
+def planner(plan: PumpPlan) -> Any:
+    """In the place of `planning.plan.plan`."""
+    return lambda scene, **_: plan

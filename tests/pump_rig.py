@@ -1,0 +1,179 @@
+"""A pump on the bench with everything that can happen to it, and all that went over its wire."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from tests.pumps import HOME, Weights, bench, pump
+from viscodesign.pumps import registers
+from viscodesign.pumps.boards.dynamixel import Dynamixel
+from viscodesign.pumps.clock import SteppedClock
+from viscodesign.pumps.gauges import Gauges
+from viscodesign.pumps.interrupt import Wish
+from viscodesign.pumps.line import Line
+from viscodesign.pumps.packets import Instruction, Packet, Parser
+from viscodesign.pumps.profile import Profile
+from viscodesign.pumps.pump import Pump
+from viscodesign.pumps.stream import Ending, OnStop, Shown, Stream
+from viscodesign.pumps.switches import Switches
+from viscodesign.pumps.virtual.bench import Bench
+from viscodesign.pumps.virtual.bus import BusAdapter
+from viscodesign.pumps.virtual.direct_line import DirectLine
+
+AMBIENT = 101_325.0
+RATE = 30.0
+TRAVEL = (100, 1000)
+
+
+class Tap(Line):
+    """Counts requests, keeps them with what the servos were doing, and lets things happen."""
+
+    def __init__(self, line: Line, rig: Rig) -> None:
+        self.line = line
+        self.clock = line.clock
+        self.rig = rig
+        self.sent: list[Sent] = []
+        self.happen: Callable[[int], None] = lambda number: None
+        """Called before each request with its number, from 1 on."""
+        self.change: Callable[[bytes], bytes] = lambda data: data
+        """What becomes of bytes that come."""
+
+    def write(self, data: bytes) -> None:
+        self.happen(len(self.sent) + 1)
+        (packet,) = Parser().feed(data)
+        positions = {s.get(registers.ID): s.position for s in self.rig.bench.servos}
+        self.sent.append(Sent(packet, positions, self.clock.now()))
+        self.line.write(data)
+
+    def read(self, most: int, deadline: float) -> bytes:
+        return self.change(self.line.read(most, deadline))
+
+    def drain(self) -> bytes:
+        return self.line.drain()
+
+    def close(self) -> None:
+        self.line.close()
+
+
+@dataclass(frozen=True)
+class Sent:
+    """One request, and where the servos were when it was sent."""
+
+    packet: Packet
+    positions: dict[int, float]
+    time: float
+
+    def writes(self) -> Iterator[tuple[int, int, bytes]]:
+        """(servo, address, data) of everything that it sets."""
+        given = self.packet.parameters
+        if self.packet.code in (Instruction.WRITE, Instruction.REG_WRITE):
+            yield self.packet.id, given[0], given[1:]
+        if self.packet.code == Instruction.SYNC_WRITE:
+            start, length = given[0], given[1]
+            for place in range(2, len(given), length + 1):
+                yield given[place], start, given[place + 1 : place + 1 + length]
+
+    def register(self, register: registers.Register) -> dict[int, int]:
+        """By servo, what it writes into a register."""
+        return {
+            servo: register.within(data, start)
+            for servo, start, data in self.writes()
+            if start <= register.address < start + len(data)
+        }
+
+
+@dataclass
+class Rig:
+    """Two plungers or one; the profile swings by 40 counts for a second and a half."""
+
+    ids: Sequence[int] = (1,)
+    on_stop: OnStop = "hold"
+    settings: dict[str, Any] = field(default_factory=dict)
+    pressure: float = 2e3
+    """Gauge, at all inlets [Pa]."""
+    reading: Callable[[float], float] = lambda pressure: pressure
+    """What the sensors make of it."""
+    pins: dict[str, bool] = field(default_factory=dict)
+    """Levels of digital pins."""
+    duration: float = 1.5
+
+    def __post_init__(self) -> None:
+        self.clock = SteppedClock()
+        self.plant = Weights(np.full(len(self.ids), self.pressure))
+        self.bench: Bench = bench(*self.ids, plant=self.plant, **self.settings)
+        for servo in self.bench.servos:
+            servo.supply(11.1)
+            servo.set(registers.CW_LIMIT, TRAVEL[0])
+            servo.set(registers.CCW_LIMIT, TRAVEL[1])
+        self.adapter = BusAdapter(self.bench)
+        self.tap = Tap(DirectLine(self.adapter, self.clock), self)
+        self.board = PinBoard(self.tap, self.ids)
+        self.board.pins = self.pins
+        self.spec = pump(travel=TRAVEL, **self.settings)
+        self.pump = Pump(
+            self.board,
+            self.spec,
+            self.ids,
+            Gauges([lambda: AMBIENT + self.reading(self.pressure)] * len(self.ids), AMBIENT),
+            Switches(self.spec.limit_switches),
+            self.clock,
+        )
+        self.wish = Wish()
+        self.rows: list[Shown] = []
+        self.see: Callable[[Shown], None] = self.rows.append
+        self.stream: Stream | None = None
+
+    def press(self, pressure: float) -> None:
+        """Another gauge pressure, felt by the plungers too [Pa]."""
+        self.pressure = pressure
+        self.plant.pressures = np.full(len(self.ids), pressure)
+
+    def profile(self) -> Profile:
+        time = np.linspace(0.0, self.duration, 61)
+        swing = HOME + 40 + 40 * np.sin(2 * np.pi * time / 1.5)
+        counts = np.repeat(swing[:, None], len(self.ids), axis=1)
+        names = tuple("inlet" if len(self.ids) == 1 else f"inlet{k}" for k in self.ids)
+        return Profile(names, tuple(self.ids), time, counts, np.full(counts.shape, 2e3))
+
+    def begin(self) -> None:
+        """Connected and armed, as a command does it."""
+        self.pump.connect()
+        self.pump.arm()
+
+    def play(self) -> Ending:
+        """All of it: connect, arm, stream."""
+        self.pump.connect()
+        return self.play_armed()
+
+    def play_armed(self) -> Ending:
+        self.stream = Stream(
+            self.pump,
+            self.profile(),
+            self.wish,
+            lambda shown: self.see(shown),
+            rate=RATE,
+            on_stop=self.on_stop,
+        )
+        return self.stream.play()
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass, the host silent."""
+        self.clock.sleep(seconds)
+        self.bench.advance(self.clock.now())
+
+    def positions(self) -> list[float]:
+        return [servo.position for servo in self.bench.servos]
+
+
+class PinBoard(Dynamixel):
+    """An adapter that also reads pins."""
+
+    has_pins = True
+    pins: dict[str, bool]
+
+    def digital(self, pin: str) -> bool | None:
+        return self.pins[pin]

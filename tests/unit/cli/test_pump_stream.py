@@ -1,0 +1,119 @@
+"""`pump stream` on the simulated board: asked for, labelled, recorded, and ended rightly."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from viscodesign.cli.pump import _confirm
+
+from .conftest import CONFIGS, Call
+
+SPEC = CONFIGS / "leg_16_pump.yaml"
+SHORT = [
+    *("--set", "input={kind: sine, amplitude: 4 kPa, frequency: 0.5 Hz}"),
+    *("--set", "run.duration=2 s", "--pace", "max"),
+]
+
+
+def test_a_simulated_stream_is_recorded_and_labelled(call: Call, tmp_path: Path) -> None:
+    told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run", "--json")
+    assert told.status == 0, told.err
+    document = json.loads(told.out)
+    assert (document["status"], document["hold_verified"]) == ("complete", True)
+    assert "[simulated]" in told.err
+    assert "stops above 25 kPa" in told.err
+    table = pd.read_csv(tmp_path / "run" / "record.csv")
+    assert list(table.columns)[:5] == [
+        "time_s", "tip_x_m", "tip_z_m", "tip_angle_rad", "inlet_pressure_pa",
+    ]  # fmt: skip
+    assert table["time_s"].iloc[-1] == pytest.approx(2.0, abs=0.05)
+    assert table["time_s"].is_monotonic_increasing
+    beside = json.loads((tmp_path / "run" / "record.json").read_text())
+    assert (beside["status"], beside["partial"], beside["simulated"]) == ("complete", False, True)
+    assert beside["ticks"]["skipped_ticks"] == 0
+    log = [json.loads(line) for line in (tmp_path / "run" / "log.jsonl").read_text().splitlines()]
+    kinds = {entry["kind"] for entry in log}
+    assert {"opened", "found", "tx", "rx", "tick", "ended", "closed"} <= kinds
+    assert log[0]["simulated"] is True
+
+
+def test_nobody_to_ask_and_no_yes_moves_nothing(call: Call, tmp_path: Path) -> None:
+    told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
+    assert told.status == 2
+    assert "--yes" in told.err
+    assert "plunger" in told.err  # the plan was shown
+    assert not (tmp_path / "run" / "record.csv").exists()
+    log = (tmp_path / "run" / "log.jsonl").read_text()
+    assert '"kind": "tick"' not in log
+
+
+def test_a_no_moves_nothing(call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_confirm.sys.stdin, "isatty", lambda: True)
+    monkeypatch.setattr(_confirm, "_agreed", lambda question: False)
+    told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
+    assert told.status == 2
+    assert "nothing has moved" in told.err
+
+
+def test_a_dry_run_prints_packets_and_leaves_no_file(call: Call, tmp_path: Path) -> None:
+    words = ["pump", "stream", SPEC, *SHORT[:-2], "--board", "dynamixel", "--port", "/dev/none"]
+    told = call(*words, "--dry-run", "-o", tmp_path / "run")
+    assert told.status == 0, told.err
+    assert told.out.startswith("[dry run]")
+    assert "FF FF 01 05 03 22" in told.out  # the torque limit comes first
+    assert "FF FF FE 09 83 1E 04 01" in told.out
+    assert not (tmp_path / "run").exists()
+
+
+def test_what_the_pump_cannot_do_is_refused_or_clipped(call: Call, tmp_path: Path) -> None:
+    high = [*SHORT, "--set", "pump.max_pressure=3 kPa gauge", "-o", tmp_path / "run", "--yes"]
+    told = call("pump", "stream", SPEC, *high)
+    assert told.status == 2
+    assert "--clipped" in told.err
+    assert not (tmp_path / "run").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--board", "arbotx"], "did you mean"),
+        (["--board", "arbotix", "--port", "x"], "pump upload"),
+        (["--rate", "5"], "10 to 100 Hz"),
+        (["--on-stop", "sit"], "hold, release, retract"),
+        (["--board", "dynamixel"], "needs --port"),
+        (["--board", "dynamixel", "--port", "x", "--pace", "10"], "only the simulated"),
+        (["--port", "x"], "nothing real moves"),
+        (["--pace", "fast"], "or max"),
+        (
+            ["--board", "dynamixel", "--port", "x", "--set", "pump.sensor=null"],
+            "--without-sensor",
+        ),
+    ],
+)
+def test_wrong_words_are_met_before_anything_is_planned(
+    call: Call, tmp_path: Path, words: list[str], told: str
+) -> None:
+    outcome = call("pump", "stream", SPEC, "-o", tmp_path / "run", *words)
+    assert outcome.status == 2, outcome.err
+    assert told in outcome.err
+
+
+def test_a_broken_rule_ends_with_4_and_a_partial_record(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from viscodesign.pumps import guards
+
+    monkeypatch.setattr(guards, "HIGHEST_TEMPERATURE", 25.0)
+    from viscodesign.pumps import found
+
+    monkeypatch.setattr(found, "HIGHEST_TEMPERATURE", 99.0)
+    told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run")
+    assert told.status == 4
+    assert "STOPPED: temperature" in told.err
+    assert "verified" in told.err
+    beside = json.loads((tmp_path / "run" / "record.json").read_text())
+    assert (beside["status"], beside["partial"], beside["rule"]) == ("stopped", True, "temperature")

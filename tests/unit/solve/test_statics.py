@@ -1,0 +1,65 @@
+"""Steady states that are not come to at once: fast flow, and bellows that snap."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign import simulate
+from viscodesign.errors import SolveError
+
+THROUGH = (
+    "inputs={inlet: {kind: constant, value: 0}, other: {kind: constant, value: 30 kPa}}",
+    "input=null",
+    "network={layout: custom, tube_length: 37.5 mm, tube_radius: 0.325 mm, tubes: [{from: inlet, to: R1}, {from: R1, to: R2}, {from: R2, to: other}, {from: R2, to: R3}]}",
+    "run={duration: 0.1 s}",
+)
+CURVE = "bellows.curve={rows: [[-20 kPa, -4e-5, 0, 0], [0, 0, 0, 0], [20 kPa, 5e-5, 0, 0], [10 kPa, 1e-4, 0, 0], [40 kPa, 2e-4, 0, 0]]}"
+SNAPPING = (CURVE, "effects={material_curve: on, pressure_distribution: on, others: off}")
+
+
+@pytest.mark.parametrize("viscosity", [1e-3, 1e-6, 1e-9, 1e-12])
+def test_a_steady_flow_is_found_however_fast(viscosity: float) -> None:
+    """Three equal tubes in a row share the pressure, whatever their law: Re up to 1e12."""
+    run = simulate(
+        leg(
+            *THROUGH,
+            f"fluid={{name: own, viscosity: {viscosity}, density: 1000}}",
+            "effects={flow_regime: on, pressure_distribution: on, others: off}",
+        ),
+        verify=False,
+    )
+    assert run.status == "complete", run.failure
+    names = [run.bellows.index(name) for name in ("R1", "R2", "R3")]
+    assert run.pressure[-1, names] == pytest.approx(np.array([1e4, 2e4, 2e4]), rel=1e-9)
+    through = run.flow[-1, [run.tubes.index(name) for name in ("inlet-R1", "R1-R2", "R2-other")]]
+    assert np.ptp(through) <= 1e-9 * np.max(np.abs(through))
+
+
+@pytest.mark.parametrize("pressure", [-15e3, 0.0, 15e3, 19.9e3])
+def test_a_bellow_that_snaps_starts_on_its_first_rise(pressure: float) -> None:
+    run = simulate(
+        leg(*SNAPPING, f"input={{kind: constant, value: {pressure}}}", "run={duration: 0.1 s}"),
+        verify=False,
+    )
+    assert run.status == "complete", run.failure
+    assert run.pressure == pytest.approx(pressure, abs=1e-6)
+    area = (run.volume - 0.010 * 0.012 * 0.018) / 0.018
+    assert np.max(np.abs(area)) <= 5e-5
+    assert np.sign(area[-1, 0]) == np.sign(pressure)
+
+
+def test_a_start_beyond_the_snap_is_refused_with_a_way_out() -> None:
+    with pytest.raises(SolveError, match="snaps") as caught:
+        simulate(leg(*SNAPPING, "input={kind: constant, value: 25 kPa}"))
+    assert "run.start: rest" in str(caught.value)
+    later = simulate(
+        leg(
+            *SNAPPING, "input={kind: constant, value: 25 kPa}", "run={duration: 20 s, start: rest}"
+        ),
+        verify=False,
+    )
+    assert later.status == "complete", later.failure
+    assert later.pressure[-1] == pytest.approx(25e3, rel=0.02)
+    assert later.volume[-1].min() > 0.018 * 1.5e-4

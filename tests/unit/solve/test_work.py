@@ -1,0 +1,37 @@
+"""The limit of steps holds for all that is tried together, and is what a run says it ended by."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.scenes import leg
+from viscodesign import simulate
+from viscodesign.build import Settings
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.solving import solve
+
+PERIODS = "input={kind: sine, amplitude: 20 kPa, frequency: 0.3 Hz}"
+
+
+def test_steps_of_attempts_that_failed_count() -> None:
+    run = simulate(
+        leg(PERIODS, "run={duration: 26000 s, output_interval: 1000 s, max_steps: 1000}")
+    )
+    assert run.status == "failed"
+    assert "the limit of 1000 steps was reached" in (run.failure or "")
+    assert 1000 <= run.cost.steps < 2000
+    assert not run.ladder
+
+
+@pytest.mark.parametrize("name", ["idas", "radau", "rosenbrock"])
+def test_every_solver_keeps_to_it(name: str) -> None:
+    conditions = Conditions(
+        leg(PERIODS, "run={duration: 50 s, output_times: [50], max_steps: 120}")
+    )
+    effects = select_effects(conditions).effects
+    run = solve(conditions, effects, Settings(1, 1e-4, name))
+    assert run.motion.failure is not None
+    assert run.motion.failure.quantity == "work"
+    assert 100 <= run.solution.work.steps < 250
+    assert run.solution.work.residual_calls < 50 * 120

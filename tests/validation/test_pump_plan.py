@@ -1,0 +1,278 @@
+"""A plan of the pump against closed forms, and against the simulation of its own plunger."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.scenes import CONFIGS, leg
+from viscodesign import PumpPlan, Scene, plan, simulate
+from viscodesign.planning.barrel import Barrel, line_at
+from viscodesign.planning.follow import taken_effects
+from viscodesign.planning.live import ActuatorPlant
+from viscodesign.planning.variants import planned, with_effects_of, with_inputs
+from viscodesign.pumps.drive import Drive
+from viscodesign.report.plan_files import plan_columns, write_plan
+
+AMBIENT = 101325.0
+AREA = np.pi * 0.0349**2 / 4
+PUMP = "pump={syringe_diameter: 34.9 mm, home: 500, dead_volume: 5 mL}"
+COMPLIANCE = 18e-3 * 3.413e-9
+REST = 10e-3 * 12e-3 * 18e-3
+COUNT = 4
+LEG_4 = "leg_4_air_auto"
+
+
+@cache
+def published() -> PumpPlan:
+    return plan(leg(config="leg_16_pump_published"))
+
+
+def static(fluid: str, pressure: float, *words: str) -> PumpPlan:
+    """A plan that holds one pressure, the rod free of what takes volume of its own."""
+    return plan(
+        leg(
+            PUMP,
+            f"fluid={fluid}",
+            "temperature=20 degC",
+            f"input={{kind: constant, value: {pressure!r} Pa}}",
+            "run={duration: 1 s}",
+            f"bellows.count={COUNT}",
+            *words,
+            config="leg_4_air_auto",
+        )
+    )
+
+
+@pytest.mark.parametrize("pressure", [12e3, -8e3])
+def test_volume_to_hold_a_static_pressure_gas(pressure: float) -> None:
+    """Barrel, bellows and tubes are one closed vessel: what all hold never changes (Boyle).
+
+    n C p for the walls, and the gas of everything at the new pressure.
+    """
+    found = static("air", pressure, "effects={feedback: off, others: auto}")
+    ratio = (AMBIENT + pressure) / AMBIENT
+    drive = Drive(leg(PUMP).pump)  # type: ignore[arg-type]
+    full = AREA * drive.filled_at_home + 5e-6
+    tube = np.pi * 0.325e-3**2 * 37.5e-3
+    tubes = COUNT * tube
+    # rho (full - A x + n (V0 + C p) + V_tubes) = full + n V0 + V_tubes
+    others = COUNT * REST + tubes
+    left = (full + others) / ratio - others - COUNT * COMPLIANCE * pressure
+    assert found.wanted.volume[-1, 0] == pytest.approx(full - left, rel=1e-6)
+    # Half of the first tube belongs to the inlet.
+    behind = others - tube / 2
+    given = ratio * (behind + COUNT * COMPLIANCE * pressure) - behind
+    assert found.wanted.given[-1, 0] == pytest.approx(given, rel=1e-6)
+
+
+@pytest.mark.parametrize("pressure", [12e3, -8e3])
+def test_volume_to_hold_a_static_pressure_liquid(pressure: float) -> None:
+    """n C p, the cushion's compression, and the liquid's own, which is a hundredth of a percent."""
+    fluid = "{name: liquid, viscosity: 1e-3, density: 1000, bulk_modulus: 2e9}"
+    found = static(fluid, pressure, "effects={feedback: off, others: auto}")
+    cushion = 5e-6 * (1 - AMBIENT / (AMBIENT + pressure))
+    expected = COUNT * COMPLIANCE * pressure + cushion
+    drive = Drive(leg(PUMP).pump)  # type: ignore[arg-type]
+    own = AREA * drive.filled_at_home * pressure / 2e9
+    assert found.wanted.volume[-1, 0] == pytest.approx(expected + own, rel=1e-4)
+
+
+def test_isothermal_dead_volume() -> None:
+    """A larger dead volume costs the plunger just its own compression."""
+    small, large = (
+        static("air", 15e3, f"pump.dead_volume={volume} mL").wanted.volume[-1, 0]
+        for volume in (5, 45)
+    )
+    assert large - small == pytest.approx(40e-6 * (1 - AMBIENT / (AMBIENT + 15e3)), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("config", "words"),
+    [
+        ("leg_16_pump", ()),
+        (LEG_4, (PUMP, "input={kind: sine, amplitude: 8 kPa, frequency: 0.5 Hz}")),
+        (
+            LEG_4,
+            (
+                PUMP,
+                "input={kind: sine, amplitude: 8 kPa, frequency: 0.3 Hz, mean: 5 kPa}",
+                "gauge_pressure=3 kPa",
+                "fluid.polytropic_exponent=1.3",
+                "network.feed_line={length: 0.5 m, radius: 1.5 mm}",
+                "network.tube_wall={youngs_modulus: 5 MPa, thickness: 0.5 mm}",
+            ),
+        ),
+        (
+            "leg_4_water_auto",
+            (PUMP, "input={kind: sine, amplitude: 8 kPa, frequency: 0.2 Hz}"),
+        ),
+    ],
+)
+def test_the_plunger_makes_the_pressure_that_was_wanted(
+    config: str, words: tuple[str, ...]
+) -> None:
+    """Round trip, nothing rounded or clipped: pressures -> plunger -> pressures and tip."""
+    if config != "leg_16_pump":
+        words = (*words, "run={duration: 4 s}")
+    scene = planned(leg(*words, config=config))
+    wanted = simulate(scene)
+    settled = with_effects_of(scene, wanted)
+    assert scene.pump is not None
+    line = line_at(settled, "inlet", taken_effects(wanted))
+    barrel = Barrel.of(settled, Drive(scene.pump), line)
+    pressure, given = wanted.inlet_pressure["inlet"], wanted.inflow["inlet"]
+    place = barrel.position(pressure, given)
+    driven = with_inputs(settled, {"inlet": barrel.syringe(wanted.time, place)})
+    found = simulate(driven)
+    assert found.status == wanted.status == "complete"
+    stated = [run.accuracy.estimated_tip_error_m for run in (wanted, found)]
+    assert None not in stated
+    apart = np.hypot(*(found.tip - wanted.tip)[:, :2].T)
+    assert np.max(apart) <= sum(e for e in stated if e is not None)
+    swing = np.ptp(pressure)
+    assert np.max(np.abs(found.inlet_pressure["inlet"] - pressure)) <= 5e-3 * swing
+    assert found.inflow["inlet"] == pytest.approx(given, abs=5e-3 * float(np.ptp(given)))
+
+
+def test_a_feasible_plan_needs_nothing_and_is_followed_within_a_count() -> None:
+    found = plan(leg(config="leg_16_pump"))
+    assert found.status == "complete"
+    assert found.is_feasible
+    assert not found.clipped
+    assert all(v.severity == "ok" for v in found.verdicts)
+    assert np.max(np.abs(found.achievable.count - found.wanted.count)) <= 0.5 + 1e-6
+    assert found.error_m is not None
+    one_count = 1e3 * found.numbers["inlet"]["kpa_per_count_fast"]
+    pressure = found.achievable.pressure - found.wanted.pressure
+    run = found.wanted.time >= found.wanted.lead_s
+    assert np.max(np.abs(pressure[run])) <= one_count
+    assert found.wanted.position[0, 0] == pytest.approx(0.0, abs=1e-5)
+    profile = found.profile(found.achievable)
+    assert profile.counts.shape == (len(profile.time), 1)
+    assert profile.time[0] == 0.0
+    assert np.all(np.diff(profile.time) > 0.0)
+
+
+def test_the_published_pulse_is_beyond_the_pump_and_why() -> None:
+    found = published()
+    assert not found.is_feasible
+    told = {v.name: v for v in found.verdicts}
+    failed = {name for name, v in told.items() if v.severity == "infeasible"}
+    assert failed == {"stall", "speed", "travel", "barrel", "suction"}
+    assert told["suction"].wanted == pytest.approx(-100.89e3, abs=50.0)
+    assert told["cap_torque"].severity == "advice"
+    assert "38.67 kPa gauge" in told["cap_torque"].message
+    assert found.deviation_m > 0.04
+    assert found.achievable.count.min() >= 100 - 1e-9
+    assert found.achievable.count.max() <= 1000 + 1e-9
+    low = found.limits["stall_nm"]
+    assert np.max(np.abs(found.achievable.torque)) < low
+
+
+def test_what_the_pump_does_keeps_its_speed_at_its_own_pressure() -> None:
+    assert np.max(published().achievable.speed_share) <= 1.02
+
+
+def test_the_changes_told_together_make_it_feasible() -> None:
+    changes = published().together
+    assert changes
+    settings = [setting for change in changes for setting in change.settings]
+    again = plan(leg(*settings, config="leg_16_pump_published"))
+    assert again.is_feasible, [v.message for v in again.verdicts if v.severity == "infeasible"]
+
+
+def test_each_change_alone_makes_its_verdict_pass() -> None:
+    found = published()
+    tried = [(v.name, c) for v in found.verdicts for c in v.changes if v.name == "suction"]
+    assert tried
+    for name, change in tried:
+        again = plan(leg(*change.settings, config="leg_16_pump_published"))
+        passed = {v.name: v.severity for v in again.verdicts}
+        assert passed[name] == "ok"
+        left = {n for n, severity in passed.items() if severity == "infeasible"}
+        assert left == set(change.leaves)
+
+
+def test_a_jump_gets_the_ramp_that_it_needs() -> None:
+    found = plan(
+        leg(
+            PUMP,
+            "input={kind: step, value: 10 kPa, time: 0.5 s}",
+            "run={duration: 1.5 s}",
+            config=LEG_4,
+        )
+    )
+    speed = next(v for v in found.verdicts if v.name == "speed")
+    assert speed.severity == "infeasible"
+    assert "jumps" in speed.message
+    assert speed.changes[0].key == "ramp"
+    assert found.clipped
+    assert found.clipped[0].startswith("speed")
+
+
+def test_two_pumps_on_networks_of_their_own() -> None:
+    words = "pump={syringe_diameter: 34.9 mm, servo_id: {left: 4, right: 7}, home: 500}"
+    found = plan(leg(words, "run.duration=3 s", config="antagonistic_two_inlets"))
+    assert found.inlets == ("left", "right")
+    assert found.servos == (4, 7)
+    assert found.wanted.count.shape[1] == 2
+    assert found.is_feasible
+    assert found.deviation_m < 2e-4
+
+
+def test_files_are_whole_and_say_what_the_plan_says(tmp_path: Path) -> None:
+    found = published()
+    files = write_plan(found, tmp_path)
+    assert [file.name for file in files] == ["plan.csv", "plan.json", "plan.png"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == sorted(f.name for f in files)
+    table = np.genfromtxt(files[0], delimiter=",", names=True)
+    names, values = plan_columns(found)
+    assert list(table.dtype.names or ()) == names
+    assert np.array(table.tolist()) == pytest.approx(values, nan_ok=True, rel=1e-15)
+    document = json.loads(files[1].read_text())
+    assert document["feasible"] is False
+    assert [v["name"] for v in document["verdicts"]] == [v.name for v in found.verdicts]
+    assert document["together"][0]["settings"]
+    write_plan(found, tmp_path, plots=False)
+    assert not (tmp_path / "plan.png").exists()
+
+
+def test_the_live_actuator_is_the_simulated_one() -> None:
+    """Tick by tick as in one run; the work of a tick is bounded."""
+    scene: Scene = leg(config="leg_16_pump")
+    assert scene.pump is not None
+    plant, tick = ActuatorPlant(scene), 0.033
+    places = [0.02 * np.sin(np.pi * (k + 1) * tick) for k in range(60)]
+    pressure = np.array([plant.advance(tick, np.array([place])) for place in places])
+    assert plant.steps <= 4 * len(places)
+    time = tick * np.arange(len(places) + 1)
+    fine = planned(scene)
+    barrel = Barrel.of(fine, Drive(scene.pump), line_at(fine, "inlet", frozenset()))
+    driven = with_inputs(fine, {"inlet": barrel.syringe(time, np.array([0.0, *places]))})
+    run = driven.run.model_copy(
+        update={"duration": float(time[-1]), "output_times": tuple(time.tolist())}
+    )
+    found = simulate(driven.model_copy(update={"run": run}))
+    expected = found.inlet_pressure["inlet"][1:, None]
+    assert pressure == pytest.approx(expected, abs=1e-3 * float(np.ptp(expected)))
+    assert np.hypot(*(plant.tip - found.tip[-1])[:2]) < 5e-3 * scene.actuator.length
+
+
+def test_the_live_actuator_begins_where_its_plungers_are() -> None:
+    """No time passed: equilibrium there, as the plan's closed forms have it."""
+    scene = leg(config="leg_16_pump")
+    found = plan(leg("input={kind: constant, value: 10 kPa}", config="leg_16_pump"))
+    plant = ActuatorPlant(scene)
+    place = found.wanted.position[-1]
+    assert plant.advance(0.0, place) == pytest.approx([10e3], rel=1e-3)
+    assert plant.advance(0.033, place) == pytest.approx([10e3], rel=1e-3)
+
+
+def test_the_bundled_scenes_are_there() -> None:
+    assert (CONFIGS / "leg_16_pump.yaml").exists()
+    assert (CONFIGS / "leg_16_pump_published.yaml").exists()

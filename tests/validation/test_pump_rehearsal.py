@@ -1,0 +1,132 @@
+"""A whole rehearsal: streamed on a computed AX-18A through the actuator's own model.
+
+The servo has a dead band, a compliance and a motor; the line has its latency; the sensor eight
+bits. What is recorded agrees with the plan within what both state.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from tests.scenes import CONFIGS
+from viscodesign import load
+from viscodesign.planning.live import ActuatorPlant
+from viscodesign.planning.plan import plan
+from viscodesign.pumpplan import PumpPlan
+from viscodesign.pumps.boards.simulated import Simulated
+from viscodesign.pumps.clock import SteppedClock
+from viscodesign.pumps.gauges import Gauges
+from viscodesign.pumps.interrupt import Wish
+from viscodesign.pumps.opening import simulated_line
+from viscodesign.pumps.pump import Pump
+from viscodesign.pumps.sensors.board_analog import BoardAnalog
+from viscodesign.pumps.stream import Ending, Shown, Stream
+from viscodesign.pumps.switches import Switches
+
+RATE = 30.0
+SENSOR_STEP = 1.0 / 256 / 0.002421 * 1e3
+"""Of eight bits [Pa]: a reading is right to half of it."""
+
+
+class Rehearsal(NamedTuple):
+    plan: PumpPlan
+    ending: Ending
+    skipped: int
+    time: np.ndarray
+    """(T,) [s], from the scene's start on."""
+    counts: np.ndarray
+    pressure: np.ndarray
+    """(T,) as the sensor reads it, gauge [Pa]."""
+    tip: np.ndarray
+    """(T, 2) [m]."""
+
+
+@pytest.fixture(scope="module")
+def rehearsal() -> Rehearsal:
+    scene = load(CONFIGS / "leg_16_pump.yaml")
+    assert scene.pump is not None
+    planned = plan(scene)
+    clock, plant = SteppedClock(), ActuatorPlant(scene)
+    ambient = scene.ambient_pressure
+    board = Simulated(simulated_line(scene.pump, clock, plant, ambient), planned.servos)
+    gauges = Gauges([BoardAnalog(board, 0).absolute], ambient)
+    pump = Pump(board, scene.pump, planned.servos, gauges, Switches(None), clock)
+    rows: list[tuple[float, ...]] = []
+
+    def see(shown: Shown) -> None:
+        pressure = shown.sample.pressure[0]
+        assert pressure is not None
+        position = shown.sample.servos[planned.servos[0]].position
+        rows.append((shown.time, position, pressure, *plant.tip[:2]))
+
+    course = planned.achievable
+    pump.connect()
+    gauges.zero()
+    stream = Stream(pump, planned.profile(course), Wish(), see, rate=RATE, lead=course.lead_s)
+    ending = stream.play()
+    table = np.array([row for row in rows if row[0] >= 0.0])
+    time, counts, pressure = table[:, 0], table[:, 1], table[:, 2]
+    return Rehearsal(planned, ending, stream.ticks.skipped, time, counts, pressure, table[:, 3:5])
+
+
+def test_it_is_played_to_its_end(rehearsal: Rehearsal) -> None:
+    assert rehearsal.ending.status == "complete"
+    assert rehearsal.ending.sure
+    assert rehearsal.skipped == 0
+    assert rehearsal.time[-1] == pytest.approx(8.0, abs=1.5 / RATE)
+
+
+def test_the_tip_goes_the_planned_path_within_the_accuracy_that_was_asked_for(
+    rehearsal: Rehearsal,
+) -> None:
+    run = rehearsal.plan.achievable_run
+    stated = run.accuracy.requested_m
+    assert stated == pytest.approx(0.005 * 0.109)
+    path = run.tip[:, :2]
+    away = np.array([_distance(point, path) for point in rehearsal.tip])
+    assert away.max() < stated  # 0.17 mm were found, of 0.55 mm
+    assert np.ptp(rehearsal.tip[:, 0]) > 0.06  # and the path is long
+
+
+def test_the_tip_is_there_when_it_should_be_within_a_tick(rehearsal: Rehearsal) -> None:
+    run = rehearsal.plan.achievable_run
+    when = rehearsal.time[:, None] + np.linspace(-1.0, 1.0, 21) / RATE
+    moved = [np.interp(when, run.time, run.tip[:, k]) - rehearsal.tip[:, k, None] for k in range(2)]
+    assert np.hypot(*moved).min(axis=1).max() < run.accuracy.requested_m
+    at_once = [
+        np.interp(rehearsal.time, run.time, run.tip[:, k]) - rehearsal.tip[:, k] for k in range(2)
+    ]
+    rms = float(np.sqrt(np.mean(np.square(at_once).sum(axis=0))))
+    assert rms < run.accuracy.requested_m  # 0.16 mm were found
+
+
+def test_the_sensor_reads_the_planned_pressure_within_its_steps_and_a_tick(
+    rehearsal: Rehearsal,
+) -> None:
+    run = rehearsal.plan.achievable_run
+    (planned,) = run.inlet_pressure.values()
+    when = rehearsal.time[:, None] + np.linspace(-1.0, 1.0, 21) / RATE
+    apart = np.abs(np.interp(when, run.time, planned) - rehearsal.pressure[:, None]).min(axis=1)
+    assert apart.max() < SENSOR_STEP / 2 + 250.0  # 250 Pa: what the zeroing itself rounds off
+    at_once = np.interp(rehearsal.time, run.time, planned) - rehearsal.pressure
+    assert float(np.sqrt(np.mean(at_once**2))) < SENSOR_STEP / 2
+
+
+def test_the_plunger_is_where_the_course_says(rehearsal: Rehearsal) -> None:
+    course = rehearsal.plan.achievable
+    wanted = np.interp(rehearsal.time, course.time - course.lead_s, course.count[:, 0])
+    apart = rehearsal.counts - wanted
+    # Its controller alone would stay up to 27 counts behind.
+    assert float(np.sqrt(np.mean(apart**2))) < 3.0
+    assert np.abs(apart).max() < 10.0
+
+
+def _distance(point: np.ndarray, path: np.ndarray) -> float:
+    """From a point to a broken line [m]."""
+    start, way = path[:-1], np.diff(path, axis=0)
+    length = np.maximum((way**2).sum(axis=1), 1e-30)
+    share = np.clip(((point - start) * way).sum(axis=1) / length, 0.0, 1.0)
+    return float(np.hypot(*(start + share[:, None] * way - point).T).min())

@@ -1,0 +1,74 @@
+"""What a stream would send, found out without a port: on the computed pump, at once."""
+
+from __future__ import annotations
+
+from viscodesign.cli.pump._performance import Performance
+from viscodesign.cli.pump._told import ending_lines
+from viscodesign.pumps.boards.simulated import Simulated
+from viscodesign.pumps.clock import SteppedClock
+from viscodesign.pumps.gauges import Gauges
+from viscodesign.pumps.interrupt import Wish
+from viscodesign.pumps.line import Line
+from viscodesign.pumps.opening import simulated_line
+from viscodesign.pumps.packets import Instruction, shown
+from viscodesign.pumps.pump import Pump
+from viscodesign.pumps.stream import Stream
+from viscodesign.pumps.switches import Switches
+
+FIRST = 10
+"""Packets that are printed."""
+
+
+class Overheard(Line):
+    """Keeps what is written to the servos and changes something there."""
+
+    def __init__(self, line: Line) -> None:
+        self.line = line
+        self.clock = line.clock
+        self.packets: list[bytes] = []
+
+    def write(self, data: bytes) -> None:
+        if data[4] in (Instruction.WRITE, Instruction.SYNC_WRITE):
+            self.packets.append(data)
+        self.line.write(data)
+
+    def read(self, most: int, deadline: float) -> bytes:
+        return self.line.read(most, deadline)
+
+    def drain(self) -> bytes:
+        return self.line.drain()
+
+    def close(self) -> None:
+        self.line.close()
+
+
+def rehearsed(performance: Performance) -> list[str]:
+    """The plan, and the packets that would set something; no port is opened for it."""
+    plan, settings = performance.plan, performance.settings
+    clock = SteppedClock()
+    ambient = performance.scene.ambient_pressure
+    line = Overheard(simulated_line(settings, clock, performance.plant, ambient))
+    board = Simulated(line, plan.servos)
+    # Nothing is measured here: a closed barrel would show another pressure than the actuator's.
+    gauges = Gauges([None] * len(plan.servos), ambient)
+    pump = Pump(board, settings, plan.servos, gauges, Switches(None), clock)
+    stream = Stream(
+        pump,
+        plan.profile(plan.achievable),
+        Wish(),
+        lambda tick: None,
+        rate=performance.rate,
+        lead=plan.achievable.lead_s,
+        on_stop=performance.on_stop,
+    )
+    pump.connect()
+    ending = stream.play()
+    return [
+        "[dry run] no port is opened, nothing moves",
+        *performance.lines(),
+        f"would send {len(line.packets)} packets that set something; the first {FIRST}, the last:",
+        *(f"  {shown(packet)}" for packet in line.packets[:FIRST]),
+        "  ...",
+        f"  {shown(line.packets[-1])}",
+        *(f"[dry run] {line}" for line in ending_lines(ending)[:1]),
+    ]

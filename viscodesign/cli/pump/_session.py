@@ -1,0 +1,112 @@
+"""A board for one command: opened once, every byte logged, and let go of whatever happens."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from viscodesign.errors import PumpError, UsageError
+
+if TYPE_CHECKING:
+    from viscodesign.cli.pump._setting import Setting
+    from viscodesign.pumps.boards.base import Board
+    from viscodesign.pumps.clock import Clock
+    from viscodesign.pumps.gauges import Gauges
+    from viscodesign.pumps.log import ByteLog
+    from viscodesign.pumps.sensors.base import PressureSource
+    from viscodesign.pumps.virtual.plant import Plant
+    from viscodesign.scene.pump import Sensor
+
+
+@dataclass(frozen=True)
+class Way:
+    """How a command line says to reach a board."""
+
+    board: str
+    port: str | None
+    baud: int | None
+    pace: str = "1"
+    log: Path | None = None
+
+    @property
+    def simulated(self) -> bool:
+        """Whether nothing real moves."""
+        from viscodesign.pumps.opening import board_kind
+
+        return board_kind(self.board).simulated
+
+    @property
+    def label(self) -> str:
+        """To be put before what is told of a simulated board."""
+        return "[simulated] " if self.simulated else ""
+
+    def clock(self) -> Clock:
+        """The real one; a simulated board's at the pace asked for."""
+        from viscodesign.pumps.clock import PacedClock, SteppedClock, WallClock
+
+        if self.simulated:
+            return SteppedClock() if self.pace == "max" else PacedClock(_factor(self.pace))
+        if self.pace != "1":
+            raise UsageError(f"--pace {self.pace}: only the simulated board's time can be changed")
+        return WallClock()
+
+
+def _factor(text: str) -> float:
+    with contextlib.suppress(ValueError):
+        if 0.0 < (factor := float(text)) < float("inf"):
+            return factor
+    raise UsageError(f"--pace {text}: give a factor above 0, such as 10, or max")
+
+
+@contextlib.contextmanager
+def opened(
+    way: Way, clock: Clock, setting: Setting, plant: Plant | None = None
+) -> Iterator[tuple[Board, ByteLog]]:
+    """The board and the log of its bytes; nothing is asked of it yet, and nothing moves."""
+    from viscodesign.cli.output import complain
+    from viscodesign.pumps.log import ByteLog
+    from viscodesign.pumps.opening import open_board
+
+    log = ByteLog(way.log, complain)
+    pump, ambient = setting.pump, setting.ambient
+    try:
+        board = open_board(way.board, way.port, way.baud, log, clock, pump, plant, ambient)
+        try:
+            yield board, log
+        finally:
+            # A port that is gone has told so already.
+            with contextlib.suppress(PumpError):
+                board.line.close()
+    finally:
+        log.close()
+
+
+@contextlib.contextmanager
+def gauges(board: Board, sensor: Sensor | None, ambient: float, inlets: int) -> Iterator[Gauges]:
+    """The pressure sensor of the first of several inlets, on the board or on a Phidgets' kit.
+
+    ``ambient``: absolute [Pa].
+    """
+    from viscodesign.pumps.gauges import Gauges
+
+    if sensor is None:
+        yield Gauges([None] * inlets, ambient)
+        return
+    source = _source(board, sensor)
+    try:
+        yield Gauges([source.absolute] + [None] * (inlets - 1), ambient)
+    finally:
+        source.close()
+
+
+def _source(board: Board, sensor: Sensor) -> PressureSource:
+    from viscodesign.pumps.sensors.board_analog import BoardAnalog
+    from viscodesign.pumps.sensors.phidget import Phidget
+
+    where = sensor.on
+    if where == "auto":
+        where = "board" if board.has_pins else "phidget"
+    return BoardAnalog(board, sensor.channel) if where == "board" else Phidget(sensor.channel)

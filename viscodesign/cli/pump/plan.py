@@ -1,0 +1,81 @@
+"""`viscodesign pump plan`: a spec in, its plunger's motion and what speaks against it out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
+from viscodesign.cli.simulate import RunFailedError, folder_name
+from viscodesign.errors import PumpError
+
+if TYPE_CHECKING:
+    from viscodesign.pumpplan import PumpPlan
+
+EXAMPLE = """\b
+Examples:
+  viscodesign pump plan leg.yaml
+  viscodesign pump plan leg.yaml --set "pump.max_pressure=140 kPa abs"
+  viscodesign pump plan leg.yaml --set pump.home=500 --json"""
+
+
+class InfeasiblePlanError(PumpError):
+    """The pump cannot do what is wanted; the plan is on disk, labelled."""
+
+
+def command(
+    spec: Spec,
+    overrides: Overrides = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="DIR", help="The folder; runs/<name> by default."),
+    ] = None,
+    no_plots: Annotated[bool, typer.Option("--no-plots", help="Draw no picture.")] = False,
+    force: Annotated[
+        bool, typer.Option("--force", help="Write into a folder that holds other files.")
+    ] = False,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Turn wanted pressures into plunger motion, and judge whether the pump can do it.
+
+    Follows the spec through its coupled model, holds torque, speed, travel, suction,
+    resolution and battery against what the motion asks at each pressure, names the smallest
+    changes where something fails, and follows what the pump would do instead. Writes
+    plan.csv, plan.json and plan.png. Ends with code 4 where the plan is infeasible.
+    """
+    from viscodesign import load, plan
+    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.progress import progress
+    from viscodesign.cli.pump._verdicts import plan_lines
+    from viscodesign.planning.variants import pump_of
+    from viscodesign.report.files import prepare_folder
+    from viscodesign.report.plan_files import plan_document, write_plan
+
+    scene = load(spec, overrides or ())
+    pump_of(scene)
+    folder = output if output is not None else Path("runs") / folder_name(scene.name)
+    prepare_folder(folder, force=force)
+    with progress(quiet, "planning", first="planning") as advance:
+        found = plan(scene, progress=advance)
+    files = write_plan(found, folder, plots=not no_plots, force=force)
+    if json:
+        say(json_text({**plan_document(found), "files": [str(file) for file in files]}))
+    elif not quiet:
+        say("\n".join(plan_lines(found, folder, files)))
+    _end(found, folder)
+
+
+def _end(plan: PumpPlan, folder: Path) -> None:
+    """A plan that fails is an error, after its files are written."""
+    if plan.status != "complete":
+        raise RunFailedError(f"{plan.failure}\nwhat was computed is in {folder}")
+    if not plan.is_feasible:
+        names = dict.fromkeys(v.name for v in plan.verdicts if v.severity == "infeasible")
+        raise InfeasiblePlanError(
+            f"{plan.name}: the pump cannot do this: {', '.join(names)}\n"
+            f"the plan, labelled infeasible, is in {folder}"
+        )

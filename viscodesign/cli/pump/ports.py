@@ -1,0 +1,39 @@
+"""`viscodesign pump ports`: which serial ports there are."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import TYPE_CHECKING
+
+from viscodesign.cli.options import Debug, Json, Quiet
+
+if TYPE_CHECKING:
+    from viscodesign.pumps.ports import Port
+
+EXAMPLE = """\b
+Example:
+  viscodesign pump ports"""
+
+
+def command(json: Json = False, quiet: Quiet = False, _debug: Debug = False) -> None:
+    """List serial ports, opening none.
+
+    Says too what would make a slow one quick.
+    """
+    from viscodesign.cli.output import json_text, say
+    from viscodesign.pumps.ports import ports
+
+    found = ports()
+    if json:
+        say(json_text({"ports": [asdict(port) for port in found]}))
+    elif not quiet:
+        say("\n".join(_lines(found)))
+
+
+def _lines(found: list[Port]) -> list[str]:
+    from viscodesign.cli.text import table
+
+    if not found:
+        return ["no serial ports; plug the board in, and see that its driver knows it (dmesg)"]
+    told = table([(p.name, p.maker, p.serial_number, p.description) for p in found], indent="")
+    return [*told, *(f"{port.name} {port.hint}" for port in found if port.hint)]

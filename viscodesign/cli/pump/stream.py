@@ -1,0 +1,178 @@
+"""`viscodesign pump stream`: a planned profile, set-point by set-point in real time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
+from viscodesign.cli.pump._options import Baud, Board, DryRun, Log, Pace, Port, Yes
+from viscodesign.errors import InterruptedRunError, PumpError, SpecError, UsageError
+
+if TYPE_CHECKING:
+    from viscodesign.pumpplan import PumpPlan
+    from viscodesign.pumps.stream import Ending
+    from viscodesign.scene.scene import Scene
+
+ON_STOP = ("hold", "release", "retract")
+EXAMPLE = """\b
+Examples:
+  viscodesign pump stream leg.yaml
+  viscodesign pump stream leg.yaml --pace max -o runs/rehearsal
+  viscodesign pump stream leg.yaml --board arbotix-ros --port /dev/ttyUSB0"""
+
+
+def command(
+    spec: Spec,
+    board: Board = "simulated",
+    port: Port = None,
+    baud: Baud = None,
+    rate: Annotated[
+        float, typer.Option("--rate", metavar="HZ", help="Set-points a second, 10 to 100.")
+    ] = 30.0,
+    on_stop: Annotated[
+        str,
+        typer.Option(
+            "--on-stop", metavar="WHAT", help="At any end: hold, release (no torque), or retract."
+        ),
+    ] = "hold",
+    clipped: Annotated[
+        bool,
+        typer.Option("--clipped", help="Play what the pump can do where it cannot do all of it."),
+    ] = False,
+    without_sensor: Annotated[
+        bool,
+        typer.Option(
+            "--without-sensor", help="Go without a pressure reading: no cap but the torque limit."
+        ),
+    ] = False,
+    pace: Pace = "1",
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Its folder; runs/<name>-stream by default."
+        ),
+    ] = None,
+    log: Log = None,
+    yes: Yes = False,
+    dry_run: DryRun = False,
+    overrides: Overrides = None,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Play a spec's pressures, watched at every tick.
+
+    Shows the plan and asks before anything moves. Every tick reads position, load, voltage,
+    temperature and pressure, and stops at the first broken rule. Ctrl-C holds the plunger
+    where it is; pressed again, it drops the torque. Writes record.csv, with the simulator's
+    columns, record.json and log.jsonl (every byte) to one folder.
+    """
+    from viscodesign import load
+    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.progress import progress
+    from viscodesign.cli.pump._performance import Performance
+    from viscodesign.cli.pump._rehearsal import rehearsed
+    from viscodesign.cli.pump._session import Way
+    from viscodesign.cli.pump._told import ending_document
+    from viscodesign.cli.simulate import folder_name
+    from viscodesign.planning.live import ActuatorPlant
+    from viscodesign.planning.plan import plan
+    from viscodesign.planning.variants import pump_of
+    from viscodesign.report.atomic import refused_plainly
+
+    _check(board, rate, on_stop)
+    scene = _with_sensor(load(spec, overrides or ()), board, without_sensor)
+    folder = output or Path("runs") / f"{folder_name(scene.name)}-stream"
+    way = Way(board, port, baud, pace, log or (None if dry_run else folder / "log.jsonl"))
+    clock = way.clock()
+    with progress(quiet, "planning", "planning") as advance:
+        planned = plan(scene, progress=advance)
+    _refuse_infeasible(planned, clipped)
+    performance = Performance(
+        scene=scene,
+        settings=pump_of(scene),
+        plan=planned,
+        way=way,
+        clock=clock,
+        plant=ActuatorPlant(scene) if way.simulated and not dry_run else None,
+        rate=rate,
+        on_stop=on_stop,  # type: ignore[arg-type]  # one of them, as checked
+        table=folder / "record.csv",
+        yes=yes,
+        quiet=quiet,
+    )
+    if dry_run:
+        return say("\n".join(rehearsed(performance)))
+    with refused_plainly(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    ending = performance.perform()
+    if json:
+        say(json_text({"name": scene.name, **ending_document(ending), **performance.told}))
+    _leave(ending, folder)
+    return None
+
+
+def _check(board: str, rate: float, on_stop: str) -> None:
+    from viscodesign.pumps.opening import board_kind, boards
+    from viscodesign.pumps.stream import HIGHEST_RATE, LOWEST_RATE
+
+    if not board_kind(board).streams:
+        able = ", ".join(name for name, kind in boards().items() if kind.streams)
+        raise UsageError(
+            f"--board {board} takes no set-points in real time; those that do: {able}. "
+            "`pump upload` gives it a whole profile"
+        )
+    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
+        raise UsageError(f"--rate {rate:g}; give {LOWEST_RATE:g} to {HIGHEST_RATE:g} Hz")
+    if on_stop not in ON_STOP:
+        raise UsageError(f"--on-stop {on_stop}: no such thing; one of {', '.join(ON_STOP)}")
+
+
+def _with_sensor(scene: Scene, board: str, without: bool) -> Scene:
+    """The scene with a pressure sensor, or with the user's word that there is none."""
+    from viscodesign.planning.variants import pump_of
+    from viscodesign.pumps.opening import board_kind
+    from viscodesign.scene.pump import Sensor
+
+    pump = pump_of(scene)
+    if without:
+        return scene.model_copy(update={"pump": pump.model_copy(update={"sensor": None})})
+    if pump.sensor is not None:
+        return scene
+    if board_kind(board).simulated:
+        sensor = Sensor(channel=0)
+        return scene.model_copy(update={"pump": pump.model_copy(update={"sensor": sensor})})
+    raise UsageError(
+        "the spec names no pressure sensor, so no cap would be watched: add pump.sensor, like "
+        "`sensor: {channel: 0}`, or go --without-sensor and rely on the servo's torque limit"
+    )
+
+
+def _refuse_infeasible(plan: PumpPlan, clipped: bool) -> None:
+    """What the pump cannot do is not played, unless as far as it goes."""
+    if plan.status != "complete":
+        raise SpecError.plain(f"the plan is {plan.status}: {plan.failure}")
+    if plan.is_feasible or clipped:
+        return
+    bad = [f"  {v.message}" for v in plan.verdicts if v.severity == "infeasible"]
+    raise SpecError.plain(
+        "\n".join(
+            [
+                "the pump cannot play this:",
+                *bad,
+                "`pump plan` says what to change; --clipped plays what the pump can do",
+            ]
+        )
+    )
+
+
+def _leave(ending: Ending, folder: Path) -> None:
+    """What did not end well is an error, after its files are written."""
+    kept = f"the record up to there is in {folder}"
+    if not ending.sure or ending.status == "stopped":
+        raise PumpError(f"stopped ({ending.rule or 'hold not verified'}); {kept}")
+    if ending.status == "interrupted":
+        raise InterruptedRunError(f"interrupted; {kept}")

@@ -1,0 +1,101 @@
+"""Measured laws of a bellow whose pressure falls somewhere while it swells."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.optimize import brentq
+
+from viscodesign.physics.curves import PiecewiseCubic
+
+SAMPLES = 2001
+"""Swellings at which the branch under a rising pressure is looked for."""
+
+
+@dataclass(frozen=True, eq=False)
+class SnapCurves:
+    """Pressure, curvature and stretch of one bellow against its swelling.
+
+    Swelling: volume beyond that at zero gauge, on the branch of the first rows [m3].
+    """
+
+    pressure: PiecewiseCubic
+    curvature: PiecewiseCubic
+    stretch: PiecewiseCubic
+    range: tuple[float, float]
+    """Of the swelling that was measured [m3]."""
+    filled: float
+    """Swelling at the pressure at which sealed parts are filled [m3]."""
+
+    @classmethod
+    def through(
+        cls, rows: np.ndarray, length: float, section: float, filled_at: float
+    ) -> SnapCurves:
+        """Through rows (n, 4) of pressure, area, angle and extension, the area rising.
+
+        ``length`` of the bellow and ``section`` of its section [m]; ``filled_at`` [Pa].
+        """
+        pressure, area = rows[:, 0], rows[:, 1]
+        law = PiecewiseCubic.monotone(area, pressure)
+        peak = int(np.argmax(np.diff(pressure) < 0))
+        rest = _crossing(law, area[: peak + 1], 0.0)
+        swelling = length * (area - rest)
+        angle, extension = (
+            PiecewiseCubic.monotone(swelling, rows[:, k]).zeroed().scaled(1 / section)
+            for k in (2, 3)
+        )
+        found = cls(
+            PiecewiseCubic.monotone(swelling, pressure).zeroed(),
+            angle,
+            extension,
+            (float(swelling[0]), float(swelling[-1])),
+            0.0,
+        )
+        return replace(found, filled=found._first(filled_at))
+
+    def loaded(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Swelling, curvature and stretch under pressures that are slowly raised from zero."""
+        swelling = self._swelling(pressure)
+        return swelling, self.curvature(swelling), self.stretch(swelling)
+
+    def _swelling(self, pressure: np.ndarray) -> np.ndarray:
+        """The first swelling that a pressure raised, or lowered, from zero comes to."""
+        low, high = self.range
+        up = self._met(np.maximum(pressure, 0.0), 1.0, high)
+        down = self._met(np.maximum(-pressure, 0.0), -1.0, -low)
+        return np.asarray(up - down)
+
+    def _first(self, pressure: float) -> float:
+        """The first swelling of one pressure, to round-off."""
+        near = float(self._swelling(np.array(pressure)))
+        step = (self.range[1] - self.range[0]) / SAMPLES
+        ends = near - step, near + step
+        values = [float(self.pressure(end)) - pressure for end in ends]
+        if values[0] * values[1] > 0.0:  # at the very top of a rise
+            return near
+        return float(brentq(lambda s: float(self.pressure(s)) - pressure, *ends, xtol=1e-300))
+
+    def _met(self, level: np.ndarray, side: float, end: float) -> np.ndarray:
+        """How far a bellow has swollen (side 1) or shrunk (-1) when it first meets a level.
+
+        ``level`` of pressure, and ``end`` of what was measured on that side, both >= 0.
+        """
+        span = self.range[1] - self.range[0]
+        end = max(end, 0.0)
+        last, beyond = (side * float(self.pressure(side * s)) for s in (end, end + span))
+        reach = end + 1.1 * span * max(float(np.max(level)) - last, 0.0) / (beyond - last)
+        way = np.linspace(0.0, max(reach, span / SAMPLES), SAMPLES)
+        highest = np.maximum.accumulate(side * self.pressure(side * way))
+        # Of a level stretch the bellow comes to the beginning, and then snaps to its end.
+        first = np.concatenate([[True], np.diff(highest) > 0.0])
+        return np.asarray(np.interp(level, highest[first], way[first]))
+
+
+def _crossing(law: PiecewiseCubic, area: np.ndarray, pressure: float) -> float:
+    """Where a rising stretch of a law through the points at ``area`` (n,) has a pressure."""
+    ends = [float(law(a)) - pressure for a in (area[0], area[-1])]
+    for end, value in zip(ends, (area[0], area[-1]), strict=True):
+        if abs(end) <= 1e-12 * max(map(abs, ends)):
+            return float(value)
+    return float(brentq(lambda a: float(law(a)) - pressure, area[0], area[-1], xtol=1e-300))
