@@ -34,8 +34,10 @@ class Turning(Way):
 
     def step(self, y: np.ndarray, step: np.ndarray) -> np.ndarray:
         after, chords = np.asarray(y + step), self._chords(y)
-        # Equal to the straight step in the first order.
-        after[self.positions] = _nodes(chords * np.exp(self._chords(step) / chords))
+        # Equal to the straight step in the first order. One that is beyond numbers is judged by
+        # whoever takes it, who then takes less of it.
+        with np.errstate(over="ignore", invalid="ignore"):
+            after[self.positions] = _nodes(chords * np.exp(self._chords(step) / chords))
         return after
 
     def beyond(self, before: np.ndarray, now: np.ndarray, ratio: float) -> np.ndarray:

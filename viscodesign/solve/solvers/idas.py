@@ -32,6 +32,8 @@ PART_AFTER_FAILURE = 20
 """The part of all steps allowed that each try to find the place of a failure may take."""
 SHARES = 4
 """Even shares of the steps that are left, of which one interval of many may take so many."""
+LEAST_SHARE = 256
+"""Steps that any interval may take where there are enough: a start afresh needs some."""
 TOO_MUCH_WORK = "IDA_TOO_MUCH_WORK"
 REASONS = {
     TOO_MUCH_WORK: "too many steps are needed from one output to the next",
@@ -124,7 +126,8 @@ class Idas(Solver):
         """
         left = self.problem.most_steps - work.steps
         if intervals > 1 and left > 0:
-            left = 1 << max(SHARES * left // intervals, 1).bit_length() - 1
+            share = max(SHARES * left // intervals, min(LEAST_SHARE, left // 64), 1)
+            left = 1 << share.bit_length() - 1
         return min(left, int(self.options["max_num_steps"]))
 
     def _ended(self, error: RuntimeError, edge: int, work: Work) -> SolveError:
