@@ -19,13 +19,18 @@ from viscodesign.solve.statics import Start, consistent
 from viscodesign.trajectory import Invariants
 
 STANDSTILL = 1e-3
-"""Part of what is stored below which next to nothing moves. Steps need not tell such a motion's
-energy: its balance is told where it holds, and else not told, rather than over what is stored."""
+"""Part of what is stored below which nothing of the fluid moves: round-off is told against it."""
+STILL = 1e-4
+"""Part of what is stored as energy below which next to nothing moves. Steps need not tell such a
+motion's energy: its balance is told where it holds, and else not told, rather than over what is
+stored."""
 UNSURE = 1e-4
 """Part of the work by which the solved times may misjudge what is summed over them, and the
 balance still be told."""
-ROUND_OFF = 1e-9
-"""Part of what is stored, or of what the bellows may store, below which all is round-off."""
+ROUND_OFF = 1e-8
+"""Part of what is stored below which all is round-off, and what is left of an equilibrium."""
+NOTHING = 1e-9
+"""The same of what the bellows might store."""
 MOST_STEPS_BETWEEN = 20
 """Steps between two solved times, on average, up to which these show all that happens."""
 SAME = 1e-9
@@ -258,13 +263,13 @@ class EnergyLedger:
         swing = float(np.max(self._high - self._low))
         moved = max(self._largest["pump"], self._largest["coupling"], swing)
         stored, size = self._largest["stored"], self._problem.equations.energy_size
-        scale = max(moved, ROUND_OFF * stored, ROUND_OFF * size)
+        scale = max(moved, ROUND_OFF * stored, NOTHING * size)
         # Samples that are rarer than the swings look smooth and are not.
         rare = steps > MOST_STEPS_BETWEEN * self._edges
         if (self._summed if rare else self._unsure) > UNSURE * scale:
             return None, coupled
         imbalance = self._worst / scale
-        still = moved < STANDSTILL * max(stored, STANDSTILL * size)
+        still = moved < STILL * max(stored, STILL * size)
         return None if still and imbalance > UNSURE else imbalance, coupled
 
 
