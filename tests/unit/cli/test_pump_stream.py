@@ -72,8 +72,8 @@ def test_a_dry_run_prints_packets_and_leaves_no_file(call: Call, tmp_path: Path)
 def test_what_the_pump_cannot_do_is_refused_or_clipped(call: Call, tmp_path: Path) -> None:
     high = [*SHORT, "--set", "pump.max_pressure=3 kPa gauge", "-o", tmp_path / "run", "--yes"]
     told = call("pump", "stream", SPEC, *high)
-    assert told.status == 2
-    assert "--clipped" in told.err
+    assert told.status == 4
+    assert "--achievable" in told.err
     assert not (tmp_path / "run").exists()
 
 

@@ -9,10 +9,10 @@ import typer
 
 from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
 from viscodesign.cli.pump._options import Baud, Board, DryRun, Log, Pace, Port, Yes
-from viscodesign.errors import InterruptedRunError, PumpError, SpecError, UsageError
+from viscodesign.cli.pump._playable import Achievable, refuse_unplayable
+from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 
 if TYPE_CHECKING:
-    from viscodesign.pumpplan import PumpPlan
     from viscodesign.pumps.stream import Ending
     from viscodesign.scene.scene import Scene
 
@@ -38,10 +38,7 @@ def command(
             "--on-stop", metavar="WHAT", help="At any end: hold, release (no torque), or retract."
         ),
     ] = "hold",
-    clipped: Annotated[
-        bool,
-        typer.Option("--clipped", help="Play what the pump can do where it cannot do all of it."),
-    ] = False,
+    achievable: Achievable = False,
     without_sensor: Annotated[
         bool,
         typer.Option(
@@ -90,7 +87,7 @@ def command(
     clock = way.clock()
     with progress(quiet, "planning", "planning") as advance:
         planned = plan(scene, progress=advance)
-    _refuse_infeasible(planned, clipped)
+    refuse_unplayable(planned, achievable)
     performance = Performance(
         scene=scene,
         settings=pump_of(scene),
@@ -148,24 +145,6 @@ def _with_sensor(scene: Scene, board: str, without: bool) -> Scene:
     raise UsageError(
         "the spec names no pressure sensor, so no cap would be watched: add pump.sensor, like "
         "`sensor: {channel: 0}`, or go --without-sensor and rely on the servo's torque limit"
-    )
-
-
-def _refuse_infeasible(plan: PumpPlan, clipped: bool) -> None:
-    """What the pump cannot do is not played, unless as far as it goes."""
-    if plan.status != "complete":
-        raise SpecError.plain(f"the plan is {plan.status}: {plan.failure}")
-    if plan.is_feasible or clipped:
-        return
-    bad = [f"  {v.message}" for v in plan.verdicts if v.severity == "infeasible"]
-    raise SpecError.plain(
-        "\n".join(
-            [
-                "the pump cannot play this:",
-                *bad,
-                "`pump plan` says what to change; --clipped plays what the pump can do",
-            ]
-        )
     )
 
 

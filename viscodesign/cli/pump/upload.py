@@ -9,11 +9,11 @@ import typer
 
 from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
 from viscodesign.cli.pump._options import Baud, Board, DryRun, Log, Port, Yes
+from viscodesign.cli.pump._playable import Achievable, refuse_unplayable
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 
 if TYPE_CHECKING:
     from viscodesign.cli.pump._poses import Poses
-    from viscodesign.pumpplan import PumpCourse, PumpPlan
     from viscodesign.pumps.stream import Ending
 
 EXAMPLE = """\b
@@ -49,12 +49,7 @@ def command(
         typer.Option("--picture", metavar="FILE", help="Draw wanted, played and error, as PNG."),
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite files that exist.")] = False,
-    achievable: Annotated[
-        bool,
-        typer.Option(
-            "--achievable", help="Play what the pump can do where it cannot do all of it."
-        ),
-    ] = False,
+    achievable: Achievable = False,
     log: Log = None,
     yes: Yes = False,
     dry_run: DryRun = False,
@@ -86,7 +81,8 @@ def command(
     settings = pump_of(scene)
     with progress(quiet, "planning", "planning") as advance:
         planned = plan(scene, progress=advance)
-    course = _course(planned, achievable)
+    refuse_unplayable(planned, achievable)
+    course = planned.wanted if planned.is_feasible else planned.achievable
     poses = Poses.of(scene, settings, planned, course, allowed, loop=loop, quiet=quiet)
     told: dict[str, Any] = poses.document()
     files = _write(poses, export, picture, force)
@@ -123,19 +119,6 @@ def _check(board: str, port: str | None, play: bool, loop: bool, portless: bool)
             "--port is missing, such as /dev/ttyUSB0 (`viscodesign pump ports` lists them); or "
             "--export FILE for a sketch, or --dry-run to see what would be sent"
         )
-
-
-def _course(plan: PumpPlan, achievable: bool) -> PumpCourse:
-    """What is to be played; what the pump cannot do is not, unless as far as it goes."""
-    if plan.status != "complete":
-        raise PumpError(f"the plan is {plan.status}: {plan.failure}")
-    if plan.is_feasible:
-        return plan.wanted
-    if achievable:
-        return plan.achievable
-    bad = [f"  {v.message}" for v in plan.verdicts if v.severity == "infeasible"]
-    remedy = "`pump plan` says what to change; --achievable plays what the pump can do"
-    raise PumpError("\n".join(["the pump cannot play this:", *bad, remedy]))
 
 
 def _write(poses: Poses, export: Path | None, picture: Path | None, force: bool) -> list[Path]:
