@@ -119,7 +119,7 @@ class Rig:
             self.spec,
             self.ids,
             Gauges([lambda: AMBIENT + self.reading(self.pressure)] * len(self.ids), AMBIENT),
-            Switches(self.spec.limit_switches),
+            Switches.of(self.spec, self.ids),
             self.clock,
         )
         self.wish = Wish()

@@ -22,6 +22,8 @@ from viscodesign.scene.pump import Pump as Settings
 SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
 """Counts per second of one unit of the speed register."""
 TOP_SPEED = 1023
+Pressed = dict[int, frozenset[str]]
+"""Ends whose switch is pressed, by servo."""
 TAKEN = 3
 """The goal of a servo that gets its torque may be its position of a moment later [counts]."""
 
@@ -158,7 +160,7 @@ class Pump:
             return step == 0
         return self.drive.position(self.settings.home + step) <= 0.0
 
-    def look(self) -> tuple[dict[int, ServoState], tuple[float | None, ...], frozenset[str]]:
+    def look(self) -> tuple[dict[int, ServoState], tuple[float | None, ...], Pressed]:
         """Servos, pressures [Pa gauge] and pressed switches, read now."""
         before = self.clock.now()
         states = {servo: read_servo(self.board, servo) for servo in self.servos}
