@@ -37,17 +37,23 @@ class Tap(Line):
         self.clock = line.clock
         self.rig = rig
         self.sent: list[Sent] = []
+        self.coming: Sent | None = None
+        """What is about to be sent, while something happens."""
         self.happen: Callable[[int], None] = lambda number: None
         """Called before each request with its number, from 1 on."""
         self.change: Callable[[bytes], bytes] = lambda data: data
         """What becomes of bytes that come."""
 
     def write(self, data: bytes) -> None:
-        self.happen(len(self.sent) + 1)
         (packet,) = Parser().feed(data)
-        positions = {s.get(registers.ID): s.position for s in self.rig.bench.servos}
-        self.sent.append(Sent(packet, positions, self.clock.now()))
+        self.coming = self._noted(packet)
+        self.happen(len(self.sent) + 1)
+        self.sent.append(self._noted(packet))
         self.line.write(data)
+
+    def _noted(self, packet: Packet) -> Sent:
+        positions = {s.get(registers.ID): s.position for s in self.rig.bench.servos}
+        return Sent(packet, positions, self.clock.now())
 
     def read(self, most: int, deadline: float) -> bytes:
         return self.change(self.line.read(most, deadline))

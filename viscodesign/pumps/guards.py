@@ -238,6 +238,8 @@ class ErrorBitsSet(Guard):
         for servo, state in sample.servos.items():
             if state.errors:
                 return f"servo {servo} reports: {state.complaint}"
+            if state.torque_limit == 0:
+                return f"servo {servo} shut itself off: its torque limit is 0"
         return None
 
 

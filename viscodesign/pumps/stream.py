@@ -160,7 +160,7 @@ class Stream:
         stop = watch.check(sample)
         self.pump.alarm = self.pump.alarm or stop
         if stop is None and self._untouched(heard):
-            self.pump.set_goals(goals, speeds)
+            self.pump.set_goals(goals, speeds, course.paces(elapsed))
         time = self.pump.read_at - self.origin
         self.see(Shown(time, sample, self.ticks.skipped, stop))
         return stop
