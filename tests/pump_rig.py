@@ -124,7 +124,7 @@ class Rig:
             self.board,
             self.spec,
             self.ids,
-            Gauges([lambda: AMBIENT + self.reading(self.pressure)] * len(self.ids), AMBIENT),
+            Gauges([lambda k=k: self._absolute(k) for k in range(len(self.ids))], AMBIENT),
             Switches.of(self.spec, self.ids),
             self.clock,
         )
@@ -133,10 +133,14 @@ class Rig:
         self.see: Callable[[Shown], None] = self.rows.append
         self.stream: Stream | None = None
 
-    def press(self, pressure: float) -> None:
-        """Another gauge pressure, felt by the plungers too [Pa]."""
-        self.pressure = pressure
-        self.plant.pressures = np.full(len(self.ids), pressure)
+    def _absolute(self, inlet: int) -> float:
+        return AMBIENT + self.reading(float(self.plant.pressures[inlet]))
+
+    def press(self, pressure: float, inlet: int | None = None) -> None:
+        """Another gauge pressure at an inlet or at all, felt by the plungers too [Pa]."""
+        pressures = self.plant.pressures.copy()
+        pressures[slice(None) if inlet is None else inlet] = pressure
+        self.plant.pressures = pressures
 
     def profile(self) -> Profile:
         time = np.linspace(0.0, self.duration, 61)

@@ -245,6 +245,31 @@ def test_what_a_tick_reads_stops_the_pump(rule: str, trouble: Callable[[Rig], No
             promises(rig, hold="shut itself off" not in str(ending.standing))
 
 
+SWITCHES = {
+    "left": {"low": "D1", "high": "D2"},
+    "right": {"low": "D3", "high": "D4"},
+}
+
+
+@pytest.mark.parametrize("inlet", [0, 1])
+@pytest.mark.parametrize(
+    ("rule", "trouble"),
+    [
+        ("pressure_cap", lambda rig, inlet: rig.press(26e3, inlet)),
+        ("limit_switch", lambda rig, inlet: rig.pins.update({f"D{2 + 2 * inlet}": True})),
+    ],
+)
+def test_each_inlet_is_watched(rule: str, trouble: Callable[[Rig, int], None], inlet: int) -> None:
+    for moment in range(3, 90, 5):
+        pins = dict.fromkeys(("D1", "D2", "D3", "D4"), False)
+        rig = Rig((1, 2), settings={"limit_switches": SWITCHES}, pins=pins)
+        streamed(rig, at(moment, lambda rig=rig: trouble(rig, inlet)))  # type: ignore[misc]
+        ending = rig.play_armed()
+        assert (ending.status, ending.rule) == ("stopped", rule), (moment, ending)
+        assert f"servo {rig.ids[inlet]}" in ending.reason
+        promises(rig)
+
+
 def test_an_overload_is_told_and_the_torque_limit_is_not_given_back() -> None:
     for moment in MOMENTS:
         rig = Rig()
