@@ -1,132 +1,39 @@
-"""Balances that must hold in every run: amount of fluid, and energy."""
+"""Balances that must hold in every run: amount of fluid, and energy.
+
+Both are kept in a ledger that is told consecutive rows, as many at a time as there are.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
 from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm
-from viscodesign.solve.problem import Problem
-from viscodesign.solve.solvers.base import Work
-from viscodesign.solve.transient import Solution
+from viscodesign.model.work import FORCE_AND_PATH
+from viscodesign.path_integral import group_ends, path_integrals
+from viscodesign.solve.problem import Problem, evaluate_at
+from viscodesign.solve.statics import Start, consistent
 from viscodesign.trajectory import Invariants
 
 STANDSTILL = 1e-3
-"""Part of what is stored below which a motion counts as none in the balances."""
-ENERGY_NOISE = 1e-4
-"""Part of the work by which the output grid may misjudge a work integral and still be told."""
-
+"""Part of what is stored below which next to nothing moves. Steps need not tell such a motion's
+energy: its balance is told where it holds, and else not told, rather than over what is stored."""
+UNSURE = 1e-4
+"""Part of the work by which the solved times may misjudge what is summed over them, and the
+balance still be told."""
+ROUND_OFF = 1e-9
+"""Part of what is stored, or of what the bellows may store, below which all is round-off."""
 MOST_STEPS_BETWEEN = 20
-"""Steps between two outputs, on average, up to which these show all that happens."""
-FLOW_NOISE = 1e-6
-"""Part of what flowed in by which its integral may differ from what it fills."""
+"""Steps between two solved times, on average, up to which these show all that happens."""
+SAME = 1e-9
+"""Part of its size by which an input may differ between both sides of a corner and not jump."""
 
 ENERGIES = ("fluid_energy", "kinetic_energy", "load_energy", "elastic_energy")
 
 Rows = Mapping[str, np.ndarray]
-
-
-def holding_columns(problem: Problem, component: Component) -> list[int]:
-    """Where a component's nodes stand among those that hold fluid."""
-    own = set(component.nodes)
-    names = [*problem.bellows_along_tubes, *problem.equations.storing]
-    return [k for k, name in enumerate(names) if name in own]
-
-
-def _energy_imbalance(
-    problem: Problem, solution: Solution, rows: Rows, end: int
-) -> tuple[float | None, float | None]:
-    """Energy balance over the work done, and the work of unpaired coupling [J].
-
-    Work that pressures do through an unpaired volume, and through the whole volume
-    where one pressure is shared, is integrated over the solved times; where they are
-    too coarse for it the balance is not told.
-    """
-    if end < 5:
-        return None, None
-    every = np.arange(0, end, 2)
-    energies = [rows[name][every, 0] for name in ENERGIES if name in rows]
-    stored = np.sum(energies, axis=0)
-    pressure, unpaired = rows["pressure"][:end], rows["unpaired_volume"][:end]
-    coupling, noise = _work(unpaired, pressure)
-    carried, carried_noise = _work(rows["carried_energy"][:end], rows["stored"][:end])
-    integrals = dict(zip(problem.equations.rates, solution.integrals[:, every], strict=True))
-    if "pump_power" in integrals and _tells_flows(problem, solution, end):
-        pump = integrals["pump_power"] - integrals["tube_loss"]
-        scale = float(np.max(np.abs(integrals["pump_power"])))
-    else:
-        pump, pump_noise = _work(rows["specific_work"][:end], rows["stored"][:end])
-        plunger, plunger_noise = _work(rows["plunger_pressure"][:end], rows["pushed"][:end])
-        pump = pump + plunger
-        noise = noise + pump_noise + plunger_noise
-        scale = float(np.max(np.abs(pump)))
-    lost = integrals.get("material_loss", np.zeros(len(every)))
-    scale = max(
-        scale,
-        # Where nothing comes in, energies turn into each other.
-        *(float(np.ptp(energy)) for energy in energies),
-        float(np.max(np.abs(coupling))),
-        STANDSTILL * float(np.max(np.abs(stored))),
-        STANDSTILL**2 * _usual_energy(problem),
-    )
-    if scale == 0.0:
-        return 0.0, 0.0
-    coupled = float(coupling[-1]) if np.any(unpaired) else None
-    noise = noise + carried_noise
-    # Samples that are rarer than the swings look smooth and are not.
-    rare = noise > 0.0 and solution.work.steps > MOST_STEPS_BETWEEN * end
-    if rare or noise > ENERGY_NOISE * scale:
-        return None, coupled
-    imbalance = stored - stored[0] - pump + lost - coupling - carried
-    return float(np.max(np.abs(imbalance))) / scale, coupled
-
-
-def _usual_energy(problem: Problem) -> float:
-    """What the bellows hold at the pressures that the scene is about [J]."""
-    states, algebraics = problem.equations.states.blocks, problem.equations.algebraics.blocks
-    if "volume" not in states or "pressure" not in algebraics:
-        return 0.0
-    return len(problem.bellows) * float(np.max(states["volume"].size * algebraics["pressure"].size))
-
-
-def _tells_flows(problem: Problem, solution: Solution, end: int) -> bool:
-    """Whether flows are more than round-off of the pressures that drive them.
-
-    Through tubes that hardly resist, they follow from tiny differences of pressures: what
-    they fill is known far better than they are themselves. The work is read from that, then,
-    and the balance no longer sees an error of the pump's or the tubes': in a linear network
-    it holds by itself.
-    """
-    equations = problem.equations
-    if "inflow" not in equations.states.blocks:
-        return True
-    filled = equations.states.physical("inflow", solution.states)[:, :end].sum(axis=0)
-    flowed = solution.integrals[list(equations.rates).index("flow"), :end]
-    apart = np.max(np.abs(filled - filled[0] - (flowed - flowed[0])))
-    return bool(apart <= FLOW_NOISE * np.max(np.abs(filled - filled[0]), initial=0.0))
-
-
-def _work(force: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, float]:
-    """Running integral of force d(path), summed over columns, at every second row.
-
-    The trapezoidal rule on all rows and on every second one, extrapolated to nothing
-    between them (Richardson); the second value is how far that still is uncertain, by
-    the next doubling.
-    """
-    fine, coarse = (_trapezoids(force, path, step) for step in (1, 2))
-    coarsest = _trapezoids(force, path, 4)
-    best = (4 * fine[::2] - coarse) / 3
-    worse = (4 * coarse[::2] - coarsest) / 3
-    return best, float(np.max(np.abs(best[::2] - worse))) / 15
-
-
-def _trapezoids(force: np.ndarray, path: np.ndarray, step: int) -> np.ndarray:
-    some, way = force[::step], path[::step]
-    parts = np.sum((some[1:] + some[:-1]) / 2 * np.diff(way, axis=0), axis=1)
-    return np.concatenate([[0.0], np.cumsum(parts)])
 
 
 @dataclass(frozen=True)
@@ -142,48 +49,21 @@ class Block:
 
 
 class Ledger:
-    """Both balances of a run, told block by block."""
+    """Both balances of a run, kept up from block to block."""
 
     def __init__(self, problem: Problem) -> None:
-        self._problem = problem
         self._fluid = FluidLedger(problem)
-        self._kept: list[Block] = []
-        self._edges = 0
+        self._energy = EnergyLedger(problem)
 
     def add(self, block: Block) -> None:
         """Take in the edges that follow those before."""
         self._fluid.add(block)
-        self._edges += block.states.shape[1]
-        told = {name: block.rows[name] for name in ASKED_FOR if name in block.rows}
-        # Of what is more than can be held the balance of energy is not told.
-        is_held = self._edges <= MOST_EDGES
-        self._kept = [*self._kept, replace(block, rows=told)] if is_held else []
+        self._energy.add(block)
 
     def invariants(self, steps: int) -> Invariants:
         """What holds over all edges told, to which an integrator came in ``steps``."""
-        if not self._kept:
-            return Invariants(self._fluid.imbalance(), None, None)
-        kept = self._kept
-        states = np.concatenate([block.states for block in kept], axis=1)
-        integrals = np.concatenate([block.integrals for block in kept], axis=1)
-        rows = {n: np.concatenate([block.rows[n] for block in kept]) for n in kept[0].rows}
-        solution = Solution(states, states[:0], integrals, self._edges, Work(steps=steps))
-        energy, coupling = _energy_imbalance(self._problem, solution, rows, self._edges)
+        energy, coupling = self._energy.balance(steps)
         return Invariants(self._fluid.imbalance(), energy, coupling)
-
-
-MOST_EDGES = 50_000
-"""Edges over which work is summed up at once."""
-ASKED_FOR = (
-    *ENERGIES,
-    "pressure",
-    "unpaired_volume",
-    "carried_energy",
-    "stored",
-    "specific_work",
-    "plunger_pressure",
-    "pushed",
-)
 
 
 class FluidLedger:
@@ -246,3 +126,230 @@ class FluidLedger:
         scale = np.full(len(self._apart), moved)
         scale[: len(self._fed)] = np.maximum(moved, self._inflow)
         return float(np.max(self._apart / scale, initial=0.0)) if moved else 0.0
+
+
+def holding_columns(problem: Problem, component: Component) -> list[int]:
+    """Where a component's nodes stand among those that hold fluid."""
+    own = set(component.nodes)
+    names = [*problem.bellows_along_tubes, *problem.equations.storing]
+    return [k for k, name in enumerate(names) if name in own]
+
+
+class EnergyLedger:
+    """Energy stored, less all work done; what an integrator cannot integrate is summed here.
+
+    Where an input jumps and pressures follow at once, the model does not say what the jump
+    costs: the balance then holds on each side of it.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._table = EnergyTable(problem)
+        pieces = problem.schedule.pieces
+        self._stretches = np.array([0, *pieces.changes, len(pieces)])
+        """Edges at which a stretch of smooth input begins, and the last of all."""
+        uniform = problem.equations.network_form is NetworkForm.UNIFORM
+        # Else what is stored are states, and what jumps is no part of the ledger.
+        self._may_jump = uniform or "plunger" in problem.equations.ways
+        self._stretch = 0
+        """Number of the one at hand."""
+        self._first = 0
+        """Edge of the first row kept."""
+        self._kept = np.zeros((0, self._table.width))
+        """Rows from the end of the last whole group of intervals on."""
+        self._opening: np.ndarray | None = None
+        """The row in which the stretch at hand began."""
+        self._edges = 0
+        self._summed = self._unsure = 0.0
+        self._off = self._worst = 0.0
+        self._works = dict.fromkeys(FORCE_AND_PATH, 0.0)
+        self._largest = {"pump": 0.0, "coupling": 0.0, "stored": 0.0}
+        self._low, self._high = np.full((2, len(ENERGIES)), [[np.inf], [-np.inf]])
+        self._is_coupled = False
+
+    def add(self, block: Block) -> None:
+        """Take in the edges that follow those before."""
+        time = self._problem.schedule.edges[block.first :][: block.integrals.shape[1]]
+        rows = self._table.of(time, block.rows, block.integrals)
+        self._note_sizes(rows, block)
+        at_hand = np.concatenate([self._kept, rows])
+        if self._opening is None:
+            self._opening = rows[0]
+        last = block.first + len(rows) - 1
+        while True:
+            end = self._stretches[self._stretch + 1]
+            ends = self._ends(int(end), last)
+            if len(ends):
+                self._close(at_hand, np.concatenate([[0], ends - self._first]))
+                at_hand, self._first = at_hand[ends[-1] - self._first :], int(ends[-1])
+            if self._first < end or self._stretch + 2 == len(self._stretches):
+                break
+            at_hand[0] = self._after(block, int(end), at_hand[0])
+            self._opening = at_hand[0].copy()
+            self._stretch += 1
+        self._kept = at_hand
+
+    def _ends(self, stretch_end: int, last: int) -> np.ndarray:
+        """Ends of the whole groups that follow, up to the last edge told."""
+        if self._table.sums:
+            return group_ends(self._first, stretch_end, last)
+        return np.arange(self._first + 1, min(stretch_end, last) + 1)
+
+    def _note_sizes(self, rows: np.ndarray, block: Block) -> None:
+        """What is the scale of an imbalance."""
+        energies = self._table.energies(rows)
+        self._edges += len(rows)
+        self._low = np.minimum(self._low, energies.min(axis=0))
+        self._high = np.maximum(self._high, energies.max(axis=0))
+        self._note("stored", energies.sum(axis=1))
+        self._is_coupled |= bool(np.any(block.rows["unpaired_volume"]))
+
+    def _note(self, name: str, values: np.ndarray) -> None:
+        self._largest[name] = max(self._largest[name], float(np.max(np.abs(values))))
+
+    def _close(self, rows: np.ndarray, cuts: np.ndarray) -> None:
+        """Take in whole groups of intervals of a stretch, which end at rows ``cuts``."""
+        table, opening = self._table, self._opening
+        assert opening is not None
+        works: dict[str, np.ndarray] = {}
+        ends = rows[cuts]
+        for name in FORCE_AND_PATH:
+            told = table.told(name, ends)
+            parts, unsure = table.summed(name, rows, cuts)
+            summed = np.concatenate([[0.0], np.cumsum(parts)])
+            works[name] = self._works[name] + told - told[0] + summed
+            self._summed += float(np.abs(parts).sum())
+            self._unsure += float(unsure.sum())
+            self._works[name] = float(works[name][-1])
+        stored, lost = table.energies(ends).sum(axis=1), table.lost(ends)
+        done = sum(works.values(), np.zeros(len(ends)))
+        gained = (stored - stored[0]) + (lost - lost[0]) - (done - done[0])
+        off = self._off + gained
+        self._worst = max(self._worst, float(np.max(np.abs(off))))
+        self._off = float(off[-1])
+        self._note("pump", works["pump"] + works["plunger"])
+        self._note("coupling", works["coupling"])
+
+    def _after(self, block: Block, edge: int, row: np.ndarray) -> np.ndarray:
+        """The row with which a stretch begins: another than ended the one before, at a jump."""
+        problem, k = self._problem, edge - block.first
+        if not self._may_jump:
+            return row
+        states, schedule = block.states[:, k], problem.schedule
+        before = Start(states, block.algebraics[:, k])
+        time, piece = float(schedule.edges[edge]), schedule.pieces[edge]
+        if not _jumps(block.rows, k, evaluate_at(problem, states, before.algebraics, time, piece)):
+            return row
+        instant = time, schedule.pieces[edge - 1]
+        found = consistent(problem, before, time, piece, instant)
+        after = evaluate_at(problem, states, found.algebraics, time, piece)
+        for name in ("pressure", "unpaired_volume"):
+            after[name] = after[name][:, problem.places]
+        rows = self._table.of(row[:1], after, block.integrals[:, k : k + 1])
+        return np.asarray(rows[0])
+
+    def balance(self, steps: int) -> tuple[float | None, float | None]:
+        """Imbalance over the work done, and the work of unpaired coupling [J]."""
+        if len(self._kept) > 1:  # the run ended within a group
+            self._close(self._kept, np.array([0, len(self._kept) - 1]))
+            self._kept = self._kept[-1:]
+        coupled = self._works["coupling"] if self._is_coupled else None
+        # Where nothing comes in, energies turn into each other.
+        swing = float(np.max(self._high - self._low))
+        moved = max(self._largest["pump"], self._largest["coupling"], swing)
+        stored, size = self._largest["stored"], self._problem.equations.energy_size
+        scale = max(moved, ROUND_OFF * stored, ROUND_OFF * size)
+        # Samples that are rarer than the swings look smooth and are not.
+        rare = steps > MOST_STEPS_BETWEEN * self._edges
+        if (self._summed if rare else self._unsure) > UNSURE * scale:
+            return None, coupled
+        imbalance = self._worst / scale
+        still = moved < STANDSTILL * max(stored, STANDSTILL * size)
+        return None if still and imbalance > UNSURE else imbalance, coupled
+
+
+def _jumps(rows: Rows, k: int, after: Rows) -> bool:
+    """Whether any inlet has another value after a corner, at row ``k``, than before."""
+    for name in ("inlet_pressure", "pushed"):
+        apart = np.abs(after[name][0] - rows[name][k])
+        if np.any(apart > SAME * np.max(np.abs(rows[name]), initial=0.0)):
+            return True
+    return False
+
+
+class EnergyTable:
+    """What the energy balance needs of every edge, as one row of numbers."""
+
+    def __init__(self, problem: Problem) -> None:
+        equations = problem.equations
+        self._size = equations.energy_size
+        self._rates = list(equations.rates)
+        self._by_parts: dict[str, np.ndarray] = {}
+        self._sampled: dict[str, np.ndarray] = {}
+        for name, way in equations.ways.items():
+            order = problem.places if name == "coupling" else slice(None)
+            self._by_parts[name] = np.flatnonzero(way.by_parts[order])
+            self._sampled[name] = np.flatnonzero(way.sampled[order])
+        self.sums = any(map(len, self._sampled.values()))
+        """Whether anything is summed over rows, rather than integrated."""
+        self._spans: dict[str, slice] = {}
+        self.width = 0
+        for part, count in self._parts():
+            self._spans[part] = slice(self.width, self.width + count)
+            self.width += count
+
+    def _parts(self) -> Iterator[tuple[str, int]]:
+        yield from (("time", 1), ("energies", len(ENERGIES)), ("integrals", len(self._rates)))
+        for name, which in self._by_parts.items():
+            yield from (("ends of " + name, int(len(which) > 0)),)
+        for name, which in self._sampled.items():
+            yield from (("force of " + name, len(which)), ("path of " + name, len(which)))
+
+    def of(self, time: np.ndarray, values: Rows, integrals: np.ndarray) -> np.ndarray:
+        """Rows (m, width) of edges whose outputs are (m, n), whose integrals (nq, m)."""
+        rows = np.zeros((len(time), self.width))
+        rows[:, self._spans["time"]] = time[:, None]
+        rows[:, self._spans["integrals"]] = self._size * integrals.T
+        first = self._spans["energies"].start
+        for k, name in enumerate(ENERGIES, start=first):
+            if name in values:
+                rows[:, k] = values[name][:, 0]
+        for name, (force, path) in FORCE_AND_PATH.items():
+            if name not in self._sampled:
+                continue
+            parts, sampled = self._by_parts[name], self._sampled[name]
+            if len(parts):
+                product = values[force][:, parts] * values[path][:, parts]
+                rows[:, self._spans["ends of " + name]] = product.sum(axis=1, keepdims=True)
+            rows[:, self._spans["force of " + name]] = values[force][:, sampled]
+            rows[:, self._spans["path of " + name]] = values[path][:, sampled]
+        return rows
+
+    def energies(self, rows: np.ndarray) -> np.ndarray:
+        """Stored (m, kinds) [J]."""
+        return np.asarray(rows[:, self._spans["energies"]])
+
+    def lost(self, rows: np.ndarray) -> np.ndarray:
+        """Lost since the start (m,) [J]."""
+        lost = self._integral("tube_loss", rows) + self._integral("material_loss", rows)
+        return np.asarray(lost)
+
+    def told(self, work: str, rows: np.ndarray) -> np.ndarray:
+        """A work as far as it needs no sum over rows (m,) [J], up to a constant."""
+        ends = self._spans.get("ends of " + work, slice(0, 0))
+        return np.asarray(self._integral(work, rows) + rows[:, ends].sum(axis=1))
+
+    def summed(
+        self, work: str, rows: np.ndarray, cuts: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The rest of it between rows ``cuts`` (g + 1,), and its uncertainty (g,) [J]."""
+        span = self._spans.get("force of " + work, slice(0, 0))
+        if span.start == span.stop:
+            return np.zeros(len(cuts) - 1), np.zeros(len(cuts) - 1)
+        force, path = rows[:, span], rows[:, self._spans["path of " + work]]
+        return path_integrals(rows[:, 0], force, path, cuts)
+
+    def _integral(self, rate: str, rows: np.ndarray) -> np.ndarray:
+        if rate not in self._rates:
+            return np.zeros(len(rows))
+        return np.asarray(rows[:, self._spans["integrals"].start + self._rates.index(rate)])

@@ -16,6 +16,7 @@ from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES, Body
 from viscodesign.model.system import Source, Syringe, System
 from viscodesign.model.unknowns import Sizes
+from viscodesign.sampling import with_samples
 from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Pieces, Problem, Schedule
@@ -73,6 +74,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         scene.ambient_pressure,
         settings.edges_per_section,
     )
+    system.wide = _wide_tubes(conditions)
     for effect in effects:
         effect.join(system)
     sizes = Sizes(
@@ -88,11 +90,31 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
         bellows=conditions.graph.bellows,
         bellows_along_tubes=conditions.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
-        schedule=schedule(scene),
+        schedule=with_samples(schedule(scene), equations, scene.run.start == "rest"),
         floor_volume=_floor(conditions, effects),
         most_steps=scene.run.max_steps,
         flow_shares=_flow_shares(conditions, equations.network_form),
     )
+
+
+HARDLY_RESISTS = 3e-3
+"""Time in which a tube fills one bellow, in times of the input's swing, below which the flow
+through it is an unknown of its own. At the tolerances of the default accuracy (1e-5 of the
+pressure) an error of pressure would pass for 1/300 of that flow."""
+MOST_RESIST = 0.75
+"""Part of the tubes that bound the flow through the others."""
+
+
+def _wide_tubes(conditions: Conditions) -> frozenset[str]:
+    """Tubes whose flow the input's swing, or the other tubes, bound far more than they do."""
+    if not conditions.resistances:
+        return frozenset()
+    swing = min(conditions.scales.t_i, conditions.scene.run.duration)
+    filling = swing / conditions.bellow.compliance
+    resistances = conditions.resistances
+    others = np.quantile(list(resistances.values()), MOST_RESIST, method="nearest")
+    least = HARDLY_RESISTS * max(filling, float(others))
+    return frozenset(name for name, value in resistances.items() if value < least)
 
 
 INEXTENSIBLE = 30.0

@@ -79,6 +79,7 @@ def simulate(
     found = _trajectory(conditions, selection.verdicts, run)
     return replace(
         found,
+        warnings=(*found.warnings, *_uncertain_flows(found, verifier)),
         status=status,
         failure=failure,
         accuracy=accuracy,
@@ -170,6 +171,25 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
         version=__version__,
         ambient_pressure=scene.ambient_pressure,
         settings=_settings(run),
+    )
+
+
+FLOWS_UNSURE = 0.02
+"""Estimated error of a flow, of the largest in the network, that is warned of."""
+
+
+def _uncertain_flows(found: Trajectory, verifier: Verifier) -> Iterator[Notice]:
+    """A warning where smaller steps move the flows, however still the tip stays."""
+    apart = verifier.flows_apart
+    if apart is None or LEFT_BY_TIME * apart.share <= FLOWS_UNSURE:
+        return
+    tube = found.tubes[apart.tube]
+    yield Notice(
+        "uncertain_flows",
+        f"the flow through {tube} is uncertain by {LEFT_BY_TIME * apart.share:.2g} of the largest "
+        "flow there is: ask for more accuracy where flows matter",
+        tube,
+        float(found.time[apart.row]),
     )
 
 

@@ -80,6 +80,27 @@ def _problem(conditions: Conditions, effects: Sequence[Effect], settings: Settin
     return conditions.problems[key]
 
 
+@dataclass(frozen=True)
+class FlowDifference:
+    """Where the flows of two solutions are farthest apart."""
+
+    share: float
+    """Of the largest flow of all."""
+    tube: int
+    row: int
+
+
+def flow_difference(coarse: Motion, fine: Motion) -> FlowDifference | None:
+    """Largest difference of any tube's flow over the output times that both reached."""
+    both = min(len(coarse.flow), len(fine.flow))
+    largest = float(np.max(np.abs(fine.flow[:both]), initial=0.0))
+    if largest == 0.0:
+        return None
+    apart = np.abs(coarse.flow[:both] - fine.flow[:both])
+    row, tube = np.unravel_index(int(np.argmax(apart)), apart.shape)
+    return FlowDifference(float(apart[row, tube]) / largest, int(tube), int(row))
+
+
 def tip_difference(coarse: Motion, fine: Motion) -> float:
     """Largest distance between two tips over the output times that both reached [m]."""
     both = min(len(coarse.tip), len(fine.tip))

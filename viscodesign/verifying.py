@@ -22,7 +22,14 @@ from dataclasses import dataclass, replace
 from viscodesign.build import Settings
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
-from viscodesign.solving import Progress, Run, solve, tip_difference
+from viscodesign.solving import (
+    FlowDifference,
+    Progress,
+    Run,
+    flow_difference,
+    solve,
+    tip_difference,
+)
 
 MAX_REFINEMENTS = 6
 """Solutions beyond the first after which a run is given up as not reaching its accuracy."""
@@ -43,6 +50,10 @@ are tried."""
 ENERGY_LIMIT = 1e-4
 """Imbalance of energy, over the work done, above which smaller steps are tried once the tip is
 exact enough: a motion that looks right may still lose or gain what it should keep."""
+MOST_LEFT = 0.8
+"""Part of the least imbalance so far that smaller steps may leave, or they were no use."""
+MOST_STUCK = 2
+"""Solutions in a row that were no use, after which no more are tried: by chance one may be."""
 
 
 @dataclass(frozen=True)
@@ -80,6 +91,8 @@ class Verifier:
         """Of all solutions together."""
         self.stalled = ""
         """Why further refinement is no use, where it is none."""
+        self.flows_apart: FlowDifference | None = None
+        """How far the last cut of the tolerance moved the flows."""
         self._apart: dict[str, float] = {}
         self._growing = 0
         self.interrupted = False
@@ -101,7 +114,8 @@ class Verifier:
         """The finest solution, and its error; None where one of them ended early."""
         space_m = 0.0 if run.is_exact_in_space else None
         time_m: float | None = None
-        lost = math.inf  # imbalance of energy that smaller steps are to lessen
+        lost = math.inf  # least imbalance of energy, that smaller steps are to lessen
+        stuck = 0
         while self.solutions <= MAX_REFINEMENTS and not self.stalled:
             if run.solution.asked_to_stop:
                 self.interrupted = True
@@ -121,6 +135,8 @@ class Verifier:
             if not finer.is_complete:
                 return finer, None
             apart = tip_difference(run.motion, finer.motion)
+            if not in_space:
+                self.flows_apart = flow_difference(run.motion, finer.motion)
             run = finer
             self._watch_shrinking("space" if in_space else "time", apart)
             if in_space:
@@ -134,9 +150,10 @@ class Verifier:
             solved_m = time_m + space_m
             if parts.total_m <= self.requested_m or solved_m <= self._negligible():
                 imbalance = run.motion.invariants.energy_imbalance_rel or 0.0
-                if imbalance <= ENERGY_LIMIT or imbalance > lost / 2:
+                stuck = stuck + 1 if imbalance > MOST_LEFT * lost else 0
+                if imbalance <= ENERGY_LIMIT or stuck >= MOST_STUCK:
                     return run, parts
-                lost = imbalance
+                lost = min(lost, imbalance)
         if time_m is None or space_m is None:
             return run, None
         return run, ErrorParts(time_m, space_m, self.omitted_m)

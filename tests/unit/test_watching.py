@@ -84,3 +84,4 @@ def test_balances_that_do_not_hold_are_told() -> None:
         assert broken.quantity == quantity
     assert [n.code for n in doubted_balance(Invariants(0.0, 0.1))] == ["energy_imbalance"]
     assert not list(doubted_balance(Invariants(0.0, 1e-3)))
+    assert broken_balance(Invariants(0.0, 0.09), 1.0) is None

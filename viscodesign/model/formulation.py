@@ -34,12 +34,15 @@ from viscodesign.model.network_equations import NetworkEquations, NetworkForm
 from viscodesign.model.rod_equations import RodEquations, RodForm
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes, SizeSymbols, Unknowns, column, substitute
+from viscodesign.model.work import Clock, Way, rates_and_ways
 
 SX = ca.SX
 
 
 MOST_KEPT = 16
 """Structures whose formulas are kept for the next scene of the same kind."""
+NUMBERS = 6
+"""Of what follows from the parameters alone, before the sizes of the unknowns."""
 MOST_COMPILED = 12
 """Compiled functions that are kept with each."""
 
@@ -60,7 +63,13 @@ class Formulas:
     ode: SX
     alg: SX
     rates: dict[str, SX]
-    """Powers and flows whose integrals the balances need."""
+    """Powers whose integrals the balances need [W]; those of time alone stand last."""
+    quadrature: SX
+    """The first of them, over the size of an energy: what an integrator integrates."""
+    timed_quadrature: SX
+    """The rest, which are formulas of the time."""
+    ways: dict[str, Way]
+    """How works of forces along paths are integrated, by name."""
     function: ca.Function
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> (ode, alg)."""
     static_function: ca.Function
@@ -72,7 +81,7 @@ class Formulas:
     """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
     quantity_function: ca.Function
     """parameters -> (sealed_volumes, rest_amounts, filled_amounts, motion time, swing time,
-    and the sizes of all blocks of states, algebraics and statics)."""
+    energy size, and the sizes of all blocks of states, algebraics and statics)."""
     fed: tuple[Component, ...]
     driven: tuple[str, ...]
     """Inlets whose pressure is given, in the order of the state `inflow`."""
@@ -87,9 +96,9 @@ class Formulas:
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
         found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
-        sealed, rest, filled, motion, swing = found[:5]
+        sealed, rest, filled, motion, swing, energy = found[:NUMBERS]
         groups = [self.states, self.algebraics, self.statics]
-        ends = 5 + np.cumsum([0, *(len(group.blocks) for group in groups)])
+        ends = NUMBERS + np.cumsum([0, *(len(group.blocks) for group in groups)])
         sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
         own = {f.name: getattr(self, f.name) for f in fields(self)}
         names = ("states", "algebraics", "statics")
@@ -101,6 +110,7 @@ class Formulas:
             filled_amounts=filled,
             swing_time=float(swing[0]),
             motion_time=float(motion[0]),
+            energy_size=float(energy[0]),
         )
 
 
@@ -119,6 +129,8 @@ class Equations(Formulas):
     """Time in which the inlets may change by all of their pressure [s]."""
     motion_time: float
     """Time in which the rod moves by itself: the size of its velocities is length over it [s]."""
+    energy_size: float
+    """By which energies are divided in `quadrature` [J]."""
 
 
 _kept: Latest[Formulas] = Latest(MOST_KEPT)
@@ -170,8 +182,8 @@ class _Formulation:
             expressions = substitute(expressions, step)
         return expressions
 
-    def _balances(self) -> tuple[list[SX], dict[str, SX], dict[str, SX]]:
-        """(ode, alg), rates and outputs, in the unknowns."""
+    def _balances(self) -> tuple[list[SX], dict[str, SX], dict[str, SX], dict[str, Way]]:
+        """(ode, alg), rates, outputs and ways of works, in the unknowns."""
         network, rod = self.network.dynamics(), self.rod.dynamics()
         rates = self.network.rates() | self.rod.rates()
         outputs = self.network.outputs(self.rod.conjugate_volumes()) | self.rod.outputs()
@@ -179,11 +191,25 @@ class _Formulation:
         groups = (self.states, self.algebraics)
         resolved = self._resolve([*sides, *rates.values(), *outputs.values()], groups)
         count = 2 + len(rates)
-        return (
-            list(ca.cse(resolved[:2])),
-            dict(zip(rates, resolved[2:count], strict=True)),
-            dict(zip(outputs, resolved[count:], strict=True)),
-        )
+        rates = dict(zip(rates, resolved[2:count], strict=True))
+        outputs = dict(zip(outputs, resolved[count:], strict=True))
+        x, z = self.states.vector, self.algebraics.vector
+        clock = Clock(self.system.time, x, z, resolved[0])
+        works, ways = rates_and_ways(clock, outputs, self.network.works())
+        rates = {name: rate for name, rate in (rates | works).items() if not rate.is_zero()}
+        timed = {name for name, rate in rates.items() if not ca.depends_on(rate, ca.vertcat(x, z))}
+        rates = dict(sorted(rates.items(), key=lambda item: item[0] in timed))
+        return list(ca.cse(resolved[:2])), rates, outputs, ways
+
+    def _quadratures(self, rates: dict[str, SX]) -> tuple[SX, SX]:
+        """Rates over the size of an energy: that depend on unknowns, and on time alone."""
+        unknowns, size = ca.vertcat(self.states.vector, self.algebraics.vector), self._energy_size()
+        scaled = [rate / size for rate in rates.values()]
+        moving = [rate for rate in scaled if ca.depends_on(rate, unknowns)]
+        return column(moving), column(scaled[len(moving) :])
+
+    def _energy_size(self) -> SX:
+        return self.network.energy_size() + self.rod.energy_size()
 
     def _statics(self) -> list[SX]:
         rod = self.system.rod
@@ -203,6 +229,7 @@ class _Formulation:
             self.network.filled_amounts(nodes),
             self.sizes.time,
             self.sizes.swing,
+            self._energy_size(),
             *(
                 size
                 for group in (self.states, self.algebraics, self.statics)
@@ -212,7 +239,8 @@ class _Formulation:
 
     def formulas(self) -> Formulas:
         """Assemble, resolve and compile."""
-        (ode, alg), rates, outputs = self._balances()
+        (ode, alg), rates, outputs, ways = self._balances()
+        quadrature, timed = self._quadratures(rates)
         static, *static_values = self._statics()
         system, network = self.system, self.network
         quantities = self._quantities()
@@ -237,6 +265,9 @@ class _Formulation:
             ode=ode,
             alg=alg,
             rates=rates,
+            quadrature=quadrature,
+            timed_quadrature=timed,
+            ways=ways,
             function=ca.Function("balances", [x, z, *tail], [ode, alg]),
             static_function=ca.Function(
                 "equilibrium", [y, *tail], [static, ca.jacobian(static, y), *static_values]

@@ -16,6 +16,8 @@ from viscodesign.model.unknowns import SizeSymbols, Unknowns, column, substitute
 SX = ca.SX
 
 
+UNTESTED = 1e6
+"""Factor to the size of an unknown by which no error of it counts."""
 SNAPS_AT_ONCE = (
     "bellows.curve: between some of its rows the pressure falls as the bellow swells; it snaps "
     "there, as fast as the tubes let it. Let effects.pressure_distribution be on or auto."
@@ -33,7 +35,9 @@ class NetworkEquations:
     """Unknowns, balances and outputs of the network.
 
     A tube whose loss is proportional to its flow needs no unknown: its flow is a
-    formula. Any other loss makes the flow an algebraic unknown, inertance a state.
+    formula. Any other loss makes the flow an algebraic unknown, inertance a state. So is the
+    flow through a tube that hardly resists: it follows from what the bellows take, then, where
+    a formula would make a flow of every error of the pressures.
     """
 
     def __init__(self, system: System, sizes: SizeSymbols) -> None:
@@ -50,7 +54,8 @@ class NetworkEquations:
         tubes = system.graph.tubes if self.form is NetworkForm.DISTRIBUTED else ()
         curved = self._measure_losses(tubes)
         self.inertial = [t for t in tubes if t.name in system.inertance]
-        self.implicit = [t for t in tubes if t.name in curved - set(system.inertance)]
+        implicit = (curved | system.wide) - set(system.inertance)
+        self.implicit = [t for t in tubes if t.name in implicit]
         self._unknown = {t.name for t in (*self.inertial, *self.implicit)}
         self.explicit = [t for t in tubes if t.name not in self._unknown]
         self.dependent = self._dependent_flows()
@@ -120,7 +125,7 @@ class NetworkEquations:
             unknowns.add("pressure", column(list(system.pressure.values())), size)
             unknowns.add("junction_pressure", column(list(system.junction_pressure.values())), size)
             unknowns.add("syringe_pressure", column(self._syringe_pressures()), size)
-        algebraics.add("flow", self._flows(implicit), self._flow_sizes(implicit))
+        algebraics.add("flow", self._flows(implicit), self._untested_sizes(implicit))
         free = [*inertial, *implicit]
         statics.add("flow", self._flows(free), self._flow_sizes(free))
 
@@ -141,6 +146,19 @@ class NetworkEquations:
         """Flow that the pressure drives, or that all bellows take in one swing, by tube."""
         filling = self.sizes.swing / (self._compliance * len(self.system.pressure))
         return self.sizes.pressure / (column([self._slope[t.name] for t in tubes]) + filling)
+
+    def _untested_sizes(self, tubes: list[Tube]) -> SX:
+        """The same; larger for tubes that hardly resist.
+
+        Their flows are all but the rates of pressures that the inlets impose. No step is
+        small enough for the error estimate of such an unknown: it must be left out of it.
+        """
+        factors = [UNTESTED if t.name in self.system.wide else 1.0 for t in tubes]
+        return self._flow_sizes(tubes) * ca.DM(factors)
+
+    def energy_size(self) -> SX:
+        """What a bellow takes up at the size of pressure [J]."""
+        return self._volume_size() * self.sizes.pressure
 
     def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
         """Give every connected network one pressure: its inlet's, or an unknown."""
@@ -212,6 +230,12 @@ class NetworkEquations:
         """What bellows and storing nodes hold beyond rest, from pressures [m3]."""
         nodes = [*self.system.pressure, *self.storing]
         return column([self.system.stored(name) for name in nodes]) - self.rest_amounts(nodes)
+
+    def _held(self, nodes: list[str]) -> SX:
+        """What nodes hold [m3]: states, where there are any."""
+        if self.form is NetworkForm.UNIFORM:
+            return column([self.system.stored(n) for n in nodes])
+        return self.rest_amounts(nodes) + ca.vertcat(self.amounts, self.node_amounts)
 
     # -- balances -------------------------------------------------------------
 
@@ -327,14 +351,12 @@ class NetworkEquations:
     # -- what is told ---------------------------------------------------------
 
     def rates(self) -> dict[str, SX]:
-        """What the balances need integrals of: powers [W], and the flow through inlets [m3/s]."""
+        """Powers whose integrals the balances need [W]."""
         system = self.system
         if self.form is NetworkForm.UNIFORM:
             return {}
         driven = [n for n in system.inlet_pressure if n not in system.syringes]
         pump = sum((-system.net_inflow[n] * system.specific_work(n) for n in driven), SX(0))
-        for name, pushed in system.pushed_value.items():
-            pump += system.plunger_pressure(name) * ca.jacobian(pushed, system.time)
         tubes = sum(
             (
                 system.flow[t.name] * (system.specific_work(t.start) - system.specific_work(t.end))
@@ -342,8 +364,15 @@ class NetworkEquations:
             ),
             SX(0),
         )
-        flow = sum((-system.net_inflow[name] for name in self.driven), SX(0))
-        return {"pump_power": pump, "tube_loss": tubes, "flow": flow}
+        return {"pump": pump, "tube_loss": tubes}
+
+    def works(self) -> list[str]:
+        """Names of the works of forces along paths; where pressures differ, flows tell the pump's.
+
+        With one pressure for all it is what the fluid's pressure does to what is stored.
+        """
+        others = ["plunger", "coupling", "carried"]
+        return others if self.form is NetworkForm.DISTRIBUTED else ["pump", *others]
 
     def outputs(self, conjugate: SX) -> dict[str, SX]:
         """What a motion is read from; ``conjugate`` volumes of the rod's resultants (B,)."""
@@ -358,7 +387,7 @@ class NetworkEquations:
             "pressure": column(list(system.pressure.values())),
             "volume": volume - tubes,
             "tube_volume": tubes,
-            "stored": column([system.stored(n) for n in nodes]),
+            "stored": self._held(nodes),
             "specific_work": column([system.specific_work(n) for n in nodes]),
             "flow": column(list(system.flow.values())) if distributed else SX(0, 1),
             "inlet_pressure": column(list(system.inlet_pressure.values())),

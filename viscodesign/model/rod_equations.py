@@ -176,6 +176,10 @@ class RodEquations:
             *substitute([forces], [(still, SX.zeros(still.shape))]),
         ]
 
+    def energy_size(self) -> SX:
+        """What bending by a tenth of a radian stores [J]."""
+        return self.system.rod.EI / self.length / 100
+
     def rates(self) -> dict[str, SX]:
         """Powers whose integrals the balances need [W]."""
         return {"material_loss": self.system.dissipation_power} if self.form in MOVING else {}
@@ -189,7 +193,7 @@ class RodEquations:
             "intrinsic_curvature": rod.intrinsic_curvature,
             "intrinsic_stretch": rod.intrinsic_stretch,
             "kinetic_energy": system.kinetic_energy,
-            "load_energy": system.load_potential,
+            "load_energy": system.load_potential - rod.tip_moment * ca.sum1(rod.turns),
         }
         if self.form is not RodForm.ARCS:
             found |= {

@@ -127,6 +127,9 @@ class System:
         self.inertance: dict[str, SX] = {}
         """Pressure per rate of flow of a tube [kg/m4]."""
 
+        self.wide: frozenset[str] = frozenset()
+        """Tubes that hardly resist: no error of pressure may pass for a flow through them."""
+
     def parameter(self, name: str, value: float) -> SX:
         """A named number of the scene as a symbol, so that one build serves many values."""
         symbol, _ = self._parameters.setdefault(name, (SX.sym(name), float(value)))
@@ -172,6 +175,7 @@ class System:
             tuple(self.storing_nodes()),
             tuple(sorted(self.drop)),
             tuple(sorted(self.inertance)),
+            tuple(sorted(self.wide)),
             tuple(self.syringes),
             type(self.fluid).__name__,
             tuple(self.swelling),

@@ -77,8 +77,7 @@ class Algebraic(Solver):
 
     def _columns(self, found: np.ndarray) -> Columns:
         count = found.shape[1]
-        rates = len(self.problem.equations.rates)
-        return np.zeros((0, count)), found, np.zeros((rates, count))
+        return np.zeros((0, count)), found, np.zeros((0, count))
 
 
 def _march(problem: Problem, count: int) -> ca.Function:

@@ -180,6 +180,15 @@ def evaluate_along(
     return found
 
 
+def evaluate_at(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, time: float, piece: np.ndarray
+) -> dict[str, np.ndarray]:
+    """All named outputs (1, n) at one instant."""
+    output = problem.equations.output_function
+    found = evaluate(output, states, algebraics, *problem.tail(time, piece))
+    return {n: np.array(v).reshape(1, -1) for n, v in zip(output.name_out(), found, strict=True)}
+
+
 def evaluate(function: ca.Function, *arguments: float | np.ndarray) -> list[ca.DM]:
     """Call a CasADi function with numbers."""
     return list(function.call([ca.DM(argument) for argument in arguments]))

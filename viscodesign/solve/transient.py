@@ -24,6 +24,7 @@ from viscodesign.solve.problem import Problem
 from viscodesign.solve.rung import Rung
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
+from viscodesign.solve.timed import timed_integrals
 
 CHUNK_SECONDS = 0.4
 """Wall time that one uninterrupted call of the integrator should take."""
@@ -45,7 +46,7 @@ class Solution:
     algebraics: np.ndarray
     """(nz, m)"""
     integrals: np.ndarray
-    """(nq, m) running integrals of the equations' rates, in SI."""
+    """(nq, m) running integrals of the equations' rates, over `energy_size`."""
     reached: int
     """Number of edges solved, counted from the first."""
     work: Work
@@ -82,11 +83,17 @@ class _Record:
         self._tables = [shelf.table(n) for n in (len(here.states), len(here.algebraics), rates)]
         self._add(here.states[:, None], here.algebraics[:, None], self._total[:, None])
 
-    def keep(self, columns: Columns) -> SolveError | None:
-        """Add what a solver found from here on; the failure where there is no room for it."""
+    def keep(self, columns: Columns, problem: Problem) -> SolveError | None:
+        """Add what a solver found from here on, and the integrals that it left out.
+
+        Returns the failure where there is no room for it.
+        """
         states, algebraics, integrals = columns
-        if not states.shape[1]:
+        count = states.shape[1]
+        if not count:
             return None
+        timed = timed_integrals(problem, self.done, count)
+        integrals = np.concatenate([integrals, timed])
         try:
             self._add(states, algebraics, self._total[:, None] + integrals)
         except NoRoomError as error:
@@ -147,10 +154,10 @@ def integrate(
             first, began = record.done, clock.perf_counter()
             stop = min(first + length, len(edges) - 1)
             columns, failure = ladder.go(record.here, first, stop, work)
-            full = record.keep(columns)
+            full = record.keep(columns, problem)
             if failure is not None and failure.quantity != "work" and not interrupt.asked:
                 columns, failure = ladder.climb(record.here, record.done, work, failure)
-                full = full or record.keep(columns)
+                full = full or record.keep(columns, problem)
             failure = full or failure
             if failure is None and work.steps > problem.most_steps:
                 failure = march.overworked(edges[record.done])

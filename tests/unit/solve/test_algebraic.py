@@ -79,7 +79,8 @@ def fold_of(interval: float) -> float:
     assert failure is not None
     assert failure.time_s is not None
     assert failure.quantity == "equilibrium"
-    assert found.shape[1] == int(failure.time_s / interval)
+    edges = problem.schedule.edges
+    assert found.shape[1] == np.searchsorted(edges, failure.time_s, side="right") - 1
     return failure.time_s
 
 

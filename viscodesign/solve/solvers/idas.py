@@ -65,7 +65,7 @@ class Idas(Solver):
             "u": equations.pieces,
             "ode": equations.ode,
             "alg": equations.alg,
-            "quad": ca.vertcat(*equations.rates.values()),
+            "quad": equations.quadrature,
         }
         self.options: dict[str, Any] = {
             "abstol": tolerance,
@@ -75,7 +75,8 @@ class Idas(Solver):
             "max_num_steps": min(MAX_STEPS, problem.most_steps),
             "show_eval_warnings": False,
             "disable_internal_warnings": True,
-            "quad_err_con": False,
+            # Or steps that follow pressures well enough add up their work badly.
+            "quad_err_con": equations.quadrature.numel() > 0,
             # Accelerations are noisy, and nothing is integrated from them but through the
             # velocities, whose error is controlled.
             "suppress_algebraic": "acceleration" in equations.algebraics.blocks,

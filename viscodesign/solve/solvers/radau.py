@@ -54,7 +54,7 @@ class Radau(Solver):
         """Solve the stretches of smooth input in first..stop one after the other."""
         schedule = self.problem.schedule
         columns: list[np.ndarray] = []
-        total = np.zeros(len(self.problem.equations.rates))
+        total = np.zeros(self.problem.equations.quadrature.numel())
         failure: SolveError | None = None
         for begin, end in smooth_stretches(schedule.pieces, first, stop):
             try:
@@ -168,6 +168,6 @@ def _reduced(problem: Problem) -> ca.Function:
     """
     e = problem.equations
     x, z = e.states.vector, e.algebraics.vector
-    rates = ca.vertcat(e.ode, *e.rates.values())
+    rates = ca.vertcat(e.ode, e.quadrature)
     results = [rates, e.alg, *(ca.jacobian(f, v) for v in (z, x) for f in (rates, e.alg))]
     return ca.Function("reduced", [x, z, e.time, e.pieces, e.parameters], results)

@@ -74,7 +74,7 @@ class Rosenbrock(Solver):
         """Solve the stretches of smooth input in first..stop one after the other."""
         work.compile_s, self.making_s = work.compile_s + self.making_s, 0.0
         columns: list[np.ndarray] = []
-        total = np.zeros(len(self.problem.equations.rates))
+        total = np.zeros(self.problem.equations.quadrature.numel())
         failure: SolveError | None = None
         for begin, end in smooth_stretches(self.problem.schedule.pieces, first, stop):
             try:
@@ -241,9 +241,9 @@ def step_function(equations: Equations) -> ca.Function:
 
     y (n,): states, algebraic unknowns, integrals of the rates; stages (STAGES n,).
     """
-    integrals = SX.sym("integrals", len(equations.rates))
+    integrals = SX.sym("integrals", equations.quadrature.numel())
     y = ca.vertcat(equations.states.vector, equations.algebraics.vector, integrals)
-    rates = ca.vertcat(equations.ode, equations.alg, *equations.rates.values())
+    rates = ca.vertcat(equations.ode, equations.alg, equations.quadrature)
     t, h, tail = equations.time, SX.sym("step"), [equations.pieces, equations.parameters]
     balances = ca.Function("balances", [y, t, *tail], [rates])
     mass = ca.DM.ones(y.numel())
