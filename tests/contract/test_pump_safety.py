@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from viscodesign.pumps.guards import LOST
 from viscodesign.pumps.holding import HOLD_SPEED
 from viscodesign.pumps.limits import NOTABLE, torque_limit
 from viscodesign.pumps.packets import ErrorBits, Instruction
+from viscodesign.pumps.profile import Profile
 from viscodesign.pumps.virtual.device import UnpluggedError
 
 REQUESTS = 150
@@ -394,6 +396,31 @@ def _hold_comes_soon(sent: list[Sent], moment: int) -> None:
     ]
     assert holds[0] - moment <= 5
     assert sent[holds[0]].time - sent[moment - 1].time < 0.05
+
+
+class Opposed(Rig):
+    """One plunger goes in while the other one is drawn out beyond home."""
+
+    def profile(self) -> Profile:
+        both = super().profile()
+        swing = both.counts[:, 0] - both.counts[0, 0]
+        signs = [(-1) ** k for k in range(len(self.ids))]
+        counts = 200.0 + np.stack([sign * swing for sign in signs], axis=1)
+        return replace(both, counts=counts)
+
+
+@pytest.mark.parametrize("ids", [(1,), (1, 2)])
+def test_after_too_much_pressure_each_plunger_is_drawn_back_or_stays(ids: tuple[int, ...]) -> None:
+    for moment in range(20, 80, 7):
+        rig = Opposed(ids, on_stop="retract")
+        streamed(rig, at(moment, lambda rig=rig: rig.press(26e3, 0)))  # type: ignore[misc]
+        ending = rig.play_armed()
+        assert (ending.rule, ending.retreat, ending.sure) == ("pressure_cap", "", True), moment
+        stopped = next(row.sample for row in rig.rows if row.stop is not None)
+        for servo, position in zip(ids, rig.positions(), strict=True):
+            # Back to home, or where it was beyond; further in it never goes.
+            assert position <= min(stopped.servos[servo].position + SAG, 200) + 1
+        promises(rig)
 
 
 def test_a_second_wish_drops_the_torque() -> None:

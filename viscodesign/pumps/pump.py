@@ -157,6 +157,18 @@ class Pump:
         self.goals |= goals
         self.sent_at = self.clock.now()
 
+    def allowed(self, goals: Mapping[int, int]) -> dict[int, int]:
+        """The same goals; after an alarm, of a plunger that would not draw back, where it stays.
+
+        So one that is drawn out beyond home keeps no other one from being drawn back to it.
+        """
+        if self.alarm is None:
+            return dict(goals)
+        kept = self.goals
+        return {
+            s: goal if self._draws_back(goal - kept[s]) else kept[s] for s, goal in goals.items()
+        }
+
     def _limits(self, paces: Mapping[int, float]) -> dict[int, int]:
         """Torque limits to be sent; none where none changes notably.
 

@@ -148,6 +148,7 @@ class Stream:
         reach = self._reach(course, self.ticks.period)
         points.learn(read, self.pump.positions)
         goals, speeds = points.next(elapsed, self.pump.goals, reach)
+        goals = self.pump.allowed(goals)
         sample = Sample(
             time=self.pump.clock.now(),
             servos=states,
