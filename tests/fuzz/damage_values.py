@@ -99,7 +99,8 @@ def _other_number(dice: Random, tree: Any) -> None:
     numbers = [
         (parent, key)
         for parent, key in places(tree)
-        if isinstance(parent[key], float) or (isinstance(parent[key], int) and parent[key] > 1)
+        if isinstance(parent[key], float)
+        or (isinstance(parent[key], int) and 1 < parent[key] < 1e15)
     ]
     for parent, key in dice.sample(numbers, min(len(numbers), 2)):
         parent[key] = float(f"{parent[key] * 10 ** dice.uniform(-6, 6):.3g}")

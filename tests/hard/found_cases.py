@@ -46,12 +46,4 @@ CASES: tuple[Case, ...] = (
         ),
         converges=False,
     ),
-    Case(
-        "F5",
-        "ended before the first of its output times",
-        "fails, with a message and no row",
-        ("run={duration: 8 s, output_times: [8], max_steps: 100}",),
-        ending="failed",
-        says=("the limit of 100 steps was reached",),
-    ),
 )

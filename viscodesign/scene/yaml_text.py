@@ -106,6 +106,8 @@ def parse_scalar(text: str, place: str) -> Any:
         value = text or "''"
         _check_depth(value, place)
         node = yaml.compose(value, Loader=yaml.CSafeLoader)
+    except UnicodeEncodeError as error:  # bytes of a command line that are no text
+        raise SpecError([Fault("the value is not a text in UTF-8", file=place)]) from error
     except yaml.YAMLError as error:
         deep = TOO_DEEP if _is_too_deep(error) else "the value is not YAML"
         raise SpecError([Fault(deep, file=place)]) from error

@@ -282,6 +282,7 @@ def test_missing_files_say_so(tmp_path: Path) -> None:
         ("bellows.count=15", "--set bellows.count=15: bellows.count: 15 is odd"),
         ("run.duration=[", "not YAML"),
         ("=3", "key.path=value"),
+        ("name=\udcff", "the value is not a text in UTF-8"),
         ("a..b=3", "key.path=value"),
         ("name.x=3", "--set name.x=3: name: a mapping is given; a text is wanted"),
         ("inputs.left.value=3", "--set inputs.left.value=3: inputs.left"),

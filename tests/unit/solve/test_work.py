@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import pytest
 
 from tests.scenes import leg
@@ -9,6 +12,7 @@ from viscodesign import simulate
 from viscodesign.build import Settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
+from viscodesign.report.files import write_run
 from viscodesign.solving import solve
 
 PERIODS = "input={kind: sine, amplitude: 20 kPa, frequency: 0.3 Hz}"
@@ -22,6 +26,16 @@ def test_steps_of_attempts_that_failed_count() -> None:
     assert "the limit of 1000 steps was reached" in (run.failure or "")
     assert 1000 <= run.cost.steps < 2000
     assert not run.ladder
+
+
+def test_a_run_that_ends_before_its_first_output_leaves_whole_files(tmp_path: Path) -> None:
+    run = simulate(leg("run={duration: 8 s, output_times: [8], max_steps: 100}"))
+    assert run.status == "failed"
+    assert "the limit of 100 steps was reached" in (run.failure or "")
+    assert run.tip.shape == (0, 3)
+    write_run(run, tmp_path, plots=False)
+    assert len((tmp_path / "trajectory.csv").read_text().splitlines()) == 1
+    assert json.loads((tmp_path / "summary.json").read_text())["status"] == "failed"
 
 
 @pytest.mark.parametrize("name", ["idas", "radau", "rosenbrock"])

@@ -30,6 +30,8 @@ MAX_STEPS_AFTER_FAILURE = 5_000
 """The same, once a part of the run has failed."""
 PART_AFTER_FAILURE = 20
 """The part of all steps allowed that each try to find the place of a failure may take."""
+SHARES = 4
+"""Even shares of the steps that are left, of which one interval of many may take so many."""
 TOO_MUCH_WORK = "IDA_TOO_MUCH_WORK"
 REASONS = {
     TOO_MUCH_WORK: "too many steps are needed from one output to the next",
@@ -86,17 +88,22 @@ class Idas(Solver):
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
         """Solve intervals first..stop, or as many as can be; columns exclude the start."""
+        most = self._most_steps(stop - first, work)
+        if most <= 0:
+            return self.nothing(), self.overworked(self.problem.schedule.edges[first])
         try:
-            return self._solve(here, first, stop, work, self.options), None
+            options = self.options | {"max_num_steps": most}
+            return self._solve(here, first, stop, work, options), None
         except SolveError as error:
             return self.nothing(), error
         except RuntimeError as error:
-            if TOO_MUCH_WORK in str(error):
-                work.steps += self.options["max_num_steps"]
+            is_share_spent = TOO_MUCH_WORK in str(error)
+            work.steps += most if is_share_spent else 0
             if stop - first == 1:
                 return self.nothing(), self._ended(error, first, work)
-        # What failed once is sought with little patience: a stuck step is not a slow one.
-        self.options["max_num_steps"] = self._patience()
+        if not is_share_spent or most >= self.options["max_num_steps"]:
+            # What failed once is sought with little patience: a stuck step is not a slow one.
+            self.options["max_num_steps"] = self._patience()
         middle = (first + stop) // 2
         before, failure = self(here, first, middle, work)
         if failure is not None or not before[0].shape[1]:
@@ -108,6 +115,17 @@ class Idas(Solver):
         )
         integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
         return (joined[0], joined[1], integrals), failure
+
+    def _most_steps(self, intervals: int, work: Work) -> int:
+        """Steps that each of so many intervals may take, so that all keep to the run's limit.
+
+        Several times their even share, as a power of two: what has few different options is
+        made once. An interval that needs more is tried by itself, with all that is left.
+        """
+        left = self.problem.most_steps - work.steps
+        if intervals > 1 and left > 0:
+            left = 1 << max(SHARES * left // intervals, 1).bit_length() - 1
+        return min(left, int(self.options["max_num_steps"]))
 
     def _ended(self, error: RuntimeError, edge: int, work: Work) -> SolveError:
         """The failure of one interval; all work that is allowed may be done."""
