@@ -79,7 +79,7 @@ class PoseRig:
             pump(travel=TRAVEL, sensor=None),
             self.ids,
             Gauges([None] * len(self.ids), 101_325.0),
-            Switches(None),
+            Switches({}),
             self.clock,
         )
         self.wish = Wish()

@@ -37,17 +37,23 @@ class Tap(Line):
         self.clock = line.clock
         self.rig = rig
         self.sent: list[Sent] = []
+        self.coming: Sent | None = None
+        """What is about to be sent, while something happens."""
         self.happen: Callable[[int], None] = lambda number: None
         """Called before each request with its number, from 1 on."""
         self.change: Callable[[bytes], bytes] = lambda data: data
         """What becomes of bytes that come."""
 
     def write(self, data: bytes) -> None:
-        self.happen(len(self.sent) + 1)
         (packet,) = Parser().feed(data)
-        positions = {s.get(registers.ID): s.position for s in self.rig.bench.servos}
-        self.sent.append(Sent(packet, positions, self.clock.now()))
+        self.coming = self._noted(packet)
+        self.happen(len(self.sent) + 1)
+        self.sent.append(self._noted(packet))
         self.line.write(data)
+
+    def _noted(self, packet: Packet) -> Sent:
+        positions = {s.get(registers.ID): s.position for s in self.rig.bench.servos}
+        return Sent(packet, positions, self.clock.now())
 
     def read(self, most: int, deadline: float) -> bytes:
         return self.change(self.line.read(most, deadline))
@@ -118,8 +124,8 @@ class Rig:
             self.board,
             self.spec,
             self.ids,
-            Gauges([lambda: AMBIENT + self.reading(self.pressure)] * len(self.ids), AMBIENT),
-            Switches(self.spec.limit_switches),
+            Gauges([lambda k=k: self._absolute(k) for k in range(len(self.ids))], AMBIENT),
+            Switches.of(self.spec, self.ids),
             self.clock,
         )
         self.wish = Wish()
@@ -127,10 +133,14 @@ class Rig:
         self.see: Callable[[Shown], None] = self.rows.append
         self.stream: Stream | None = None
 
-    def press(self, pressure: float) -> None:
-        """Another gauge pressure, felt by the plungers too [Pa]."""
-        self.pressure = pressure
-        self.plant.pressures = np.full(len(self.ids), pressure)
+    def _absolute(self, inlet: int) -> float:
+        return AMBIENT + self.reading(float(self.plant.pressures[inlet]))
+
+    def press(self, pressure: float, inlet: int | None = None) -> None:
+        """Another gauge pressure at an inlet or at all, felt by the plungers too [Pa]."""
+        pressures = self.plant.pressures.copy()
+        pressures[slice(None) if inlet is None else inlet] = pressure
+        self.plant.pressures = pressures
 
     def profile(self) -> Profile:
         time = np.linspace(0.0, self.duration, 61)

@@ -5,33 +5,37 @@ Both are kept in a ledger that is told consecutive rows, as many at a time as th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.energy_table import ENERGIES, EnergyTable
 from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.work import FORCE_AND_PATH
-from viscodesign.path_integral import group_ends, path_integrals
+from viscodesign.path_integral import group_ends
 from viscodesign.solve.problem import Problem, evaluate_at
 from viscodesign.solve.statics import Start, consistent
 from viscodesign.trajectory import Invariants
 
 STANDSTILL = 1e-3
-"""Part of what is stored below which next to nothing moves. Steps need not tell such a motion's
-energy: its balance is told where it holds, and else not told, rather than over what is stored."""
+"""Part of what is stored below which nothing of the fluid moves: round-off is told against it."""
+STILL = 1e-4
+"""Part of what is stored as energy below which next to nothing moves. Steps need not tell such a
+motion's energy: its balance is told where it holds, and else not told, rather than over what is
+stored."""
 UNSURE = 1e-4
 """Part of the work by which the solved times may misjudge what is summed over them, and the
 balance still be told."""
-ROUND_OFF = 1e-9
-"""Part of what is stored, or of what the bellows may store, below which all is round-off."""
+ROUND_OFF = 1e-8
+"""Part of what is stored below which all is round-off, and what is left of an equilibrium."""
+NOTHING = 1e-9
+"""The same of what the bellows might store."""
 MOST_STEPS_BETWEEN = 20
 """Steps between two solved times, on average, up to which these show all that happens."""
 SAME = 1e-9
 """Part of its size by which an input may differ between both sides of a corner and not jump."""
-
-ENERGIES = ("fluid_energy", "kinetic_energy", "load_energy", "elastic_energy")
 
 Rows = Mapping[str, np.ndarray]
 
@@ -258,13 +262,13 @@ class EnergyLedger:
         swing = float(np.max(self._high - self._low))
         moved = max(self._largest["pump"], self._largest["coupling"], swing)
         stored, size = self._largest["stored"], self._problem.equations.energy_size
-        scale = max(moved, ROUND_OFF * stored, ROUND_OFF * size)
+        scale = max(moved, ROUND_OFF * stored, NOTHING * size)
         # Samples that are rarer than the swings look smooth and are not.
         rare = steps > MOST_STEPS_BETWEEN * self._edges
         if (self._summed if rare else self._unsure) > UNSURE * scale:
             return None, coupled
         imbalance = self._worst / scale
-        still = moved < STANDSTILL * max(stored, STANDSTILL * size)
+        still = moved < STILL * max(stored, STILL * size)
         return None if still and imbalance > UNSURE else imbalance, coupled
 
 
@@ -275,81 +279,3 @@ def _jumps(rows: Rows, k: int, after: Rows) -> bool:
         if np.any(apart > SAME * np.max(np.abs(rows[name]), initial=0.0)):
             return True
     return False
-
-
-class EnergyTable:
-    """What the energy balance needs of every edge, as one row of numbers."""
-
-    def __init__(self, problem: Problem) -> None:
-        equations = problem.equations
-        self._size = equations.energy_size
-        self._rates = list(equations.rates)
-        self._by_parts: dict[str, np.ndarray] = {}
-        self._sampled: dict[str, np.ndarray] = {}
-        for name, way in equations.ways.items():
-            order = problem.places if name == "coupling" else slice(None)
-            self._by_parts[name] = np.flatnonzero(way.by_parts[order])
-            self._sampled[name] = np.flatnonzero(way.sampled[order])
-        self.sums = any(map(len, self._sampled.values()))
-        """Whether anything is summed over rows, rather than integrated."""
-        self._spans: dict[str, slice] = {}
-        self.width = 0
-        for part, count in self._parts():
-            self._spans[part] = slice(self.width, self.width + count)
-            self.width += count
-
-    def _parts(self) -> Iterator[tuple[str, int]]:
-        yield from (("time", 1), ("energies", len(ENERGIES)), ("integrals", len(self._rates)))
-        for name, which in self._by_parts.items():
-            yield from (("ends of " + name, int(len(which) > 0)),)
-        for name, which in self._sampled.items():
-            yield from (("force of " + name, len(which)), ("path of " + name, len(which)))
-
-    def of(self, time: np.ndarray, values: Rows, integrals: np.ndarray) -> np.ndarray:
-        """Rows (m, width) of edges whose outputs are (m, n), whose integrals (nq, m)."""
-        rows = np.zeros((len(time), self.width))
-        rows[:, self._spans["time"]] = time[:, None]
-        rows[:, self._spans["integrals"]] = self._size * integrals.T
-        first = self._spans["energies"].start
-        for k, name in enumerate(ENERGIES, start=first):
-            if name in values:
-                rows[:, k] = values[name][:, 0]
-        for name, (force, path) in FORCE_AND_PATH.items():
-            if name not in self._sampled:
-                continue
-            parts, sampled = self._by_parts[name], self._sampled[name]
-            if len(parts):
-                product = values[force][:, parts] * values[path][:, parts]
-                rows[:, self._spans["ends of " + name]] = product.sum(axis=1, keepdims=True)
-            rows[:, self._spans["force of " + name]] = values[force][:, sampled]
-            rows[:, self._spans["path of " + name]] = values[path][:, sampled]
-        return rows
-
-    def energies(self, rows: np.ndarray) -> np.ndarray:
-        """Stored (m, kinds) [J]."""
-        return np.asarray(rows[:, self._spans["energies"]])
-
-    def lost(self, rows: np.ndarray) -> np.ndarray:
-        """Lost since the start (m,) [J]."""
-        lost = self._integral("tube_loss", rows) + self._integral("material_loss", rows)
-        return np.asarray(lost)
-
-    def told(self, work: str, rows: np.ndarray) -> np.ndarray:
-        """A work as far as it needs no sum over rows (m,) [J], up to a constant."""
-        ends = self._spans.get("ends of " + work, slice(0, 0))
-        return np.asarray(self._integral(work, rows) + rows[:, ends].sum(axis=1))
-
-    def summed(
-        self, work: str, rows: np.ndarray, cuts: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """The rest of it between rows ``cuts`` (g + 1,), and its uncertainty (g,) [J]."""
-        span = self._spans.get("force of " + work, slice(0, 0))
-        if span.start == span.stop:
-            return np.zeros(len(cuts) - 1), np.zeros(len(cuts) - 1)
-        force, path = rows[:, span], rows[:, self._spans["path of " + work]]
-        return path_integrals(rows[:, 0], force, path, cuts)
-
-    def _integral(self, rate: str, rows: np.ndarray) -> np.ndarray:
-        if rate not in self._rates:
-            return np.zeros(len(rows))
-        return np.asarray(rows[:, self._spans["integrals"].start + self._rates.index(rate)])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -93,12 +93,15 @@ class FlowDifference:
 def flow_difference(coarse: Motion, fine: Motion) -> FlowDifference | None:
     """Largest difference of any tube's flow over the output times that both reached."""
     both = min(len(coarse.flow), len(fine.flow))
-    largest = float(np.max(np.abs(fine.flow[:both]), initial=0.0))
-    if largest == 0.0:
-        return None
-    apart = np.abs(coarse.flow[:both] - fine.flow[:both])
-    row, tube = np.unravel_index(int(np.argmax(apart)), apart.shape)
-    return FlowDifference(float(apart[row, tube]) / largest, int(tube), int(row))
+    largest, worst = 0.0, FlowDifference(0.0, 0, 0)
+    for rows in blocks(both, coarse.flow, fine.flow):
+        flow = fine.flow[rows]
+        apart = np.abs(coarse.flow[rows] - flow)
+        largest = max(largest, float(np.max(np.abs(flow), initial=0.0)))
+        if np.max(apart, initial=0.0) > worst.share:
+            row, tube = np.unravel_index(int(np.argmax(apart)), apart.shape)
+            worst = FlowDifference(float(apart[row, tube]), int(tube), rows.start + int(row))
+    return replace(worst, share=worst.share / largest) if largest else None
 
 
 def tip_difference(coarse: Motion, fine: Motion) -> float:

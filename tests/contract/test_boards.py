@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.pumps import HOME, bench, stepped
+from tests.pumps import HOME, Weights, bench, stepped
 from viscodesign.errors import PumpError, ViscodesignError
 from viscodesign.pumps import registers
 from viscodesign.pumps.boards.base import Board, Goal
@@ -188,6 +189,27 @@ def test_pins_are_read_or_none(name: str) -> None:
     pump.servos[0].position = 80
     assert board.digital("D1") is True
     assert board.digital("D2") is False
+
+
+@pytest.mark.parametrize("name", WITH_PINS)
+def test_each_plunger_has_its_own_sensor_and_switches(name: str) -> None:
+    pump = bench(
+        1,
+        2,
+        plant=Weights(np.array([0.0, 20e3])),
+        sensor={"a": {"channel": 2}, "b": {"channel": 5}},
+        limit_switches={"a": {"low": "D1", "high": "D2"}, "b": {"low": "D3", "high": "D4"}},
+    )
+    board = connected(name, pump)
+    assert not any(board.digital(f"D{k}") for k in range(1, 5))
+    pump.servos[1].position = 80
+    assert [board.digital(f"D{k}") for k in range(1, 5)] == [False, False, True, False]
+    first, second, nothing = (board.analog(channel) for channel in (2, 5, 0))
+    assert (first, second) == (
+        pytest.approx((101.325 - 3.478) * 0.002421, abs=1 / 256),
+        pytest.approx((121.325 - 3.478) * 0.002421, abs=1 / 256),
+    )
+    assert nothing == pytest.approx(0.0, abs=1 / 256)
 
 
 @pytest.mark.parametrize("name", WITH_PINS)

@@ -20,7 +20,7 @@ LAYERS = [
     ["classifying"],
     ["loading", "motion", "validity", "course", "posed", "stability"],
     ["watching", "given"],
-    ["balances", "path_integral"],
+    ["balances", "energy_table", "path_integral"],
     ["build", "outputs", "sampling"],
     ["effects"],
     ["sketch"],

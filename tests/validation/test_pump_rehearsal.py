@@ -53,7 +53,7 @@ def rehearsal() -> Rehearsal:
     ambient = scene.ambient_pressure
     board = Simulated(simulated_line(scene.pump, clock, plant, ambient), planned.servos)
     gauges = Gauges([BoardAnalog(board, 0).absolute], ambient)
-    pump = Pump(board, scene.pump, planned.servos, gauges, Switches(None), clock)
+    pump = Pump(board, scene.pump, planned.servos, gauges, Switches({}), clock)
     rows: list[tuple[float, ...]] = []
 
     def see(shown: Shown) -> None:

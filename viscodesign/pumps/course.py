@@ -13,6 +13,8 @@ from viscodesign.pumps.profile import Profile
 
 LEAD_SPEED = 50.0
 """On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
+AROUND = 0.1
+"""A plunger may be this much earlier or later than its course [s]."""
 SHORTEST = 0.1
 """Of such a way [s]."""
 
@@ -42,6 +44,20 @@ class Course:
         if elapsed < self.begins:
             return (None,) * len(profile.inlets)
         return tuple(float(np.interp(elapsed, profile.time, p)) for p in profile.pressure.T)
+
+    def paces(self, elapsed: float) -> dict[int, float]:
+        """By servo, the steepest that its course is about this moment [counts/s]."""
+        time = self.profile.time
+        first = max(int(np.searchsorted(time, elapsed - AROUND, "right")) - 1, 0)
+        last = int(np.searchsorted(time, elapsed + AROUND, "left"))
+        steepest = self._steepness[first:last].max(axis=0, initial=0.0)
+        return dict(zip(self.profile.servos, steepest.tolist(), strict=True))
+
+    @cached_property
+    def _steepness(self) -> np.ndarray:
+        """(T - 1, S) between two instants each [counts/s]."""
+        rise: np.ndarray = np.abs(np.diff(self.profile.counts, axis=0))
+        return rise / np.diff(self.profile.time)[:, None]
 
     @cached_property
     def top_speed(self) -> float:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from viscodesign.pumps.sensors.base import SensorError
+
 TRIM = 6e3
 """A sensor at rest this close to the ambient shows its own error [Pa]: 1.5 % of its span."""
 
@@ -11,7 +13,16 @@ TRIM = 6e3
 class Gauges:
     """S inlets, each with what reads its absolute pressure [Pa], or None; and the ambient [Pa]."""
 
-    def __init__(self, sensors: Sequence[Callable[[], float] | None], ambient: float) -> None:
+    def __init__(
+        self,
+        sensors: Sequence[Callable[[], float] | None],
+        ambient: float,
+        names: Sequence[str] = (),
+    ) -> None:
+        """``names`` of the inlets, to tell which one is meant where there are several."""
+        several = len(sensors) > 1 and len(names) == len(sensors)
+        self.before = tuple(f"{name}: " for name in names) if several else ("",) * len(sensors)
+        """What stands before words about each."""
         self.sensors = tuple(sensors)
         self.ambient = ambient
         self.offsets = [0.0 for _ in sensors]
@@ -27,19 +38,27 @@ class Gauges:
         for k, measured in enumerate(self.read()):
             if measured is None:
                 continue
+            shows = f"{self.before[k]}{measured / 1e3:+.2f} kPa"
             if abs(measured) <= TRIM:
                 self.offsets[k] = measured
-                told.append(f"{measured / 1e3:+.2f} kPa at rest is taken as the sensor's own error")
+                told.append(f"{shows} at rest is taken as the sensor's own error")
             else:
                 told.append(
-                    f"{measured / 1e3:+.2f} kPa gauge at rest: more than the sensor's error, so "
-                    "taken as pressure; vent it, or correct ambient_pressure"
+                    f"{shows} gauge at rest: more than the sensor's error, so taken as pressure; "
+                    "vent it, or correct ambient_pressure"
                 )
         return told
 
     def read(self) -> tuple[float | None, ...]:
         """Gauge pressure at each inlet [Pa]; raises `PumpError` where a sensor gives none."""
-        return tuple(
-            None if sensor is None else float(sensor()) - self.ambient - offset
-            for sensor, offset in zip(self.sensors, self.offsets, strict=True)
-        )
+        return tuple(self._gauge(k) for k in range(len(self.sensors)))
+
+    def _gauge(self, inlet: int) -> float | None:
+        sensor = self.sensors[inlet]
+        if sensor is None:
+            return None
+        try:
+            absolute = float(sensor())
+        except SensorError as error:
+            raise SensorError(f"{self.before[inlet]}{error}") from None
+        return absolute - self.ambient - self.offsets[inlet]

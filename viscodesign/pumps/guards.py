@@ -64,6 +64,12 @@ class Guard(ABC):
         """Why the pump has to stop now; None where it may go on."""
 
 
+def _where(sample: Sample, inlet: int) -> str:
+    """Which of several inlets it is, by its servo."""
+    servos = list(sample.servos)
+    return f" at the inlet of servo {servos[inlet]}" if len(servos) > 1 else ""
+
+
 @dataclass
 class InSuccession:
     """Tells that something was so in several samples, one right after the other."""
@@ -84,18 +90,23 @@ class PressureCap(Guard):
     may_retreat = True
     cap: float
     """Gauge [Pa]."""
-    over: InSuccession = field(default_factory=InSuccession)
+    over: dict[int, InSuccession] = field(default_factory=dict)
+    """By inlet."""
 
     def check(self, sample: Sample) -> str | None:
-        measured = [pressure for pressure in sample.pressure if pressure is not None]
-        highest = max(measured, default=0.0)
-        # Not `highest > cap`: a nan is to count as above.
-        if not self.over.note(not highest <= self.cap):
+        # Every inlet is asked, since each counts.
+        above = [k for k, p in enumerate(sample.pressure) if p is not None and self._over(k, p)]
+        if not above:
             return None
+        highest = sample.pressure[above[0]] or 0.0
         return (
-            f"{highest / 1e3:.2f} kPa gauge in {self.over.samples} samples; "
+            f"{highest / 1e3:.2f} kPa gauge in {IN_SUCCESSION} samples{_where(sample, above[0])}; "
             f"allowed are {self.cap / 1e3:g} kPa (pump.max_pressure)"
         )
+
+    def _over(self, inlet: int, pressure: float) -> bool:
+        # Not `pressure > cap`: a nan is to count as above.
+        return self.over.setdefault(inlet, InSuccession()).note(not pressure <= self.cap)
 
 
 @dataclass
@@ -115,7 +126,8 @@ class SensorFrozen(Guard):
             try:
                 self.still.setdefault(inlet, Stillness(UNMOVED)).check(measured, wanted)
             except SensorError as error:
-                return f"{error}. See its cable, and whether the hose has a leak"
+                told = f"{error}{_where(sample, inlet)}"
+                return f"{told}. See its cable, and whether the hose has a leak"
         return None
 
 
@@ -126,24 +138,34 @@ class LimitSwitches(Guard):
     rule = "limit_switch"
     trusted = False
     may_retreat = True
-    before: frozenset[str] = frozenset()
+    before: dict[int, frozenset[str]] = field(default_factory=dict)
     heading: dict[int, int] = field(default_factory=dict)
     """Of each servo: 1 towards higher counts, -1 towards lower, by its last change of goal."""
 
     def check(self, sample: Sample) -> str | None:
         steps = {servo: goal - sample.goals[servo] for servo, goal in sample.next_goals.items()}
-        fresh, self.before = sample.pressed - self.before, sample.pressed
-        for end in sorted(sample.pressed):
-            sign = 1 if end == "high" else -1
-            towards = any(step * sign > 0 for step in steps.values())
-            ran_into = end in fresh and any(h * sign > 0 for h in self.heading.values())
-            if towards or ran_into:
-                return (
-                    f"the switch at the {end} end is pressed (or its wire broken); "
-                    "the counts are not to be trusted: find the ends again by `pump calibrate`"
-                )
-        self.heading |= {servo: (step > 0) - (step < 0) for servo, step in steps.items() if step}
-        return None
+        hit = [
+            (servo, end)
+            for servo, ends in sample.pressed.items()
+            for end in sorted(ends)
+            if self._meets(servo, end, steps.get(servo, 0))
+        ]
+        self.before = dict(sample.pressed)
+        if not hit:
+            self.heading |= {s: (step > 0) - (step < 0) for s, step in steps.items() if step}
+            return None
+        servo, end = hit[0]
+        which = f" of servo {servo}" if len(sample.servos) > 1 else ""
+        return (
+            f"the switch at the {end} end{which} is pressed (or its wire broken); "
+            "the counts are not to be trusted: find the ends again by `pump calibrate`"
+        )
+
+    def _meets(self, servo: int, end: str, step: int) -> bool:
+        """Whether a servo is to go on towards a pressed switch, or has just run into it."""
+        sign = 1 if end == "high" else -1
+        fresh = end not in self.before.get(servo, frozenset())
+        return step * sign > 0 or (fresh and self.heading.get(servo, 0) * sign > 0)
 
 
 @dataclass
@@ -216,6 +238,8 @@ class ErrorBitsSet(Guard):
         for servo, state in sample.servos.items():
             if state.errors:
                 return f"servo {servo} reports: {state.complaint}"
+            if state.torque_limit == 0:
+                return f"servo {servo} shut itself off: its torque limit is 0"
         return None
 
 

@@ -56,7 +56,8 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
     ticks = Ticks(pump.clock, 1.0 / RATE)
     ticks.begin()
     while True:
-        states, _, pressed = pump.look()
+        states, _, by_servo = pump.look()
+        pressed = by_servo.get(servo, frozenset())
         if stopped():
             raise InterruptedRunError("stopped by the user; the plunger is held")
         if states[servo].errors:

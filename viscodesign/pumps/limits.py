@@ -11,6 +11,8 @@ from viscodesign.scene.pump import Pump
 ABOVE_CAP = 1.2
 """So that the cap in software acts first."""
 FULL = 1023
+NOTABLE = 32
+"""A limit so much above what is needed is lowered [1/1023 of stall]: 4 kPa of a 100 mL syringe."""
 
 
 def torque_limit(pump: Pump, speed: float = 0.0) -> int:
@@ -26,6 +28,14 @@ def torque_limit(pump: Pump, speed: float = 0.0) -> int:
     share = torque / stall_torque(servo, pump.supply_voltage)
     share += speed / free_speed(pump)
     return min(math.ceil(FULL * ABOVE_CAP * share), FULL)
+
+
+def following_limit(held: int, needed: int) -> int:
+    """Torque limit to go on with: the one in force while it is enough, and not notably more."""
+    if needed <= held <= needed + NOTABLE:
+        return held
+    # A little more than needed, so that a speed that rises slowly does not raise it each tick.
+    return min(needed + NOTABLE // 4, FULL)
 
 
 def free_speed(pump: Pump) -> float:

@@ -45,7 +45,7 @@ def look(board: Board, servos: Sequence[int], gauges: Gauges, clock: Clock) -> S
         servos=states,
         pressure=pressure,
         wanted=(None,) * len(pressure),
-        pressed=frozenset(),
+        pressed={},
         goals=goals,
         next_goals=goals,
     )

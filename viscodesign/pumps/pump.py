@@ -14,14 +14,17 @@ from viscodesign.pumps.found import Servo, find_servo, objections
 from viscodesign.pumps.gauges import Gauges
 from viscodesign.pumps.guards import Stop
 from viscodesign.pumps.holding import HOLD_SPEED, Standing, hold, release
-from viscodesign.pumps.limits import free_speed, torque_limit
+from viscodesign.pumps.limits import following_limit, free_speed, torque_limit
 from viscodesign.pumps.reading import ServoState, read_servo, write_register
+from viscodesign.pumps.strain import Strain
 from viscodesign.pumps.switches import Switches
 from viscodesign.scene.pump import Pump as Settings
 
 SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
 """Counts per second of one unit of the speed register."""
 TOP_SPEED = 1023
+Pressed = dict[int, frozenset[str]]
+"""Ends whose switch is pressed, by servo."""
 TAKEN = 3
 """The goal of a servo that gets its torque may be its position of a moment later [counts]."""
 
@@ -57,6 +60,8 @@ class Pump:
         """Goals in force [counts]."""
         self.positions: dict[int, int] = {}
         """Last read [counts]."""
+        self.strain = Strain()
+        """Of the servos, as last read."""
         self.read_at = -math.inf
         """When, about: between question and answer [s of the clock]."""
         self.sent_at = -math.inf
@@ -85,11 +90,16 @@ class Pump:
                 f"{speed:.0f} counts/s are asked for; without any load the servo makes "
                 f"{free_speed(self.settings):.0f}: see `pump plan`"
             )
-        limit = torque_limit(self.settings, speed)
+        # Where moves bring limits of their own along, that of a plunger at rest is enough.
+        limit = torque_limit(self.settings, 0.0 if self.board.limits_torque else speed)
         self.board.hurry()
         for servo in self.servos:
-            position = self._healthy(servo).position
-            write_register(self.board, servo, registers.TORQUE_LIMIT, limit)
+            state = self._healthy(servo)
+            position = state.position
+            # A servo that strained against this very limit may shut itself off just now, and a
+            # write would give it its torque back.
+            if state.torque_limit != limit:
+                write_register(self.board, servo, registers.TORQUE_LIMIT, limit)
             write_register(self.board, servo, registers.MOVING_SPEED, HOLD_SPEED)
             # Some firmwares switch the torque on by this, so it comes behind both limits. Without
             # torque they give the present position as their goal: read back when it is on.
@@ -124,17 +134,53 @@ class Pump:
             )
         return state.goal
 
-    def set_goals(self, goals: Mapping[int, int], speeds: Mapping[int, float]) -> None:
+    def set_goals(
+        self,
+        goals: Mapping[int, int],
+        speeds: Mapping[int, float],
+        paces: Mapping[int, float] | None = None,
+    ) -> None:
         """Send the next goals, one transaction for all.
 
         ``speeds``: of each servo [counts/s]; the register is rounded up, and never 0.
+        ``paces``: what the plan asks of each servo about now [counts/s]; its torque is limited
+        to that and the pressure cap, where the board can. Nothing it does may loosen it.
         """
         self._refuse(goals)
+        limits = {} if paces is None or not self.board.limits_torque else self._limits(paces)
         self.board.move(
-            {servo: Goal(goal, speed_register(speeds[servo])) for servo, goal in goals.items()}
+            {
+                servo: Goal(goal, speed_register(speeds[servo]), limits.get(servo))
+                for servo, goal in goals.items()
+            }
         )
         self.goals |= goals
         self.sent_at = self.clock.now()
+
+    def allowed(self, goals: Mapping[int, int]) -> dict[int, int]:
+        """The same goals; after an alarm, of a plunger that would not draw back, where it stays.
+
+        So one that is drawn out beyond home keeps no other one from being drawn back to it.
+        """
+        if self.alarm is None:
+            return dict(goals)
+        kept = self.goals
+        return {
+            s: goal if self._draws_back(goal - kept[s]) else kept[s] for s, goal in goals.items()
+        }
+
+    def _limits(self, paces: Mapping[int, float]) -> dict[int, int]:
+        """Torque limits to be sent; none where none changes notably.
+
+        A servo that shut itself off, or that may be about to, keeps what it has.
+        """
+        held = self.strain.writable(self.clock.now())
+        limits = {
+            servo: following_limit(held[servo], torque_limit(self.settings, paces[servo]))
+            for servo in self.servos
+            if servo in held
+        }
+        return limits if any(limits[servo] != held[servo] for servo in limits) else {}
 
     def _refuse(self, goals: Mapping[int, int]) -> None:
         low, high = self.settings.travel
@@ -158,12 +204,13 @@ class Pump:
             return step == 0
         return self.drive.position(self.settings.home + step) <= 0.0
 
-    def look(self) -> tuple[dict[int, ServoState], tuple[float | None, ...], frozenset[str]]:
+    def look(self) -> tuple[dict[int, ServoState], tuple[float | None, ...], Pressed]:
         """Servos, pressures [Pa gauge] and pressed switches, read now."""
         before = self.clock.now()
         states = {servo: read_servo(self.board, servo) for servo in self.servos}
         self.positions = {servo: state.position for servo, state in states.items()}
         self.read_at = (before + self.clock.now()) / 2
+        self.strain.note(states, self.read_at)
         return states, self.gauges.read(), self.switches.read(self.board)
 
     def hold(self) -> list[Standing]:

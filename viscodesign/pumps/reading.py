@@ -107,8 +107,8 @@ class Sample:
     """(S,) measured gauge pressure [Pa]; None where nothing measures it."""
     wanted: tuple[float | None, ...]
     """(S,) gauge pressure that the model expects now [Pa]."""
-    pressed: frozenset[str]
-    """Limit switches that are pressed (or broken): 'low', 'high'."""
+    pressed: Mapping[int, frozenset[str]]
+    """Limit switches that are pressed (or broken), 'low' or 'high', of each servo that has some."""
     goals: Mapping[int, int]
     """Goals in force [counts]."""
     next_goals: Mapping[int, int]

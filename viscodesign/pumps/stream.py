@@ -148,6 +148,7 @@ class Stream:
         reach = self._reach(course, self.ticks.period)
         points.learn(read, self.pump.positions)
         goals, speeds = points.next(elapsed, self.pump.goals, reach)
+        goals = self.pump.allowed(goals)
         sample = Sample(
             time=self.pump.clock.now(),
             servos=states,
@@ -160,7 +161,7 @@ class Stream:
         stop = watch.check(sample)
         self.pump.alarm = self.pump.alarm or stop
         if stop is None and self._untouched(heard):
-            self.pump.set_goals(goals, speeds)
+            self.pump.set_goals(goals, speeds, course.paces(elapsed))
         time = self.pump.read_at - self.origin
         self.see(Shown(time, sample, self.ticks.skipped, stop))
         return stop

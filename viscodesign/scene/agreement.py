@@ -12,7 +12,7 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
-from viscodesign.scene.base import Complaint, complaints_of
+from viscodesign.scene.base import Complaint, complaints_of, did_you_mean
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import Network
@@ -20,6 +20,12 @@ from viscodesign.scene.pump import Pump
 
 MOST_PERIODS = 250_000
 SINGLE_INLET = "inlet"
+PUMP_PARTS = {
+    "servo_id": "servo",
+    "sensor": "pressure sensor",
+    "limit_switches": "limit switches",
+}
+"""Keys of the pump that may be given by inlet."""
 
 Fields = Mapping[tuple[str, str | None], Any]
 """Valid fields by the names of their class and of themselves."""
@@ -48,7 +54,7 @@ def _inputs(valid: Fields) -> Iterator[Complaint]:
     if ("Scene", "fluid_choice") in valid:
         yield from _barrels(valid["Scene", "fluid_choice"], inputs, several is None)
     if ("Scene", "pump") in valid:
-        yield from _servos(valid["Scene", "pump"], inputs)
+        yield from _pump_parts(valid["Scene", "pump"], inputs)
 
 
 def _fluid(valid: Fields) -> Iterator[Complaint]:
@@ -117,13 +123,17 @@ def _barrels(fluid: Fluid, inputs: Mapping[str, Input], is_single: bool) -> Iter
             )
 
 
-def _servos(pump: Pump | None, inputs: Mapping[str, Input]) -> Iterator[Complaint]:
-    if pump is None or isinstance(pump.servo_id, int):
-        return
-    known = ", ".join(inputs)
-    for name in pump.servo_id:
-        if name not in inputs:
-            yield Complaint(("pump", "servo_id", name), f"no such inlet; the inlets are {known}")
-    for name in inputs:
-        if name not in pump.servo_id:
-            yield Complaint(("pump", "servo_id"), f"the inlet '{name}' has no servo")
+def _pump_parts(pump: Pump | None, inputs: Mapping[str, Input]) -> Iterator[Complaint]:
+    """What the pump has for each inlet: for every one, and for no other."""
+    for key, what in PUMP_PARTS.items():
+        parts = getattr(pump, key, None)
+        if not isinstance(parts, Mapping):
+            continue
+        known = ", ".join(inputs)
+        for name in parts:
+            if name not in inputs:
+                message = f"no such inlet{did_you_mean(name, inputs)}; the inlets are {known}"
+                yield Complaint(("pump", key, name), message)
+        for name in inputs:
+            if name not in parts:
+                yield Complaint(("pump", key), f"the inlet '{name}' has no {what}")

@@ -11,6 +11,7 @@ from pydantic_core import ErrorDetails
 from viscodesign.errors import Fault
 from viscodesign.scene.agreement import disagreements
 from viscodesign.scene.base import Complaint, KeyPath, did_you_mean
+from viscodesign.scene.by_inlet import EACH, ONE
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.keys import field_at, keys_beside, quantity_of
 from viscodesign.scene.yaml_text import Document
@@ -69,7 +70,7 @@ def _key_path(detail: ErrorDetails, document: Document) -> KeyPath:
     """The YAML key: pydantic's place without the tags of its unions."""
     path: KeyPath = ()
     for part in map(str, detail["loc"]):
-        is_tag = part in INPUT_KINDS and _is_input(path)
+        is_tag = (part in INPUT_KINDS and _is_input(path)) or part in (ONE, EACH)
         if not is_tag or isinstance(document.given((*path, part)), dict):
             path = (*path, part)
     return path

@@ -9,6 +9,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from viscodesign.scene.base import KeyPath
+from viscodesign.scene.by_inlet import is_by_inlet
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.scene import Scene
@@ -59,6 +60,8 @@ def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
     if models and all(issubclass(model, Input) for model in models):
         kind = given.get("kind") if isinstance(given, dict) else None
         return INPUT_KINDS.get(kind) if isinstance(kind, str) else None
+    if len(kinds) < len(_alternatives(annotation)) and is_by_inlet(given):
+        return None
     return models[0] if len(models) == 1 else None
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from viscodesign.scene.base import Complaint, Part, refuse, refuse_any, refuse_at
+from viscodesign.scene.by_inlet import ByInlet, in_order, named
 from viscodesign.units import (
     Charge,
     CountedPressure,
@@ -24,7 +27,7 @@ HIGHEST_ID = 253
 
 def _ids(given: Any) -> Any:
     """Servo ids, one or by inlet; said here since a union would tell of both its sides."""
-    ids = given if isinstance(given, dict) else {"": given}
+    ids = named(given)
     refuse_any(
         Complaint(
             (name,) if name else (),
@@ -53,6 +56,40 @@ class LimitSwitches(Part):
     low: str
     high: str
     normally: Literal["closed", "open"] = "closed"
+
+
+def _own_channels(given: Any) -> Any:
+    """Sensors of several inlets, each on a channel of its own."""
+    refuse_any(_shared_channels(named(given or {})))
+    return given
+
+
+def _shared_channels(sensors: dict[str, Sensor]) -> Iterator[Complaint]:
+    taken: dict[tuple[int, str], str] = {}
+    for name, sensor in sensors.items():
+        # `auto` may turn out as either.
+        places = [(sensor.channel, on) for on in ("board", "phidget") if sensor.on in ("auto", on)]
+        if owner := next((taken[place] for place in places if place in taken), None):
+            message = f"{sensor.channel} is the channel of the inlet '{owner}' already"
+            yield Complaint((name, "channel"), message)
+        taken |= dict.fromkeys(places, name)
+
+
+def _own_pins(given: Any) -> Any:
+    """Switches, each on a pin of its own."""
+    refuse_any(_shared_pins(named(given or {})))
+    return given
+
+
+def _shared_pins(switches: dict[str, LimitSwitches]) -> Iterator[Complaint]:
+    taken: dict[str, str] = {}
+    for name, pair in switches.items():
+        for end, pin in (("low", pair.low), ("high", pair.high)):
+            path = (name, end) if name else (end,)
+            same = re.sub(r"(?<=^D)0+(?=\d)", "", pin)  # D01 is D1
+            if same in taken:
+                yield Complaint(path, f"{pin!r} is the pin of {taken[same]} already")
+            taken[same] = ".".join(path)
 
 
 class Pump(Part):
@@ -84,8 +121,12 @@ class Pump(Part):
         gt=0,
         description="Of the barrel, plunger at home; else the drawn-out end of travel is full",
     )
-    sensor: Sensor | None = None
-    limit_switches: LimitSwitches | None = None
+    sensor: Annotated[ByInlet[Sensor] | None, AfterValidator(_own_channels)] = Field(
+        None, description="One, of the first inlet; or one for each inlet by its name"
+    )
+    limit_switches: Annotated[ByInlet[LimitSwitches] | None, AfterValidator(_own_pins)] = Field(
+        None, description="One pair, of the first inlet; or one for each inlet by its name"
+    )
 
     def above(self, ambient: float) -> Pump:
         """The same with its pressures above the ambient [Pa]; a fault where that is not clear."""
@@ -105,6 +146,11 @@ class Pump(Part):
             least = f"the ambient of {ambient / 1e3:g} kPa" if kind == "abs" else "0 kPa gauge"
             raise refuse_at("max_pressure", f"{stated / 1e3:g} kPa {kind} is not above {least}")
         return self.model_copy(update={"max_pressure": gauge})
+
+    def in_order_of(self, inlets: tuple[str, ...]) -> Pump:
+        """The same with all that it says by inlet in the order of the inlets."""
+        names = ("servo_id", "sensor", "limit_switches")
+        return self.model_copy(update={n: in_order(getattr(self, n), inlets) for n in names})
 
     @model_validator(mode="after")
     def _travel_fits(self) -> Pump:

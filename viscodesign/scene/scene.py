@@ -73,10 +73,13 @@ class Scene(Part):
 
     @field_validator("pump")
     @classmethod
-    def _above_ambient(cls, pump: Pump | None, info: ValidationInfo) -> Pump | None:
-        """Its pressures as gauge; where the ambient is at fault itself, they wait."""
+    def _settled(cls, pump: Pump | None, info: ValidationInfo) -> Pump | None:
+        """Its inlets in order, its pressures as gauge; what is at fault itself is waited for."""
+        if pump is None:
+            return None
+        pump = pump.in_order_of(tuple(info.data.get("several_inputs") or ()))
         ambient = info.data.get("ambient_pressure")
-        return pump if pump is None or ambient is None else pump.above(ambient)
+        return pump if ambient is None else pump.above(ambient)
 
     @field_validator("loads", mode="before")
     @classmethod

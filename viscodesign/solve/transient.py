@@ -182,15 +182,21 @@ def _first_length(problem: Problem) -> int:
     """Intervals of the first chunk: all of a run that is surely short, else a part."""
     intervals = len(problem.schedule.edges) - 1
     if intervals * max(problem.unknowns, 20) <= SHORT_RUN:
-        return intervals
+        return min(intervals, _longest(problem))
     return max(1, min(int(FIRST_CHUNK * intervals), _longest(problem)))
 
 
 def _longest(problem: Problem) -> int:
-    """Intervals whose unknowns one call of an integrator may hold in memory."""
-    return max(1, LARGEST_CHUNK // (problem.unknowns + len(problem.equations.rates) + 1))
+    """Intervals whose unknowns one call of an integrator may hold in memory.
+
+    Nor more than a part of the steps allowed: they are counted when it is done.
+    """
+    held = LARGEST_CHUNK // (problem.unknowns + len(problem.equations.rates) + 1)
+    return max(1, min(held, int(LARGEST_SHARE * problem.most_steps)))
 
 
+LARGEST_SHARE = 0.02
+"""Intervals of one call, at most, in parts of the steps that a run may take."""
 LARGEST_CHUNK = 1_000_000
 """Numbers that one uninterrupted call of the integrator may give."""
 SHORT_RUN = 200_000

@@ -94,6 +94,34 @@ def test_status_of_the_simulated_pump(call: Call) -> None:
     assert "kPa gauge" in told.out
 
 
+def test_status_says_how_to_make_a_slow_adapter_quick(
+    call: Call, port: Port, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from viscodesign.pumps import ports
+
+    monkeypatch.setattr(ports, "latency_hint", lambda name: "collects bytes for 16 ms")
+    told = call("pump", "status", *port.words)
+    assert f"{port.server.port} collects bytes for 16 ms" in told.out
+    document = json.loads(call("pump", "status", *port.words, "--json").out)
+    assert document["hints"] == [f"{port.server.port} collects bytes for 16 ms"]
+    assert json.loads(call("pump", "status", "--json").out)["hints"] == []
+
+
+def test_status_names_the_inlet_of_each_pressure_and_switch(call: Call) -> None:
+    words = [
+        *("--set", "pump.syringe_diameter=34.9 mm", "--set", "pump.home=500"),
+        *("--set", "pump.servo_id={right: 2, left: 1}"),
+        *("--set", "pump.sensor={left: {channel: 0}, right: {channel: 1}}"),
+        *("--set", "pump.limit_switches.left={low: D1, high: D2}"),
+        *("--set", "pump.limit_switches.right={low: D3, high: D4}"),
+    ]
+    told = call("pump", "status", CONFIGS / "antagonistic_two_inlets.yaml", *words)
+    assert told.status == 0, told.err
+    assert "pressure of left  -0.23 kPa gauge" in told.out
+    assert "pressure of right  -0.23 kPa gauge" in told.out
+    assert "pressed" not in told.out
+
+
 def test_record_reads_only(call: Call, port: Port, tmp_path: Path) -> None:
     path = tmp_path / "rest.csv"
     told = call("pump", "record", *port.words, "-o", path, "--duration", "0.3", "--json")

@@ -13,6 +13,12 @@ from viscodesign.cli.pump import _confirm
 from .conftest import CONFIGS, Call
 
 SPEC = CONFIGS / "leg_16_pump.yaml"
+TWO = CONFIGS / "antagonistic_two_inlets.yaml"
+PUMP = [
+    *("--set", "pump.syringe_diameter=34.9 mm", "--set", "pump.home=500"),
+    *("--set", "pump.servo_id={right: 2, left: 1}"),
+]
+SENSORS = ["--set", "pump.sensor={right: {channel: 1}, left: {channel: 0}}"]
 SHORT = [
     *("--set", "input={kind: sine, amplitude: 4 kPa, frequency: 0.5 Hz}"),
     *("--set", "run.duration=2 s", "--pace", "max"),
@@ -117,3 +123,67 @@ def test_a_broken_rule_ends_with_4_and_a_partial_record(
     assert "verified" in told.err
     beside = json.loads((tmp_path / "run" / "record.json").read_text())
     assert (beside["status"], beside["partial"], beside["rule"]) == ("stopped", True, "temperature")
+
+
+# -- two inlets -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("sensors", [SENSORS, []])
+def test_each_inlets_pressure_is_measured_and_recorded(
+    call: Call, tmp_path: Path, sensors: list[str]
+) -> None:
+    words = [*PUMP, *sensors, "--set", "run.duration=2 s", "--pace", "max", "--yes"]
+    told = call("pump", "stream", TWO, *words, "-o", tmp_path / "run", "--json")
+    assert told.status == 0, told.err
+    assert "left: -0.23 kPa at rest" in told.err
+    assert "right: -0.23 kPa at rest" in told.err
+    table = pd.read_csv(tmp_path / "run" / "record.csv")
+    table = table[table["time_s"] > 0]
+    for inlet, other in (("left", "right"), ("right", "left")):
+        measured, wanted = (table[f"{kind}_pressure_{inlet}_pa"] for kind in ("inlet", "wanted"))
+        # Of eight bits, 1.6 kPa apart.
+        assert (measured - wanted).abs().max() < 1.3e3
+        assert (measured - table[f"wanted_pressure_{other}_pa"]).abs().max() > 5e3
+
+
+ONE_SENSOR = ["--set", "pump.sensor={channel: 0}"]
+REAL = ["--board", "dynamixel", "--port", "x"]
+
+
+@pytest.mark.parametrize(
+    ("sensors", "blind"), [([], "for left and right"), (ONE_SENSOR, "for right,")]
+)
+def test_a_real_board_with_an_unguarded_inlet_is_refused(
+    call: Call, tmp_path: Path, sensors: list[str], blind: str
+) -> None:
+    told = call("pump", "stream", TWO, *PUMP, *sensors, *REAL, "-o", tmp_path / "run")
+    assert told.status == 2
+    assert blind in told.err
+    assert "sensor: {left: {channel: 0}, right: {channel: 1}}" in told.err
+    assert "--without-sensor" in told.err
+    assert not (tmp_path / "run").exists()
+
+
+def test_who_goes_without_a_sensor_at_one_inlet_keeps_the_other_one() -> None:
+    from viscodesign import load
+    from viscodesign.cli.pump._sensors import with_sensors
+
+    words = [word for word in PUMP if word != "--set"]
+    some = load(TWO, [*words, ONE_SENSOR[1]])
+    assert with_sensors(some, "dynamixel", without=True) is some
+    every = load(TWO, [*words, SENSORS[1]])
+    assert with_sensors(every, "dynamixel", without=False) is every
+    without = with_sensors(every, "dynamixel", without=True).pump
+    assert without is not None
+    assert without.sensor is None
+
+
+def test_a_slow_adapter_is_told_before_anything_moves(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from viscodesign.cli.pump._session import Way
+
+    monkeypatch.setattr(Way, "hints", ["/dev/x collects bytes for 16 ms"])
+    told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
+    assert told.status == 2
+    assert "/dev/x collects bytes for 16 ms" in told.err

@@ -40,7 +40,7 @@ def sample(
         servos={1: state},
         pressure=(pressure,),
         wanted=(wanted,),
-        pressed=frozenset(pressed.split()),
+        pressed={1: frozenset(pressed.split())},
         goals={1: state.goal},
         next_goals={1: state.goal + step},
     )

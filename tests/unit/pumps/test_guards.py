@@ -170,3 +170,84 @@ def test_drawing_back_is_watched_by_all_but_the_pressure() -> None:
     pump = Pump(syringe_diameter=0.0349)
     left_out = {g.rule for g in stream_rules(pump, 3)} - {g.rule for g in retreat_rules(pump, 3)}
     assert left_out == {"pressure_cap", "sensor_frozen"}
+
+
+# -- two inlets -----------------------------------------------------------------------------
+
+
+def two(
+    pressure: tuple[float | None, float | None] = (10e3, 10e3),
+    wanted: tuple[float, float] = (10e3, 10e3),
+    pressed: str = "",
+    steps: tuple[int, int] = (0, 0),
+) -> Sample:
+    """Servos 4 and 7; ``pressed``: ends of servo 7."""
+    states = {4: servo(), 7: servo()}
+    goals = {number: state.goal for number, state in states.items()}
+    return Sample(
+        time=0.0,
+        servos=states,
+        pressure=pressure,
+        wanted=wanted,
+        pressed={4: frozenset(), 7: frozenset(pressed.split())},
+        goals=goals,
+        next_goals={4: goals[4] + steps[0], 7: goals[7] + steps[1]},
+    )
+
+
+@pytest.mark.parametrize(
+    ("pairs", "stops"),
+    [
+        ([(24e3, 26e3), (24e3, 26e3)], 1),
+        ([(26e3, 24e3), (24e3, 26e3), (26e3, 24e3)], None),  # one sample each is noise
+        ([(None, 26e3), (None, 26e3)], 1),
+        ([(24e3, math.nan), (24e3, math.nan)], 1),  # a number beside it hides it not
+    ],
+)
+def test_each_inlet_is_capped(
+    pairs: list[tuple[float | None, float | None]], stops: int | None
+) -> None:
+    assert first_stop(PressureCap(25e3), [two(pressure=pair) for pair in pairs]) == stops
+
+
+def test_the_inlet_above_the_cap_is_named_by_its_servo() -> None:
+    guard = PressureCap(25e3)
+    guard.check(two(pressure=(10e3, 26e3)))
+    reason = guard.check(two(pressure=(10e3, 26e3)))
+    assert reason is not None
+    assert "26.00 kPa gauge in 2 samples at the inlet of servo 7" in reason
+
+
+def test_a_frozen_sensor_of_either_inlet_is_found() -> None:
+    samples = [two(pressure=(1e3 * k, 2e3), wanted=(1e3 * k, 1e3 * k)) for k in range(12)]
+    assert first_stop(SensorFrozen(), samples) == 7
+    reason = [SensorFrozen().check(one) for one in samples]
+    assert reason == [None] * 12  # each guard counts for itself
+    guard = SensorFrozen()
+    told = [guard.check(one) for one in samples][7]
+    assert told is not None
+    assert "at the inlet of servo 7" in told
+
+
+@pytest.mark.parametrize(
+    ("steps", "stops"), [((3, 0), False), ((-3, 0), False), ((0, -3), False), ((0, 3), True)]
+)
+def test_a_switch_bars_only_its_own_plunger(steps: tuple[int, int], stops: bool) -> None:
+    reason = LimitSwitches().check(two(pressed="high", steps=steps))
+    assert (reason is not None) == stops
+    if reason is not None:
+        assert "the high end of servo 7" in reason
+
+
+def test_running_into_a_switch_is_noticed_of_the_plunger_that_does() -> None:
+    guard = LimitSwitches()
+    assert guard.check(two(steps=(1, -1))) is None
+    # Servo 4 went up, but the switch is servo 7's.
+    assert guard.check(two(pressed="high")) is None
+    assert guard.check(two(pressed="low")) is not None
+
+
+def test_a_torque_limit_of_zero_is_a_servo_that_shut_itself_off() -> None:
+    reason = ErrorBitsSet().check(sample(state=servo(torque_limit=0)))
+    assert reason is not None
+    assert "shut itself off" in reason

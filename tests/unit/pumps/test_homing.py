@@ -45,7 +45,7 @@ class Bed:
             free,
             [1],
             Gauges([None], 0.0),
-            Switches(spec.limit_switches),
+            Switches.of(spec, [1]),
             self.clock,
         )
 

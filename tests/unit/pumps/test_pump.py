@@ -9,6 +9,7 @@ import pytest
 from tests.pump_rig import TRAVEL, Rig
 from viscodesign.errors import PumpError
 from viscodesign.pumps import registers
+from viscodesign.pumps.boards.base import Goal
 from viscodesign.pumps.guards import Stop
 from viscodesign.pumps.limits import free_speed, stalling_pressure, torque_limit
 from viscodesign.pumps.packets import ErrorBits
@@ -114,3 +115,23 @@ def test_release_is_read_back(armed: Rig) -> None:
     (left,) = armed.pump.release()
     assert left.sure
     assert not servo_of(armed).get(registers.TORQUE_ENABLE)
+
+
+def test_torque_limits_of_some_go_in_a_packet_of_their_own() -> None:
+    rig = Rig((1, 2))
+    rig.begin()
+    before = len(rig.tap.sent)
+    rig.board.move({1: Goal(200, 20), 2: Goal(201, 20, 350)})
+    first, second = rig.tap.sent[before:]
+    assert (first.register(registers.GOAL_POSITION), second.register(registers.GOAL_POSITION)) == (
+        {1: 200},
+        {2: 201},
+    )
+    assert first.register(registers.TORQUE_LIMIT) == {}
+    assert second.register(registers.TORQUE_LIMIT) == {2: 350}
+
+
+@pytest.mark.parametrize("torque", [0, 1024])
+def test_no_torque_limit_lets_go_or_is_none(torque: int) -> None:
+    with pytest.raises(PumpError, match="1 to 1023"):
+        Goal(200, 20, torque)

@@ -187,7 +187,7 @@ def test_the_plane_is_drawn(tmp_path: Path, ending: str) -> None:
     found = [classify(load(p)) for p in sorted(CONFIGS.glob("*.yaml"))]
     found.append(
         classify(
-            leg("input={kind: step, value: 1}", "fluid={name: x, viscosity: 1e-20, density: 1}")
+            leg("input={kind: step, value: 1}", "fluid={name: x, viscosity: 1e-15, density: 1}")
         )
     )
     draw_plane(found, tmp_path / f"plane.{ending}")

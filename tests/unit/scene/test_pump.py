@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import jsonschema
 import pytest
+import yaml
 
-from tests.scenes import leg
+from tests.scenes import CONFIGS, leg
 from viscodesign.errors import SpecError
+from viscodesign.loading import schema
+from viscodesign.scene.by_inlet import each
 from viscodesign.scene.dump import resolved_yaml
 from viscodesign.scene.load import parse_scene
 from viscodesign.scene.pump import Pump
@@ -81,3 +85,117 @@ def test_a_pump_comes_back_from_the_resolved_spec(given: str) -> None:
     assert parse_scene(text.encode()).pump == scene.pump
     assert scene.pump is not None
     assert scene.pump.battery_capacity == pytest.approx(1620.0)
+
+
+# -- several inlets -------------------------------------------------------------------------
+
+
+def two_inlets(words: str) -> Pump:
+    ids = "servo_id: {right: 2, left: 1}"
+    found = leg(
+        f"pump={{syringe_diameter: 34.9 mm, {ids}, {words}}}", config="antagonistic_two_inlets"
+    ).pump
+    assert found is not None
+    return found
+
+
+BOTH = (
+    "sensor: {right: {channel: 1}, left: {channel: 0}}, "
+    "limit_switches: {right: {low: D3, high: D4, normally: open}, left: {low: D1, high: D2}}"
+)
+
+
+def test_what_is_said_by_inlet_comes_in_the_order_of_the_inlets() -> None:
+    found = two_inlets(BOTH)
+    for part in (found.servo_id, found.sensor, found.limit_switches):
+        assert isinstance(part, dict)
+        assert list(part) == ["left", "right"]
+    assert [s.channel for s in each(found.sensor, 2) if s is not None] == [0, 1]
+
+
+def test_one_part_is_the_first_inlets() -> None:
+    found = two_inlets("sensor: {channel: 3}, limit_switches: {low: D1, high: D2}")
+    first, second = each(found.sensor, 2)
+    assert first is not None
+    assert (first.channel, second) == (3, None)
+    assert each(found.limit_switches, 2)[1] is None
+    assert each(two_inlets("home: 300").sensor, 2) == (None, None)
+
+
+def test_parts_by_inlet_come_back_from_the_resolved_spec_and_fit_the_schema() -> None:
+    words = f"pump={{syringe_diameter: 34.9 mm, servo_id: {{left: 1, right: 2}}, {BOTH}}}"
+    scene = leg(words, config="antagonistic_two_inlets")
+    text = resolved_yaml(scene)
+    assert parse_scene(text.encode()).pump == scene.pump
+    jsonschema.Draft202012Validator(schema()).validate(yaml.safe_load(text))
+
+
+@pytest.mark.parametrize(
+    ("words", "key", "told"),
+    [
+        ("sensor: {left: {channel: 0}}", "sensor", "the inlet 'right' has no pressure sensor"),
+        (
+            "sensor: {left: {channel: 0}, right: {channel: 1}, rigt: {channel: 2}}",
+            "sensor.rigt",
+            "did you mean 'right'",
+        ),
+        (
+            "sensor: {left: {channel: 0}, right: {channel: 0}}",
+            "sensor.right.channel",
+            "the channel of the inlet 'left' already",
+        ),
+        (
+            "sensor: {left: {channel: 0, on: board}, right: {channel: 0}}",
+            "sensor.right.channel",
+            "the channel of the inlet 'left' already",
+        ),
+        ("sensor: {left: {channel: 0}, right: {channel: 9}}", "sensor.right.channel", "at most 7"),
+        ("sensor: {left: {channel: 0}, right: 3}", "sensor.right", "a mapping is wanted"),
+        ("sensor: {}", "sensor.channel", "missing"),
+        ("sensor: 3", "sensor", "a mapping is wanted"),
+        ("sensor: {left: {channel: 0}, right: {chanel: 1}}", "sensor.right.chanel", "'channel'"),
+        (
+            "limit_switches: {left: {low: D1, high: D2}}",
+            "limit_switches",
+            "the inlet 'right' has no limit switches",
+        ),
+        (
+            "limit_switches: {left: {low: D1, high: D2}, right: {low: D02, high: D4}}",
+            "limit_switches.right.low",
+            "the pin of left.high already",
+        ),
+        ("limit_switches: {low: D1, high: D1}", "limit_switches.high", "the pin of low already"),
+        (
+            "limit_switches: {left: {low: D1, high: D2}, right: {low: D3}}",
+            "limit_switches.right.high",
+            "missing",
+        ),
+    ],
+)
+def test_faults_of_parts_by_inlet(words: str, key: str, told: str) -> None:
+    with pytest.raises(SpecError) as refused:
+        two_inlets(words)
+    faults = {fault.key: fault.message for fault in refused.value.faults}
+    assert told in faults[f"pump.{key}"]
+
+
+def test_a_fault_by_inlet_has_its_line() -> None:
+    text = (CONFIGS / "antagonistic_two_inlets.yaml").read_text()
+    lines = [
+        *text.splitlines(),
+        "pump:",
+        "  syringe_diameter: 34.9 mm",
+        "  servo_id: {left: 1, right: 2}",
+        "  sensor:",
+        "    left: {channel: 0}",
+        "    right: {channel: 0}",
+    ]
+    with pytest.raises(SpecError) as refused:
+        parse_scene("\n".join(lines).encode(), "two.yaml")
+    (fault,) = refused.value.faults
+    assert (fault.file, fault.line) == ("two.yaml", len(lines))
+
+
+def test_the_same_channel_of_two_boards_is_not_the_same() -> None:
+    found = two_inlets("sensor: {left: {channel: 0, on: board}, right: {channel: 0, on: phidget}}")
+    assert isinstance(found.sensor, dict)

@@ -103,10 +103,10 @@ class Performance:
 
     def _gauges(self, board: Board) -> AbstractContextManager[Gauges]:
         ambient = self.scene.ambient_pressure
-        return gauges(board, self.settings.sensor, ambient, len(self.plan.inlets))
+        return gauges(board, self.settings, ambient, self.plan.inlets)
 
     def _pump(self, board: Board, sensors: Gauges) -> Pump:
-        switches = Switches(self.settings.limit_switches)
+        switches = Switches.of(self.settings, self.plan.servos)
         return Pump(board, self.settings, self.plan.servos, sensors, switches, self.clock)
 
     def _connect(self, pump: Pump) -> list[str]:
@@ -119,6 +119,7 @@ class Performance:
             f"found {pump.identity}",
             *table(document_rows(servo_documents(found))),
             *told,
+            *self.way.hints,
         ]
 
     def _calibration(self) -> dict[str, Any]:

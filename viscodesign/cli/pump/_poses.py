@@ -213,7 +213,7 @@ def pump_with(board: Board, poses: Poses, clock: Clock) -> Pump:
     """The pump behind a board that reads neither sensors nor switches."""
     servos = poses.lead.servos
     nothing = Gauges([None] * len(servos), poses.scene.ambient_pressure)
-    return Pump(board, poses.settings, servos, nothing, Switches(None), clock)
+    return Pump(board, poses.settings, servos, nothing, Switches({}), clock)
 
 
 def player_of(

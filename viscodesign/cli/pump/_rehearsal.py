@@ -51,7 +51,7 @@ def rehearsed(performance: Performance) -> list[str]:
     board = Simulated(line, plan.servos)
     # Nothing is measured here: a closed barrel would show another pressure than the actuator's.
     gauges = Gauges([None] * len(plan.servos), ambient)
-    pump = Pump(board, settings, plan.servos, gauges, Switches(None), clock)
+    pump = Pump(board, settings, plan.servos, gauges, Switches({}), clock)
     stream = Stream(
         pump,
         plan.profile(plan.achievable),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from viscodesign.pumps.log import ByteLog
     from viscodesign.pumps.sensors.base import PressureSource
     from viscodesign.pumps.virtual.plant import Plant
-    from viscodesign.scene.pump import Sensor
+    from viscodesign.scene.pump import Pump, Sensor
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,14 @@ class Way:
     def label(self) -> str:
         """To be put before what is told of a simulated board."""
         return "[simulated] " if self.simulated else ""
+
+    @property
+    def hints(self) -> list[str]:
+        """What would make its port better."""
+        from viscodesign.pumps.ports import latency_hint
+
+        hint = "" if self.port is None else latency_hint(self.port)
+        return [f"{self.port} {hint}"] if hint else []
 
     def clock(self) -> Clock:
         """The real one; a simulated board's at the pace asked for."""
@@ -85,21 +93,25 @@ def opened(
 
 
 @contextlib.contextmanager
-def gauges(board: Board, sensor: Sensor | None, ambient: float, inlets: int) -> Iterator[Gauges]:
-    """The pressure sensor of the first of several inlets, on the board or on a Phidgets' kit.
+def gauges(
+    board: Board, pump: Pump | None, ambient: float, inlets: Sequence[str]
+) -> Iterator[Gauges]:
+    """The pressure sensors of the inlets, each on the board or on a Phidgets' kit.
 
     ``ambient``: absolute [Pa].
     """
     from viscodesign.pumps.gauges import Gauges
+    from viscodesign.scene.by_inlet import each
 
-    if sensor is None:
-        yield Gauges([None] * inlets, ambient)
-        return
-    source = _source(board, sensor)
-    try:
-        yield Gauges([source.absolute] + [None] * (inlets - 1), ambient)
-    finally:
-        source.close()
+    sensors = each(None if pump is None else pump.sensor, len(inlets))
+    with contextlib.ExitStack() as open_sources:
+        reads: list[Callable[[], float] | None] = []
+        for sensor in sensors:
+            source = None if sensor is None else _source(board, sensor)
+            if source is not None:
+                open_sources.callback(source.close)
+            reads.append(None if source is None else source.absolute)
+        yield Gauges(reads, ambient, inlets)
 
 
 def _source(board: Board, sensor: Sensor) -> PressureSource:

@@ -18,11 +18,11 @@ def plan_rows(plan: PumpPlan, pump: Pump, rate: float, on_stop: str) -> list[tup
     from viscodesign.pumps.limits import stalling_pressure, torque_limit
 
     course = plan.achievable
-    limit = torque_limit(pump, top_speed(plan.profile(course)))
+    slow, fast = (torque_limit(pump, speed) for speed in (0.0, top_speed(plan.profile(course))))
     counts, volume, pressure = course.count, 1e6 * course.volume, course.pressure / 1e3
     play = float(course.time[-1]) - course.lead_s
     low, high = pump.travel
-    held = stalling_pressure(pump, limit) / 1e3
+    held, most = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
     return [
         ("plays", f"{plan.name}, {play:.4g} s at {rate:g} Hz; {course.lead_s:.3g} s before it"),
         (
@@ -37,8 +37,9 @@ def plan_rows(plan: PumpPlan, pump: Pump, rate: float, on_stop: str) -> list[tup
         ),
         (
             "torque",
-            f"up to {course.stall_share.max():.0%} of stall, limited to {limit / 1023:.0%}: "
-            f"it cannot hold more than {held:.0f} kPa",
+            f"up to {course.stall_share.max():.0%} of stall, limited to {slow / 1023:.0%} at rest "
+            f"and {fast / 1023:.0%} at its fastest: it cannot hold more than {held:.0f} kPa, there "
+            f"{most:.0f} kPa",
         ),
         ("speed", f"up to {course.speed_share.max():.0%} of what the servo has left"),
         ("on stop", on_stop),

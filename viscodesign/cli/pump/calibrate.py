@@ -159,7 +159,7 @@ def _against_switches(
         yes=yes,
     )
     free = pump.model_copy(update={"travel": (0, SERVO_COUNTS)})
-    switches = Switches(pump.limit_switches)
+    switches = Switches.of(pump, [servo])
     moved = Moved(board, free, [servo], Gauges([None], 0.0), switches, clock)
     with noted_signals() as wish:
         low, high = find_travel(moved, lambda: wish.asked)

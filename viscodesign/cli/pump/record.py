@@ -86,10 +86,9 @@ def _record(
         identity = board.identify()
         servos = setting.servos(board)
         names = setting.named(servos)
-        sensor = None if setting.pump is None else setting.pump.sensor
         facts = {"board": way.board, "simulated": way.simulated, "identity": identity}
         with (
-            gauges(board, sensor, setting.ambient, len(servos)) as sensors,
+            gauges(board, setting.pump, setting.ambient, names) as sensors,
             recorded(path, names, facts) as record,
             noted_signals() as wish,
         ):

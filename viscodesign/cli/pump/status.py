@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -48,7 +49,7 @@ def command(
     way = Way(board, port, baud, "1", log)
     setting = setting_of(spec, overrides, way.simulated)
     with opened(way, way.clock(), setting) as (opened_board, _log):
-        found = _found(opened_board, setting)
+        found = {**_found(opened_board, setting), "hints": way.hints}
     if json:
         say(json_text({"board": board, "simulated": way.simulated, **found}))
     elif not quiet:
@@ -64,26 +65,32 @@ def _found(board: AnyBoard, setting: Setting) -> dict[str, Any]:
 
     identity = board.identify()
     servos = [find_servo(board, servo) for servo in setting.servos(board)]
+    names = setting.named([servo.id for servo in servos])
     against = [] if setting.pump is None else [objections(s, setting.pump) for s in servos]
     return {
         "identity": identity,
         "servos": servo_documents(servos),
-        **_on_pins(board, setting, len(servos)),
+        "inlets": names,
+        **_on_pins(board, setting, names),
         "objections": [reason for reasons in against for reason in reasons],
     }
 
 
-def _on_pins(board: AnyBoard, setting: Setting, inlets: int) -> dict[str, Any]:
+def _on_pins(board: AnyBoard, setting: Setting, inlets: Sequence[str]) -> dict[str, Any]:
     """Pressure and switches, where the spec names them."""
     from viscodesign.cli.pump._session import gauges
+    from viscodesign.pumps.opening import servo_ids
     from viscodesign.pumps.switches import Switches
 
     if setting.pump is None:
         return {}
-    with gauges(board, setting.pump.sensor, setting.ambient, inlets) as sensors:
+    with gauges(board, setting.pump, setting.ambient, inlets) as sensors:
         pressure = sensors.read()
-    switches = Switches(setting.pump.limit_switches)
-    return {"pressure_pa_gauge": pressure, "switches_pressed": sorted(switches.read(board))}
+    servos = servo_ids(setting.pump)
+    pressed = Switches.of(setting.pump, servos).read(board)
+    of = dict(zip(servos, (f"{name} " for name in inlets), strict=True)) if len(inlets) > 1 else {}
+    ends = [f"{of.get(servo, '')}{end}" for servo in pressed for end in sorted(pressed[servo])]
+    return {"pressure_pa_gauge": pressure, "switches_pressed": ends}
 
 
 def _lines(way: Way, found: dict[str, Any]) -> list[str]:
@@ -92,9 +99,10 @@ def _lines(way: Way, found: dict[str, Any]) -> list[str]:
 
     lines = [f"{way.label}{found['identity']}"]
     lines += table(document_rows(found["servos"])) if found["servos"] else ["  no servo answers"]
-    for value in found.get("pressure_pa_gauge", ()):
+    for inlet, value in zip(found["inlets"], found.get("pressure_pa_gauge", ()), strict=False):
         told = "no sensor" if value is None else f"{value / 1e3:.2f} kPa gauge"
-        lines.append(f"  pressure  {told}")
+        name = f" of {inlet}" if len(found["inlets"]) > 1 else ""
+        lines.append(f"  pressure{name}  {told}")
     if pressed := found.get("switches_pressed"):
         lines.append(f"  pressed switches (or broken wires)  {', '.join(pressed)}")
-    return lines
+    return [*lines, *(f"  {hint}" for hint in found["hints"])]

@@ -14,7 +14,6 @@ from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 
 if TYPE_CHECKING:
     from viscodesign.pumps.stream import Ending
-    from viscodesign.scene.scene import Scene
 
 ON_STOP = ("hold", "release", "retract")
 EXAMPLE = """\b
@@ -42,7 +41,9 @@ def command(
     without_sensor: Annotated[
         bool,
         typer.Option(
-            "--without-sensor", help="Go without a pressure reading: no cap but the torque limit."
+            "--without-sensor",
+            help="Go where an inlet has no pressure sensor, or all do without: no cap but the "
+            "torque limit.",
         ),
     ] = False,
     pace: Pace = "1",
@@ -72,6 +73,7 @@ def command(
     from viscodesign.cli.progress import progress
     from viscodesign.cli.pump._performance import Performance
     from viscodesign.cli.pump._rehearsal import rehearsed
+    from viscodesign.cli.pump._sensors import with_sensors
     from viscodesign.cli.pump._session import Way
     from viscodesign.cli.pump._told import ending_document
     from viscodesign.cli.simulate import folder_name
@@ -81,7 +83,7 @@ def command(
     from viscodesign.report.atomic import refused_plainly
 
     _check(board, rate, on_stop)
-    scene = _with_sensor(load(spec, overrides or ()), board, without_sensor)
+    scene = with_sensors(load(spec, overrides or ()), board, without_sensor)
     folder = output or Path("runs") / f"{folder_name(scene.name)}-stream"
     way = Way(board, port, baud, pace, log or (None if dry_run else folder / "log.jsonl"))
     clock = way.clock()
@@ -126,26 +128,6 @@ def _check(board: str, rate: float, on_stop: str) -> None:
         raise UsageError(f"--rate {rate:g}; give {LOWEST_RATE:g} to {HIGHEST_RATE:g} Hz")
     if on_stop not in ON_STOP:
         raise UsageError(f"--on-stop {on_stop}: no such thing; one of {', '.join(ON_STOP)}")
-
-
-def _with_sensor(scene: Scene, board: str, without: bool) -> Scene:
-    """The scene with a pressure sensor, or with the user's word that there is none."""
-    from viscodesign.planning.variants import pump_of
-    from viscodesign.pumps.opening import board_kind
-    from viscodesign.scene.pump import Sensor
-
-    pump = pump_of(scene)
-    if without:
-        return scene.model_copy(update={"pump": pump.model_copy(update={"sensor": None})})
-    if pump.sensor is not None:
-        return scene
-    if board_kind(board).simulated:
-        sensor = Sensor(channel=0)
-        return scene.model_copy(update={"pump": pump.model_copy(update={"sensor": sensor})})
-    raise UsageError(
-        "the spec names no pressure sensor, so no cap would be watched: add pump.sensor, like "
-        "`sensor: {channel: 0}`, or go --without-sensor and rely on the servo's torque limit"
-    )
 
 
 def _leave(ending: Ending, folder: Path) -> None:

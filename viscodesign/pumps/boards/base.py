@@ -22,12 +22,16 @@ class Goal:
     """Goal position, 0 to 1023."""
     speed: int
     """Speed register, 1 to 1023 (0 would be full speed, and is refused)."""
+    torque: int | None = None
+    """Torque limit register, 1 to 1023; None leaves it as it is."""
 
     def __post_init__(self) -> None:
         if not 0 <= self.count <= 1023:
             raise PumpError(f"a goal of {self.count} counts; a servo turns from 0 to 1023")
         if not 1 <= self.speed <= 1023:
             raise PumpError(f"a speed of {self.speed}; the register takes 1 to 1023")
+        if self.torque is not None and not 1 <= self.torque <= 1023:
+            raise PumpError(f"a torque limit of {self.torque}; the register takes 1 to 1023")
 
 
 class Board(ABC):
@@ -46,6 +50,8 @@ class Board(ABC):
     """Whether it takes set-points in real time (`pump stream`)."""
     has_pins: ClassVar[bool]
     """Whether it reads analog and digital pins."""
+    limits_torque: ClassVar[bool] = False
+    """Whether a move sets torque limits too, in the same transaction."""
     simulated: ClassVar[bool] = False
     """Whether nothing real moves; everything it says is labelled so."""
     boot: ClassVar[float] = 0.0
@@ -104,7 +110,10 @@ class Board(ABC):
 
     @abstractmethod
     def move(self, goals: Mapping[int, Goal]) -> None:
-        """Set speed and goal of all named servos, in one transaction where the board can."""
+        """Set speed and goal of all named servos, in one transaction where the board can.
+
+        Torque limits only where the board `limits_torque`; others leave them.
+        """
 
     @abstractmethod
     def halt(self) -> None:

@@ -19,6 +19,8 @@ MOST = 0.15
 class BusBoard(Board):
     """Reads and writes go to the servos, a move to all of them in one SYNC_WRITE."""
 
+    limits_torque = True
+
     def __init__(self, line: Line, servos: Sequence[int] = ()) -> None:
         super().__init__(line, servos)
         self.wire = Transactions(line)
@@ -43,7 +45,9 @@ class BusBoard(Board):
         """Nobody answers a SYNC_WRITE: whether it came, the positions tell."""
         if not goals:
             raise PumpError("a move of no servo")
-        self.wire.tell(packets.sync_write(registers.GOAL_POSITION.address, _blocks(goals)))
+        start = registers.GOAL_POSITION.address
+        for blocks in _by_length(goals):
+            self.wire.tell(packets.sync_write(start, blocks))
 
     def halt(self) -> None:
         """No program runs on it."""
@@ -55,9 +59,14 @@ class BusBoard(Board):
         return None
 
 
-def _blocks(goals: Mapping[int, Goal]) -> dict[int, bytes]:
-    """Goal position and moving speed, which lie side by side."""
-    goal, speed = registers.GOAL_POSITION, registers.MOVING_SPEED
-    return {
-        servo: goal.encode(each.count) + speed.encode(each.speed) for servo, each in goals.items()
-    }
+def _by_length(goals: Mapping[int, Goal]) -> list[dict[int, bytes]]:
+    """What each servo is sent; a packet has one length, so there are two where only some differ."""
+    blocks = {servo: _block(goal) for servo, goal in goals.items()}
+    lengths = sorted({len(block) for block in blocks.values()})
+    return [{s: block for s, block in blocks.items() if len(block) == n} for n in lengths]
+
+
+def _block(goal: Goal) -> bytes:
+    """Goal position, moving speed and, where given, torque limit, which lie side by side."""
+    data = registers.GOAL_POSITION.encode(goal.count) + registers.MOVING_SPEED.encode(goal.speed)
+    return data if goal.torque is None else data + registers.TORQUE_LIMIT.encode(goal.torque)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from viscodesign.pumps.sensors.phidget_1140 import HIGHEST_RATIO, LOWEST_RATIO, ratio_of
 from viscodesign.pumps.virtual.bench import Bench
 from viscodesign.pumps.virtual.plant import AMBIENT
+from viscodesign.scene.by_inlet import each
 
 SWITCH_DISTANCE = 10
 """Counts behind the ends of travel at which the limit switches stand."""
@@ -14,7 +15,7 @@ SWITCH_DISTANCE = 10
 
 @dataclass
 class Pins:
-    """Read by the firmwares; the first plunger's sensor and switches."""
+    """Read by the firmwares: each plunger's sensor and switches, as the spec names them."""
 
     bench: Bench
     ambient: float = AMBIENT
@@ -24,14 +25,15 @@ class Pins:
 
     def analog(self, channel: int) -> float:
         """Voltage over supply; nothing hangs on other channels, which float about zero."""
-        pump = self.bench.drives[0].pump
         name = f"A{channel}"
         if name in self.broken:
             return self.broken[name]
-        if pump.sensor is None or pump.sensor.channel != channel:
-            return 0.0
-        ratio = ratio_of(self.ambient + float(self.bench.pressures[0]))
-        return min(max(ratio, LOWEST_RATIO), HIGHEST_RATIO)
+        sensors = each(self.bench.drives[0].pump.sensor, len(self.bench.servos))
+        for sensor, pressure in zip(sensors, self.bench.pressures, strict=True):
+            if sensor is not None and sensor.channel == channel:
+                ratio = ratio_of(self.ambient + float(pressure))
+                return min(max(ratio, LOWEST_RATIO), HIGHEST_RATIO)
+        return 0.0
 
     def high(self, pin: int, pulled_up: bool) -> bool:
         """Level of a digital pin; an open one is high only where it is pulled up."""
@@ -42,14 +44,15 @@ class Pins:
 
     def _grounded(self, name: str) -> bool:
         """Whether a switch connects the pin to ground now."""
-        pump = self.bench.drives[0].pump
-        if pump.limit_switches is None:
-            return False
-        switches = pump.limit_switches
+        pump, servos = self.bench.drives[0].pump, self.bench.servos
         low, high = pump.travel
-        count = self.bench.servos[0].position
-        pressed = {
-            switches.low: count < low - SWITCH_DISTANCE,
-            switches.high: count > high + SWITCH_DISTANCE,
-        }
-        return name in pressed and pressed[name] == (switches.normally == "open")
+        pairs = zip(servos, each(pump.limit_switches, len(servos)), strict=True)
+        for servo, switches in pairs:
+            if switches is not None and name in (switches.low, switches.high):
+                beyond = (
+                    servo.position < low - SWITCH_DISTANCE
+                    if name == switches.low
+                    else servo.position > high + SWITCH_DISTANCE
+                )
+                return beyond == (switches.normally == "open")
+        return False
