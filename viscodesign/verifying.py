@@ -22,6 +22,7 @@ from dataclasses import dataclass, replace
 from viscodesign.build import Settings
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
+from viscodesign.errors import SolveError
 from viscodesign.solving import (
     FlowDifference,
     Progress,
@@ -110,6 +111,14 @@ class Verifier:
             )
         return run
 
+    def _finer(self, settings: Settings) -> Run | None:
+        """Solve again; None where that finds no start, which takes nothing from what is solved."""
+        try:
+            return self.solve(settings)
+        except SolveError as error:
+            self.stalled = f"solved more finely, {error.short}"
+            return None
+
     def verify(self, run: Run) -> tuple[Run, ErrorParts | None]:
         """The finest solution, and its error; None where one of them ended early."""
         space_m = 0.0 if run.is_exact_in_space else None
@@ -128,7 +137,9 @@ class Verifier:
                 )
             else:
                 settings = replace(run.settings, tolerance=run.settings.tolerance / 10)
-            finer = self.solve(settings)
+            finer = self._finer(settings)
+            if finer is None:
+                break
             if finer.solution.interrupted:
                 self.interrupted = True
                 return run, None
