@@ -22,6 +22,7 @@ from dataclasses import dataclass, replace
 from viscodesign.build import Settings
 from viscodesign.effects.base import Effect
 from viscodesign.effects.conditions import Conditions
+from viscodesign.errors import SolveError
 from viscodesign.solving import (
     FlowDifference,
     Progress,
@@ -128,7 +129,12 @@ class Verifier:
                 )
             else:
                 settings = replace(run.settings, tolerance=run.settings.tolerance / 10)
-            finer = self.solve(settings)
+            try:
+                finer = self.solve(settings)
+            except SolveError as error:
+                # Not even its start was found: the coarser solution stays as it is.
+                self.stalled = f"a finer solution has no start: {error.short}"
+                break
             if finer.solution.interrupted:
                 self.interrupted = True
                 return run, None
