@@ -111,14 +111,6 @@ class Verifier:
             )
         return run
 
-    def _finer(self, settings: Settings) -> Run | None:
-        """Solve again; None where that finds no start, which takes nothing from what is solved."""
-        try:
-            return self.solve(settings)
-        except SolveError as error:
-            self.stalled = f"solved more finely, {error.short}"
-            return None
-
     def verify(self, run: Run) -> tuple[Run, ErrorParts | None]:
         """The finest solution, and its error; None where one of them ended early."""
         space_m = 0.0 if run.is_exact_in_space else None
@@ -137,8 +129,11 @@ class Verifier:
                 )
             else:
                 settings = replace(run.settings, tolerance=run.settings.tolerance / 10)
-            finer = self._finer(settings)
-            if finer is None:
+            try:
+                finer = self.solve(settings)
+            except SolveError as error:
+                # Not even its start was found: the coarser solution stays as it is.
+                self.stalled = f"a finer solution has no start: {error.short}"
                 break
             if finer.solution.interrupted:
                 self.interrupted = True

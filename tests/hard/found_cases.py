@@ -46,4 +46,18 @@ CASES: tuple[Case, ...] = (
         ),
         converges=False,
     ),
+    Case(
+        "F5",
+        "a weight of 80,000 EI/l2, few steps allowed",
+        "the way to its equilibrium has a limit, too",
+        (
+            "loads.gravity={tilt: 5.7}",
+            "actuator.density=1e9",
+            "bellows.count=4",
+            "effects={gravity: on, others: off}",
+            "run={duration: 0.5 s, output_interval: 0.1 s, max_steps: 400}",
+        ),
+        ending="refused",
+        says=("the limit of 400 steps was reached", "of the loads", "run.max_steps"),
+    ),
 )

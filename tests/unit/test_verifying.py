@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign import Trajectory, simulate
+from viscodesign import Trajectory, simulate, verifying
 from viscodesign.build import Settings, suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
+from viscodesign.errors import SolveError
 from viscodesign.scene.scene import Scene
+from viscodesign.solving import Run, solve
 from viscodesign.verifying import ErrorParts, Verifier
 
 GRAVITY = "loads.gravity={tilt: 90 deg}"
@@ -132,3 +135,22 @@ def test_a_wish_to_stop_in_the_last_moment_is_obeyed() -> None:
     assert parts is None
     assert verifier.interrupted
     assert verifier.solutions == 1
+
+
+def test_a_finer_solution_without_a_start_leaves_the_coarser_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    scene, solutions = leg(*SCENES["loaded"]), []
+
+    def second_fails(*arguments: Any) -> Run:
+        if solutions:
+            raise SolveError("no way", quantity="work", where="rod", remedy="Go elsewhere.")
+        solutions.append(solve(*arguments))
+        return solutions[0]
+
+    monkeypatch.setattr(verifying, "solve", second_fails)
+    run = simulate(scene)
+    assert run.status == "failed"
+    assert run.failure is not None
+    assert "its error is not known: a finer solution has no start: no way" in run.failure
+    assert np.array_equal(run.tip, solutions[0].motion.tip)

@@ -26,12 +26,6 @@ SMALLEST_STEP = 2.0**-20
 """Of a branch; an imperfection turns it sharply near a bifurcation."""
 
 
-FEWEST_TRIES = 200
-"""Solutions that may always be sought along one branch; the hardest of the gauntlet takes 47."""
-MOST_TRIED = 100_000
-"""Unknowns of all solutions together, after which the next that is not found ends a branch."""
-
-
 class NewtonError(Exception):
     """Newton's iteration came to a stop short of a solution.
 
@@ -101,14 +95,11 @@ def continuation(
 
     ``accept`` judges a solution by its neighbours (where it was foreseen, and the one
     before) and by its Jacobian: what it refuses is not on the branch, and a shorter step is
-    tried. Raises `NewtonError` with the load factor reached, where the branch ends or takes
-    too many solutions.
+    tried. Raises `NewtonError` with the load factor reached, where the branch ends.
     """
     y, reached, step = start, 0.0, 1.0
     previous: tuple[np.ndarray, float] | None = None
-    tries, most = 0, max(FEWEST_TRIES, MOST_TRIED // max(len(start), 1))
     while reached < 1.0:
-        tries += 1
         target = min(1.0, reached + step)
         guess = y
         if previous is not None:
@@ -120,7 +111,7 @@ def continuation(
                 raise NewtonError(0.0, 0)
         except NewtonError as failure:
             step /= 2
-            if step < SMALLEST_STEP or tries >= most:
+            if step < SMALLEST_STEP:
                 raise NewtonError(failure.residual, failure.worst, reached) from failure
             continue
         previous, y, reached = (y, reached), found, target

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -36,14 +37,18 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: boo
 
     The unloaded shape is known in closed form; loads are then raised step by step,
     unless ``loaded`` is false: then they wait to act at once.
-    Raises `SolveError` with the load reached where no equilibrium is found.
+    Raises `SolveError` with the load reached where no equilibrium is found, or where that
+    takes more evaluations than a run may take steps.
     """
     equations = problem.equations
+    evaluations = itertools.count(1)
     guess = _unloaded(problem, time, piece)
     if not loaded:
         return _from_statics(problem, guess, time, piece)
 
     def family(y: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
+        if next(evaluations) > problem.most_steps:
+            raise _overworked(problem, load, time)
         residual, jacobian, *_ = evaluate(
             equations.static_function, y, *problem.tail(time, piece, load)
         )
@@ -311,6 +316,17 @@ def vanished_section(time: float, section: int, stretch: float) -> SolveError:
         time_s=float(time),
         remedy="Raise the lowest pressure, or check bellows.extension_per_pressure and "
         "actuator.youngs_modulus.",
+    )
+
+
+def _overworked(problem: Problem, load: float, time: float) -> SolveError:
+    return SolveError(
+        f"the limit of {problem.most_steps} steps was reached on the way to the equilibrium at "
+        f"t = {time:.6g} s, at {100 * load:.3g} % of the loads",
+        quantity="work",
+        where="rod",
+        time_s=time,
+        remedy="Raise run.max_steps, lower the loads, or ask for less accuracy.",
     )
 
 
