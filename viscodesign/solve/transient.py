@@ -27,9 +27,13 @@ from viscodesign.solve.statics import Start, consistent
 from viscodesign.solve.timed import timed_integrals
 
 CHUNK_SECONDS = 0.4
-"""Wall time that one uninterrupted call of the integrator should take."""
-CHUNK_PER_COMPILE = 10.0
-"""The same, at least, in times that making an integrator takes."""
+"""Wall time that one uninterrupted call should take, where each output is solved by itself."""
+CHUNK_WORK = 400_000
+"""Steps times unknowns of one call of an integrator: some tenths of a second. No clock decides
+where one begins afresh, or a run would come out otherwise on a busy machine."""
+CHUNK_STEPS = 1_000
+"""The same in steps, at least: an integrator of another length has to be made first, which takes
+as long as some of them."""
 FIRST_CHUNK = 0.1
 """Part of a long run that is solved first, to learn how fast it goes."""
 DEFAULT_SOLVER = "idas"
@@ -151,7 +155,7 @@ def integrate(
     length = _first_length(problem)
     with gentle_interrupt() as interrupt:
         while record.done < len(edges) - 1 and failure is None and not interrupt.asked:
-            first, began = record.done, clock.perf_counter()
+            first, began, before = record.done, clock.perf_counter(), work.steps
             stop = min(first + length, len(edges) - 1)
             columns, failure = ladder.go(record.here, first, stop, work)
             full = record.keep(columns, problem)
@@ -161,7 +165,8 @@ def integrate(
             failure = full or failure
             if failure is None and work.steps > problem.most_steps:
                 failure = march.overworked(edges[record.done])
-            length = _next_length(record.done - first, clock.perf_counter() - began, work)
+            spent, steps = clock.perf_counter() - began, work.steps - before
+            length = _next_length(record.done - first, spent, steps, problem)
             length = min(length, _longest(problem))
             if progress is not None:
                 progress(edges[record.done] / edges[-1])
@@ -203,9 +208,9 @@ SHORT_RUN = 200_000
 """Intervals times unknowns up to which a run takes well under a second."""
 
 
-def _next_length(count: int, seconds: float, work: Work) -> int:
-    """Intervals that take a moment; where an integrator is slow to make, a longer one."""
-    work.chunks += 1
-    making = work.compile_s / work.chunks
-    wanted = max(CHUNK_SECONDS, CHUNK_PER_COMPILE * making)
-    return max(1, int(count * wanted / max(seconds - making, 1e-6)))
+def _next_length(count: int, seconds: float, steps: int, problem: Problem) -> int:
+    """Intervals that take a moment, after ``count`` that took ``steps`` and ``seconds``."""
+    if not problem.equations.states.count:
+        return max(1, int(count * CHUNK_SECONDS / max(seconds, 1e-6)))
+    wanted = max(CHUNK_WORK / problem.unknowns, CHUNK_STEPS)
+    return max(1, int(count * wanted / max(steps, 1)))

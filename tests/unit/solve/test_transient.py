@@ -14,6 +14,7 @@ from viscodesign.build import Settings, build, schedule
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SolveError
+from viscodesign.solve import transient
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium
 from viscodesign.solve.transient import integrate, solver_catalogue
@@ -253,3 +254,20 @@ def test_sealed_islands_hold_what_they_have() -> None:
     alone = found.volume[:, found.bellows.index("R2")]
     assert np.max(np.abs(alone - alone[0])) <= 1e-12 * alone[0]
     assert {w.code for w in found.warnings} >= {"sealed_island"}
+
+
+@pytest.mark.parametrize("pace", [1e-9, 10.0])
+def test_no_clock_decides_how_a_long_run_comes_out(
+    monkeypatch: pytest.MonkeyPatch, pace: float
+) -> None:
+    scene = leg(
+        "input={kind: sine, amplitude: 20 kPa, frequency: 0.5 Hz}",
+        "run={duration: 100 s, output_interval: 10 ms}",
+        ONE_WAY,
+    )
+    once = simulate(scene, verify=False)
+    told = itertools.count()
+    monkeypatch.setattr(transient.clock, "perf_counter", lambda: pace * next(told))
+    again = simulate(scene, verify=False)
+    assert again.cost.steps == once.cost.steps
+    assert np.array_equal(again.tip, once.tip)

@@ -25,7 +25,6 @@ class Work:
     steps: int = 0
     residual_calls: int = 0
     jacobian_calls: int = 0
-    chunks: int = 0
     compile_s: float = 0.0
     """Wall time spent on making integrators, which is building, not solving [s]."""
 
