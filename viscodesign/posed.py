@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from viscodesign.effects.conditions import Conditions
 from viscodesign.errors import Fault, SpecError
-from viscodesign.model.network_equations import SNAPS_AT_ONCE
+from viscodesign.model.network_equations import SNAPS_AT_ONCE, two_pressures
 from viscodesign.physics import bellow
 from viscodesign.scene.bellows import snaps
 
@@ -32,13 +32,18 @@ def refuse_beyond_numbers(conditions: Conditions) -> None:
 
 
 def refuse_unsolvable(conditions: Conditions) -> None:
-    """Raise `SpecError` for a curve that snaps at once, and for negative compliances.
+    """Raise `SpecError` for what asks for two pressures at once, and for negative compliances.
 
-    The latter where feedback leaves a held section none that is positive.
+    The former are a curve that snaps and inlets of one network; the latter come where
+    feedback leaves a held section no compliance that is positive.
     """
     at_once = "pressure_distribution" not in conditions.taken
     if at_once and "material_curve" in conditions.taken and snaps(conditions.scene.bellows):
         raise SpecError.plain(SNAPS_AT_ONCE)
+    for component in conditions.graph.components() if at_once else []:
+        inlets = [name for name in component.inlets if name not in conditions.barrels]
+        if len(inlets) > 1:
+            raise two_pressures(inlets)
     if "feedback" not in conditions.taken:
         return
     for name, key, value in _blocked(conditions):

@@ -52,3 +52,15 @@ def test_a_network_too_slow_for_numbers_is_named_and_not_divided_by() -> None:
         classify(
             leg("network.changes={inlet-R1: {radius: 100 m}, R1-R2: {radius: 1e-9 m}}", SECOND)
         )
+
+
+@pytest.mark.parametrize("command", [check, simulate], ids=["check", "simulate"])
+def test_inlets_of_one_network_have_no_one_pressure(command: object) -> None:
+    joined = "network.tubes=[{from: left, to: R1}, {from: right, to: R1}]"
+    scene = leg(
+        "effects={pressure_distribution: off, others: auto}",
+        joined,
+        config="antagonistic_two_inlets",
+    )
+    with pytest.raises(SpecError, match="inlets left, right feed the same network"):
+        command(scene)  # type: ignore[operator]

@@ -24,6 +24,15 @@ SNAPS_AT_ONCE = (
 )
 
 
+def two_pressures(inlets: Sequence[str]) -> SpecError:
+    """The refusal of one pressure in a network that several inlets feed."""
+    return SpecError.plain(
+        f"effects.pressure_distribution: off gives every connected network one pressure, but the "
+        f"inlets {', '.join(inlets)} feed the same network. Use 'on' or 'auto', or separate the "
+        "inlets."
+    )
+
+
 class NetworkForm(Enum):
     """How the network enters the equations."""
 
@@ -171,11 +180,7 @@ class NetworkEquations:
         for component in self.components:
             inlets = self._pressure_inlets(component)
             if len(inlets) > 1:
-                raise SpecError.plain(
-                    f"effects.pressure_distribution: off gives every connected network one "
-                    f"pressure, but the inlets {', '.join(inlets)} feed the same "
-                    f"network. Use 'on' or 'auto', or separate the inlets."
-                )
+                raise two_pressures(inlets)
             if inlets:
                 value = system.inlet_pressure[inlets[0]]
             elif component in self.sealed:
