@@ -56,7 +56,7 @@ def test_a_network_too_slow_for_numbers_is_named_and_not_divided_by() -> None:
 
 @pytest.mark.parametrize("command", [check, simulate], ids=["check", "simulate"])
 def test_inlets_of_one_network_have_no_one_pressure(command: object) -> None:
-    joined = "network.tubes=[{from: left, to: R1}, {from: right, to: R1}]"
+    joined = "network={layout: custom, tube_length: 4 cm, tube_radius: 0.3 mm, tubes: [{from: left, to: R1}, {from: right, to: R1}]}"
     scene = leg(
         "effects={pressure_distribution: off, others: auto}",
         joined,
