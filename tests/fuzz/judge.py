@@ -120,7 +120,7 @@ def _ending(run: Trajectory) -> str:
     if run.failure is None:
         return run.status
     words = "".join(c for c in run.failure if not c.isdigit())
-    return f"failed: {words[:40]}"
+    return f"failed: {words[:40]}" if "the limit of" not in words else "failed: the limit of steps"
 
 
 def _numbers(run: Trajectory) -> dict[str, float]:
