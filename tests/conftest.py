@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import signal
 
+from hypothesis import settings
+
 
 def pytest_configure() -> None:
-    """Let Ctrl-C reach the programs under test.
+    """Time no example, and let Ctrl-C reach the programs under test.
 
-    A shell starts what it runs in the background with the signal ignored, and children
+    On a busy machine an example may take any time. A shell starts what it runs in the background with the signal ignored, and children
     inherit that: the tests of Ctrl-C would wait for ever.
     """
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+    settings.register_profile("untimed", deadline=None)
+    settings.load_profile("untimed")
