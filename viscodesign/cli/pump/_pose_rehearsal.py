@@ -11,8 +11,8 @@ from viscodesign.errors import PumpError
 from viscodesign.pumps.boards.arbotix import Arbotix
 from viscodesign.pumps.clock import SteppedClock
 from viscodesign.pumps.interrupt import Wish
-from viscodesign.pumps.line import Line
 from viscodesign.pumps.opening import simulated_bench
+from viscodesign.pumps.overheard import Overheard
 from viscodesign.pumps.packets import Instruction, shown
 from viscodesign.pumps.pose_packets import ARBOTIX, HALT
 from viscodesign.pumps.virtual.direct_line import DirectLine
@@ -26,28 +26,6 @@ class NoPressure(Plant):
     def advance(self, seconds: float, positions: np.ndarray) -> np.ndarray:
         none: np.ndarray = np.zeros_like(positions)
         return none
-
-
-class Overheard(Line):
-    """Keeps all that is sent."""
-
-    def __init__(self, line: Line) -> None:
-        self.line = line
-        self.clock = line.clock
-        self.sent: list[bytes] = []
-
-    def write(self, data: bytes) -> None:
-        self.sent.append(data)
-        self.line.write(data)
-
-    def read(self, most: int, deadline: float) -> bytes:
-        return self.line.read(most, deadline)
-
-    def drain(self) -> bytes:
-        return self.line.drain()
-
-    def close(self) -> None:
-        self.line.close()
 
 
 def rehearsed(poses: Poses, *, moves: bool) -> list[str]:

@@ -8,8 +8,8 @@ from viscodesign.pumps.boards.simulated import Simulated
 from viscodesign.pumps.clock import SteppedClock
 from viscodesign.pumps.gauges import Gauges
 from viscodesign.pumps.interrupt import Wish
-from viscodesign.pumps.line import Line
 from viscodesign.pumps.opening import simulated_line
+from viscodesign.pumps.overheard import Overheard
 from viscodesign.pumps.packets import Instruction, shown
 from viscodesign.pumps.pump import Pump
 from viscodesign.pumps.stream import Stream
@@ -17,29 +17,6 @@ from viscodesign.pumps.switches import Switches
 
 FIRST = 10
 """Packets that are printed."""
-
-
-class Overheard(Line):
-    """Keeps what is written to the servos and changes something there."""
-
-    def __init__(self, line: Line) -> None:
-        self.line = line
-        self.clock = line.clock
-        self.packets: list[bytes] = []
-
-    def write(self, data: bytes) -> None:
-        if data[4] in (Instruction.WRITE, Instruction.SYNC_WRITE):
-            self.packets.append(data)
-        self.line.write(data)
-
-    def read(self, most: int, deadline: float) -> bytes:
-        return self.line.read(most, deadline)
-
-    def drain(self) -> bytes:
-        return self.line.drain()
-
-    def close(self) -> None:
-        self.line.close()
 
 
 def rehearsed(performance: Performance) -> list[str]:
@@ -63,12 +40,14 @@ def rehearsed(performance: Performance) -> list[str]:
     )
     pump.connect()
     ending = stream.play()
+    setting = (Instruction.WRITE, Instruction.SYNC_WRITE)
+    packets = [data for data in line.sent if data[4] in setting]
     return [
         "[dry run] no port is opened, nothing moves",
         *performance.lines(),
-        f"would send {len(line.packets)} packets that set something; the first {FIRST}, the last:",
-        *(f"  {shown(packet)}" for packet in line.packets[:FIRST]),
+        f"would send {len(packets)} packets that set something; the first {FIRST}, the last:",
+        *(f"  {shown(packet)}" for packet in packets[:FIRST]),
         "  ...",
-        f"  {shown(line.packets[-1])}",
+        f"  {shown(packets[-1])}",
         *(f"[dry run] {line}" for line in ending_lines(ending)[:1]),
     ]
