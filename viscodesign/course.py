@@ -17,6 +17,10 @@ SLOW_SOUND_FRACTION = 0.3
 CHOKING_FRACTION = 0.8
 """Mach number near which a gas in a tube goes no faster, whatever drives it."""
 SMALL_STRETCH = 0.2
+LARGE_STRETCH = 2.0
+"""Length of a section, of that at rest, from which no linear law can be trusted: there a
+neo-Hookean elastomer, whose force goes as s - 1/s^2 with its stretch s, pulls 1.7 times less
+than its slope at rest says."""
 LARGE_VOLUME = 7**0.5
 """Volume of a bellow, of that at rest, from which no linear law can be trusted: there even a thin
 sphere of a neo-Hookean elastomer, whose pressure goes as 1/s - 1/s^7 with its stretch s, has
@@ -81,6 +85,8 @@ class Extremes:
         self.mach = Largest()
         self.above_curve, self.below_curve = Largest(), Largest()
         """Pressure outside of what a curve was measured at [Pa]."""
+        self.drawn = Largest()
+        """Stretch of sections."""
         self.thinness = Largest()
         """Stretch of sections, negative."""
         self.inner_fibre = Largest()
@@ -116,6 +122,7 @@ class Extremes:
 
     def _meet_strain(self, course: Course) -> None:
         self.thinness.meet(course.time, -course.section_stretch)
+        self.drawn.meet(course.time, course.section_stretch)
         length = course.section_stretch * self.conditions.body.section_length
         height = self.conditions.scene.actuator.height
         inner = beam.inner_fibre_stretch(length, height, course.section_turn)
@@ -257,6 +264,16 @@ def _strain_notices(met: Extremes) -> Iterator[Notice]:
             f"{where} is pressed to {-met.thinness.value:.3g} of its length",
             where,
             met.thinness.time,
+        )
+    if met.drawn.value > LARGE_STRETCH:
+        where = f"section {met.drawn.which + 1}"
+        yield Notice(
+            "large_stretch",
+            f"{where} is drawn to {met.drawn.value:.3g} times its length or more: no elastomer's "
+            "law is linear so far; lower the loads or the pressure, or check "
+            "actuator.youngs_modulus and actuator.extension_factor",
+            where,
+            met.drawn.time,
         )
     if -met.inner_fibre.value <= 0.0:
         where = f"section {met.inner_fibre.which + 1}"

@@ -15,12 +15,11 @@ from viscodesign.classifying import classification
 from viscodesign.course import Course, course_notices
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import OMISSIONS_SURE, Selection, select_effects
-from viscodesign.errors import SolveError
 from viscodesign.model.graph import Graph
-from viscodesign.model.rod_equations import RodForm
 from viscodesign.motion import Motion
 from viscodesign.posed import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.proving import prove as prove_effects
+from viscodesign.reselecting import Reselection, reselected
 from viscodesign.scene.dump import resolved_yaml
 from viscodesign.scene.scene import Scene
 from viscodesign.shelf import Shelf, blocks
@@ -59,17 +58,12 @@ def simulate(
     refuse_beyond_numbers(conditions)
     selection = select_effects(conditions)
     refuse_unsolvable(conditions)
-    solved = _solve(conditions, selection, tolerance, verify, progress)
     ladder: list[Rung] = []
-    branch_end = _branch_end(solved.run)
-    moving = selection.in_motion(branch_end.short) if branch_end is not None else None
-    if branch_end is not None and moving is not None:
-        selection = moving
+    solved = _solve(conditions, selection, tolerance, verify, progress)
+    while (more := solved.called_for) is not None:
+        selection = more.selection
         solved = _solve(conditions, selection, tolerance, verify, progress)
-        # The whole run is done again: a rod that has snapped remembers how it moved.
-        ladder.append(
-            Rung(branch_end.time_s or 0.0, MOTION_RUNG, solved.run.is_complete, branch_end.short)
-        )
+        ladder.append(more.rung(solved.run.is_complete))
     verifier, run = solved.verifier, solved.run
     proof: tuple[Proof, ...] = ()
     if prove and run.is_complete and not verifier.interrupted:
@@ -89,9 +83,6 @@ def simulate(
     )
 
 
-MOTION_RUNG = "inertia and damping taken in, from the start"
-
-
 @dataclass(frozen=True)
 class _Solved:
     """A scene solved with one set of effects."""
@@ -99,6 +90,8 @@ class _Solved:
     verifier: Verifier
     run: Run
     parts: ErrorParts | None
+    called_for: Reselection | None
+    """More effects, with which it is all to be done again."""
 
 
 def _solve(
@@ -114,20 +107,11 @@ def _solve(
     verifier = Verifier(conditions, selection.effects, selection.omitted_m, progress)
     run = verifier.solve(settings)
     parts: ErrorParts | None = None
-    if verify and run.is_complete:
+    more = reselected(conditions, selection, run)
+    if verify and run.is_complete and more is None:
         run, parts = verifier.verify(run)
-    return _Solved(verifier, run, parts)
-
-
-def _branch_end(run: Run) -> SolveError | None:
-    """The failure of a static rod that came to the end of its branch of equilibria."""
-    failure = run.motion.failure
-    static = run.problem.equations.rod_form is RodForm.STATIC
-    return failure if static and failure and failure.quantity in BRANCH_ENDS else None
-
-
-BRANCH_ENDS = ("equilibrium", "motion")
-"""What fails at a fold: the equilibrium itself, or an integrator that follows its fluid."""
+        more = reselected(conditions, selection, run)
+    return _Solved(verifier, run, parts, more)
 
 
 def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run) -> Trajectory:

@@ -185,7 +185,8 @@ def moved_by_refinement(case: Case, run: Trajectory) -> Finding:
     selection = select_effects(conditions)
     used = run.settings
     finer = Settings(2 * used["edges_per_section"], used["tolerance"] / 2, used["solver"])
-    again = solve(conditions, selection.effects, finer).motion
+    effects = selection.members(frozenset(v.name for v in run.effects if v.taken))
+    again = solve(conditions, effects, finer).motion
     both = min(len(again.tip), len(run.tip))
     apart = np.hypot(*(again.tip[:both, :2] - run.tip[:both, :2]).T)
     stated = run.accuracy.estimated_tip_error_m or 0.0

@@ -15,7 +15,7 @@ LAYERS = [
     ["cli", "__main__"],
     ["studies", "planning"],
     ["simulating", "checking"],
-    ["proving", "verifying"],
+    ["proving", "verifying", "reselecting"],
     ["solving"],
     ["classifying"],
     ["loading", "motion", "validity", "course", "posed", "stability"],

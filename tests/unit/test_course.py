@@ -269,6 +269,10 @@ def test_strains() -> None:
     assert pressed[0].code == "small_stretch"
     assert pressed[0].where == "section 2"
     assert codes(scene, at(scene, "section_stretch", 1, 1, 0.21)) == []
+    (drawn,) = notices(scene, at(scene, "section_stretch", 1, 1, 2.01))
+    assert (drawn.code, drawn.where, drawn.time_s) == ("large_stretch", "section 2", 0.5)
+    assert "2.01 times" in drawn.message
+    assert codes(scene, at(scene, "section_stretch", 1, 1, 1.99)) == []
     # A section of 54.5 mm whose inner side stands 15 mm from the axis.
     length, half = scene.body.section_length, 0.015
     assert codes(scene, at(scene, "section_turn", 0, 0, -1.01 * length / half)) == ["self_contact"]

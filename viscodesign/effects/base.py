@@ -5,6 +5,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, ClassVar, Self
 
+import numpy as np
+
 from viscodesign.model.system import System
 from viscodesign.sketch.sketch import Sketch
 
@@ -69,6 +71,15 @@ class Effect(ABC):
         Then the weight itself, in actuator lengths, stands for what it may do to the tip.
         """
         del sketch
+        return None
+
+    def lost_pressure(self, flow: np.ndarray) -> np.ndarray | None:
+        """What it takes of the pressure along each tube, at flows (T, Q) [m3/s], in size [Pa].
+
+        By it a run that left the effect out sees whether that was right; None where the
+        effect takes nothing of a flow.
+        """
+        del flow
         return None
 
     @abstractmethod

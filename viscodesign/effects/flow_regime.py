@@ -72,11 +72,17 @@ class FlowRegime(Effect):
 
     def multiplier(self, flow: np.ndarray) -> np.ndarray:
         """Loss over that of slow laminar flow, at flows (T, Q) [m3/s]."""
-        radius = np.array(list(self.radii.values()))
-        resistance = np.array(list(self.resistances.values()))
+        radius, resistance = np.array(list(self.radii.values())), self._resistance
         ends = np.array([self._ends(r) for r in radius])
         friction = tube.friction_multiplier(self._reynolds(flow), np)
         return np.asarray(friction + ends * np.abs(flow) / resistance)
+
+    @property
+    def _resistance(self) -> np.ndarray:
+        return np.array(list(self.resistances.values()))
+
+    def lost_pressure(self, flow: np.ndarray) -> np.ndarray:
+        return np.asarray((self.multiplier(flow) - 1) * self._resistance * np.abs(flow))
 
     def _ends(self, radius: float) -> float:
         return tube.local_loss_coefficient(self.density, self.loss, radius)

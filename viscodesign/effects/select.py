@@ -107,11 +107,21 @@ class Selection:
         """The same with one effect switched, and with what it needs or what needs it."""
         return self.members(self._choice.flipped(self._taken, name))
 
-    def in_motion(self, why: str) -> Selection | None:
-        """The same with the rod's inertia, and what comes along; None where that is forbidden."""
-        taken = self.turned({"inertia": True})
+    @property
+    def spared(self) -> list[Effect]:
+        """Those left out by choice, though the spec allows them."""
+        return self.members(self._choice.everything - self._taken)
+
+    def grown(self, name: str, why: str) -> Selection | None:
+        """The same with one effect more, what comes along and what then costs nothing.
+
+        None where that is forbidden, or nothing new.
+        """
+        taken = self.turned({name: True})
         if taken is None or taken == self._taken:
             return None
+        free = {n: True for n in self._choice.free(taken)}
+        taken = self._choice.turned(taken, free) or taken
         self._choice.conditions.taken.update(taken)
         verdicts = tuple(
             replace(v, taken=True, reason=f"taken, since {why}")
@@ -199,6 +209,10 @@ class _Choice:
         """Whether it follows no other effect, whose omission might change what it does."""
         followed = {e.companion for e in self.effects.values()}
         return self.effects[name].needs is None and name not in followed
+
+    def free(self, names: Names) -> Names:
+        """What could be added to a set at no cost."""
+        return frozenset(n for n in self.everything - names if self._is_free(n, names))
 
     def _is_free(self, name: str, names: Names) -> bool:
         return self.effects[name].free_with in names

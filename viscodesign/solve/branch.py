@@ -21,8 +21,8 @@ from viscodesign.solve.stiffness import Stiffness
 from viscodesign.solve.ways import way_of
 
 NEARBY = 0.1
-"""Distance from where a node is foreseen, in lengths of the rod, up to which a shape is of the
-same branch; what lies beyond a fold is further off."""
+"""Distance from where a node is foreseen, in lengths of the rod as it is drawn out, up to which
+a shape is of the same branch; what lies beyond a fold is further off."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,8 @@ def on_branch(
 ) -> bool:
     """Whether a rod's shape is near one of those given, and stable."""
     place = unknowns.blocks["position"].span
-    if min(np.max(np.abs(found[place] - other[place])) for other in near) > NEARBY:
+    size = max(1.0, float(np.max(np.abs(found[place]))))
+    if min(np.max(np.abs(found[place] - other[place])) for other in near) > NEARBY * size:
         return False
     return stiffness.is_stable(np.array(jacobian.nonzeros()))
 

@@ -194,12 +194,16 @@ def _first_length(problem: Problem) -> int:
 def _longest(problem: Problem) -> int:
     """Intervals whose unknowns one call of an integrator may hold in memory.
 
-    Nor more than a part of the steps allowed: they are counted when it is done.
+    Nor more than a part of the steps allowed: they are counted when it is done. But an
+    integrator of its own for a few intervals would take longer to make than to run.
     """
     held = LARGEST_CHUNK // (problem.unknowns + len(problem.equations.rates) + 1)
-    return max(1, min(held, int(LARGEST_SHARE * problem.most_steps)))
+    counted = max(FEWEST_INTERVALS, int(LARGEST_SHARE * problem.most_steps))
+    return max(1, min(held, counted))
 
 
+FEWEST_INTERVALS = 500
+"""Intervals that one call may have whatever steps are allowed."""
 LARGEST_SHARE = 0.02
 """Intervals of one call, at most, in parts of the steps that a run may take."""
 LARGEST_CHUNK = 1_000_000
