@@ -80,7 +80,7 @@ def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings)
     sizes = Sizes(
         pressure=conditions.swing,
         time=conditions.scales.t_s,
-        swing=min(conditions.scales.t_i, scene.run.duration),
+        swing=conditions.swing_time,
     )
     equations = formulate(system, sizes)
     return Problem(
@@ -109,8 +109,7 @@ def _wide_tubes(conditions: Conditions) -> frozenset[str]:
     """Tubes whose flow the input's swing, or the other tubes, bound far more than they do."""
     if not conditions.resistances:
         return frozenset()
-    swing = min(conditions.scales.t_i, conditions.scene.run.duration)
-    filling = swing / conditions.bellow.compliance
+    filling = conditions.swing_time / conditions.bellow.compliance
     resistances = conditions.resistances
     others = np.quantile(list(resistances.values()), MOST_RESIST, method="nearest")
     least = HARDLY_RESISTS * max(filling, float(others))

@@ -12,7 +12,7 @@ from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.shelf import BLOCK, let_go
 from viscodesign.solve.problem import Problem, evaluate_along
-from viscodesign.solve.statics import refined
+from viscodesign.solve.refining import refined
 from viscodesign.solve.transient import Solution
 
 SHAPE_POINTS = 64

@@ -103,4 +103,26 @@ CASES: tuple[Case, ...] = (
         LEFT_ITS_FLOOR,
         judge=_all_losses_in,
     ),
+    Case(
+        "F7",
+        "an input that swings a thousand times faster than the rod it hardly moves",
+        "complete, its works added up as exactly as its motion",
+        (
+            "effects={others: off, inertia: on, feedback: on}",
+            "bellows.area_per_moment=2e-5",
+            "loads.gravity={tilt: 60 deg}",
+            "run={duration: 15 us, output_times: [14 us, 15 us], start: rest}",
+            "input={kind: sine, amplitude: -5 kPa, mean: -4 kPa, frequency: 63 kHz, phase: 73 deg, transient_time: 16 us}",
+        ),
+    ),
+    Case(
+        "F8",
+        "a pulse of a microsecond between outputs that are seconds apart",
+        "complete, its work seen",
+        (
+            "effects={others: off}",
+            "run={duration: 10 s, output_times: [1 ms, 5 s]}",
+            "input={kind: double_sigmoid, start: 2 kPa, drop: 3 kPa, fall_time: 0.9 ms, rise_time: 2 ms, transition: 1 us}",
+        ),
+    ),
 )

@@ -100,6 +100,12 @@ class Conditions:
             t_net=max((self._network_time(c) for c in self.graph.components()), default=0.0),
         )
 
+    @property
+    def swing_time(self) -> float:
+        """Shortest swing of any inlet's profile, at most the run; no t_i that is stated [s]."""
+        swings = (source.swing_time() for source in self.scene.inputs.values())
+        return min([*swings, self.scene.run.duration])
+
     def _viscous_elastic_time(self) -> float:
         tubes = self.graph.tubes
         if not tubes:

@@ -156,8 +156,24 @@ def evaluate_along(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
 ) -> dict[str, np.ndarray]:
     """All named outputs (m, n) at m edges from ``first`` on, from unknowns (nx, m) and (nz, m)."""
+    output = problem.equations.output_function
+    found = mapped(problem, output, "outputs", states, algebraics, first)
+    return dict(zip(output.name_out(), found, strict=True))
+
+
+def mapped(
+    problem: Problem,
+    function: ca.Function,
+    name: str,
+    states: np.ndarray,
+    algebraics: np.ndarray,
+    first: int,
+) -> list[np.ndarray]:
+    """A function of unknowns and time at m edges from ``first`` on; of its results what is not
+    zero by structure, column by column (m, n). ``name``: under which its compiled map is kept.
+    """
     equations, schedule = problem.equations, problem.schedule
-    output, count = equations.output_function, states.shape[1]
+    count = states.shape[1]
     edges = np.arange(first, first + count)
     # A state just before a corner belongs to the interval that ends there.
     pieces = schedule.pieces[np.maximum(edges - 1, 0)]
@@ -170,11 +186,11 @@ def evaluate_along(
         np.ones(count),
         *(np.broadcast_to(values, (count, len(values))) for values in tail),
     ]
-    found = {name: np.zeros((count, output.size1_out(name))) for name in output.name_out()}
+    found = [np.zeros((count, function.nnz_out(k))) for k in range(function.n_out())]
     call = Bound(
-        equations.compiled.get(("outputs", count), lambda: output.map(count)),
+        equations.compiled.get((name, count), lambda: function.map(count)),
         [np.ascontiguousarray(row, dtype=float) for row in rows],
-        list(found.values()),
+        found,
     )
     call()
     return found

@@ -6,7 +6,6 @@ import itertools
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import partial
 
 import casadi as ca
 import numpy as np
@@ -288,22 +287,6 @@ def consistent(
         return Start(start.states, continuation(family, start.algebraics, accept, way))
     except NewtonError as failure:
         raise _no_equilibrium(problem, failure, time) from failure
-
-
-def refined(
-    problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
-) -> np.ndarray:
-    """Algebraic unknowns (nz, m) at m edges from ``first`` on, to round-off where that can be."""
-    schedule, found = problem.schedule, algebraics.copy()
-    way = way_of(problem.equations.algebraics)
-    for k in range(states.shape[1]):
-        edge = first + k
-        # A state just before a corner belongs to the interval that ends there.
-        time, piece = float(schedule.edges[edge]), schedule.pieces[max(edge - 1, 0)]
-        defects = partial(constraints, problem, Moment(states[:, k], time, piece))
-        with suppress(NewtonError):
-            found[:, k] = newton(defects, algebraics[:, k], way)
-    return found
 
 
 def vanished_section(time: float, section: int, stretch: float) -> SolveError:

@@ -35,3 +35,26 @@ def test_work_of_a_source_on_linear_bellows(outputs: str) -> None:
     if len(edges) > 3:
         late = timed_integrals(problem, 3, len(edges) - 4)[names.index("pump")] * size
         assert late == pytest.approx(found[3:] - found[2], rel=1e-7, abs=1e-12)
+
+
+def test_a_pulse_far_shorter_than_its_interval() -> None:
+    """It comes back to where it began: p has done no work, whatever the curve between."""
+    pulse = (
+        "input={kind: double_sigmoid, start: 0, drop: 3 kPa, fall_time: 1 ms, rise_time: 1.2 ms, "
+        "transition: 1 us}"
+    )
+    scene = leg(
+        f"bellows.count={COUNT}",
+        pulse,
+        "run={duration: 10 s, output_times: [1.1 ms, 10 s]}",
+        "effects={others: off}",
+    )
+    conditions = Conditions(scene)
+    effects = select_effects(conditions).effects
+    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    edges, size = problem.schedule.edges, problem.equations.energy_size
+    names = list(problem.equations.rates)
+    found = timed_integrals(problem, 0, len(edges) - 1)[names.index("pump")] * size
+    inside = found[np.searchsorted(edges, 1.1e-3) - 1]
+    assert inside == pytest.approx(COUNT * COMPLIANCE * 3e3**2 / 2, rel=1e-7)
+    assert found[-1] == pytest.approx(0.0, abs=1e-7 * inside)

@@ -181,7 +181,10 @@ class Rosenbrock(Solver):
         lead = min(1.0, h / self.problem.equations.motion_time)
         for span, power in self._powers:
             weighted[span] *= lead**power if np.isfinite(power) else 0.0
-        return float(np.max(np.abs(weighted)))
+        # Steps that follow the unknowns well enough may add up their work badly.
+        gained = np.abs(after[count:] - before[count:])
+        worked = apart[count:] / (self.tolerance * (1 + gained))
+        return float(max(np.max(np.abs(weighted)), np.max(np.abs(worked), initial=0.0)))
 
 
 LEADS = {"velocity": 1, "acceleration": 2}
