@@ -44,7 +44,7 @@ def reselected(conditions: Conditions, selection: Selection, run: Run) -> Resele
 
     Nothing is called for that the spec forbids. Each answer is larger than ``selection``.
     """
-    if run.solution.interrupted:
+    if run.solution.asked_to_stop:
         return None
     return _in_motion(selection, run) or _with_losses(conditions, selection, run)
 

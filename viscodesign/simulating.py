@@ -15,6 +15,7 @@ from viscodesign.classifying import classification
 from viscodesign.course import Course, course_notices
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import OMISSIONS_SURE, Selection, select_effects
+from viscodesign.errors import SolveError
 from viscodesign.model.graph import Graph
 from viscodesign.motion import Motion
 from viscodesign.posed import refuse_beyond_numbers, refuse_unsolvable
@@ -61,9 +62,17 @@ def simulate(
     ladder: list[Rung] = []
     solved = _solve(conditions, selection, tolerance, verify, progress)
     while (more := solved.called_for) is not None:
-        selection = more.selection
-        solved = _solve(conditions, selection, tolerance, verify, progress)
-        ladder.append(more.rung(solved.run.is_complete))
+        try:
+            again = _solve(conditions, more.selection, tolerance, verify, progress)
+        except SolveError as error:  # not even a start: what there was is kept
+            ladder.append(more.rung(False))
+            solved.verifier.stalled = (
+                f"it calls for more ({more.tried}), but then it has no start: {error.short}"
+            )
+            break
+        ladder.append(more.rung(again.run.is_complete))
+        selection, solved = more.selection, again
+    conditions.taken = set(selection.taken)
     verifier, run = solved.verifier, solved.run
     proof: tuple[Proof, ...] = ()
     if prove and run.is_complete and not verifier.interrupted:
@@ -110,7 +119,7 @@ def _solve(
     more = reselected(conditions, selection, run)
     if verify and run.is_complete and more is None:
         run, parts = verifier.verify(run)
-        more = reselected(conditions, selection, run)
+        more = None if verifier.interrupted else reselected(conditions, selection, run)
     return _Solved(verifier, run, parts, more)
 
 

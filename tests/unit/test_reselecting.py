@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.hard.found_cases import LEFT_ITS_FLOOR
 from tests.scenes import leg
-from viscodesign import simulate
+from viscodesign import simulate, simulating
 from viscodesign.build import suggest_settings
 from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import Selection, select_effects
+from viscodesign.errors import SolveError
 from viscodesign.reselecting import reselected
 from viscodesign.solving import Run, solve
 
@@ -37,7 +39,6 @@ def test_fast_flow_calls_for_its_losses_once(fast: Solved) -> None:
     found = reselected(conditions, selection, run)
     assert found is not None
     assert found.selection.taken == selection.taken | {"flow_regime"}
-    assert "flow_regime" in conditions.taken
     (verdict,) = (v for v in found.selection.verdicts if v.name == "flow_regime")
     assert verdict.taken
     assert "the flows that were found would lose" in verdict.reason
@@ -93,3 +94,23 @@ def test_the_run_tells_why_it_was_done_again() -> None:
     assert (rung.tried, rung.solved) == ("flow_regime taken in, from the start", True)
     assert "of the largest pressure" in rung.reason
     assert "turbulent_flow" not in {notice.code for notice in run.warnings}
+
+
+def test_without_a_start_the_first_run_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    solve_scene = simulating._solve
+
+    def first_only(*args: Any) -> Any:
+        if "flow_regime" in args[1].taken:
+            raise SolveError("no pressures", quantity="pressure", where="network")
+        return solve_scene(*args)
+
+    monkeypatch.setattr(simulating, "_solve", first_only)
+    scene = leg(*LEFT_ITS_FLOOR)
+    run = simulate(scene)
+    assert (run.status, len(run.time)) == ("failed", len(scene.run.output_times_array()))
+    assert run.failure is not None
+    assert "flow_regime taken in, from the start" in run.failure
+    assert "no pressures" in run.failure
+    assert [rung.solved for rung in run.ladder] == [False]
+    # What was not taken in is still warned of.
+    assert "turbulent_flow" in {notice.code for notice in run.warnings}

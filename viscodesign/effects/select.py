@@ -122,7 +122,6 @@ class Selection:
             return None
         free = {n: True for n in self._choice.free(taken)}
         taken = self._choice.turned(taken, free) or taken
-        self._choice.conditions.taken.update(taken)
         verdicts = tuple(
             replace(v, taken=True, reason=f"taken, since {why}")
             if v.name in taken - self._taken
