@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -28,17 +27,37 @@ def test_a_wish_is_noted_and_obeyed_when_asked() -> None:
     assert signal.getsignal(signal.SIGINT) is before
 
 
+TELLS_WHEN_IT_LISTENS = """
+import sys
+from contextlib import contextmanager
+from viscodesign.cli.main import main
+from viscodesign.solve import transient
+
+listens = transient.gentle_interrupt
+
+@contextmanager
+def told():
+    with listens() as interrupt:
+        print("listening", flush=True)
+        yield interrupt
+
+transient.gentle_interrupt = told
+sys.exit(main())
+"""
+
+
 def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
     spec, folder = CONFIGS / "workspace_middle.yaml", tmp_path / "run"
     words = ["simulate", str(spec), "-o", str(folder), "--no-plots"]
     words += ["--set", "run.duration=4000 s", "--set", "run.output_interval=1 s"]
     process = subprocess.Popen(
-        [sys.executable, "-m", "viscodesign", *words],
+        [sys.executable, "-c", TELLS_WHEN_IT_LISTENS, *words],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
     )
-    _wait_for(folder)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "listening\n"
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=60)
     assert process.returncode == 130
@@ -47,11 +66,3 @@ def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
     assert "Traceback" not in err
     assert json.loads((folder / "summary.json").read_text())["status"] == "interrupted"
     assert "interrupted: " in out
-
-
-def _wait_for(folder: Path) -> None:
-    """The folder is made just before the solve begins; then a moment for it to begin."""
-    limit = time.monotonic() + 30
-    while not folder.exists() and time.monotonic() < limit:
-        time.sleep(0.05)
-    time.sleep(3.0)
