@@ -126,7 +126,7 @@ def _as_stiff_as_can_be_told(conditions: Conditions) -> Body:
 
     A force F stretches a rod by F/EA of its length; forces are told by EI/L2.
     """
-    body, pull = conditions.body, conditions.tip_force + conditions.weight
+    body, pull = conditions.body, conditions.load_force + conditions.fluid_weight
     most = INEXTENSIBLE / conditions.accuracy * max(conditions.bending_force, pull)
     return replace(body, extension_stiffness=min(body.extension_stiffness, most))
 

@@ -19,8 +19,9 @@ MOST_TIMES = 1e14
 """Ratio of two times that double precision still carries."""
 MOST_LOAD = 1e5
 """Force over EI/l2 beyond which a rod would turn within a thousandth of its length."""
-MOST_TURN = 400.0
-"""Radians, over the whole rod: every one of them asks for an edge, twice as many to verify."""
+MOST_TURN = 100.0
+"""Radians, over the whole rod, some sixteen times around: every one of them asks for an edge, and
+for twice as many to verify."""
 MOST_STRETCH = 100.0
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tests.hard.case import Case, Finding, at_most, true
+from tests.hard.case import Case, Finding, Judge, at_most, true
 from tests.scenes import leg
 from viscodesign import Trajectory, simulate
 
@@ -27,6 +27,39 @@ LEFT_ITS_FLOOR = (
     "fall: 0.985 ms, rest: 0.394 ms}",
 )
 """A thin gas that fills collapsed bellows: a linear estimate takes them for a hundred times softer."""
+
+
+HEAVY_INSIDE = (
+    "effects={fluid_mass: on, gravity: on, others: off}",
+    "fluid=water",
+    "actuator.density=0.1",
+    "actuator.length=0.8 m",
+    "loads.gravity={tilt: 10 deg, acceleration: 300}",
+    "input={kind: constant, value: 2 kPa}",
+    "run={duration: 1 s, output_interval: 0.5 s, start: equilibrium}",
+)
+BLOWN_THROUGH = (
+    "bellows.count=4",
+    "input=null",
+    "network={layout: custom, tube_length: 40 mm, tube_radius: 0.3 mm, tubes: [{from: a, to: R1}, "
+    "{from: R1, to: R2}, {from: R2, to: L2}, {from: L2, to: L1}, {from: L1, to: b}]}",
+    "inputs={a: {kind: constant, value: 20 kPa}, b: {kind: constant, value: -20 kPa}}",
+    "fluid=air",
+    "run={duration: 1 s, output_interval: 0.5 s, start: equilibrium}",
+    "effects=auto",
+)
+
+
+def _as_at(accuracy: str, *changes: str) -> Judge:
+    """Held against the same scene at another accuracy: no farther apart than both state."""
+
+    def judge(run: Trajectory) -> Iterator[Finding]:
+        other = simulate(leg(*changes, f"accuracy={accuracy}"))
+        apart = np.hypot(*(other.tip - run.tip)[:, :2].T).max()
+        stated = sum(r.accuracy.estimated_tip_error_m or 0.0 for r in (run, other))
+        yield at_most(f"tip's distance at an accuracy of {accuracy}", apart, stated)
+
+    return judge
 
 
 def _all_losses_in(run: Trajectory) -> Iterator[Finding]:
@@ -124,5 +157,19 @@ CASES: tuple[Case, ...] = (
             "run={duration: 10 s, output_times: [1 ms, 5 s]}",
             "input={kind: double_sigmoid, start: 2 kPa, drop: 3 kPa, fall_time: 0.9 ms, rise_time: 2 ms, transition: 1 us}",
         ),
+    ),
+    Case(
+        "F9",
+        "a light rod of much heavier fluid, told to a few percent",
+        "drawn out by its fluid as far as when told to a thousandth",
+        (*HEAVY_INSIDE, "accuracy=4 %"),
+        judge=_as_at("0.1 %", *HEAVY_INSIDE),
+    ),
+    Case(
+        "F10",
+        "a gas that flows steadily from one inlet to another",
+        "at a high accuracy its density is taken in, at a low one the difference is stated",
+        (*BLOWN_THROUGH, "accuracy=3 %"),
+        judge=_as_at("0.05 %", *BLOWN_THROUGH),
     ),
 )

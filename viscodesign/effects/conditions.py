@@ -239,6 +239,15 @@ class Conditions:
         return self.carried_mass * self.acceleration
 
     @property
+    def fluid_weight(self) -> float:
+        """Of all the fluid that the bellows may come to hold [N]."""
+        b, swelling = self.scene.bellows, self.bellow.compliance * max(self.highest_pressure, 0.0)
+        if b.curve is not None:
+            swelling = max([swelling, *(b.length * row[1] for row in b.curve.rows or ())])
+        volume = len(self.graph.bellows) * (self.bellow.rest_volume + swelling)
+        return self.scene.fluid.density * volume * self.acceleration
+
+    @property
     def bending_force(self) -> float:
         """EI/l2, by which forces are told [N]."""
         return self.body.bending_stiffness / self.body.length**2

@@ -187,7 +187,9 @@ class Ground:
         impedance = resistance + late
         key = tuple(nodes)
         incidence = self.remembered(("incidence", key), lambda: self._incidence(key))
-        tubes = self._tubes(incidence, len(nodes) + len(self.pressure_inlets), 1 / impedance)
+        known = len(nodes) + len(self.pressure_inlets)
+        tubes = self._tubes(incidence, known, 1 / impedance)
+        ends = np.abs(incidence[:, :known])
         leaving = incidence[:, : len(nodes)].T @ tubes
         return LinearNetwork(
             self.time,
@@ -202,6 +204,7 @@ class Ground:
             impedance,
             self.starts_steady,
             tubes,
+            ends / np.maximum(ends.sum(axis=1, keepdims=True), 1.0),
         )
 
     def _uniform(

@@ -39,6 +39,8 @@ class LinearNetwork:
     steady: bool
     tubes: np.ndarray
     """(Q, N + U): conductance of each tube between the nodes, to tell flows."""
+    ends: np.ndarray
+    """(Q, N + U): share that each of them has in the mean pressure of a tube's known ends."""
 
     def pressures(
         self, taken: np.ndarray | None = None, head: np.ndarray | None = None
@@ -91,8 +93,7 @@ class LinearNetwork:
 
     def flows(self, pressure: np.ndarray) -> np.ndarray:
         """Flow of every tube (T, Q) [m3/s]."""
-        ends = np.concatenate([pressure - self.baseline, self.drive], axis=1)
-        driven = np.asarray(ends @ self.tubes.T)
+        driven = np.asarray(self._above(pressure) @ self.tubes.T)
         if not self.inertance.size:
             return driven
         # Inertance: a flow comes up to what drives it after a while.
@@ -100,6 +101,14 @@ class LinearNetwork:
         delay = self.inertance / self.resistance
         start = driven[0] if self.steady else 0 * driven[0]
         return first_order(-1 / delay, self.time, driven / delay, start)
+
+    def tube_pressures(self, pressure: np.ndarray) -> np.ndarray:
+        """Mean gauge pressure of every tube (T, Q), from those of the nodes (T, N) [Pa]."""
+        return np.asarray(self.baseline + self._above(pressure) @ self.ends.T)
+
+    def _above(self, pressure: np.ndarray) -> np.ndarray:
+        """Pressures of nodes and inlets above the baseline (T, N + U) [Pa]."""
+        return np.concatenate([pressure - self.baseline, self.drive], axis=1)
 
 
 @dataclass(frozen=True)

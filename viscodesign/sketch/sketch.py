@@ -40,6 +40,9 @@ EFFECTIVE_MASS = 3 / FIRST_BENDING**2
 """Of the beam's mass, what a mass at its tip would need to swing alike."""
 MODE_SLOPE = 4.648
 """Integral of the first mode's squared slope over that of the mode squared, times l^2."""
+UNDAMPED_MODES = 10.0
+"""By how much turning counts more where nothing calms the higher modes: the second has the phase
+shifted 43 times as fast by it as the first, and up to a quarter of its amplitude."""
 LARGEST_TURN = 3.0
 """Turn by which a load may bend one piece in a sketch [rad]."""
 SETTLING_ROUNDS = 6
@@ -126,13 +129,29 @@ class Sketch:
         network = self._linear(compliance, multiplier)
         pressure = network.pressures()
         for _ in range(SETTLING_ROUNDS if self._depends_on_motion() else 0):
-            if self.loss is not None and not self.uniform:
+            thinness = np.ones(len(multiplier))
+            if isinstance(network, LinearNetwork):
                 flow = network.flows(pressure)
-                multiplier = np.sqrt(multiplier * _mean_loss(self.loss(flow), flow, ground.time))
+                if self.loss is not None:
+                    multiplier = np.sqrt(multiplier * _at_work(self.loss(flow), flow, ground.time))
+                if self.gas_exponent is not None:
+                    thinness = self._thinness(network.tube_pressures(pressure), flow)
             compliance = self._mean_compliance(pressure[:, : ground.bellows])
-            network = self._linear(compliance, multiplier)
+            network = self._linear(compliance, multiplier * thinness)
             pressure = network.pressures()
         return network, pressure[:, : ground.bellows]
+
+    def _thinness(self, pressure: np.ndarray, flow: np.ndarray) -> np.ndarray:
+        """Mean density of a gas in all tubes over that in each (Q,).
+
+        In a row of tubes the thinner gas flows faster, and loses more of the pressure.
+        """
+        ground = self.ground
+        assert self.gas_exponent is not None
+        absolute = np.maximum(ground.ambient + pressure, 0.02 * ground.ambient)
+        told = density_ratio(absolute - ground.ambient, ground.ambient, self.gas_exponent)
+        density = _at_work(np.asarray(told), flow, ground.time)
+        return np.asarray(np.mean(density) / density)
 
     def flows(self) -> np.ndarray:
         """Flows of all tubes (T, Q) [m3/s]."""
@@ -311,7 +330,8 @@ class Sketch:
     def _bending_rate(self) -> float:
         """Angular frequency of the first bending mode, with payload and turning [1/s]."""
         length = self.ground.length
-        carried = EFFECTIVE_MASS * self._carried * (1 + MODE_SLOPE * (self.gyration / length) ** 2)
+        slope = MODE_SLOPE * (1.0 if self.damping_time else UNDAMPED_MODES)
+        carried = EFFECTIVE_MASS * self._carried * (1 + slope * (self.gyration / length) ** 2)
         stiffness = 3 * self.ground.bending_stiffness / length**3
         return math.sqrt(stiffness / (carried + self.payload))
 
@@ -348,11 +368,11 @@ class Sketch:
         return replace(self, **changes)  # type: ignore[arg-type]
 
 
-def _mean_loss(loss: np.ndarray, flow: np.ndarray, time: np.ndarray) -> np.ndarray:
-    """Loss over the motion, weighed by the work that slow flow would take (Q,)."""
+def _at_work(values: np.ndarray, flow: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """Means (Q,) of values (T, Q) over the motion, weighed by the work that slow flow takes."""
     # A jump's first instant would count for a whole step: the later end stands for it.
     work = flow[1:] ** 2 * np.diff(time)[:, None] + 1e-300
-    return np.asarray(np.sum(loss[1:] * work, axis=0) / np.sum(work, axis=0))
+    return np.asarray(np.sum(values[1:] * work, axis=0) / np.sum(work, axis=0))
 
 
 def _shape(curvature: np.ndarray, stretch: np.ndarray, length: float) -> Shape:

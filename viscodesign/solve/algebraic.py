@@ -7,6 +7,7 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.model.rod_equations import RodForm
+from viscodesign.solve.branch import Earlier
 from viscodesign.solve.newton import CONVERGED, MAX_ITERATIONS
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.silence import silence
@@ -59,14 +60,16 @@ class Algebraic(Solver):
         schedule = self.problem.schedule
         found: list[np.ndarray] = []
         failure: SolveError | None = None
+        earlier: Earlier | None = None
         for k in range(first, stop):
             try:
-                piece = schedule.pieces[k]
+                piece, time = schedule.pieces[k], float(schedule.edges[k])
                 if k and np.any(piece != schedule.pieces[k - 1]):
-                    here = consistent(self.problem, here, schedule.edges[k], piece, self.before(k))
-                here = consistent(
-                    self.problem, here, schedule.edges[k + 1], piece, (schedule.edges[k], piece)
-                )
+                    here = consistent(self.problem, here, time, piece, self.before(k))
+                    earlier = None
+                end = float(schedule.edges[k + 1])
+                there = consistent(self.problem, here, end, piece, (time, piece), earlier)
+                earlier, here = (here.algebraics, time), there
             except SolveError as error:
                 failure = error
                 break

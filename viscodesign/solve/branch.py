@@ -51,9 +51,22 @@ def constraints(
     return np.asarray(alg).ravel(), jacobian
 
 
-def followed(problem: Problem, start: np.ndarray, before: Moment, after: Moment) -> np.ndarray:
+Earlier = tuple[np.ndarray, float]
+"""Algebraic unknowns (nz,) from before a moment, on the same smooth input, and their time [s]."""
+FARTHEST = 4.0
+"""How far ahead a motion is foreseen, in times that it was followed before."""
+
+
+def followed(
+    problem: Problem,
+    start: np.ndarray,
+    before: Moment,
+    after: Moment,
+    earlier: Earlier | None = None,
+) -> np.ndarray:
     """Algebraic unknowns (nz,) of a static rod from one moment to another, without a leap.
 
+    ``earlier``: from where it came to ``start``, to foresee by where it goes.
     Raises `SolveError` with the time where the branch ends.
     """
 
@@ -63,9 +76,21 @@ def followed(problem: Problem, start: np.ndarray, before: Moment, after: Moment)
     try:
         unknowns = problem.equations.algebraics
         accept = branch_judge(unknowns, problem.stiffness)
-        return continuation(family, start, accept, way_of(unknowns))
+        previous = _foreseen_by(earlier, before, after)
+        return continuation(family, start, accept, way_of(unknowns), previous)
     except NewtonError as failure:
         raise fold(before.towards(after, failure.reached).time) from failure
+
+
+def _foreseen_by(
+    earlier: Earlier | None, before: Moment, after: Moment
+) -> tuple[np.ndarray, float] | None:
+    """Earlier unknowns with their share of the way from one moment to the other, below zero."""
+    if earlier is None:
+        return None
+    unknowns, time = earlier
+    passed, ahead = before.time - time, after.time - before.time
+    return (unknowns, -passed / ahead) if 0.0 < ahead <= FARTHEST * passed else None
 
 
 def on_branch(

@@ -20,6 +20,8 @@ CONVERGED = 1e-12
 ROUND_OFF = 1e-8
 """Correction below which a standstill is round-off of a stiff problem, not a failure."""
 MAX_ITERATIONS = 60
+MOST_GROWING = 3
+"""Corrections in a row, each more than twice the one before, after which none will arrive."""
 SMALLEST_FRACTION = 1.0 / 1024
 """Of a Newton step."""
 SMALLEST_STEP = 2.0**-20
@@ -46,16 +48,21 @@ def newton(function: Residual, start: np.ndarray, way: Way = STRAIGHT) -> np.nda
     Damped by the natural monotonicity test: a step is judged by the correction that
     would follow it, not by the defect, which a stiff axis makes a poor judge.
     Source: Deuflhard, Newton Methods for Nonlinear Problems, section 3.1.
-    Raises `NewtonError` where no fraction of a step brings the solution nearer.
+    Raises `NewtonError` where no fraction of a step brings the solution nearer, or corrections
+    grow and grow.
     """
     y = start.copy()
     residual, jacobian = function(y)
+    size, growing = np.inf, 0
     for _ in range(MAX_ITERATIONS):
         if not np.any(residual):
             return y
         solve = _factorised(jacobian, residual)
         step = solve(residual)
-        size = _norm(step)
+        before, size = size, _norm(step)
+        growing = growing + 1 if size > 2 * before else 0
+        if growing >= MOST_GROWING:
+            break
         if size <= CONVERGED:
             return np.asarray(y - step)
         found = _advance(function, solve, y, step, way)
@@ -76,7 +83,9 @@ def _advance(
 ) -> tuple[np.ndarray, np.ndarray, ca.DM] | None:
     """The largest of the halved steps after which the next correction is smaller."""
     size, fraction = _norm(step), 1.0
-    while fraction >= SMALLEST_FRACTION:
+    # What is near round-off is no further from the solution than any part of a step would tell.
+    smallest = 1.0 if size <= ROUND_OFF else SMALLEST_FRACTION
+    while fraction >= smallest:
         trial = way.step(y, -fraction * step)
         residual, jacobian = function(trial)
         if np.all(np.isfinite(residual)) and _norm(solve(residual)) <= (1 - fraction / 4) * size:
@@ -90,15 +99,17 @@ def continuation(
     start: np.ndarray,
     accept: Judge = lambda near, found, jacobian: True,
     way: Way = STRAIGHT,
+    previous: tuple[np.ndarray, float] | None = None,
 ) -> np.ndarray:
     """Follow family(y, s) = 0 from ``start`` at s = 0 to s = 1, as fast as Newton allows.
+
+    ``previous``: a solution from before ``start`` and its s < 0, to foresee the first by.
 
     ``accept`` judges a solution by its neighbours (where it was foreseen, and the one
     before) and by its Jacobian: what it refuses is not on the branch, and a shorter step is
     tried. Raises `NewtonError` with the load factor reached, where the branch ends.
     """
     y, reached, step = start, 0.0, 1.0
-    previous: tuple[np.ndarray, float] | None = None
     while reached < 1.0:
         target = min(1.0, reached + step)
         guess = y

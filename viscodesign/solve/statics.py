@@ -14,7 +14,7 @@ from viscodesign.errors import SolveError
 from viscodesign.model.arcs import arc_nodes
 from viscodesign.model.rod_equations import MOVING, RodForm
 from viscodesign.model.unknowns import Unknowns
-from viscodesign.solve.branch import NEARBY, Moment, branch_judge, constraints, followed
+from viscodesign.solve.branch import NEARBY, Earlier, Moment, branch_judge, constraints, followed
 from viscodesign.solve.newton import NewtonError, continuation, newton
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.ways import way_of
@@ -258,21 +258,22 @@ def consistent(
     time: float,
     piece: np.ndarray,
     before: Instant | None = None,
+    earlier: Earlier | None = None,
 ) -> Start:
     """The algebraic unknowns that belong to given states.
 
     ``before``: when those of ``start`` held. A static rod is then followed from there,
     since beyond a fold of its branch another equilibrium would be none that it comes to;
     else its loads are raised from nothing where Newton's iteration fails.
-    Raises `SolveError` where none are found.
+    ``earlier``: from where it had come there. Raises `SolveError` where none are found.
     """
     equations = problem.equations
     if equations.algebraics.count == 0:
         return start
     moment = Moment(start.states, time, piece)
     if before is not None and equations.rod_form is RodForm.STATIC:
-        earlier = Moment(start.states, *before)
-        return Start(start.states, followed(problem, start.algebraics, earlier, moment))
+        begin = Moment(start.states, *before)
+        return Start(start.states, followed(problem, start.algebraics, begin, moment, earlier))
 
     def family(z: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
         return constraints(problem, moment, z, load)

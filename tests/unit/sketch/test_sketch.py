@@ -328,3 +328,27 @@ def test_outputs_that_begin_behind_the_sketch_do_not_empty_it() -> None:
     )
     selection = select_effects(Conditions(scene))
     assert all(np.isfinite(v.contribution_m) for v in selection.verdicts)
+
+
+def test_a_gas_between_two_inlets_is_densest_at_the_higher() -> None:
+    """Of a steady isothermal flow through equal tubes the square of the pressure falls evenly."""
+    ambient, high, low = 101325.0, 60e3, -60e3
+    sketch = bare(
+        "bellows.count=2",
+        "input=null",
+        "network={layout: custom, tube_length: 40 mm, tube_radius: 0.3 mm, tubes: [{from: a, to: R1}, {from: R1, to: L1}, {from: L1, to: b}]}",
+        f"inputs={{a: {{kind: constant, value: {high}}}, b: {{kind: constant, value: {low}}}}}",
+        "run={duration: 1 s, output_interval: 0.1 s, start: equilibrium}",
+        f"ambient_pressure={ambient}",
+    ).with_(uniform=False)
+    squares = np.linspace((ambient + high) ** 2, (ambient + low) ** 2, 4)[1:-1]
+    found = sketch.with_(gas_exponent=1.0).pressure[-1]
+    assert found == pytest.approx(np.sqrt(squares) - ambient, rel=0.03)
+    assert sketch.pressure[-1] == pytest.approx([20e3, -20e3], rel=1e-6)
+
+
+def test_turning_counts_more_where_nothing_calms_the_rod() -> None:
+    calm = bare("bellows.count=4", RAMPS, SHORT).with_(moving=True, damping_time=1e-3)
+    lively = calm.with_(damping_time=0.0)
+    moved = [s.distance(s.with_(gyration=5e-3)) for s in (calm, lively)]
+    assert moved[1] > 2 * moved[0] > 0.0

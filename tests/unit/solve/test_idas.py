@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
+from typing import Any
+
 import pytest
 
-from viscodesign.solve.solvers.idas import REASONS, _last_words
+from tests.scenes import leg
+from viscodesign.build import build, suggest_settings
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.solve.solvers.base import Work
+from viscodesign.solve.solvers.idas import REASONS, Idas, _last_words
+from viscodesign.solve.statics import equilibrium
 
 
 @pytest.mark.parametrize("code", REASONS)
@@ -17,3 +26,41 @@ def test_other_faults_lose_their_file_names() -> None:
     text = "Error:\n.../casadi/core/function.cpp:12: something else\n"
     assert _last_words(RuntimeError(text)) == "something else"
     assert _last_words(RuntimeError("")) == "no reason given"
+
+
+def test_what_fails_at_a_corner_is_solved_stretch_by_stretch(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    scene = leg(
+        "bellows.count=4",
+        "input={kind: trapezoid, high: 5 kPa, rise: 0.1 s, hold: 0.2 s, fall: 0.1 s, rest: 0.1 s}",
+        "run={duration: 1.2 s, output_interval: 0.05 s}",
+        "effects={pressure_distribution: on, others: off}",
+    )
+    conditions = Conditions(scene)
+    effects = select_effects(conditions).effects
+    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    last, corners = len(problem.schedule.edges) - 1, problem.schedule.pieces.changes
+    whole, _ = Idas(problem, 1e-7)(start, 0, last, Work())
+    calls: list[tuple[int, int]] = []
+    solve = Idas._solve
+
+    def lame(self: Idas, here: Any, first: int, stop: int, *rest: Any) -> Any:
+        calls.append((first, stop))
+        if any(first < corner < stop for corner in corners):
+            raise RuntimeError('IDASolve returned "IDA_CONV_FAIL"')
+        return solve(self, here, first, stop, *rest)
+
+    monkeypatch.setattr(Idas, "_solve", lame)
+    limping = Idas(problem, 1e-7)
+    parts, failure = limping(start, 0, last, Work())
+    assert failure is None
+    marks = [0, *corners.tolist(), last]
+    assert calls == [(0, last), *itertools.pairwise(marks)]
+    for one, other in zip(whole, parts, strict=True):
+        assert other == pytest.approx(one, abs=1e-5)
+    # It has learnt that.
+    calls.clear()
+    limping(start, 0, last, Work())
+    assert calls == list(itertools.pairwise(marks))

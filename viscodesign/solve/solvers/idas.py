@@ -1,7 +1,8 @@
 """SUNDIALS IDAS through CasADi: the default.
 
 IDAS steps freely inside an interval of smooth input and starts afresh at every
-corner, because there the coefficients of the input change. An interval that fails is
+corner, because there the coefficients of the input change. Where that fails, every smooth
+stretch has a call of its own, from consistent unknowns; a stretch that fails is
 halved until the output before the failure is found.
 """
 
@@ -9,7 +10,7 @@ from __future__ import annotations
 
 import re
 import time as clock
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, ClassVar
 
 import casadi as ca
@@ -19,7 +20,7 @@ from viscodesign.errors import SolveError
 from viscodesign.solve.linear import direct_solver
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.silence import silence
-from viscodesign.solve.solvers.base import Columns, Solver, Work
+from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.statics import Start, consistent
 
 MAX_STEPS = 500_000
@@ -71,6 +72,8 @@ class Idas(Solver):
             "alg": equations.alg,
             "quad": equations.quadrature,
         }
+        self._stops_at_corners = False
+        """Whether every smooth stretch of the input is solved by a call of its own."""
         self.options: dict[str, Any] = {
             "abstol": tolerance,
             "reltol": tolerance,
@@ -90,6 +93,9 @@ class Idas(Solver):
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
         """Solve intervals first..stop, or as many as can be; columns exclude the start."""
+        stretches = smooth_stretches(self.problem.schedule.pieces, first, stop)
+        if self._stops_at_corners and len(stretches) > 1:
+            return self._in_turn(here, stretches, work)
         most = self._most_steps(stop - first, work)
         if most <= 0:
             return self.nothing(), self.overworked(self.problem.schedule.edges[first])
@@ -106,17 +112,31 @@ class Idas(Solver):
         if not is_share_spent or most >= self.options["max_num_steps"]:
             # What failed once is sought with little patience: a stuck step is not a slow one.
             self.options["max_num_steps"] = self._patience()
+        if len(stretches) > 1 and not is_share_spent:
+            # Behind a corner it may not find what the algebraic unknowns have jumped to.
+            self._stops_at_corners = True
+            return self._in_turn(here, stretches, work)
         middle = (first + stop) // 2
-        before, failure = self(here, first, middle, work)
-        if failure is not None or not before[0].shape[1]:
-            return before, failure
-        there = Start(before[0][:, -1], before[1][:, -1])
-        after, failure = self(there, middle, stop, work)
-        joined = tuple(
-            np.concatenate(pair, axis=1) for pair in zip(before[:2], after[:2], strict=True)
-        )
-        integrals = np.concatenate([before[2], before[2][:, -1:] + after[2]], axis=1)
-        return (joined[0], joined[1], integrals), failure
+        return self._in_turn(here, [(first, middle), (middle, stop)], work)
+
+    def _in_turn(
+        self, here: Start, parts: Sequence[tuple[int, int]], work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """One part after the other, each from what the one before it came to."""
+        done: list[Columns] = []
+        total = np.zeros(self.nothing()[2].shape[0])
+        failure: SolveError | None = None
+        for first, stop in parts:
+            (states, algebraics, integrals), failure = self(here, first, stop, work)
+            if states.shape[1]:
+                done.append((states, algebraics, total[:, None] + integrals))
+                here, total = Start(states[:, -1], algebraics[:, -1]), done[-1][2][:, -1]
+            if failure is not None or states.shape[1] < stop - first:
+                break
+        if not done:
+            return self.nothing(), failure
+        columns = tuple(np.concatenate(rows, axis=1) for rows in zip(*done, strict=True))
+        return (columns[0], columns[1], columns[2]), failure
 
     def _most_steps(self, intervals: int, work: Work) -> int:
         """Steps that each of so many intervals may take, so that all keep to the run's limit.
