@@ -19,9 +19,10 @@ MOST_TIMES = 1e14
 """Ratio of two times that double precision still carries."""
 MOST_LOAD = 1e5
 """Force over EI/l2 beyond which a rod would turn within a thousandth of its length."""
-MOST_TURN = 100.0
-"""Radians, over the whole rod, some sixteen times around: every one of them asks for an edge, and
-for twice as many to verify."""
+MOST_TURN = 400.0
+"""Radians, over the whole rod: every one of them asks for an edge, twice as many to verify."""
+MOST_SECTION_TURN = 30.0
+"""Radians, of one section, which would then lie five times around itself."""
 MOST_STRETCH = 100.0
 
 
@@ -134,12 +135,15 @@ def _network(conditions: Conditions) -> Iterator[tuple[str, str]]:
 def _rod(conditions: Conditions) -> Iterator[tuple[str, str]]:
     scene, turn, unit = conditions.scene, conditions.largest_turn, conditions.bending_force
     pressure = max(abs(conditions.lowest_pressure), conditions.pressure_range)
-    if not turn * conditions.body.sections <= MOST_TURN:
+    is_sound = turn <= MOST_SECTION_TURN
+    if not (is_sound and turn * conditions.body.sections <= MOST_TURN):
+        sections = f", and there are {conditions.body.sections}" if is_sound else ""
+        limit = MOST_TURN if is_sound else MOST_SECTION_TURN
         yield (
             "bellows.angle_per_pressure",
-            f"at the input's pressures a section turns by {turn:.3g} rad, and there are "
-            f"{conditions.body.sections}: more than the {MOST_TURN:g} rad that can be followed; "
-            "check the pressures, youngs_modulus and angle_per_pressure",
+            f"at the input's pressures a section turns by {turn:.3g} rad{sections}: more than the "
+            f"{limit:g} rad that can be followed; check the pressures, youngs_modulus and "
+            "angle_per_pressure",
         )
     stretch = 2 * pressure * abs(conditions.bellow.stretch_per_pressure)
     if not stretch <= MOST_STRETCH:

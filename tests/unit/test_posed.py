@@ -33,6 +33,32 @@ def test_a_number_beyond_the_rest_is_refused_with_its_key(change: str, command: 
     assert BEYOND[change] in str(refusal.value)
 
 
+@pytest.mark.parametrize(
+    ("turn", "message"),
+    [
+        (29.0, ""),
+        (31.0, "turns by 31 rad: more than the 30 rad"),
+        (60.0, "turns by 60 rad: more than the 30 rad"),
+    ],
+)
+def test_a_section_that_winds_around_itself(turn: float, message: str) -> None:
+    # Of a pressure p, angle/E of it for a bellow.
+    change = f"bellows.angle_per_pressure={turn * 1.8e6 / 5e3!r}"
+    still = "input={kind: constant, value: 5 kPa}"
+    if message:
+        with pytest.raises(SpecError, match=message):
+            check(leg("bellows.count=4", change, still, SECOND, "effects.feedback=off"))
+    else:
+        check(leg("bellows.count=4", change, still, SECOND, "effects.feedback=off"))
+
+
+def test_many_sections_that_turn_a_hundred_times_together() -> None:
+    change = f"bellows.angle_per_pressure={20 * 1.8e6 / 5e3!r}"
+    still = "input={kind: constant, value: 5 kPa}"
+    with pytest.raises(SpecError, match="by 20 rad, and there are 24: more than the 400 rad"):
+        check(leg("bellows.count=48", change, still, SECOND))
+
+
 def test_what_double_precision_carries_is_let_through() -> None:
     for change in ("network.changes={inlet-R1: {radius: 0.325 um}}", "actuator.density=1e15"):
         check(leg(change, SECOND))
