@@ -8,7 +8,7 @@ from functools import partial
 import casadi as ca
 import numpy as np
 
-from viscodesign.solve.linear import direct_solver
+from viscodesign.solve.linear import factorised
 from viscodesign.solve.ways import STRAIGHT, Way
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, ca.DM]]
@@ -139,12 +139,10 @@ def _factorised(jacobian: ca.DM, residual: np.ndarray) -> Callable[[np.ndarray],
     failure = NewtonError(_norm(residual), int(np.argmax(np.abs(residual))))
     if not jacobian.is_regular():
         raise failure
-    factors = ca.Linsol("newton", direct_solver(jacobian.size1()), jacobian.sparsity())
     try:
-        factors.nfact(jacobian)
+        return factorised(jacobian)
     except RuntimeError as error:  # its word for a singular matrix
         raise failure from error
-    return lambda right: np.array(factors.solve(jacobian, ca.DM(right))).ravel()
 
 
 def _norm(residual: np.ndarray) -> float:

@@ -12,8 +12,9 @@ from viscodesign.solve.newton import CONVERGED, ROUND_OFF, NewtonError, newton
 from viscodesign.solve.problem import Problem, mapped
 from viscodesign.solve.ways import way_of
 
-MOST_DENSE = 250
-"""Algebraic unknowns up to which many edges are solved at once, without regard to zeros."""
+MOST_DENSE = 80
+"""Algebraic unknowns up to which many edges are solved at once, without regard to zeros: larger
+matrices wake threads that cost more than they bring."""
 AT_ONCE = 4_000_000
 """Entries of all their matrices together."""
 MOST_ROUNDS = 6
