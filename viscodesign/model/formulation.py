@@ -29,6 +29,7 @@ import numpy as np
 
 from viscodesign.model.fluid import Incompressible
 from viscodesign.model.graph import Component
+from viscodesign.model.jacobian import jacobian
 from viscodesign.model.latest import Latest
 from viscodesign.model.network_equations import NetworkEquations, NetworkForm
 from viscodesign.model.rod_equations import RodEquations, RodForm
@@ -270,11 +271,9 @@ class _Formulation:
             ways=ways,
             function=ca.Function("balances", [x, z, *tail], [ode, alg]),
             static_function=ca.Function(
-                "equilibrium", [y, *tail], [static, ca.jacobian(static, y), *static_values]
+                "equilibrium", [y, *tail], [static, jacobian(static, y), *static_values]
             ),
-            algebraic_function=ca.Function(
-                "constraints", [x, z, *tail], [alg, ca.jacobian(alg, z)]
-            ),
+            algebraic_function=ca.Function("constraints", [x, z, *tail], [alg, jacobian(alg, z)]),
             output_function=ca.Function(
                 "outputs",
                 [x, z, *tail],

@@ -15,6 +15,7 @@ from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import splu
 
 from viscodesign.errors import SolveError
+from viscodesign.model.jacobian import jacobian
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch import Moment, constraints, followed
 from viscodesign.solve.newton import NewtonError, newton
@@ -151,9 +152,9 @@ def _following(problem: Problem) -> ca.Function:
     e = problem.equations
     x, z = e.states.vector, e.algebraics.vector
     push = ca.jtimes(e.alg, x, e.ode) + ca.jtimes(e.alg, e.time, SX(1))
-    jacobian = ca.jacobian(e.alg, z)
+    slopes = jacobian(e.alg, z)
     given = [x, z, e.time, e.pieces, e.parameters]
-    return ca.Function("following", given, [ca.densify(push), jacobian])
+    return ca.Function("following", given, [ca.densify(push), slopes])
 
 
 def end_of_branch(solver: Solver, here: Start, edge: int, work: Work) -> SolveError | None:

@@ -13,6 +13,7 @@ import numpy as np
 from scipy.integrate import Radau as ScipyRadau
 
 from viscodesign.errors import SolveError
+from viscodesign.model.jacobian import jacobian
 from viscodesign.solve.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
@@ -169,5 +170,5 @@ def _reduced(problem: Problem) -> ca.Function:
     e = problem.equations
     x, z = e.states.vector, e.algebraics.vector
     rates = ca.vertcat(e.ode, e.quadrature)
-    results = [rates, e.alg, *(ca.jacobian(f, v) for v in (z, x) for f in (rates, e.alg))]
+    results = [rates, e.alg, *(jacobian(f, v) for v in (z, x) for f in (rates, e.alg))]
     return ca.Function("reduced", [x, z, e.time, e.pieces, e.parameters], results)

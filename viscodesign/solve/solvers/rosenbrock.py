@@ -15,6 +15,7 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.model.formulation import Equations
+from viscodesign.model.jacobian import jacobian
 from viscodesign.solve.elimination import Elimination, has_whole_diagonal
 from viscodesign.solve.problem import Bound, Problem
 from viscodesign.solve.solvers import rodas
@@ -252,8 +253,8 @@ def step_function(equations: Equations) -> ca.Function:
     mass = ca.DM.ones(y.numel())
     states, algebraics = equations.states.count, equations.algebraics.count
     mass[states : states + algebraics] = 0
-    jacobian, drift = ca.jacobian(rates, y), ca.jacobian(rates, t)
-    matrix = ca.sparsify(ca.diag(mass)) / (h * rodas.GAMMA) - jacobian
+    slopes, drift = jacobian(rates, y), ca.jacobian(rates, t)
+    matrix = ca.sparsify(ca.diag(mass)) / (h * rodas.GAMMA) - slopes
     elimination = Elimination(matrix.sparsity())
     factors = elimination.factors(matrix)
     stages: list[SX] = []
