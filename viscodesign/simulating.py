@@ -176,6 +176,8 @@ def _uncertain_flows(found: Trajectory, verifier: Verifier) -> Iterator[Notice]:
     apart = verifier.flows_apart
     if apart is None or LEFT_BY_TIME * apart.share <= FLOWS_UNSURE:
         return
+    if apart.row >= len(found.time):
+        return  # a finer solution ended before, and is told of by itself
     tube = found.tubes[apart.tube]
     yield Notice(
         "uncertain_flows",

@@ -38,3 +38,6 @@ def test_uncertain_flows_are_told_with_number_and_place() -> None:
     assert "0.021 of the largest flow" in notice.message
     verifier.flows_apart = FlowDifference(1.9 * FLOWS_UNSURE, 1, 3)
     assert not list(_uncertain_flows(run, verifier))
+    # A finer solution that ended before that output is told of by itself.
+    verifier.flows_apart = FlowDifference(2.1 * FLOWS_UNSURE, 1, len(run.time))
+    assert not list(_uncertain_flows(run, verifier))

@@ -7,7 +7,12 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import simulate
+from viscodesign.build import build, suggest_settings
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
 from viscodesign.errors import SolveError
+from viscodesign.solve.problem import evaluate
+from viscodesign.solve.statics import _unloaded
 
 THROUGH = (
     "inputs={inlet: {kind: constant, value: 0}, other: {kind: constant, value: 30 kPa}}",
@@ -63,3 +68,26 @@ def test_a_start_beyond_the_snap_is_refused_with_a_way_out() -> None:
     assert later.status == "complete", later.failure
     assert later.pressure[-1] == pytest.approx(25e3, rel=0.02)
     assert later.volume[-1].min() > 0.018 * 1.5e-4
+
+
+def test_a_sealed_part_is_filled_before_its_rod_is_bent() -> None:
+    """The straight rod that the search begins with bears forces, which take volume: not at the end."""
+    scene = leg(
+        "bellows.count=4",
+        "bellows.area_per_pressure=1e-10",
+        "network={layout: custom, tube_length: 37.5 mm, tube_radius: 0.325 mm, tubes: [{from: inlet, to: R1}, {from: R1, to: L1}, {from: R2, to: L2}]}",
+        "input={kind: constant, value: 20 kPa}",
+        "run={duration: 0.1 s}",
+        "effects={pressure_distribution: on, gravity: on, feedback: on, others: off}",
+        "loads.gravity={tilt: 60 deg}",
+        "bellows.area_per_moment=0",
+        "bellows.area_per_force=3e-9",
+        "gauge_pressure=5 kPa",
+    )
+    conditions = Conditions(scene)
+    effects = select_effects(conditions).effects
+    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    piece = problem.schedule.pieces[0]
+    y = _unloaded(problem, 0.0, piece)
+    residual, *_ = evaluate(problem.equations.static_function, y, *problem.tail(0.0, piece, 0.0))
+    assert np.max(np.abs(np.asarray(residual))) < 1e-8
