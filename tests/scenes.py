@@ -9,6 +9,10 @@ from typing import Any
 import numpy as np
 
 from viscodesign import Scene, load
+from viscodesign.build import build, suggest_settings
+from viscodesign.effects.conditions import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.solve.problem import Problem
 
 ROOT = Path(__file__).parent.parent
 CONFIGS = ROOT / "configs"
@@ -25,6 +29,13 @@ STATIC = "effects={gravity: auto, others: off}"
 def leg(*overrides: str, config: str = "leg_16_straight_air") -> Scene:
     """A bundled scene with overrides 'key=value'."""
     return load(CONFIGS / f"{config}.yaml", overrides)
+
+
+def problem_of(scene: Scene) -> Problem:
+    """A scene's equations with the effects and the settings that it calls for."""
+    conditions = Conditions(scene)
+    effects = select_effects(conditions).effects
+    return build(conditions, effects, suggest_settings(conditions, effects))
 
 
 def reference(name: str) -> dict[str, Any]:

@@ -10,10 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.scenes import CONFIGS, leg
+from tests.scenes import CONFIGS, leg, problem_of
 from tests.unit.test_shelf import Full
 from viscodesign import Trajectory, simulate
-from viscodesign.effects.conditions import Conditions
 from viscodesign.errors import SpecError
 from viscodesign.outputs import MARGIN, read_outputs
 from viscodesign.report.files import write_run
@@ -79,15 +78,10 @@ def test_a_failure_is_found_in_whichever_block_it_lies(monkeypatch: pytest.Monke
 
 
 def test_blocks_overlap_by_a_margin_and_own_every_edge_once() -> None:
-    from viscodesign.build import suggest_settings
-    from viscodesign.effects.select import select_effects
     from viscodesign.solve.statics import equilibrium
     from viscodesign.solve.transient import integrate
-    from viscodesign.solving import build
 
-    conditions = Conditions(leg(*SHORT, SQUARE, ONE_WAY))
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    problem = problem_of(leg(*SHORT, SQUARE, ONE_WAY))
     solution = integrate(problem, equilibrium(problem, 0.0, problem.schedule.initial_piece), 1e-4)
     parts = list(read_outputs(problem, solution, at_once=300))
     owned = [k for part in parts for k in range(part.begin, part.end)]

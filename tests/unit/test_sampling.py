@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.scenes import leg
-from viscodesign.build import build, schedule, suggest_settings
-from viscodesign.effects.conditions import Conditions
-from viscodesign.effects.select import select_effects
+from tests.scenes import leg, problem_of
+from viscodesign.build import schedule
 from viscodesign.sampling import GRADES, MOST_SAMPLES, PER_SWING
 from viscodesign.solve.problem import Problem
 
@@ -19,9 +17,7 @@ FEW = "run={duration: 2 s, output_times: [0, 0.3, 2]}"
 
 
 def made(*changes: str) -> Problem:
-    conditions = Conditions(leg("bellows.count=4", *changes))
-    effects = select_effects(conditions).effects
-    return build(conditions, effects, suggest_settings(conditions, effects))
+    return problem_of(leg("bellows.count=4", *changes))
 
 
 def test_what_an_integrator_tells_needs_no_samples() -> None:

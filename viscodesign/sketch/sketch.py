@@ -148,10 +148,15 @@ class Sketch:
         """
         ground = self.ground
         assert self.gas_exponent is not None
-        absolute = np.maximum(ground.ambient + pressure, 0.02 * ground.ambient)
+        absolute = self._absolute(pressure)
         told = density_ratio(absolute - ground.ambient, ground.ambient, self.gas_exponent)
         density = _at_work(np.asarray(told), flow, ground.time)
         return np.asarray(np.mean(density) / density)
+
+    def _absolute(self, pressure: np.ndarray) -> np.ndarray:
+        """Absolute pressures; a linear network knows no vacuum [Pa]."""
+        ambient = self.ground.ambient
+        return np.maximum(ambient + pressure, 0.02 * ambient)
 
     def flows(self) -> np.ndarray:
         """Flows of all tubes (T, Q) [m3/s]."""
@@ -179,7 +184,7 @@ class Sketch:
         stored = np.maximum((ends[1] - ends[0]) / spread, 1e-3 * ground.compliance)
         volume = ground.rest_volume + self._law(pressure)[0]
         if self.gas_exponent is not None:
-            absolute = np.maximum(ground.ambient + pressure, 0.02 * ground.ambient)
+            absolute = self._absolute(pressure)
             volume = np.maximum(volume, 0.02 * ground.rest_volume)
             moved = np.abs(np.diff(pressure, axis=0)) + 1e-9 * ground.swing
             own = (volume / (self.gas_exponent * absolute))[1:]

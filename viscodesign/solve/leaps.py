@@ -19,7 +19,7 @@ from viscodesign.model.jacobian import jacobian
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch import Moment, constraints, followed
 from viscodesign.solve.newton import NewtonError, newton
-from viscodesign.solve.problem import Bound, Pieces, Problem, Schedule, evaluate
+from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate, mapped
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
 from viscodesign.solve.ways import way_of
@@ -118,14 +118,8 @@ class Rates:
         function = problem.equations.compiled.get("following", lambda: _following(problem))
         numbers = np.tile(problem.numbers(), (count, 1))
         given = [states.T, algebraics.T, times, pieces, numbers]
-        self._push = np.zeros((count, function.nnz_out(0)))
-        self.jacobians = np.zeros((count, function.nnz_out(1)))
+        self._push, self.jacobians = mapped(problem, function, "following", given)
         """Nonzeros of the algebraic equations' Jacobian (m + 1, nnz), column by column."""
-        Bound(
-            problem.equations.compiled.get(("following", count), lambda: function.map(count)),
-            [np.ascontiguousarray(values, dtype=float) for values in given],
-            [self._push, self.jacobians],
-        )()
         rows, starts = (np.array(k, dtype=np.int32) for k in _columns(function.sparsity_out(1)))
         self._pattern = rows, starts
         self._known: dict[int, np.ndarray] = {}

@@ -157,28 +157,21 @@ def evaluate_along(
 ) -> dict[str, np.ndarray]:
     """All named outputs (m, n) at m edges from ``first`` on, from unknowns (nx, m) and (nz, m)."""
     output = problem.equations.output_function
-    found = mapped(problem, output, "outputs", states, algebraics, first)
+    found = mapped(problem, output, "outputs", rows_along(problem, states, algebraics, first))
     return dict(zip(output.name_out(), found, strict=True))
 
 
-def mapped(
-    problem: Problem,
-    function: ca.Function,
-    name: str,
-    states: np.ndarray,
-    algebraics: np.ndarray,
-    first: int,
+def rows_along(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int
 ) -> list[np.ndarray]:
-    """A function of unknowns and time at m edges from ``first`` on; of its results what is not
-    zero by structure, column by column (m, n). ``name``: under which its compiled map is kept.
-    """
+    """What the equations' functions take at m edges from ``first`` on, each (m, n)."""
     equations, schedule = problem.equations, problem.schedule
     count = states.shape[1]
     edges = np.arange(first, first + count)
     # A state just before a corner belongs to the interval that ends there.
     pieces = schedule.pieces[np.maximum(edges - 1, 0)]
     tail = (equations.sealed_volumes, equations.parameter_values)
-    rows = [
+    return [
         states.T,
         algebraics.T,
         schedule.edges[edges],
@@ -186,9 +179,18 @@ def mapped(
         np.ones(count),
         *(np.broadcast_to(values, (count, len(values))) for values in tail),
     ]
+
+
+def mapped(
+    problem: Problem, function: ca.Function, name: str, rows: Sequence[np.ndarray]
+) -> list[np.ndarray]:
+    """A function of rows of arguments, each (m, n); of its results what is not zero by structure,
+    column by column (m, n). ``name``: under which its compiled map is kept.
+    """
+    count = len(rows[0])
     found = [np.zeros((count, function.nnz_out(k))) for k in range(function.n_out())]
     call = Bound(
-        equations.compiled.get((name, count), lambda: function.map(count)),
+        problem.equations.compiled.get(("map", name, count), lambda: function.map(count)),
         [np.ascontiguousarray(row, dtype=float) for row in rows],
         found,
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from viscodesign.solve.branch import Moment, constraints
 from viscodesign.solve.newton import CONVERGED, ROUND_OFF, NewtonError, newton
-from viscodesign.solve.problem import Problem, mapped
+from viscodesign.solve.problem import Problem, mapped, rows_along
 from viscodesign.solve.ways import way_of
 
 MOST_DENSE = 80
@@ -57,12 +57,14 @@ def _block(problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: 
     told = function.sparsity_out(0).row()
     rows, columns = function.sparsity_out(1).get_triplet()
     unknowns, count = algebraics.shape
-    given, trial = algebraics.copy(), algebraics.copy()
+    trial = algebraics.copy()
     matrix, right = np.zeros((count, unknowns, unknowns)), np.zeros((count, unknowns, 1))
     size = np.full(count, np.inf)
     done, lost = np.zeros((2, count), dtype=bool)
     for _ in range(MOST_ROUNDS):
-        defect, slopes = mapped(problem, function, "algebraic", states, trial, first)
+        defect, slopes = mapped(
+            problem, function, "constraints", rows_along(problem, states, trial, first)
+        )
         matrix[:, rows, columns], right[:, told, 0] = slopes, defect
         try:
             step = np.linalg.solve(matrix, right)[:, :, 0].T
@@ -77,5 +79,5 @@ def _block(problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: 
         done |= arrived & (still | (size <= CONVERGED))
         if np.all(done | lost):
             break
-    algebraics[:, :] = np.where(done, trial, given)
+    algebraics[:, done] = trial[:, done]
     return done

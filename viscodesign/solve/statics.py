@@ -79,8 +79,9 @@ def _unloaded(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
             _settle(problem, y, fluid, tail)
         except NewtonError as failure:
             raise _no_pressures(problem, time) from failure
-        if "position" in statics.blocks:
-            _bend_to_arcs(problem, y, tail)
+        if "position" not in statics.blocks:
+            break
+        _bend_to_arcs(problem, y, tail)
         # A rod that is not yet bent bears forces, and they take volume of what is sealed.
         if np.max(np.abs(y - before), initial=0.0) <= BENT:
             break

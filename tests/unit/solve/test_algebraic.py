@@ -6,11 +6,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from tests.scenes import leg
+from tests.scenes import leg, problem_of
 from tests.validation.rc_network import columns
-from viscodesign.build import build, suggest_settings
-from viscodesign.effects.conditions import Conditions
-from viscodesign.effects.select import select_effects
 from viscodesign.solve.algebraic import Algebraic
 from viscodesign.solve.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate, evaluate_along
@@ -25,9 +22,7 @@ SCENES = {
 
 
 def made(*overrides: str) -> tuple[Problem, Start]:
-    conditions = Conditions(leg(SHORT, *overrides))
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    problem = problem_of(leg(SHORT, *overrides))
     schedule = problem.schedule
     start = equilibrium(problem, 0.0, schedule.initial_piece)
     return problem, consistent(problem, start, 0.0, schedule.pieces[0])

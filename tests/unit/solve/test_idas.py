@@ -7,10 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.scenes import leg
-from viscodesign.build import build, suggest_settings
-from viscodesign.effects.conditions import Conditions
-from viscodesign.effects.select import select_effects
+from tests.scenes import leg, problem_of
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.idas import REASONS, Idas, _last_words
 from viscodesign.solve.statics import equilibrium
@@ -37,9 +34,7 @@ def test_what_fails_at_a_corner_is_solved_stretch_by_stretch(
         "run={duration: 1.2 s, output_interval: 0.05 s}",
         "effects={pressure_distribution: on, others: off}",
     )
-    conditions = Conditions(scene)
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    problem = problem_of(scene)
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     last, corners = len(problem.schedule.edges) - 1, problem.schedule.pieces.changes
     whole, _ = Idas(problem, 1e-7)(start, 0, last, Work())

@@ -5,10 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.scenes import leg
-from viscodesign.build import build, suggest_settings
-from viscodesign.effects.conditions import Conditions
-from viscodesign.effects.select import select_effects
+from tests.scenes import leg, problem_of
 from viscodesign.solve import refining
 from viscodesign.solve.branch import Moment, constraints
 from viscodesign.solve.problem import Problem
@@ -21,9 +18,7 @@ TOLERANCE = 1e-5
 @pytest.fixture(scope="module")
 def solved() -> tuple[Problem, np.ndarray, np.ndarray]:
     scene = leg(config="branched_tree")
-    conditions = Conditions(scene)
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    problem = problem_of(scene)
     assert "junction_pressure" in problem.equations.algebraics.blocks
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     found = integrate(problem, start, TOLERANCE)

@@ -5,11 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.scenes import leg
+from tests.scenes import leg, problem_of
 from viscodesign import simulate
-from viscodesign.build import build, suggest_settings
-from viscodesign.effects.conditions import Conditions
-from viscodesign.effects.select import select_effects
 from viscodesign.errors import SolveError
 from viscodesign.solve.problem import evaluate
 from viscodesign.solve.statics import _unloaded
@@ -84,9 +81,7 @@ def test_a_sealed_part_is_filled_before_its_rod_is_bent() -> None:
         "bellows.area_per_force=3e-9",
         "gauge_pressure=5 kPa",
     )
-    conditions = Conditions(scene)
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    problem = problem_of(scene)
     piece = problem.schedule.pieces[0]
     y = _unloaded(problem, 0.0, piece)
     residual, *_ = evaluate(problem.equations.static_function, y, *problem.tail(0.0, piece, 0.0))
