@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import signal
 
+import pytest
 from hypothesis import settings
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """`--golden`: compare with stored results closely, exactly, or write them anew."""
+    parser.addoption("--golden", choices=["check", "exact", "update"], default="check")
 
 
 def pytest_configure() -> None:

@@ -1,0 +1,56 @@
+"""The path of the tip of every bundled config, held against what an earlier version found.
+
+    pytest tests/golden                    within a hundredth of each scene's accuracy
+    pytest tests/golden --golden exact     to the last digit: for a change that must move nothing
+    pytest tests/golden --golden update    write the paths anew, after a change that must
+
+Another processor rounds otherwise, so only runs on one machine can agree to the last digit.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from tests.scenes import CONFIGS
+from viscodesign import Trajectory, load, simulate
+
+PATHS = Path(__file__).parent / "paths"
+ROWS = 81
+"""Output times kept of each run."""
+TOLERANCE_OF_ACCURACY = 0.01
+"""How far a tip may lie from its golden path, in parts of the accuracy asked for."""
+SPECS = sorted(CONFIGS.glob("*.yaml"))
+
+
+@pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.stem)
+def test_tip_path_equals_the_golden_path(spec: Path, golden: str) -> None:
+    found = simulate(load(spec))
+    assert found.status == "complete"
+    path, file = tip_path(found), PATHS / f"{spec.stem}.csv"
+    if golden == "update":
+        path.to_csv(file, index=False, float_format="%.17g")
+        return
+    expected = np.loadtxt(file, delimiter=",", skiprows=1, ndmin=2)
+    if golden == "exact":
+        np.testing.assert_array_equal(path.to_numpy(), expected)
+        return
+    allowed = TOLERANCE_OF_ACCURACY * found.accuracy.requested_m
+    # Time, x, z, angle: a length of the actuator is taken as a radian of the tip.
+    moved = np.abs(path.to_numpy() - expected) / [1.0, 1.0, 1.0, 1.0 / found.length]
+    assert np.array_equal(path["time_s"], expected[:, 0])
+    assert np.max(moved) <= allowed
+
+
+def test_every_golden_path_has_a_config() -> None:
+    assert {file.stem for file in PATHS.glob("*.csv")} == {spec.stem for spec in SPECS}
+
+
+def tip_path(found: Trajectory) -> pd.DataFrame:
+    """Time and place of the tip at evenly spread output times, the first and the last included."""
+    rows = np.unique(np.linspace(0, len(found.time) - 1, ROWS).round().astype(int))
+    columns = ["time_s", "tip_x_m", "tip_z_m", "tip_angle_rad"]
+    return found.frame()[columns].iloc[rows].reset_index(drop=True)
