@@ -88,10 +88,10 @@ def _facts(scene: Any) -> Record:
 
 def _cost(scene: Any) -> Record:
     """Wall times of choosing, building and solving at the scene's own accuracy [s]."""
-    from viscodesign.build import suggest_settings
-    from viscodesign.effects.conditions import Conditions
     from viscodesign.effects.select import select_effects
-    from viscodesign.solving import solve
+    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.simulation.build_problem import suggest_settings
+    from viscodesign.simulation.solve_once import solve
 
     best: Record = {}
     for _ in range(REPEATS):

@@ -29,8 +29,8 @@ from error_report import CONVERGED, write_report
 from scene_runs import Record, drawn, options, read, run_all, say
 
 if TYPE_CHECKING:
-    from viscodesign.build import Settings
-    from viscodesign.solving import Run
+    from viscodesign.simulation.build_problem import Settings
+    from viscodesign.simulation.solve_once import Run
 
 HERE = Path(__file__).parent
 RESULTS = HERE / "results" / "error_study.jsonl"
@@ -97,10 +97,10 @@ def run_path(folder: Path, index: int) -> Path:
 
 def refine(seed: int, index: int, folder: Path, stated_m: float | None) -> Iterator[Record]:
     """Solve with everything on, each time finer, until two solutions in a row agree."""
-    from viscodesign.build import suggest_settings
-    from viscodesign.effects.conditions import Conditions
     from viscodesign.effects.select import select_effects
-    from viscodesign.solving import solve
+    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.simulation.build_problem import suggest_settings
+    from viscodesign.simulation.solve_once import solve
 
     conditions = Conditions(drawn(seed, index, EVERYTHING))
     selection = select_effects(conditions)
@@ -163,7 +163,7 @@ def _keep(path: Path, run: Run, **more: float) -> None:
 
 def _kept(path: Path) -> tuple[Settings, np.ndarray, float]:
     """Settings and tip of a reference, and how far the last refinement moved it [m]."""
-    from viscodesign.build import Settings
+    from viscodesign.simulation.build_problem import Settings
 
     with np.load(path) as kept:
         settings = Settings(**json.loads(str(kept["settings"])))

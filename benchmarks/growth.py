@@ -145,10 +145,10 @@ def measure(family: str, size: int) -> Record:
     from dataclasses import replace
 
     from viscodesign import load
-    from viscodesign.build import suggest_settings
-    from viscodesign.effects.conditions import Conditions
     from viscodesign.effects.select import select_effects
-    from viscodesign.solving import solve
+    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.simulation.build_problem import suggest_settings
+    from viscodesign.simulation.solve_once import solve
 
     changes, edges = overrides(family, size)
     began = time.perf_counter()

@@ -90,11 +90,11 @@ def measure() -> Record:
     watch = Watch()
     with watch("import"):
         from viscodesign import load, simulate
-        from viscodesign.build import build, suggest_settings
-        from viscodesign.effects.conditions import Conditions
         from viscodesign.effects.select import select_effects
-        from viscodesign.motion import read_motion
-        from viscodesign.report.files import write_run
+        from viscodesign.estimate.scene_quantities import Conditions
+        from viscodesign.postprocess.motion import read_motion
+        from viscodesign.report.run_folder import write_run
+        from viscodesign.simulation.build_problem import build, suggest_settings
         from viscodesign.solve.solvers.base import Work
         from viscodesign.solve.solvers.idas import Idas
         from viscodesign.solve.statics import equilibrium
@@ -174,10 +174,10 @@ def factorising_s(problem: Problem) -> float:
 def quasi_static() -> Record:
     """The unloaded leg on arcs: time and true error over its cycles."""
     from viscodesign import load
-    from viscodesign.build import Settings, suggest_settings
-    from viscodesign.effects.conditions import Conditions
     from viscodesign.effects.select import select_effects
-    from viscodesign.solving import solve, tip_difference
+    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.simulation.build_problem import Settings, suggest_settings
+    from viscodesign.simulation.solve_once import solve, tip_difference
 
     scene = load(SCENE, QUASI_STATIC)
     conditions = Conditions(scene)

@@ -18,8 +18,8 @@ import numpy as np
 from tip_pair import draw_tips
 
 from viscodesign import AccuracyStudy, Trajectory, accuracy, load, simulate
-from viscodesign.cli.price import seconds
-from viscodesign.report.accuracy_chart import draw_accuracy
+from viscodesign.cli.texts.accuracy_text import seconds
+from viscodesign.report.charts.accuracy import draw_accuracy
 
 DOCS = Path(__file__).parent
 CONFIGS = DOCS.parent / "configs"

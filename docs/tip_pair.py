@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from viscodesign import Trajectory
-from viscodesign.report.labels import DIRECTIONS, DISTANCES, POINTS, Box, text_box
-from viscodesign.report.style import ACCENT, INK, axes_at, picture
-from viscodesign.report.tip_path import travelled
+from viscodesign.report.charts.tip_path import travelled
+from viscodesign.report.layout.label_placement import DIRECTIONS, DISTANCES, POINTS, Box, text_box
+from viscodesign.report.layout.style import ACCENT, INK, axes_at, picture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

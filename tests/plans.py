@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from tests.trajectories import made_run
-from viscodesign.pumpplan import PumpCourse, PumpPlan, PumpVerdict
-from viscodesign.pumps.profile import Profile
+from viscodesign.pump.planning.result import PumpCourse, PumpPlan, PumpVerdict
+from viscodesign.pump.profile import Profile
 
 
 def made_course(profile: Profile, lead: float = 0.0) -> PumpCourse:

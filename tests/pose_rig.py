@@ -9,21 +9,21 @@ from typing import Any
 import numpy as np
 
 from tests.pumps import HOME, bench, pump, stepped
-from viscodesign.pumps import registers
-from viscodesign.pumps.boards.arbotix import Arbotix
-from viscodesign.pumps.gauges import Gauges
-from viscodesign.pumps.interrupt import Wish
-from viscodesign.pumps.packets import Instruction, Packet
-from viscodesign.pumps.pose_fit import PoseFit, fit_poses
-from viscodesign.pumps.pose_player import PosePlayer, divided
-from viscodesign.pumps.profile import Profile
-from viscodesign.pumps.pump import Pump
-from viscodesign.pumps.stream import Ending
-from viscodesign.pumps.switches import Switches
-from viscodesign.pumps.virtual.bench import Bench
-from viscodesign.pumps.virtual.direct_line import DirectLine
-from viscodesign.pumps.virtual.faults import Fault, Faulty
-from viscodesign.pumps.virtual.pypose import PyPose
+from tests.rig.faults import Fault, Faulty
+from viscodesign.pump.boards.arbotix import Arbotix
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.packets import Instruction, Packet
+from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import Ending
+from viscodesign.pump.poses.fit import PoseFit, fit_poses
+from viscodesign.pump.poses.player import PosePlayer, divided
+from viscodesign.pump.profile import Profile
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.pypose import PyPose
 
 TRAVEL = (100, 1000)
 

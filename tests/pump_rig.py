@@ -9,20 +9,20 @@ from typing import Any
 import numpy as np
 
 from tests.pumps import HOME, Weights, bench, pump
-from viscodesign.pumps import registers
-from viscodesign.pumps.boards.dynamixel import Dynamixel
-from viscodesign.pumps.clock import SteppedClock
-from viscodesign.pumps.gauges import Gauges
-from viscodesign.pumps.interrupt import Wish
-from viscodesign.pumps.line import Line
-from viscodesign.pumps.packets import Instruction, Packet, Parser
-from viscodesign.pumps.profile import Profile
-from viscodesign.pumps.pump import Pump
-from viscodesign.pumps.stream import Ending, OnStop, Shown, Stream
-from viscodesign.pumps.switches import Switches
-from viscodesign.pumps.virtual.bench import Bench
-from viscodesign.pumps.virtual.bus import BusAdapter
-from viscodesign.pumps.virtual.direct_line import DirectLine
+from tests.rig.bus import BusAdapter
+from viscodesign.pump.boards.dynamixel import Dynamixel
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.bus.line import Line
+from viscodesign.pump.bus.packets import Instruction, Packet, Parser
+from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import Ending, OnStop, Shown, Stream
+from viscodesign.pump.profile import Profile
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.direct_line import DirectLine
 
 AMBIENT = 101_325.0
 RATE = 30.0

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from viscodesign.pumps.clock import SteppedClock
-from viscodesign.pumps.drive import Drive
-from viscodesign.pumps.virtual.bench import Bench
-from viscodesign.pumps.virtual.plant import ClosedGas, Plant
-from viscodesign.pumps.virtual.servo import VirtualServo
+from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.drive import Drive
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.plant import ClosedGas, Plant
+from viscodesign.pump.simulated.servo import VirtualServo
 from viscodesign.scene.pump import Pump
 
 HOME = 200

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from viscodesign import Scene, load
-from viscodesign.build import build, suggest_settings
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.simulation.build_problem import build, suggest_settings
 from viscodesign.solve.problem import Problem
 
 ROOT = Path(__file__).parent.parent

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from viscodesign.tradeoff import AccuracyStudy, Model, Point, Reference, with_dominated
+from viscodesign.results.accuracy_study import (
+    AccuracyStudy,
+    Model,
+    Point,
+    Reference,
+    with_dominated,
+)
 
 LENGTH = 0.1
 MODELS = (

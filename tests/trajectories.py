@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.trajectory import (
+from viscodesign.results.trajectory import (
     Accuracy,
     Classification,
     Cost,

@@ -16,16 +16,16 @@ from typing import TYPE_CHECKING
 from viscodesign._version import __version__
 
 if TYPE_CHECKING:
-    from viscodesign.checking import Check, check
-    from viscodesign.classifying import classify
+    from viscodesign.checks.check import Check, check
+    from viscodesign.checks.classify import classify
     from viscodesign.loading import load
-    from viscodesign.planning.plan import plan
-    from viscodesign.pumpplan import PumpPlan
+    from viscodesign.pump.planning.plan import plan
+    from viscodesign.pump.planning.result import PumpPlan
+    from viscodesign.results.accuracy_study import AccuracyStudy
+    from viscodesign.results.trajectory import Classification, Trajectory
     from viscodesign.scene.scene import Scene
-    from viscodesign.simulating import simulate
+    from viscodesign.simulation.simulate import simulate
     from viscodesign.studies.accuracy import accuracy
-    from viscodesign.tradeoff import AccuracyStudy
-    from viscodesign.trajectory import Classification, Trajectory
 
 __all__ = [
     "AccuracyStudy",
@@ -44,18 +44,18 @@ __all__ = [
 ]
 
 _HOMES = {
-    "AccuracyStudy": "tradeoff",
-    "Check": "checking",
-    "Classification": "trajectory",
-    "PumpPlan": "pumpplan",
+    "AccuracyStudy": "results.accuracy_study",
+    "Check": "checks.check",
+    "Classification": "results.trajectory",
+    "PumpPlan": "pump.planning.result",
     "Scene": "scene.scene",
-    "Trajectory": "trajectory",
+    "Trajectory": "results.trajectory",
     "accuracy": "studies.accuracy",
-    "check": "checking",
-    "classify": "classifying",
+    "check": "checks.check",
+    "classify": "checks.classify",
     "load": "loading",
-    "plan": "planning.plan",
-    "simulate": "simulating",
+    "plan": "pump.planning.plan",
+    "simulate": "simulation.simulate",
 }
 
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from viscodesign.effects.select import effect_names
-from viscodesign.scene.load import KnownEffects, load_scene
+from viscodesign.scene.reading.json_schema import spec_schema
+from viscodesign.scene.reading.read import KnownEffects, load_scene
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.schema import spec_schema
 
 
 def known_effects() -> KnownEffects:

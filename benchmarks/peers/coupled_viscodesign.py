@@ -10,7 +10,7 @@ from ours import Ours
 if TYPE_CHECKING:
     import numpy as np
 
-    from viscodesign.motion import Motion
+    from viscodesign.postprocess.motion import Motion
     from viscodesign.scene.scene import Scene
 
 LADDER = [(1, 1e-3), (1, 1e-4), (1, 2e-5), (2, 2e-5), (2, 1e-5), (4, 1e-6), (8, 1e-7)]

@@ -11,7 +11,7 @@ from ours import Ours
 if TYPE_CHECKING:
     import numpy as np
 
-    from viscodesign.motion import Motion
+    from viscodesign.postprocess.motion import Motion
     from viscodesign.scene.scene import Scene
 
 SCENE = Path(__file__).parents[2] / "configs" / "leg_16_straight_water.yaml"

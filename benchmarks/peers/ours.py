@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 if TYPE_CHECKING:
     import numpy as np
 
-    from viscodesign.motion import Motion
+    from viscodesign.postprocess.motion import Motion
     from viscodesign.scene.scene import Scene
 
 ACCURACIES = [1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6]
@@ -47,10 +47,10 @@ class Ours(ABC):
 
     def prepare(self, setting: dict[str, Any]) -> Callable[[], np.ndarray]:
         """Read, choose, and solve once."""
-        from viscodesign.build import Settings, suggest_settings
-        from viscodesign.effects.conditions import Conditions
         from viscodesign.effects.select import select_effects
-        from viscodesign.solving import solve
+        from viscodesign.estimate.scene_quantities import Conditions
+        from viscodesign.simulation.build_problem import Settings, suggest_settings
+        from viscodesign.simulation.solve_once import solve
 
         asked = setting.get("accuracy")
         conditions = Conditions(self.scene() if asked is None else self.scene(f"accuracy={asked}"))

@@ -21,7 +21,7 @@ from ours import Ours
 if TYPE_CHECKING:
     import numpy as np
 
-    from viscodesign.motion import Motion
+    from viscodesign.postprocess.motion import Motion
     from viscodesign.scene.scene import Scene
 
 MODULUS, HEIGHT, WIDTH, SOLID = 1.8e6, 0.03, 0.02, 0.47

@@ -11,20 +11,20 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.pumps import HOME, Weights, bench, stepped
+from tests.rig import faults
+from tests.rig.bus import BusAdapter
+from tests.rig.faults import Fault, Faulty
 from viscodesign.errors import PumpError, ViscodesignError
-from viscodesign.pumps import registers
-from viscodesign.pumps.boards.base import Board, Goal
-from viscodesign.pumps.opening import boards
-from viscodesign.pumps.packets import ErrorBits, Packet
-from viscodesign.pumps.registers import Register
-from viscodesign.pumps.virtual import faults
-from viscodesign.pumps.virtual.bench import Bench
-from viscodesign.pumps.virtual.bus import BusAdapter
-from viscodesign.pumps.virtual.device import Device
-from viscodesign.pumps.virtual.direct_line import DirectLine
-from viscodesign.pumps.virtual.faults import Fault, Faulty
-from viscodesign.pumps.virtual.pypose import PyPose
-from viscodesign.pumps.virtual.ros import Ros
+from viscodesign.pump.boards.base import Board, Goal
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.packets import ErrorBits, Packet
+from viscodesign.pump.bus.registers import Register
+from viscodesign.pump.sessions.open_board import boards
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.device import Device
+from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.pypose import PyPose
+from viscodesign.pump.simulated.ros import Ros
 
 DEVICES: dict[str, Callable[[Bench], Device]] = {
     "dynamixel": BusAdapter,

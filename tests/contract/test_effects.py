@@ -13,15 +13,15 @@ import pytest
 
 from tests.scenes import LEG_LENGTH, leg
 from viscodesign import Scene, check, effects, simulate
-from viscodesign.build import Settings, build
 from viscodesign.cli.main import main
 from viscodesign.effects.base import Effect
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import catalogue, select_effects
+from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.model.rod_equations import RodForm
+from viscodesign.results.trajectory import Verdict
+from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium
-from viscodesign.trajectory import Verdict
 
 # Every effect of the catalogue has something to act on here.
 LOADED = (

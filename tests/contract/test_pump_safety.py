@@ -16,14 +16,14 @@ import pytest
 
 from tests.pump_rig import RATE, TRAVEL, Rig, Sent
 from viscodesign.errors import PumpError
-from viscodesign.pumps import registers
-from viscodesign.pumps.course import led_in, top_speed
-from viscodesign.pumps.guards import LOST
-from viscodesign.pumps.holding import HOLD_SPEED
-from viscodesign.pumps.limits import NOTABLE, torque_limit
-from viscodesign.pumps.packets import ErrorBits, Instruction
-from viscodesign.pumps.profile import Profile
-from viscodesign.pumps.virtual.device import UnpluggedError
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.packets import ErrorBits, Instruction
+from viscodesign.pump.play.hold import HOLD_SPEED
+from viscodesign.pump.play.path import led_in, top_speed
+from viscodesign.pump.play.safety_rules import LOST
+from viscodesign.pump.play.torque_limit import NOTABLE, torque_limit
+from viscodesign.pump.profile import Profile
+from viscodesign.pump.simulated.device import UnpluggedError
 
 REQUESTS = 150
 """Of the rig's stream, connecting and arming not counted, roughly: see the first test."""

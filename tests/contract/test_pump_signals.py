@@ -22,13 +22,13 @@ import pytest
 
 from tests.pump_rig import TRAVEL
 from tests.pumps import bench
+from tests.rig.pty import PtyServer
 from tests.scenes import CONFIGS, ROOT
-from viscodesign.pumps import registers
-from viscodesign.pumps.clock import WallClock
-from viscodesign.pumps.holding import HOLD_SPEED
-from viscodesign.pumps.virtual.bench import Bench
-from viscodesign.pumps.virtual.pty import PtyServer
-from viscodesign.pumps.virtual.ros import Ros
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.clock import WallClock
+from viscodesign.pump.play.hold import HOLD_SPEED
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.ros import Ros
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals and terminals")
 

@@ -12,22 +12,22 @@ import numpy as np
 import pytest
 
 from tests.pump_rig import RATE, Rig
-from viscodesign.pumps import registers
-from viscodesign.pumps.boards.base import Board
-from viscodesign.pumps.boards.dynamixel import Dynamixel
-from viscodesign.pumps.clock import SteppedClock
-from viscodesign.pumps.course import AROUND
-from viscodesign.pumps.gauges import Gauges
-from viscodesign.pumps.interrupt import Wish
-from viscodesign.pumps.limits import NOTABLE, torque_limit
-from viscodesign.pumps.opening import simulated_bench
-from viscodesign.pumps.packets import ErrorBits
-from viscodesign.pumps.profile import Profile
-from viscodesign.pumps.pump import Pump
-from viscodesign.pumps.stream import Stream
-from viscodesign.pumps.switches import Switches
-from viscodesign.pumps.virtual.bus import BusAdapter
-from viscodesign.pumps.virtual.direct_line import DirectLine
+from tests.rig.bus import BusAdapter
+from viscodesign.pump.boards.base import Board
+from viscodesign.pump.boards.dynamixel import Dynamixel
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.bus.packets import ErrorBits
+from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.play.path import AROUND
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import Stream
+from viscodesign.pump.play.torque_limit import NOTABLE, torque_limit
+from viscodesign.pump.profile import Profile
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.sessions.open_board import simulated_bench
+from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.scene.pump import Pump as Settings
 
 CAP = 25e3

@@ -23,10 +23,10 @@ from tests.fuzz.judge import (
 )
 from tests.fuzz.scenes import Draft
 from viscodesign import Trajectory, load, simulate
+from viscodesign.checks.refusals import refuse_beyond_numbers
 from viscodesign.cli.main import INTERNAL_ERROR, main
-from viscodesign.effects.conditions import Conditions
 from viscodesign.errors import SpecError
-from viscodesign.posed import refuse_beyond_numbers
+from viscodesign.estimate.scene_quantities import Conditions
 
 REFUSED, FAILED = 2, 3
 

@@ -20,8 +20,8 @@ from tests.fuzz.scenes import Draft
 from tests.hard.case import STIR, VOLUME
 from viscodesign import Scene, Trajectory, check, load, simulate
 from viscodesign.errors import SolveError, SpecError
-from viscodesign.report.files import write_run
-from viscodesign.watching import ENERGY_BROKEN, ENERGY_DOUBTED
+from viscodesign.postprocess.terminations import ENERGY_BROKEN, ENERGY_DOUBTED
+from viscodesign.report.run_folder import write_run
 
 PATIENCE = 60
 """Seconds of a processor after which a scene counts as hanging; the work limit is to end it long

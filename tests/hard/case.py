@@ -11,11 +11,11 @@ import numpy as np
 
 from tests.scenes import leg
 from viscodesign import Scene, Trajectory, simulate
-from viscodesign.build import Settings
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import ViscodesignError
-from viscodesign.solving import solve
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.simulation.build_problem import Settings
+from viscodesign.simulation.solve_once import solve
 
 VOLUME = 1e-8
 """Imbalance of fluid allowed, relative."""

@@ -14,7 +14,7 @@ from tests.scenes import leg
 from tests.validation.rc_network import AMBIENT, COMPLIANCE, REST_VOLUME, resistance
 from viscodesign import Trajectory
 from viscodesign.effects.collapse import Collapse
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.scene_quantities import Conditions
 
 VISCOSITY = 2e-5
 Law = Callable[[np.ndarray], np.ndarray]

@@ -12,7 +12,7 @@ from tests.hard.case import EXACT, Case, Finding, Judge, at_most, relative, true
 from tests.scenes import chain_order, leg
 from tests.validation.test_network import exact_step_response, tubes
 from viscodesign import Scene, Trajectory, simulate
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.scene_quantities import Conditions
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
 CHAIN = chain_order(8)

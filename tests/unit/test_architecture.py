@@ -10,34 +10,33 @@ import pytest
 from tests.scenes import ROOT
 
 PACKAGE = ROOT / "viscodesign"
-# From the top. A module may import from its own layer and from those below it.
+# From the top. A module may import from its own room and from those below it. A room is a folder,
+# or a module that lies loose in the package; a folder within a room may be a room of its own.
 LAYERS = [
     ["cli", "__main__"],
-    ["studies", "planning"],
-    ["simulating", "checking"],
-    ["proving", "verifying", "reselecting"],
-    ["solving"],
-    ["classifying"],
-    ["loading", "motion", "validity", "course", "posed", "stability"],
-    ["watching", "given"],
-    ["balances", "energy_table", "path_integral"],
-    ["build", "outputs", "sampling"],
+    ["pump.sessions", "pump.report"],
+    ["pump.poses", "pump.planning"],
+    ["pump.play", "pump.simulated"],
+    ["pump.sensors", "pump.boards"],
+    ["pump.bus"],
+    ["pump"],
+    ["studies"],
+    ["simulation"],
+    ["checks", "loading"],
     ["effects"],
-    ["sketch"],
-    ["recording"],
+    ["postprocess"],
+    ["estimate"],
     ["report"],
-    ["trajectory", "tradeoff", "pumpplan"],
-    ["solve"],
-    ["pumps"],
+    ["scene.reading", "solve"],
     ["scene"],
     ["model"],
-    ["physics"],
-    ["shelf"],
-    ["units", "errors", "catalog", "_version"],
+    ["results"],
+    ["storage", "physics"],
+    ["units", "errors", "plugins", "interrupt", "_version"],
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}
-# Methods that hand a trajectory to the tables; the public face imports lazily.
-ALLOWED_UP = {("trajectory", "report")}
+# Arrows that still point up, to be mended; none may be added.
+ALLOWED_UP = {("results", "report"), ("pump.boards", "pump.poses")}
 
 
 def modules() -> dict[str, Path]:
@@ -58,16 +57,19 @@ def imports_of(path: Path, known: set[str]) -> set[str]:
     return {name for name in names if name in known}
 
 
-def layer_of(module: str) -> str:
-    return module.split(".")[1] if "." in module else ""
+def room_of(module: str) -> str:
+    """The innermost room that a module stands in."""
+    parts = module.split(".")[1:]
+    names = (".".join(parts[:k]) for k in range(len(parts), 0, -1))
+    return next((name for name in names if name in RANK), parts[0] if parts else "")
 
 
 @pytest.mark.parametrize("module", [m for m in modules() if m != "viscodesign"])
 def test_imports_point_down(module: str) -> None:
-    own = layer_of(module)
+    own = room_of(module)
     assert own in RANK, f"{own} has no layer"
     for name in imports_of(modules()[module], set(modules())):
-        other = layer_of(name)
+        other = room_of(name)
         if not other or other == own or (own, other) in ALLOWED_UP:
             continue
         assert RANK[other] >= RANK[own], f"{module} imports {name}, which stands above it"

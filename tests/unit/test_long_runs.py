@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from tests.scenes import CONFIGS, leg, problem_of
-from tests.unit.test_shelf import Full
+from tests.unit.storage.test_disk_arrays import Full
 from viscodesign import Trajectory, simulate
 from viscodesign.errors import SpecError
-from viscodesign.outputs import MARGIN, read_outputs
-from viscodesign.report.files import write_run
+from viscodesign.postprocess.outputs import MARGIN, read_outputs
+from viscodesign.report.run_folder import write_run
 from viscodesign.scene.run import MOST_SHAPES
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
@@ -94,7 +94,9 @@ def test_a_full_disk_ends_a_run_that_keeps_what_it_has(monkeypatch: pytest.Monke
     scene = leg(*SHORT, SINE, ONE_WAY)
     in_small_blocks(monkeypatch)
     disks = iter([Full(10**7)] * 4 + [Full(20_000)] + [Full(10**7)] * 50)
-    monkeypatch.setattr("viscodesign.shelf.tempfile.TemporaryFile", lambda **_: next(disks)())
+    monkeypatch.setattr(
+        "viscodesign.storage.disk_arrays.tempfile.TemporaryFile", lambda **_: next(disks)()
+    )
     run = simulate(scene, verify=False)
     assert run.status == "failed"
     assert "no room for the run's numbers" in (run.failure or "")

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign.build import Settings, build
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import catalogue, select_effects
+from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.model import formulation
-from viscodesign.solving import Run, solve
+from viscodesign.simulation.build_problem import Settings, build
+from viscodesign.simulation.solve_once import Run, solve
 
 EFFECTS = "effects={pressure_distribution: on, inertia: on, damping: on, feedback: on, others: off}"
 SHORT = "run={duration: 0.3 s, output_interval: 0.05 s}"

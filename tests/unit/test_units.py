@@ -125,7 +125,7 @@ def dir_of_common_units() -> list[str]:
 
 def test_reading_a_spec_loads_nothing_heavy() -> None:
     code = (
-        "import sys, viscodesign.scene.load as load\n"
+        "import sys, viscodesign.scene.reading.read as load\n"
         "heavy = {'pint', 'casadi', 'scipy', 'pandas', 'matplotlib', 'chemicals', 'CoolProp'}\n"
         "assert not heavy & set(sys.modules), heavy & set(sys.modules)\n"
         f"load.load_scene({str(CONFIGS / 'leg_16_straight_air.yaml')!r})\n"

@@ -16,14 +16,14 @@ from tests.scenes import (
     reference,
 )
 from viscodesign import simulate
-from viscodesign.build import Settings, build
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
-from viscodesign.motion import read_motion
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.postprocess.motion import read_motion
+from viscodesign.postprocess.stability import eigenvalues
+from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium, rest
 from viscodesign.solve.transient import integrate
-from viscodesign.stability import eigenvalues
 
 UNDAMPED = "effects={inertia: on, others: off}"
 REFERENCE_DENSITY = 0.269 / (0.03 * 0.02 * 0.47)

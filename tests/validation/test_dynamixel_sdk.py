@@ -8,13 +8,13 @@ from typing import Any
 import pytest
 
 from tests.pumps import HOME, bench
-from viscodesign.pumps import registers
-from viscodesign.pumps.boards.dynamixel import Dynamixel
-from viscodesign.pumps.clock import WallClock
-from viscodesign.pumps.packets import ErrorBits
-from viscodesign.pumps.serial_line import SerialLine
-from viscodesign.pumps.virtual.bus import BusAdapter
-from viscodesign.pumps.virtual.pty import PtyServer
+from tests.rig.bus import BusAdapter
+from tests.rig.pty import PtyServer
+from viscodesign.pump.boards.dynamixel import Dynamixel
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.clock import WallClock
+from viscodesign.pump.bus.packets import ErrorBits
+from viscodesign.pump.bus.serial_line import SerialLine
 
 sdk: Any = pytest.importorskip("dynamixel_sdk")
 

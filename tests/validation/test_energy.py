@@ -9,13 +9,13 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import simulate
-from viscodesign.build import suggest_settings
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
+from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.model import formulation
-from viscodesign.solving import solve
-from viscodesign.trajectory import Invariants
-from viscodesign.verifying import ENERGY_LIMIT
+from viscodesign.results.trajectory import Invariants
+from viscodesign.simulation.build_problem import suggest_settings
+from viscodesign.simulation.error_control import ENERGY_LIMIT
+from viscodesign.simulation.solve_once import solve
 
 SEEN = 5e-4
 """Imbalance, at least, where a term that matters (a thousandth of the work) is wrong twofold."""

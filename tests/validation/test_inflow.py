@@ -11,7 +11,7 @@ from tests.validation.closed_vessel import AREA, COUNT, DEAD, DIAMETER, START, S
 from tests.validation.rc_network import AMBIENT, COMPLIANCE, REST_VOLUME, outputs
 from viscodesign import simulate
 from viscodesign.loading import known_effects
-from viscodesign.scene.load import parse_scene
+from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.scene import Scene
 
 

@@ -8,7 +8,7 @@ import scipy.linalg
 
 from tests.scenes import chain_order, in_order, leg, reference
 from viscodesign import Scene, simulate
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.scene_quantities import Conditions
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
 FINE = "accuracy=0.001 %"

@@ -11,7 +11,7 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import Scene, simulate
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.scene_quantities import Conditions
 
 SHARE_OF_SWING = 1e-5
 STEP_S = 1e-4

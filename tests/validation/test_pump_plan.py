@@ -11,12 +11,12 @@ import pytest
 
 from tests.scenes import CONFIGS, leg
 from viscodesign import PumpPlan, Scene, plan, simulate
-from viscodesign.planning.barrel import Barrel, line_at
-from viscodesign.planning.follow import taken_effects
-from viscodesign.planning.live import ActuatorPlant
-from viscodesign.planning.variants import planned, with_effects_of, with_inputs
-from viscodesign.pumps.drive import Drive
-from viscodesign.report.plan_files import plan_columns, write_plan
+from viscodesign.pump.drive import Drive
+from viscodesign.pump.planning.barrel import Barrel, line_at
+from viscodesign.pump.planning.model_runs import taken_effects
+from viscodesign.pump.planning.scene_variants import planned, with_effects_of, with_inputs
+from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
+from viscodesign.pump.report.plan_folder import plan_columns, write_plan
 
 AMBIENT = 101325.0
 AREA = np.pi * 0.0349**2 / 4

@@ -13,18 +13,18 @@ import pytest
 
 from tests.scenes import CONFIGS
 from viscodesign import load
-from viscodesign.planning.live import ActuatorPlant
-from viscodesign.planning.plan import plan
-from viscodesign.pumpplan import PumpPlan
-from viscodesign.pumps.boards.simulated import Simulated
-from viscodesign.pumps.clock import SteppedClock
-from viscodesign.pumps.gauges import Gauges
-from viscodesign.pumps.interrupt import Wish
-from viscodesign.pumps.opening import simulated_line
-from viscodesign.pumps.pump import Pump
-from viscodesign.pumps.sensors.board_analog import BoardAnalog
-from viscodesign.pumps.stream import Ending, Shown, Stream
-from viscodesign.pumps.switches import Switches
+from viscodesign.pump.boards.simulated import Simulated
+from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.planning.plan import plan
+from viscodesign.pump.planning.result import PumpPlan
+from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
+from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import Ending, Shown, Stream
+from viscodesign.pump.sensors.board_analog import BoardAnalog
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.sessions.open_board import simulated_line
 
 RATE = 30.0
 SENSOR_STEP = 1.0 / 256 / 0.002421 * 1e3

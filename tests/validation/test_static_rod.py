@@ -22,14 +22,14 @@ from tests.scenes import (
     reference,
 )
 from viscodesign import simulate
-from viscodesign.build import Settings, build
 from viscodesign.effects.base import Effect
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
-from viscodesign.model.arcs import arc_nodes
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.system import System
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.statics import Start, equilibrium
-from viscodesign.trajectory import Trajectory
 
 SHORT = "run={duration: 1 s, output_interval: 1 s}"
 FINE = "accuracy=0.001 %"

@@ -8,8 +8,8 @@ import pytest
 from tests.scenes import leg
 from tests.validation.rc_network import COMPLIANCE, only, resistance
 from viscodesign import Trajectory, simulate
-from viscodesign.build import HARDLY_RESISTS, _wide_tubes
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.simulation.build_problem import HARDLY_RESISTS, _wide_tubes
 
 COUNT, AMPLITUDE, FREQUENCY = 16, 3e3, 1.0
 SINE = f"input={{kind: sine, amplitude: {AMPLITUDE!r}, frequency: {FREQUENCY!r}}}"

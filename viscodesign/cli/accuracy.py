@@ -12,7 +12,7 @@ from viscodesign.cli.simulate import folder_name
 from viscodesign.errors import InterruptedRunError, UsageError
 
 if TYPE_CHECKING:
-    from viscodesign.tradeoff import AccuracyStudy
+    from viscodesign.results.accuracy_study import AccuracyStudy
 
 EXAMPLE = """\b
 Examples:
@@ -58,10 +58,10 @@ def command(
     limit_s = _time("--limit", limit)
     from viscodesign import accuracy, load
     from viscodesign.cli.output import json_text, say
-    from viscodesign.cli.price import price_lines
     from viscodesign.cli.progress import progress
-    from viscodesign.report.accuracy_files import accuracy_document, write_study
-    from viscodesign.report.files import prepare_folder
+    from viscodesign.cli.texts.accuracy_text import price_lines
+    from viscodesign.report.accuracy_folder import accuracy_document, write_study
+    from viscodesign.report.run_folder import prepare_folder
 
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)

@@ -42,13 +42,13 @@ def command(
 
 
 def _lines(found: Check) -> list[str]:
-    from viscodesign.cli.describe import (
+    from viscodesign.cli.texts.check_text import (
         full_notice_lines,
         quadrant_lines,
         scale_lines,
         verdict_lines,
     )
-    from viscodesign.cli.text import wrap
+    from viscodesign.cli.texts.layout import wrap
 
     warnings = full_notice_lines(found.warnings)
     return [

@@ -11,7 +11,7 @@ import typer
 from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Specs
 
 if TYPE_CHECKING:
-    from viscodesign.trajectory import Classification
+    from viscodesign.results.trajectory import Classification
 
 EXAMPLE = """\b
 Examples:
@@ -65,7 +65,7 @@ def _picture(plot: Path | None) -> Path | None:
 
 def _draw(found: Sequence[Classification], picture: Path) -> None:
     from viscodesign.errors import UsageError
-    from viscodesign.report.plane import draw_plane
+    from viscodesign.report.charts.quadrants import draw_plane
 
     try:
         picture.parent.mkdir(parents=True, exist_ok=True)
@@ -75,7 +75,7 @@ def _draw(found: Sequence[Classification], picture: Path) -> None:
 
 
 def _lines(found: Sequence[Classification]) -> list[str]:
-    from viscodesign.cli.text import number, table
+    from viscodesign.cli.texts.layout import number, table
 
     rows: list[tuple[str, ...]] = [
         ("spec", "quadrant", "t_s", "t_f", "t_i", "t_net", "t_s/t_f", "t_s/t_i", "t_net/t_i")
@@ -89,8 +89,8 @@ def _lines(found: Sequence[Classification]) -> list[str]:
 
 
 def _meanings(found: Sequence[Classification]) -> list[str]:
-    from viscodesign.cli.describe import quadrant_lines
-    from viscodesign.cli.text import wrap
+    from viscodesign.cli.texts.check_text import quadrant_lines
+    from viscodesign.cli.texts.layout import wrap
 
     lines: list[str] = []
     for c in found:

@@ -50,7 +50,7 @@ def command(
 
 def _found(name: str, known: Mapping[str, type[Effect]]) -> type[Effect]:
     from viscodesign.errors import UsageError
-    from viscodesign.scene.base import did_you_mean
+    from viscodesign.scene.section import did_you_mean
 
     if name not in known:
         hint = did_you_mean(name, known) or "."
@@ -103,7 +103,7 @@ def _decision(kind: type[Effect]) -> str:
 
 
 def _table(known: Mapping[str, type[Effect]]) -> list[str]:
-    from viscodesign.cli.text import table
+    from viscodesign.cli.texts.layout import table
 
     rows: list[tuple[str, str]] = []
     for name, kind in known.items():
@@ -112,7 +112,7 @@ def _table(known: Mapping[str, type[Effect]]) -> list[str]:
 
 
 def _page(kind: type[Effect]) -> list[str]:
-    from viscodesign.cli.text import table, wrap
+    from viscodesign.cli.texts.layout import table, wrap
 
     facts = {
         "weight": kind.formula,

@@ -67,7 +67,7 @@ def command(
 def _list(json: bool) -> None:
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.templates import templates
-    from viscodesign.cli.text import table
+    from viscodesign.cli.texts.layout import table
 
     known = list(templates().values())
     if json:

@@ -74,7 +74,7 @@ def write_text(path: Path, text: str, *, overwrite: bool) -> Path:
     if path.exists() and not overwrite:
         raise UsageError(f"{path} exists and is not overwritten; choose another path, or --force")
     # Only the commands that write need it, and `--help` is to answer at once.
-    from viscodesign.report.atomic import write_bytes
+    from viscodesign.storage.atomic_files import write_bytes
 
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

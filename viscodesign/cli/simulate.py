@@ -12,7 +12,7 @@ from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
 from viscodesign.errors import InterruptedRunError, ViscodesignError
 
 if TYPE_CHECKING:
-    from viscodesign.trajectory import Trajectory
+    from viscodesign.results.trajectory import Trajectory
 
 EXAMPLE = """\b
 Examples:
@@ -63,9 +63,9 @@ def command(
     from viscodesign import simulate as solve
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.proof import proof_lines
-    from viscodesign.cli.summary import summary_lines
-    from viscodesign.report.files import prepare_folder, write_run
+    from viscodesign.cli.texts.ablation_text import proof_lines
+    from viscodesign.cli.texts.run_text import summary_lines
+    from viscodesign.report.run_folder import prepare_folder, write_run
 
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
@@ -90,9 +90,9 @@ def folder_name(name: str) -> str:
 
 
 def _warn(trajectory: Trajectory, quiet: bool) -> None:
-    from viscodesign.cli.describe import notice_lines
     from viscodesign.cli.output import complain
-    from viscodesign.cli.proof import alarm_lines
+    from viscodesign.cli.texts.ablation_text import alarm_lines
+    from viscodesign.cli.texts.check_text import notice_lines
 
     lines = notice_lines(trajectory.warnings)
     told = [*(["warnings", *lines] if lines else []), *alarm_lines(trajectory)]

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, ClassVar, Self
 
 import numpy as np
 
+from viscodesign.estimate.estimate import Sketch
 from viscodesign.model.system import System
-from viscodesign.sketch.sketch import Sketch
 
 if TYPE_CHECKING:
-    from viscodesign.effects.conditions import Conditions
+    from viscodesign.estimate.scene_quantities import Conditions
 
 
 class Effect(ABC):

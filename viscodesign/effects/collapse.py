@@ -8,11 +8,11 @@ from typing import ClassVar, Self
 import numpy as np
 
 from viscodesign.effects.base import Effect
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.model.bellow_wall import CollapsingWall
 from viscodesign.model.system import System
-from viscodesign.model.wall import CollapsingWall
 from viscodesign.physics import bellow
-from viscodesign.sketch.sketch import Sketch
 
 
 @dataclass(frozen=True, eq=False)

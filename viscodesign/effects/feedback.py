@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
-from viscodesign.effects.conditions import Conditions
-from viscodesign.model.coupling import places
+from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.model.bellow_law import places
 from viscodesign.model.system import System
-from viscodesign.sketch.sketch import Sketch
 
 
 @dataclass(frozen=True)

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.model.fluid import Gas
 from viscodesign.model.system import System
 from viscodesign.physics import gas
-from viscodesign.sketch.sketch import Sketch
 
 
 @dataclass(frozen=True)

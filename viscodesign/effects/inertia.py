@@ -7,9 +7,9 @@ from typing import ClassVar, Self
 import casadi as ca
 
 from viscodesign.effects.base import Effect
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.model.system import System
-from viscodesign.sketch.sketch import Sketch
 
 
 class Inertia(Effect):

@@ -8,13 +8,13 @@ from typing import ClassVar, Self
 import numpy as np
 
 from viscodesign.effects.base import Effect
-from viscodesign.effects.conditions import Conditions
+from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.model.bellow_wall import MeasuredWall, SnappingWall
 from viscodesign.model.system import System
-from viscodesign.model.wall import MeasuredWall, SnappingWall
 from viscodesign.physics.curves import PiecewiseCubic
 from viscodesign.physics.snapping import SnapCurves
 from viscodesign.scene.bellows import falls
-from viscodesign.sketch.sketch import Sketch
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,11 +12,11 @@ from dataclasses import replace
 from functools import cache, cached_property
 
 from viscodesign import effects
-from viscodesign.catalog import members
 from viscodesign.effects.base import Effect
-from viscodesign.effects.conditions import Conditions
-from viscodesign.sketch.sketch import Sketch
-from viscodesign.trajectory import Verdict
+from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.plugins import members
+from viscodesign.results.trajectory import Verdict
 
 SHARE_OF_ACCURACY = 0.35
 """Part of the accuracy that all omitted effects together may spend, by the sketches."""

@@ -27,15 +27,15 @@ from dataclasses import dataclass, fields
 import casadi as ca
 import numpy as np
 
+from viscodesign.model.boundary_work import Clock, Way, rates_and_ways
 from viscodesign.model.fluid import Incompressible
 from viscodesign.model.graph import Component
 from viscodesign.model.jacobian import jacobian
-from viscodesign.model.latest import Latest
+from viscodesign.model.lru_cache import Latest
 from viscodesign.model.network_equations import NetworkEquations, NetworkForm
 from viscodesign.model.rod_equations import RodEquations, RodForm
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes, SizeSymbols, Unknowns, column, substitute
-from viscodesign.model.work import Clock, Way, rates_and_ways
 
 SX = ca.SX
 

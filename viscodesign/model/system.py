@@ -20,11 +20,11 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.coupling import BellowLaw, in_pairs
+from viscodesign.model.bellow_law import BellowLaw, in_pairs
+from viscodesign.model.bellow_wall import LinearWall, SnappingWall, Wall
 from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, ChainRod
-from viscodesign.model.wall import LinearWall, SnappingWall, Wall
 
 SX = ca.SX
 

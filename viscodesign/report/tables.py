@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from viscodesign.trajectory import Classification, Notice, Proof, Trajectory, Verdict
+from viscodesign.results.trajectory import Classification, Notice, Proof, Trajectory, Verdict
 
 if TYPE_CHECKING:
     import pandas as pd

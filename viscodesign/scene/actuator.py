@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from viscodesign.scene.base import Part
+from viscodesign.scene.section import Part
 from viscodesign.units import Density, Fraction, Length, Pressure, Time
 
 

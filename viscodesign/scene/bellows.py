@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
-from viscodesign.scene.base import Part, refuse, refuse_at
+from viscodesign.scene.section import Part, refuse, refuse_at
 from viscodesign.scene.table_file import refuse_rows, standing, with_rows
 from viscodesign.units import (
     Angle,

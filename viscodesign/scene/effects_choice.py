@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
 
-from viscodesign.scene.base import Complaint, Part, did_you_mean, refuse, refuse_any, switch
+from viscodesign.scene.section import Complaint, Part, did_you_mean, refuse, refuse_any, switch
 
 Mode = Literal["auto", "on", "off"]
 MODES = ("auto", "on", "off")

@@ -8,10 +8,10 @@ from functools import cache
 
 from pydantic import Field, model_validator
 
-from viscodesign.catalog import members
-from viscodesign.scene.base import Part, did_you_mean, refuse, refuse_at
+from viscodesign.plugins import members
 from viscodesign.scene.fluids import __name__ as fluids_package
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
+from viscodesign.scene.section import Part, did_you_mean, refuse, refuse_at
 from viscodesign.units import Density, Fraction, GasConstant, Pressure, Viscosity
 
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from viscodesign.catalog import members
+from viscodesign.plugins import members
 from viscodesign.scene.inputs import __name__ as inputs_package
 from viscodesign.scene.inputs.base import Input
 

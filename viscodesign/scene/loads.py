@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import Field, field_validator
 
-from viscodesign.scene.base import Part, did_you_mean, refuse, switch
+from viscodesign.scene.section import Part, did_you_mean, refuse, switch
 from viscodesign.units import Acceleration, Angle, Force, Mass
 
 STANDARD_GRAVITY = 9.80665

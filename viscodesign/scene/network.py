@@ -11,13 +11,13 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from viscodesign.model.graph import Graph, Tube, bellow_names, crossed_order, straight_order
-from viscodesign.scene.base import Complaint, Part, refuse, refuse_any, refuse_at
 from viscodesign.scene.network_faults import (
     chain_faults,
     change_faults,
     island_faults,
     node_faults,
 )
+from viscodesign.scene.section import Complaint, Part, refuse, refuse_any, refuse_at
 from viscodesign.units import Fraction, Length, Pressure
 
 MOST_TUBES = 20_000

@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 from viscodesign.model.graph import Graph, bellow_names
-from viscodesign.scene.base import Complaint, did_you_mean
+from viscodesign.scene.section import Complaint, did_you_mean
 
 Ends = tuple[str, str]
 

@@ -8,8 +8,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
-from viscodesign.scene.base import Complaint, Part, refuse, refuse_any, refuse_at
-from viscodesign.scene.by_inlet import ByInlet, in_order, named
+from viscodesign.scene.per_inlet import ByInlet, in_order, named
+from viscodesign.scene.section import Complaint, Part, refuse, refuse_any, refuse_at
 from viscodesign.units import (
     Charge,
     CountedPressure,

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from viscodesign.scene.base import Part, refuse_at
+from viscodesign.scene.section import Part, refuse_at
 from viscodesign.units import Time
 
 MOST_OUTPUTS = 10_000_000

@@ -12,9 +12,8 @@ from pydantic import Field, PrivateAttr, ValidationInfo, field_validator, model_
 
 from viscodesign.model.graph import Graph
 from viscodesign.scene.actuator import Actuator
-from viscodesign.scene.agreement import SINGLE_INLET, disagreements
-from viscodesign.scene.base import Part, refuse, refuse_any
 from viscodesign.scene.bellows import Bellows
+from viscodesign.scene.cross_checks import SINGLE_INLET, disagreements
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
@@ -24,6 +23,7 @@ from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import Network
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.run import Run
+from viscodesign.scene.section import Part, refuse, refuse_any
 from viscodesign.units import Fraction, Pressure, Temperature
 
 

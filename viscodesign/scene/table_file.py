@@ -12,7 +12,7 @@ from typing import Any
 
 from pydantic import ValidationInfo
 
-from viscodesign.scene.base import Complaint, did_you_mean, refuse, refuse_any, refuse_at
+from viscodesign.scene.section import Complaint, did_you_mean, refuse, refuse_any, refuse_at
 
 Order = Callable[[Sequence[float]], Iterator[tuple[int, str]]]
 """Finds the places where a table's first column is out of order."""

@@ -12,7 +12,7 @@ import numpy as np
 from viscodesign.model.formulation import Equations
 from viscodesign.model.rod import Body
 from viscodesign.model.unknowns import Unknowns
-from viscodesign.solve.stiffness import Stiffness
+from viscodesign.solve.numerics.rod_stability import Stiffness
 
 
 class Pieces:

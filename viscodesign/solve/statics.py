@@ -11,13 +11,20 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.model.arcs import arc_nodes
+from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.rod_equations import MOVING, RodForm
 from viscodesign.model.unknowns import Unknowns
-from viscodesign.solve.branch import NEARBY, Earlier, Moment, branch_judge, constraints, followed
-from viscodesign.solve.newton import NewtonError, continuation, newton
+from viscodesign.solve.branch_following import (
+    NEARBY,
+    Earlier,
+    Moment,
+    branch_judge,
+    constraints,
+    followed,
+)
+from viscodesign.solve.numerics.newton import NewtonError, continuation, newton
+from viscodesign.solve.numerics.step_geometry import way_of
 from viscodesign.solve.problem import Problem, evaluate
-from viscodesign.solve.ways import way_of
 
 Instant = tuple[float, np.ndarray]
 """A time [s] and the inlets' coefficients that hold at it."""

@@ -13,18 +13,18 @@ from functools import cache
 
 import numpy as np
 
-from viscodesign.catalog import members
 from viscodesign.errors import SolveError
-from viscodesign.shelf import NoRoomError, Shelf
+from viscodesign.interrupt import gentle_interrupt
+from viscodesign.plugins import members
+from viscodesign.results.rung import Rung
 from viscodesign.solve import solvers
-from viscodesign.solve.algebraic import Algebraic
-from viscodesign.solve.interrupt import gentle_interrupt
-from viscodesign.solve.ladder import Ladder
+from viscodesign.solve.fallbacks import Ladder
 from viscodesign.solve.problem import Problem
-from viscodesign.solve.rung import Rung
 from viscodesign.solve.solvers.base import Columns, Solver, Work
+from viscodesign.solve.solvers.quasi_static import Algebraic
 from viscodesign.solve.statics import Start, consistent
-from viscodesign.solve.timed import timed_integrals
+from viscodesign.solve.time_only_integrals import timed_integrals
+from viscodesign.storage.disk_arrays import NoRoomError, Shelf
 
 CHUNK_SECONDS = 0.4
 """Wall time that one uninterrupted call should take, where each output is solved by itself."""

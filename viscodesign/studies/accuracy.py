@@ -6,19 +6,19 @@ import math
 from dataclasses import replace
 
 from viscodesign._version import __version__
-from viscodesign.build import suggest_settings
-from viscodesign.effects.conditions import Conditions
+from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.effects.select import Selection, select_effects
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.interrupt import gentle_interrupt
 from viscodesign.model.rod import MINIMUM_EDGES
-from viscodesign.posed import refuse_beyond_numbers, refuse_unsolvable
+from viscodesign.results.accuracy_study import AccuracyStudy, Model, Point, with_dominated
 from viscodesign.scene.scene import Scene
-from viscodesign.solve.interrupt import gentle_interrupt
-from viscodesign.solving import Progress
+from viscodesign.simulation.build_problem import suggest_settings
+from viscodesign.simulation.solve_once import Progress
 from viscodesign.studies.bench import Bench, StudyInterruptedError
 from viscodesign.studies.explorer import Explorer
 from viscodesign.studies.models import models_of
 from viscodesign.studies.reference import make_reference
-from viscodesign.tradeoff import AccuracyStudy, Model, Point, with_dominated
 
 USUAL_LIMIT_S = 60.0
 

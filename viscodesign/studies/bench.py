@@ -11,11 +11,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
 
-from viscodesign.build import Settings, build
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import Selection
-from viscodesign.solve.interrupt import Interrupt
-from viscodesign.solving import Progress, Run, solve
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.interrupt import Interrupt
+from viscodesign.simulation.build_problem import Settings, build
+from viscodesign.simulation.solve_once import Progress, Run, solve
 
 REPEAT_S = 0.1
 """A solve is repeated while all of its repeats together took less [s]."""

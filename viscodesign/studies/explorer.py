@@ -12,13 +12,13 @@ import itertools
 import math
 from dataclasses import dataclass, field, replace
 
-from viscodesign.build import Settings
 from viscodesign.errors import SolveError, ViscodesignError
+from viscodesign.results.accuracy_study import Model, Point, tolerance_words
+from viscodesign.simulation.build_problem import Settings
+from viscodesign.simulation.solve_once import Run, tip_difference
 from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
-from viscodesign.solving import Run, tip_difference
 from viscodesign.studies.bench import Bench, Names, OutOfTimeError, Timed
 from viscodesign.studies.reference import Gauge
-from viscodesign.tradeoff import Model, Point, tolerance_words
 
 TOLERANCES = tuple(float(f"{m}e-{k}") for k in range(2, 9) for m in (3, 1) if (m, k) != (3, 2))
 """From 1e-2 to 1e-8, two a decade."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from viscodesign.effects.select import Selection
-from viscodesign.tradeoff import Model
+from viscodesign.results.accuracy_study import Model
 
 FORMS = {
     "IV": {"pressure_distribution": False, "inertia": False},

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from viscodesign.build import Settings
 from viscodesign.errors import SolveError, ViscodesignError
+from viscodesign.results.accuracy_study import Reference
+from viscodesign.simulation.build_problem import Settings
+from viscodesign.simulation.solve_once import Run, tip_difference
 from viscodesign.solve.transient import solver_catalogue
-from viscodesign.solving import Run, tip_difference
 from viscodesign.studies.bench import Bench, Names, OutOfTimeError
-from viscodesign.tradeoff import Reference
 
 FIRST_TOLERANCE, FINEST_TOLERANCE = 1e-5, 1e-11
 TRIAL_TOLERANCE = 1e-3

@@ -11,7 +11,7 @@ import pytest
 
 from tests.trajectories import CLASSIFICATION, made_run
 from viscodesign.cli.main import main
-from viscodesign.trajectory import (
+from viscodesign.results.trajectory import (
     Accuracy,
     Classification,
     Cost,

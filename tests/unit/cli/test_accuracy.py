@@ -16,8 +16,8 @@ import pytest
 
 from tests.studies import made_study
 from tests.unit.cli.conftest import CONFIGS, Call
-from viscodesign.cli.price import percentage, price_lines, seconds
-from viscodesign.tradeoff import AccuracyStudy
+from viscodesign.cli.texts.accuracy_text import percentage, price_lines, seconds
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 QUICK = ("--set", "bellows.count=4", "--set", "effects={pressure_distribution: on, others: off}",
          "--set", "run={duration: 0.5 s, output_interval: 50 ms}")  # fmt: skip
@@ -86,7 +86,10 @@ def test_lines_fit_the_terminal(monkeypatch: pytest.MonkeyPatch, columns: str) -
 def test_a_bounded_error_and_an_error_not_reached_say_so() -> None:
     text = "\n".join(price_lines(made_study(requested_rel=5e-5), None, Path("x"), []))
     assert "error <= 0.002 %" in text
-    assert "--set effects.feedback=on; from Python: viscodesign.solving.solve with" in text
+    assert (
+        "--set effects.feedback=on; from Python: viscodesign.simulation.solve_once.solve with"
+        in text
+    )
     assert "Settings(2, 1e-6, 'idas')" in text
     text = "\n".join(price_lines(made_study(requested_rel=1e-6), None, Path("x"), []))
     assert "not reached in this study" in text

@@ -12,12 +12,12 @@ import pandas as pd
 import pytest
 
 from tests.pumps import bench
-from viscodesign.cli.pump import _confirm
-from viscodesign.pumps import registers
-from viscodesign.pumps.clock import WallClock
-from viscodesign.pumps.virtual.bench import Bench
-from viscodesign.pumps.virtual.bus import BusAdapter
-from viscodesign.pumps.virtual.pty import PtyServer
+from tests.rig.bus import BusAdapter
+from tests.rig.pty import PtyServer
+from viscodesign.cli import confirm as _confirm
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.clock import WallClock
+from viscodesign.pump.simulated.bench import Bench
 
 from .conftest import CONFIGS, Call
 
@@ -54,7 +54,7 @@ def port() -> Iterator[Port]:
 
 
 def test_ports_lists_what_there_is(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
-    from viscodesign.pumps import ports
+    from viscodesign.pump.bus import ports
 
     found = [ports.Port("/dev/ttyX", "adapter", "maker", "1", "collects bytes for 16 ms")]
     monkeypatch.setattr(ports, "ports", lambda: found)
@@ -97,7 +97,7 @@ def test_status_of_the_simulated_pump(call: Call) -> None:
 def test_status_says_how_to_make_a_slow_adapter_quick(
     call: Call, port: Port, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from viscodesign.pumps import ports
+    from viscodesign.pump.bus import ports
 
     monkeypatch.setattr(ports, "latency_hint", lambda name: "collects bytes for 16 ms")
     told = call("pump", "status", *port.words)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from viscodesign.cli.pump import _confirm
+from viscodesign.cli import confirm as _confirm
 
 from .conftest import CONFIGS, Call
 
@@ -111,10 +111,10 @@ def test_wrong_words_are_met_before_anything_is_planned(
 def test_a_broken_rule_ends_with_4_and_a_partial_record(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from viscodesign.pumps import guards
+    from viscodesign.pump.play import safety_rules as guards
 
     monkeypatch.setattr(guards, "HIGHEST_TEMPERATURE", 25.0)
-    from viscodesign.pumps import found
+    from viscodesign.pump.play import preflight as found
 
     monkeypatch.setattr(found, "HIGHEST_TEMPERATURE", 99.0)
     told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run")

@@ -14,15 +14,15 @@ import pytest
 from tests.plans import made_plan, planner
 from tests.pose_rig import TRAVEL, Watched, swing
 from tests.pumps import HOME, Weights, bench
-from viscodesign.pumps import registers
-from viscodesign.pumps.boards.arbotix import Arbotix
-from viscodesign.pumps.clock import WallClock
-from viscodesign.pumps.pose_packets import loop, play
-from viscodesign.pumps.poses_h import read_poses_h
-from viscodesign.pumps.profile import Profile
-from viscodesign.pumps.virtual.pty import PtyServer
-from viscodesign.pumps.virtual.pypose import PyPose
-from viscodesign.pumps.virtual.ros import Ros
+from tests.rig.pty import PtyServer
+from viscodesign.pump.boards.arbotix import Arbotix
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.clock import WallClock
+from viscodesign.pump.poses.c_header import read_poses_h
+from viscodesign.pump.poses.packets import loop, play
+from viscodesign.pump.profile import Profile
+from viscodesign.pump.simulated.pypose import PyPose
+from viscodesign.pump.simulated.ros import Ros
 
 from .conftest import Call, Outcome
 
@@ -39,7 +39,7 @@ def upload(call: Call, leg: Path, monkeypatch: pytest.MonkeyPatch) -> Upload:
 
     def run(*words: object, profile: Profile = SHORT, feasible: bool = True) -> Outcome:
         plan = made_plan(profile, feasible=feasible)
-        monkeypatch.setattr("viscodesign.planning.plan.plan", planner(plan))
+        monkeypatch.setattr("viscodesign.pump.planning.plan.plan", planner(plan))
         return call("pump", "upload", leg, "--set", PUMP, *map(str, words))
 
     return run

@@ -11,7 +11,7 @@ import pytest
 
 from tests.trajectories import PROOFS, made_run, proven_run
 from viscodesign.cli.simulate import folder_name
-from viscodesign.trajectory import Trajectory
+from viscodesign.results.trajectory import Trajectory
 
 from .conftest import CONFIGS, Call
 

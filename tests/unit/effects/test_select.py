@@ -13,13 +13,13 @@ from hypothesis import strategies as st
 
 from tests.scenes import LEG_LENGTH, leg
 from viscodesign import check
-from viscodesign.checking import Check
+from viscodesign.checks.check import Check
 from viscodesign.effects import select
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.gravity import Gravity
 from viscodesign.effects.select import SHARE_OF_ACCURACY, Selection, catalogue, select_effects
-from viscodesign.sketch.sketch import Sketch
-from viscodesign.trajectory import Verdict
+from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.results.trajectory import Verdict
 
 AUTO = "effects=auto"
 SLOW = ("input={kind: sine, amplitude: 3 kPa, frequency: 0.001 Hz}", "fluid=water",

@@ -6,8 +6,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from viscodesign.model.bellow_wall import CollapsingWall, LinearWall, MeasuredWall, Wall
 from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
-from viscodesign.model.wall import CollapsingWall, LinearWall, MeasuredWall, Wall
 from viscodesign.physics import bellow
 from viscodesign.physics.curves import PiecewiseCubic
 

@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from tests.scenes import leg
 from viscodesign import simulate
-from viscodesign.build import Settings, build
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
+from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.model.network_equations import _reduce
+from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
 
 FAST = "effects={pressure_distribution: on, flow_regime: on, fluid_inertance: on, others: off}"

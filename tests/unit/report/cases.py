@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from tests.trajectories import made_run
-from viscodesign.trajectory import Trajectory
+from viscodesign.results.trajectory import Trajectory
 
 
 def _cycles(time: np.ndarray) -> np.ndarray:

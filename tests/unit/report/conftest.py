@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.trajectories import made_run
-from viscodesign.trajectory import Trajectory
+from viscodesign.results.trajectory import Trajectory
 
 Made = Callable[..., Trajectory]
 

@@ -21,10 +21,10 @@ from PIL import Image
 from tests.scenes import CONFIGS
 from tests.trajectories import made_run
 from viscodesign import load
-from viscodesign.report import files
-from viscodesign.report.atomic import replaced, write_bytes
-from viscodesign.report.files import PICTURES, TABLES, prepare_folder, write_run
-from viscodesign.trajectory import Trajectory
+from viscodesign.report import run_folder as files
+from viscodesign.report.run_folder import PICTURES, TABLES, prepare_folder, write_run
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.storage.atomic_files import replaced, write_bytes
 
 EVERY = {*TABLES, *PICTURES, "summary.json"}
 MOMENTS = 12

@@ -17,12 +17,12 @@ from matplotlib.text import Text
 
 from tests.unit.report.cases import CASES
 from tests.unit.report.conftest import Made
-from viscodesign.report.instants import spread_instants
-from viscodesign.report.pressures import draw_pressures
-from viscodesign.report.shapes import draw_shapes, scale_length, time_labels
-from viscodesign.report.style import RC, shown
-from viscodesign.report.tip import draw_tip
-from viscodesign.trajectory import Trajectory
+from viscodesign.report.charts.pressures import draw_pressures
+from viscodesign.report.charts.shapes import draw_shapes, scale_length, time_labels
+from viscodesign.report.charts.tip import draw_tip
+from viscodesign.report.layout.snapshots import spread_instants
+from viscodesign.report.layout.style import RC, shown
+from viscodesign.results.trajectory import Trajectory
 
 Draw = Callable[[Trajectory, Path], None]
 DRAWERS: dict[str, Draw] = {

@@ -17,11 +17,11 @@ import pytest
 from tests.scenes import CONFIGS, leg
 from viscodesign import Trajectory, classify, load, simulate
 from viscodesign.errors import UsageError
-from viscodesign.report import atomic
-from viscodesign.report.files import PICTURES, SUMMARY, TABLES, write_run
-from viscodesign.report.instants import normals, outline, spread_instants
-from viscodesign.report.plane import draw_plane
-from viscodesign.trajectory import Notice
+from viscodesign.report.charts.quadrants import draw_plane
+from viscodesign.report.layout.snapshots import normals, outline, spread_instants
+from viscodesign.report.run_folder import PICTURES, SUMMARY, TABLES, write_run
+from viscodesign.results.trajectory import Notice
+from viscodesign.storage import atomic_files as atomic
 
 PNG = b"\x89PNG"
 ALL = {*TABLES, *PICTURES, SUMMARY}

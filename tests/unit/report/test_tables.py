@@ -18,7 +18,7 @@ from viscodesign.report.tables import (
     summary_document,
     trajectory_columns,
 )
-from viscodesign.trajectory import Scales, Trajectory, Verdict
+from viscodesign.results.trajectory import Scales, Trajectory, Verdict
 
 
 def test_columns_of_a_run(run: Trajectory) -> None:

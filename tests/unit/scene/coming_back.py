@@ -9,8 +9,8 @@ import yaml
 
 from viscodesign import Scene
 from viscodesign.loading import known_effects, schema
-from viscodesign.scene.dump import resolved_yaml
-from viscodesign.scene.load import parse_scene
+from viscodesign.scene.reading.read import parse_scene
+from viscodesign.scene.reading.write import resolved_yaml
 
 
 @cache

@@ -9,10 +9,10 @@ import yaml
 from tests.scenes import CONFIGS, leg
 from viscodesign.errors import SpecError
 from viscodesign.loading import schema
-from viscodesign.scene.by_inlet import each
-from viscodesign.scene.dump import resolved_yaml
-from viscodesign.scene.load import parse_scene
+from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pump import Pump
+from viscodesign.scene.reading.read import parse_scene
+from viscodesign.scene.reading.write import resolved_yaml
 
 
 def pump(words: str, *others: str) -> Pump:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.scenes import CONFIGS, leg
-from viscodesign.scene.dump import resolved_yaml
+from viscodesign.scene.reading.write import resolved_yaml
 
 PINNED = sorted(
     path.stem for path in CONFIGS.glob("*.yaml") if leg(config=path.stem).effects.others == "off"

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign.build import Settings, build, suggest_settings
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
+from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.scene.scene import Scene
+from viscodesign.simulation.build_problem import Settings, build, suggest_settings
+from viscodesign.simulation.solve_once import Run, solve, tip_difference
 from viscodesign.solve.solvers.idas import Idas
 from viscodesign.solve.solvers.rosenbrock import Rosenbrock
 from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue
-from viscodesign.solving import Run, solve, tip_difference
 
 SHORT = "run={duration: 0.4 s, output_interval: 0.05 s}"
 CORNERS = "input={kind: square, high: 20 kPa, low: 0, frequency: 5, duty: 0.3}"

@@ -10,10 +10,10 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import Trajectory, simulate
-from viscodesign.build import Settings, build, schedule
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SolveError
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.simulation.build_problem import Settings, build, schedule
 from viscodesign.solve import transient
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium

@@ -9,11 +9,11 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import simulate
-from viscodesign.build import Settings
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import select_effects
-from viscodesign.report.files import write_run
-from viscodesign.solving import solve
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.report.run_folder import write_run
+from viscodesign.simulation.build_problem import Settings
+from viscodesign.simulation.solve_once import solve
 
 PERIODS = "input={kind: sine, amplitude: 20 kPa, frequency: 0.3 Hz}"
 

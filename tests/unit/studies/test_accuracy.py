@@ -13,12 +13,12 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import AccuracyStudy, accuracy
-from viscodesign.build import Settings
-from viscodesign.effects.conditions import Conditions
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.simulation.build_problem import Settings
+from viscodesign.simulation.solve_once import Run, solve, tip_difference
 from viscodesign.solve.transient import solver_catalogue
-from viscodesign.solving import Run, solve, tip_difference
 from viscodesign.studies import bench as bench_module
 from viscodesign.studies import explorer as explorer_module
 from viscodesign.studies.models import models_of

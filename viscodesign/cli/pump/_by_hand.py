@@ -6,9 +6,9 @@ import select
 import sys
 
 from viscodesign.errors import PumpError, UsageError
-from viscodesign.pumps.boards.base import Board
-from viscodesign.pumps.reading import read_register
-from viscodesign.pumps.registers import PRESENT_POSITION
+from viscodesign.pump.boards.base import Board
+from viscodesign.pump.bus.registers import PRESENT_POSITION
+from viscodesign.pump.play.servo_state import read_register
 
 LOOK = 0.1
 """Between two readings [s]."""

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from viscodesign.cli.confirm import confirm
 from viscodesign.cli.output import complain
-from viscodesign.cli.pump._confirm import confirm
 from viscodesign.cli.pump._session import Way, gauges, opened
 from viscodesign.cli.pump._setting import Setting
 from viscodesign.cli.pump._told import (
@@ -18,22 +18,22 @@ from viscodesign.cli.pump._told import (
     plan_rows,
     servo_documents,
 )
-from viscodesign.cli.text import table
-from viscodesign.pumps.interrupt import Wish, noted_signals
-from viscodesign.pumps.live_view import LiveView
-from viscodesign.pumps.log import ByteLog
-from viscodesign.pumps.outlet import Outlet
-from viscodesign.pumps.pump import Pump
-from viscodesign.pumps.stream import Ending, OnStop, Shown, Stream
-from viscodesign.pumps.switches import Switches
-from viscodesign.recording import Record, recorded
+from viscodesign.cli.texts.layout import table
+from viscodesign.pump.bus.byte_log import ByteLog
+from viscodesign.pump.play.interrupt import Wish, noted_signals
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import Ending, OnStop, Shown, Stream
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sessions.live_view import LiveView
+from viscodesign.pump.sessions.outlet import Outlet
+from viscodesign.pump.sessions.record import Record, recorded
 
 if TYPE_CHECKING:
-    from viscodesign.planning.live import ActuatorPlant
-    from viscodesign.pumpplan import PumpPlan
-    from viscodesign.pumps.boards.base import Board
-    from viscodesign.pumps.clock import Clock
-    from viscodesign.pumps.gauges import Gauges
+    from viscodesign.pump.boards.base import Board
+    from viscodesign.pump.bus.clock import Clock
+    from viscodesign.pump.planning.result import PumpPlan
+    from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
+    from viscodesign.pump.sensors.pressure_readings import Gauges
     from viscodesign.scene.pump import Pump as Settings
     from viscodesign.scene.scene import Scene
 

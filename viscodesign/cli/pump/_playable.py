@@ -9,7 +9,7 @@ import typer
 from viscodesign.errors import PumpError
 
 if TYPE_CHECKING:
-    from viscodesign.pumpplan import PumpPlan
+    from viscodesign.pump.planning.result import PumpPlan
 
 Achievable = Annotated[
     bool,

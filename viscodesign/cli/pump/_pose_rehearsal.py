@@ -8,16 +8,16 @@ import numpy as np
 
 from viscodesign.cli.pump._poses import Poses, player_of, pump_with
 from viscodesign.errors import PumpError
-from viscodesign.pumps.boards.arbotix import Arbotix
-from viscodesign.pumps.clock import SteppedClock
-from viscodesign.pumps.interrupt import Wish
-from viscodesign.pumps.opening import simulated_bench
-from viscodesign.pumps.overheard import Overheard
-from viscodesign.pumps.packets import Instruction, shown
-from viscodesign.pumps.pose_packets import ARBOTIX, HALT
-from viscodesign.pumps.virtual.direct_line import DirectLine
-from viscodesign.pumps.virtual.plant import Plant
-from viscodesign.pumps.virtual.pypose import PyPose
+from viscodesign.pump.boards.arbotix import Arbotix
+from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.bus.packets import Instruction, shown
+from viscodesign.pump.bus.recording_line import Overheard
+from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.poses.packets import ARBOTIX, HALT
+from viscodesign.pump.sessions.open_board import simulated_bench
+from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.plant import Plant
+from viscodesign.pump.simulated.pypose import PyPose
 
 
 class NoPressure(Plant):

@@ -8,32 +8,32 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from viscodesign.cli.confirm import confirm
 from viscodesign.cli.output import complain
 from viscodesign.cli.progress import progress
-from viscodesign.cli.pump._confirm import confirm
 from viscodesign.cli.pump._session import Way, opened
 from viscodesign.cli.pump._setting import Setting
 from viscodesign.cli.pump._told import document_rows, ending_lines, servo_documents
-from viscodesign.cli.text import table
+from viscodesign.cli.texts.layout import table
 from viscodesign.errors import InterruptedRunError
-from viscodesign.pumps.boards.arbotix import Arbotix
-from viscodesign.pumps.fit_error import FitError, Tolerance, refuse_coarse
-from viscodesign.pumps.gauges import Gauges
-from viscodesign.pumps.interrupt import Wish, noted_signals
-from viscodesign.pumps.limits import stalling_pressure, torque_limit
-from viscodesign.pumps.pose_engine import MOST_MOVES, MOST_POSES
-from viscodesign.pumps.pose_fit import PoseFit, fit_poses
-from viscodesign.pumps.pose_player import PosePlayer, by_servo, divided, playing_speed
-from viscodesign.pumps.poses_h import poses_h
-from viscodesign.pumps.pump import Pump
-from viscodesign.pumps.stream import Ending
-from viscodesign.pumps.switches import Switches
+from viscodesign.pump.boards.arbotix import Arbotix
+from viscodesign.pump.play.interrupt import Wish, noted_signals
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import Ending
+from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
+from viscodesign.pump.poses.c_header import poses_h
+from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
+from viscodesign.pump.poses.fit import PoseFit, fit_poses
+from viscodesign.pump.poses.fit_error import FitError, Tolerance, refuse_coarse
+from viscodesign.pump.poses.player import PosePlayer, by_servo, divided, playing_speed
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import Gauges
 
 if TYPE_CHECKING:
-    from viscodesign.pumpplan import PumpCourse, PumpPlan
-    from viscodesign.pumps.boards.base import Board
-    from viscodesign.pumps.clock import Clock
-    from viscodesign.pumps.profile import Profile
+    from viscodesign.pump.boards.base import Board
+    from viscodesign.pump.bus.clock import Clock
+    from viscodesign.pump.planning.result import PumpCourse, PumpPlan
+    from viscodesign.pump.profile import Profile
     from viscodesign.scene.pump import Pump as Settings
     from viscodesign.scene.scene import Scene
 

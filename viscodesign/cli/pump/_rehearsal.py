@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from viscodesign.cli.pump._performance import Performance
 from viscodesign.cli.pump._told import ending_lines
-from viscodesign.pumps.boards.simulated import Simulated
-from viscodesign.pumps.clock import SteppedClock
-from viscodesign.pumps.gauges import Gauges
-from viscodesign.pumps.interrupt import Wish
-from viscodesign.pumps.opening import simulated_line
-from viscodesign.pumps.overheard import Overheard
-from viscodesign.pumps.packets import Instruction, shown
-from viscodesign.pumps.pump import Pump
-from viscodesign.pumps.stream import Stream
-from viscodesign.pumps.switches import Switches
+from viscodesign.pump.boards.simulated import Simulated
+from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.bus.packets import Instruction, shown
+from viscodesign.pump.bus.recording_line import Overheard
+from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import Stream
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.sessions.open_board import simulated_line
 
 FIRST = 10
 """Packets that are printed."""

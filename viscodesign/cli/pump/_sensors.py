@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from viscodesign.errors import UsageError
-from viscodesign.planning.variants import pump_of
-from viscodesign.pumps.opening import board_kind
-from viscodesign.scene.by_inlet import each
+from viscodesign.pump.planning.scene_variants import pump_of
+from viscodesign.pump.sessions.open_board import board_kind
+from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pump import Sensor
 from viscodesign.scene.scene import Scene
 

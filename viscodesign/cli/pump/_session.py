@@ -12,12 +12,12 @@ from viscodesign.errors import PumpError, UsageError
 
 if TYPE_CHECKING:
     from viscodesign.cli.pump._setting import Setting
-    from viscodesign.pumps.boards.base import Board
-    from viscodesign.pumps.clock import Clock
-    from viscodesign.pumps.gauges import Gauges
-    from viscodesign.pumps.log import ByteLog
-    from viscodesign.pumps.sensors.base import PressureSource
-    from viscodesign.pumps.virtual.plant import Plant
+    from viscodesign.pump.boards.base import Board
+    from viscodesign.pump.bus.byte_log import ByteLog
+    from viscodesign.pump.bus.clock import Clock
+    from viscodesign.pump.sensors.base import PressureSource
+    from viscodesign.pump.sensors.pressure_readings import Gauges
+    from viscodesign.pump.simulated.plant import Plant
     from viscodesign.scene.pump import Pump, Sensor
 
 
@@ -34,7 +34,7 @@ class Way:
     @property
     def simulated(self) -> bool:
         """Whether nothing real moves."""
-        from viscodesign.pumps.opening import board_kind
+        from viscodesign.pump.sessions.open_board import board_kind
 
         return board_kind(self.board).simulated
 
@@ -46,14 +46,14 @@ class Way:
     @property
     def hints(self) -> list[str]:
         """What would make its port better."""
-        from viscodesign.pumps.ports import latency_hint
+        from viscodesign.pump.bus.ports import latency_hint
 
         hint = "" if self.port is None else latency_hint(self.port)
         return [f"{self.port} {hint}"] if hint else []
 
     def clock(self) -> Clock:
         """The real one; a simulated board's at the pace asked for."""
-        from viscodesign.pumps.clock import PacedClock, SteppedClock, WallClock
+        from viscodesign.pump.bus.clock import PacedClock, SteppedClock, WallClock
 
         if self.simulated:
             return SteppedClock() if self.pace == "max" else PacedClock(_factor(self.pace))
@@ -75,8 +75,8 @@ def opened(
 ) -> Iterator[tuple[Board, ByteLog]]:
     """The board and the log of its bytes; nothing is asked of it yet, and nothing moves."""
     from viscodesign.cli.output import complain
-    from viscodesign.pumps.log import ByteLog
-    from viscodesign.pumps.opening import open_board
+    from viscodesign.pump.bus.byte_log import ByteLog
+    from viscodesign.pump.sessions.open_board import open_board
 
     log = ByteLog(way.log, complain)
     pump, ambient = setting.pump, setting.ambient
@@ -100,8 +100,8 @@ def gauges(
 
     ``ambient``: absolute [Pa].
     """
-    from viscodesign.pumps.gauges import Gauges
-    from viscodesign.scene.by_inlet import each
+    from viscodesign.pump.sensors.pressure_readings import Gauges
+    from viscodesign.scene.per_inlet import each
 
     sensors = each(None if pump is None else pump.sensor, len(inlets))
     with contextlib.ExitStack() as open_sources:
@@ -115,8 +115,8 @@ def gauges(
 
 
 def _source(board: Board, sensor: Sensor) -> PressureSource:
-    from viscodesign.pumps.sensors.board_analog import BoardAnalog
-    from viscodesign.pumps.sensors.phidget import Phidget
+    from viscodesign.pump.sensors.board_analog import BoardAnalog
+    from viscodesign.pump.sensors.phidget import Phidget
 
     where = sensor.on
     if where == "auto":

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from viscodesign.pumps.boards.base import Board
+    from viscodesign.pump.boards.base import Board
     from viscodesign.scene.pump import Pump
     from viscodesign.scene.scene import Scene
 
@@ -31,13 +31,13 @@ class Setting:
     @classmethod
     def of(cls, scene: Scene) -> Setting:
         """A spec's."""
-        from viscodesign.planning.variants import pump_of
+        from viscodesign.pump.planning.scene_variants import pump_of
 
         return cls(pump_of(scene), scene.ambient_pressure, tuple(scene.inputs))
 
     def servos(self, board: Board) -> list[int]:
         """The spec's servos; without one all that answer."""
-        from viscodesign.pumps.opening import servo_ids
+        from viscodesign.pump.sessions.open_board import servo_ids
 
         if self.pump is not None:
             return servo_ids(self.pump)

@@ -6,16 +6,16 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from viscodesign.pumpplan import PumpPlan
-    from viscodesign.pumps.found import Servo
-    from viscodesign.pumps.stream import Ending
+    from viscodesign.pump.planning.result import PumpPlan
+    from viscodesign.pump.play.preflight import Servo
+    from viscodesign.pump.play.stream import Ending
     from viscodesign.scene.pump import Pump
 
 
 def plan_rows(plan: PumpPlan, pump: Pump, rate: float, on_stop: str) -> list[tuple[str, str]]:
     """What is going to be played, each number with its unit."""
-    from viscodesign.pumps.course import top_speed
-    from viscodesign.pumps.limits import stalling_pressure, torque_limit
+    from viscodesign.pump.play.path import top_speed
+    from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
 
     course = plan.achievable
     slow, fast = (torque_limit(pump, speed) for speed in (0.0, top_speed(plan.profile(course))))

@@ -13,10 +13,10 @@ from viscodesign.errors import PumpError, UsageError
 
 if TYPE_CHECKING:
     from viscodesign.cli.pump._setting import Setting
-    from viscodesign.pumps.boards.base import Board as AnyBoard
-    from viscodesign.pumps.clock import Clock
-    from viscodesign.pumps.found import Servo
-    from viscodesign.pumps.permanent import Change
+    from viscodesign.pump.boards.base import Board as AnyBoard
+    from viscodesign.pump.bus.clock import Clock
+    from viscodesign.pump.play.eeprom import Change
+    from viscodesign.pump.play.preflight import Servo
     from viscodesign.scene.pump import Pump
 
 EXAMPLE = """\b
@@ -101,7 +101,7 @@ def _calibrate(
     board: AnyBoard, setting: Setting, clock: Clock, keep: bool, rename: str | None, yes: bool
 ) -> tuple[int, AnyTravel]:
     from viscodesign.cli.output import complain
-    from viscodesign.pumps.found import find_servo
+    from viscodesign.pump.play.preflight import find_servo
 
     if rename:
         _rename(board, rename, yes)
@@ -127,9 +127,9 @@ def _measured(
 
 
 def _by_hand(board: AnyBoard, pump: Pump, servo: int, clock: Clock) -> tuple[int, AnyTravel]:
+    from viscodesign.cli.confirm import confirm
     from viscodesign.cli.pump._by_hand import positions_by_hand
-    from viscodesign.cli.pump._confirm import confirm
-    from viscodesign.pumps.holding import release
+    from viscodesign.pump.play.hold import release
 
     confirm(
         ["the torque goes off; pressure in the syringe would push the plunger: vent it first"],
@@ -145,12 +145,12 @@ def _by_hand(board: AnyBoard, pump: Pump, servo: int, clock: Clock) -> tuple[int
 def _against_switches(
     board: AnyBoard, pump: Pump, servo: int, clock: Clock, yes: bool
 ) -> tuple[int, AnyTravel]:
-    from viscodesign.cli.pump._confirm import confirm
-    from viscodesign.pumps.gauges import Gauges
-    from viscodesign.pumps.homing import find_travel
-    from viscodesign.pumps.interrupt import noted_signals
-    from viscodesign.pumps.pump import Pump as Moved
-    from viscodesign.pumps.switches import Switches
+    from viscodesign.cli.confirm import confirm
+    from viscodesign.pump.play.homing import find_travel
+    from viscodesign.pump.play.interrupt import noted_signals
+    from viscodesign.pump.play.pump import Pump as Moved
+    from viscodesign.pump.sensors.limit_switches import Switches
+    from viscodesign.pump.sensors.pressure_readings import Gauges
     from viscodesign.scene.pump import SERVO_COUNTS
 
     confirm(
@@ -167,8 +167,8 @@ def _against_switches(
 
 
 def _rename(board: AnyBoard, words: str, yes: bool) -> None:
-    from viscodesign.pumps import registers
-    from viscodesign.pumps.permanent import Change
+    from viscodesign.pump.bus import registers
+    from viscodesign.pump.play.eeprom import Change
 
     try:
         old, new = (int(word) for word in words.split("="))
@@ -184,7 +184,7 @@ def _rename(board: AnyBoard, words: str, yes: bool) -> None:
 def _keep_in(board: AnyBoard, servo: Servo, travel: AnyTravel, yes: bool) -> None:
     """Bring a servo's EEPROM in line, one register after the other."""
     from viscodesign.cli.output import complain
-    from viscodesign.pumps.permanent import changes
+    from viscodesign.pump.play.eeprom import changes
 
     wanted = changes(servo, travel)
     for change in wanted:
@@ -194,8 +194,8 @@ def _keep_in(board: AnyBoard, servo: Servo, travel: AnyTravel, yes: bool) -> Non
 
 
 def _write(board: AnyBoard, change: Change, yes: bool) -> None:
-    from viscodesign.cli.pump._confirm import confirm
-    from viscodesign.pumps import permanent
+    from viscodesign.cli.confirm import confirm
+    from viscodesign.pump.play import eeprom as permanent
 
     confirm([f"EEPROM of {change}"], "Write it?", yes=yes)
     permanent.write(board, change)
@@ -203,7 +203,7 @@ def _write(board: AnyBoard, change: Change, yes: bool) -> None:
 
 def _tell(spec: Path, found: tuple[int, AnyTravel], write: bool, quiet: bool) -> None:
     from viscodesign.cli.output import complain, say
-    from viscodesign.cli.pump._spec_lines import spec_lines, write_spec
+    from viscodesign.scene.reading.edit import spec_lines, write_spec
 
     if write:
         write_spec(spec, *found)

@@ -12,7 +12,7 @@ from viscodesign.cli.simulate import RunFailedError, folder_name
 from viscodesign.errors import PumpError
 
 if TYPE_CHECKING:
-    from viscodesign.pumpplan import PumpPlan
+    from viscodesign.pump.planning.result import PumpPlan
 
 EXAMPLE = """\b
 Examples:
@@ -50,10 +50,10 @@ def command(
     from viscodesign import load, plan
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.pump._verdicts import plan_lines
-    from viscodesign.planning.variants import pump_of
-    from viscodesign.report.files import prepare_folder
-    from viscodesign.report.plan_files import plan_document, write_plan
+    from viscodesign.cli.texts.plan_text import plan_lines
+    from viscodesign.pump.planning.scene_variants import pump_of
+    from viscodesign.pump.report.plan_folder import plan_document, write_plan
+    from viscodesign.report.run_folder import prepare_folder
 
     scene = load(spec, overrides or ())
     pump_of(scene)

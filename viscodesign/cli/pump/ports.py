@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from viscodesign.cli.options import Debug, Json, Quiet
 
 if TYPE_CHECKING:
-    from viscodesign.pumps.ports import Port
+    from viscodesign.pump.bus.ports import Port
 
 EXAMPLE = """\b
 Example:
@@ -21,7 +21,7 @@ def command(json: Json = False, quiet: Quiet = False, _debug: Debug = False) -> 
     Says too what would make a slow one quick.
     """
     from viscodesign.cli.output import json_text, say
-    from viscodesign.pumps.ports import ports
+    from viscodesign.pump.bus.ports import ports
 
     found = ports()
     if json:
@@ -31,7 +31,7 @@ def command(json: Json = False, quiet: Quiet = False, _debug: Debug = False) -> 
 
 
 def _lines(found: list[Port]) -> list[str]:
-    from viscodesign.cli.text import table
+    from viscodesign.cli.texts.layout import table
 
     if not found:
         return ["no serial ports; plug the board in, and see that its driver knows it (dmesg)"]

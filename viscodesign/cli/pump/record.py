@@ -77,9 +77,9 @@ def _record(
 ) -> dict[str, Any]:
     """Read until the time is over; what the JSON beside the table says then."""
     from viscodesign.cli.pump._session import gauges, opened
-    from viscodesign.pumps.interrupt import noted_signals
-    from viscodesign.pumps.listen import listen
-    from viscodesign.recording import recorded
+    from viscodesign.pump.play.interrupt import noted_signals
+    from viscodesign.pump.play.listen import listen
+    from viscodesign.pump.sessions.record import recorded
 
     clock = way.clock()
     with opened(way, clock, setting) as (board, log):

@@ -15,7 +15,7 @@ from viscodesign.errors import PumpError
 if TYPE_CHECKING:
     from viscodesign.cli.pump._session import Way
     from viscodesign.cli.pump._setting import Setting
-    from viscodesign.pumps.boards.base import Board as AnyBoard
+    from viscodesign.pump.boards.base import Board as AnyBoard
 
 EXAMPLE = """\b
 Examples:
@@ -61,7 +61,7 @@ def command(
 def _found(board: AnyBoard, setting: Setting) -> dict[str, Any]:
     """All that can be read, under names with units."""
     from viscodesign.cli.pump._told import servo_documents
-    from viscodesign.pumps.found import find_servo, objections
+    from viscodesign.pump.play.preflight import find_servo, objections
 
     identity = board.identify()
     servos = [find_servo(board, servo) for servo in setting.servos(board)]
@@ -79,8 +79,8 @@ def _found(board: AnyBoard, setting: Setting) -> dict[str, Any]:
 def _on_pins(board: AnyBoard, setting: Setting, inlets: Sequence[str]) -> dict[str, Any]:
     """Pressure and switches, where the spec names them."""
     from viscodesign.cli.pump._session import gauges
-    from viscodesign.pumps.opening import servo_ids
-    from viscodesign.pumps.switches import Switches
+    from viscodesign.pump.sensors.limit_switches import Switches
+    from viscodesign.pump.sessions.open_board import servo_ids
 
     if setting.pump is None:
         return {}
@@ -95,7 +95,7 @@ def _on_pins(board: AnyBoard, setting: Setting, inlets: Sequence[str]) -> dict[s
 
 def _lines(way: Way, found: dict[str, Any]) -> list[str]:
     from viscodesign.cli.pump._told import document_rows
-    from viscodesign.cli.text import table
+    from viscodesign.cli.texts.layout import table
 
     lines = [f"{way.label}{found['identity']}"]
     lines += table(document_rows(found["servos"])) if found["servos"] else ["  no servo answers"]

@@ -11,9 +11,9 @@ from viscodesign.cli.pump._options import Baud, Log, Port
 from viscodesign.errors import PumpError
 
 if TYPE_CHECKING:
-    from viscodesign.pumps.boards.base import Board as AnyBoard
-    from viscodesign.pumps.clock import Clock
-    from viscodesign.pumps.holding import Standing
+    from viscodesign.pump.boards.base import Board as AnyBoard
+    from viscodesign.pump.bus.clock import Clock
+    from viscodesign.pump.play.hold import Standing
 
 EXAMPLE = """\b
 Examples:
@@ -77,7 +77,7 @@ def command(
 
 def _stopped(board: AnyBoard, ids: list[int], clock: Clock, release: bool) -> list[Standing]:
     """Halt, then hold each servo as soon as it is found; again where the board is deaf."""
-    from viscodesign.pumps.stopping import stop_all
+    from viscodesign.pump.play.stopping import stop_all
 
     return stop_all(board, ids, clock, release=release)
 

@@ -13,7 +13,7 @@ from viscodesign.cli.pump._playable import Achievable, refuse_unplayable
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 
 if TYPE_CHECKING:
-    from viscodesign.pumps.stream import Ending
+    from viscodesign.pump.play.stream import Ending
 
 ON_STOP = ("hold", "release", "retract")
 EXAMPLE = """\b
@@ -77,10 +77,10 @@ def command(
     from viscodesign.cli.pump._session import Way
     from viscodesign.cli.pump._told import ending_document
     from viscodesign.cli.simulate import folder_name
-    from viscodesign.planning.live import ActuatorPlant
-    from viscodesign.planning.plan import plan
-    from viscodesign.planning.variants import pump_of
-    from viscodesign.report.atomic import refused_plainly
+    from viscodesign.pump.planning.plan import plan
+    from viscodesign.pump.planning.scene_variants import pump_of
+    from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
+    from viscodesign.storage.atomic_files import refused_plainly
 
     _check(board, rate, on_stop)
     scene = with_sensors(load(spec, overrides or ()), board, without_sensor)
@@ -115,8 +115,8 @@ def command(
 
 
 def _check(board: str, rate: float, on_stop: str) -> None:
-    from viscodesign.pumps.opening import board_kind, boards
-    from viscodesign.pumps.stream import HIGHEST_RATE, LOWEST_RATE
+    from viscodesign.pump.play.stream import HIGHEST_RATE, LOWEST_RATE
+    from viscodesign.pump.sessions.open_board import board_kind, boards
 
     if not board_kind(board).streams:
         able = ", ".join(name for name, kind in boards().items() if kind.streams)

@@ -14,7 +14,7 @@ from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 
 if TYPE_CHECKING:
     from viscodesign.cli.pump._poses import Poses
-    from viscodesign.pumps.stream import Ending
+    from viscodesign.pump.play.stream import Ending
 
 EXAMPLE = """\b
 Examples:
@@ -71,9 +71,9 @@ def command(
     from viscodesign.cli.pump._pose_rehearsal import rehearsed
     from viscodesign.cli.pump._poses import FORGOTTEN, Poses, Upload
     from viscodesign.cli.pump._session import Way
-    from viscodesign.planning.plan import plan
-    from viscodesign.planning.variants import pump_of
-    from viscodesign.pumps.fit_error import Tolerance
+    from viscodesign.pump.planning.plan import plan
+    from viscodesign.pump.planning.scene_variants import pump_of
+    from viscodesign.pump.poses.fit_error import Tolerance
 
     allowed = Tolerance.of(tolerance)
     _check(board, port, play, loop, bool(export or picture or dry_run))
@@ -104,8 +104,8 @@ def command(
 
 
 def _check(board: str, port: str | None, play: bool, loop: bool, portless: bool) -> None:
-    from viscodesign.pumps.boards.arbotix import Arbotix
-    from viscodesign.pumps.opening import board_kind
+    from viscodesign.pump.boards.arbotix import Arbotix
+    from viscodesign.pump.sessions.open_board import board_kind
 
     if not issubclass(board_kind(board), Arbotix):
         raise UsageError(
@@ -131,7 +131,7 @@ def _write(poses: Poses, export: Path | None, picture: Path | None, force: bool)
     if export is not None:
         write_text(export, poses.header(), overwrite=force)
     if picture is not None:
-        from viscodesign.report.fit_chart import draw_fit
+        from viscodesign.pump.report.fit_chart import draw_fit
 
         draw_fit(poses.fit, poses.plan.wanted_run, picture)
     return [file for file in (export, picture) if file is not None]

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
-from viscodesign.scene.base import refuse_at
+from viscodesign.scene.section import refuse_at
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from viscodesign.scene.base import refuse, refuse_at
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
+from viscodesign.scene.section import refuse, refuse_at
 
 LARGEST_FRACTION = 0.6
 

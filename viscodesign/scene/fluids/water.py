@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import ClassVar
 
-from viscodesign.scene.base import refuse_at
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
+from viscodesign.scene.section import refuse_at
 
 SMALL_COMPRESSION = 1e6
 """Pressure step [Pa] over which the bulk modulus is taken."""

@@ -14,7 +14,7 @@ from typing import Any, ClassVar
 import numpy as np
 from pydantic import Field
 
-from viscodesign.scene.base import Part
+from viscodesign.scene.section import Part
 from viscodesign.units import Time
 
 SMALL_SWING = 0.01

@@ -8,8 +8,8 @@ from typing import ClassVar, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from viscodesign.scene.base import refuse_at
 from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
+from viscodesign.scene.section import refuse_at
 from viscodesign.units import Fraction, Frequency, Pressure
 
 

@@ -10,8 +10,8 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
-from viscodesign.scene.base import Complaint, refuse_any
 from viscodesign.scene.inputs.base import PiecewiseLinear
+from viscodesign.scene.section import Complaint, refuse_any
 from viscodesign.scene.table_file import disorder, refuse_rows, with_rows
 from viscodesign.units import Length, Speed, Time, Volume
 

@@ -8,8 +8,8 @@ from typing import ClassVar, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from viscodesign.scene.base import refuse
 from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
+from viscodesign.scene.section import refuse
 from viscodesign.units import Pressure, Time
 
 

@@ -17,10 +17,10 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.solve.linear import direct_solver
+from viscodesign.solve.numerics.linear import direct_solver
 from viscodesign.solve.problem import Problem
-from viscodesign.solve.silence import silence
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
+from viscodesign.solve.solvers.quiet_stderr import silence
 from viscodesign.solve.statics import Start, consistent
 
 MAX_STEPS = 500_000

@@ -14,7 +14,7 @@ from scipy.integrate import Radau as ScipyRadau
 
 from viscodesign.errors import SolveError
 from viscodesign.model.jacobian import jacobian
-from viscodesign.solve.newton import NewtonError, newton
+from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.statics import Start, consistent

@@ -16,7 +16,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.formulation import Equations
 from viscodesign.model.jacobian import jacobian
-from viscodesign.solve.elimination import Elimination, has_whole_diagonal
+from viscodesign.solve.numerics.symbolic_lu import Elimination, has_whole_diagonal
 from viscodesign.solve.problem import Bound, Problem
 from viscodesign.solve.solvers import rodas
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches

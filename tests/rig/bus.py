@@ -1,0 +1,42 @@
+"""An adapter straight on the servos' bus."""
+
+from __future__ import annotations
+
+import math
+
+from viscodesign.pump.bus.packets import OVERHEAD, Parser
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device, Outbox
+
+LONGEST_GAP = 0.1
+"""Between bytes of a packet [s]: servos drop what comes later (e-manual, Protocol 1.0)."""
+
+
+class BusAdapter(Device):
+    """What a USB adapter passes through both ways, ``latency`` seconds late back."""
+
+    def __init__(self, bench: Bench, baud: int = 1_000_000, latency: float = 1e-3) -> None:
+        self.bench = bench
+        self.latency = latency
+        self._byte = BITS_PER_BYTE / baud
+        self._parser = Parser()
+        self._heard = -math.inf
+        self._outbox = Outbox()
+
+    def feed(self, data: bytes, now: float) -> None:
+        if now - self._heard > LONGEST_GAP:
+            self._parser = Parser()
+        moment = self._heard = now + len(data) * self._byte
+        for packet in self._parser.feed(data):
+            answered = self.bench.answer(packet, now)
+            if answered is not None:
+                reply, delay = answered
+                moment += delay + (OVERHEAD + len(reply.parameters)) * self._byte
+                self._outbox.put(reply.encode(), moment + self.latency)
+
+    def take(self, now: float) -> bytes:
+        self.bench.advance(now)
+        return self._outbox.take(now)
+
+    def due(self) -> float:
+        return self._outbox.due()

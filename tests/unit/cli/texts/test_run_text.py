@@ -1,0 +1,139 @@
+"""What a person reads of a run and of a check."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.trajectories import VERDICTS
+from viscodesign.cli.texts.check_text import (
+    full_notice_lines,
+    notice_lines,
+    scale_lines,
+    share,
+    verdict_lines,
+)
+from viscodesign.cli.texts.run_text import MOST_RUNGS, summary_lines
+from viscodesign.results.rung import Rung
+from viscodesign.results.trajectory import Accuracy, Classification, Scales, Trajectory
+
+FILES = [Path("runs/leg/trajectory.csv"), Path("runs/leg/summary.json")]
+
+
+def _summary(trajectory: Trajectory) -> str:
+    return "\n".join(summary_lines(trajectory, Path("runs/leg"), FILES))
+
+
+def test_a_run_in_a_dozen_lines(trajectory: Trajectory) -> None:
+    text = _summary(trajectory)
+    assert "leg: quadrant III" in text
+    assert "complete: 1 s of motion in 0.6 s and 123 steps" in text
+    assert "x -10.0 to 20.0 mm, z 100.0 to 109.0 mm, angle -11 to 23 deg" in text
+    assert "0.109 mm, 0.1 % of the length (asked for 0.545 mm, 0.5 %)" in text
+    assert "effects     feedback" in text
+    assert "left out    inertia" in text
+    assert "runs/leg: trajectory.csv, summary.json" in text
+
+
+def test_what_was_tried_where_a_solver_stopped_is_told(trajectory: Trajectory) -> None:
+    assert "ladder" not in _summary(trajectory)
+    rungs = (
+        Rung(0.25, "order 2 at most", False, "the steps shrink to nothing"),
+        Rung(0.25, "Rodas5P instead", True, "the steps shrink to nothing"),
+    )
+    text = _summary(replace(trajectory, ladder=rungs))
+    assert "ladder      at 0.25 s: order 2 at most, in vain" in text
+    assert "ladder      at 0.25 s: Rodas5P instead, it went on" in text
+
+
+def test_of_many_attempts_the_first_are_told(trajectory: Trajectory) -> None:
+    rungs = tuple(Rung(0.1 * k, f"attempt {k}", False, "") for k in range(MOST_RUNGS + 3))
+    text = _summary(replace(trajectory, ladder=rungs))
+    assert text.count("ladder") == MOST_RUNGS
+    assert f"attempt {MOST_RUNGS - 1}" in text
+    assert f"attempt {MOST_RUNGS}," not in text
+
+
+def test_an_error_that_was_not_estimated(trajectory: Trajectory) -> None:
+    text = _summary(replace(trajectory, accuracy=Accuracy(0.000545, None, "not verified")))
+    assert "not verified (asked for 0.545 mm, 0.5 %)" in text
+
+
+def test_a_run_that_never_began(trajectory: Trajectory) -> None:
+    empty = replace(trajectory, status="failed", time=np.empty(0), tip=np.empty((0, 3)))
+    assert "failed: 0 s of motion" in _summary(empty)
+    assert "nothing computed" in _summary(empty)
+
+
+def test_every_warning_once_with_its_code(trajectory: Trajectory) -> None:
+    lines = notice_lines(trajectory.warnings)
+    assert lines == [
+        "  negative_volume: below its floor (R1, t = 0.25 s) [and 1 more of this kind]",
+        "  reynolds: turbulent (inlet-R1)",
+    ]
+
+
+def test_before_a_run_every_warning_in_full(trajectory: Trajectory) -> None:
+    lines = full_notice_lines([*trajectory.warnings, trajectory.warnings[0]])
+    assert lines == [
+        "  negative_volume: below its floor (R1, t = 0.25 s)",
+        "  negative_volume: below its floor (L1, t = 0.5 s)",
+        "  reynolds: turbulent (inlet-R1)",
+    ]
+
+
+def test_a_constant_input_has_no_swing(classification: Classification) -> None:
+    scales = Scales(t_s=0.03, t_f=0.16, t_i=float("inf"), t_net=1.0)
+    text = "\n".join(scale_lines(replace(classification, scales=scales)))
+    assert "t_i        infinite" in text
+    assert "t_s/t_i    0  " in text
+
+
+@pytest.mark.parametrize("columns", [None, "60", "80", "100"])
+def test_verdicts_are_a_table_and_then_reasons(
+    monkeypatch: pytest.MonkeyPatch, columns: str | None
+) -> None:
+    if columns is not None:
+        monkeypatch.setenv("COLUMNS", columns)
+        monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    text = "\n".join(verdict_lines(VERDICTS))
+    words = " ".join(text.split())
+    assert "effect verdict mode tip [mm] of budget weight" in words
+    assert "pressure_distribution taken auto 114 > 1000 % 0.5" in words
+    assert "flow_regime taken auto infinite needed 0.5" in words
+    assert "gravity left out off 0.2 36.7 % 0.5" in words
+    assert "fluid_inertance left out auto < 1e-06 < 0.001 % 0.5" in words
+    assert "tip_load left out on 0 0 % 0.5" in words
+    assert "gravity weight = a / b left out: made up" in words
+    if columns is not None:
+        assert all(len(line) <= int(columns) for line in text.splitlines())
+
+
+def test_an_effect_is_one_line_of_the_table_and_taken_ones_come_first() -> None:
+    lines = verdict_lines(VERDICTS)
+    names = [line.split()[0] for line in lines[2 : 2 + len(VERDICTS)]]
+    assert names == [
+        "pressure_distribution", "gas_compressibility", "flow_regime", "inertia", "damping",
+        "fluid_mass", "fluid_inertance", "gravity", "feedback", "tip_load", "material_curve",
+    ]  # fmt: skip
+    assert [line.split()[0] for line in lines if " weight = " in line] == names
+
+
+@pytest.mark.parametrize(
+    ("part", "shown"),
+    [
+        (0.0, "0 %"),
+        (1e-6, "< 0.001 %"),
+        (0.1873, "18.7 %"),
+        (9.996, "1000 %"),
+        (10.1, "> 1000 %"),
+        (math.inf, "needed"),
+        (math.nan, "unknown"),
+    ],
+)
+def test_a_share_says_no_more_than_it_means(part: float, shown: str) -> None:
+    assert share(part) == shown

@@ -1,0 +1,51 @@
+"""Solved times between outputs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg, problem_of
+from viscodesign.postprocess.sample_times import GRADES, MOST_SAMPLES, PER_SWING
+from viscodesign.simulation.build_problem import schedule
+from viscodesign.solve.problem import Problem
+
+COUPLED = "effects={pressure_distribution: on, feedback: on, inertia: on, damping: on, others: off}"
+NETWORK = "effects={pressure_distribution: on, others: off}"
+JUMP = "input={kind: step, value: 1 kPa, time: 0.5 s}"
+FEW = "run={duration: 2 s, output_times: [0, 0.3, 2]}"
+
+
+def made(*changes: str) -> Problem:
+    return problem_of(leg("bellows.count=4", *changes))
+
+
+def test_what_an_integrator_tells_needs_no_samples() -> None:
+    plain = schedule(leg("bellows.count=4", NETWORK, FEW))
+    assert np.array_equal(made(NETWORK, FEW).schedule.edges, plain.edges)
+
+
+@pytest.mark.parametrize("changes", [(), (JUMP,)])
+def test_outputs_and_inputs_stay_where_they_were(changes: tuple[str, ...]) -> None:
+    plain = schedule(leg("bellows.count=4", COUPLED, FEW, *changes))
+    problem = made(COUPLED, FEW, *changes)
+    found, equations = problem.schedule, problem.equations
+    assert np.array_equal(found.edges[found.outputs], plain.edges[plain.outputs])
+    assert np.isin(plain.edges, found.edges).all()
+    middles = (found.edges[:-1] + found.edges[1:]) / 2
+    interval = np.searchsorted(plain.edges, middles) - 1
+    every = np.arange(len(middles))
+    assert np.array_equal(found.pieces[every], plain.pieces[interval])
+    swing = equations.swing_time or 2.0
+    assert np.max(np.diff(found.edges)) <= swing / PER_SWING * (1 + 1e-9)
+    assert len(found.edges) <= MOST_SAMPLES
+
+
+def test_samples_crowd_behind_a_jump_alone() -> None:
+    edges = made(COUPLED, FEW, JUMP).schedule.edges
+    gaps = np.diff(edges)
+    behind = int(np.searchsorted(edges, 0.5))
+    assert gaps[behind : behind + GRADES] == pytest.approx(
+        gaps[behind] * np.array([1.0, *2.0 ** np.arange(GRADES - 1)])
+    )
+    assert gaps[0] > 100 * gaps[behind]

@@ -1,0 +1,313 @@
+"""What a run is warned of, from courses that nobody had to solve; and how a gas run ends."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign import simulate
+from viscodesign.checks.scene_warnings import scene_notices
+from viscodesign.effects.select import select_effects
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.postprocess.validity_in_motion import CHOKING_FRACTION, Course, course_notices
+from viscodesign.results.trajectory import Notice
+
+TIME = np.array([0.0, 0.5, 1.0])
+AMBIENT = 101325.0
+CURVE = "bellows.curve={rows: [[-20 kPa, -5e-5, -0.1, 0], [0, 0, 0, 0], [30 kPa, 2e-4, 0.3, 0]]}"
+AIR = ("fluid=air", "temperature=20 degC")
+
+
+def conditions(*overrides: str, taken: tuple[str, ...] = ()) -> Conditions:
+    return Conditions(leg("bellows.count=4", *overrides), set(taken))
+
+
+def course(scene: Conditions, **changes: Any) -> Course:
+    """A run in which nothing happens, but for what is changed."""
+    graph, rest = scene.graph, scene.bellow.rest_volume
+    shape, flows = (len(TIME), len(graph.bellows)), (len(TIME), len(graph.tubes))
+    calm = {
+        "time": TIME,
+        "bellows": graph.bellows,
+        "pressure": np.zeros(shape),
+        "volume": np.full(shape, rest),
+        "tubes": tuple(t.name for t in graph.tubes),
+        "flow": np.zeros(flows),
+        "tube_pressure": np.zeros(flows),
+        "section_stretch": np.ones((len(TIME), graph.sections)),
+        "section_turn": np.zeros((len(TIME), graph.sections)),
+    }
+    return Course(**{**calm, **changes})
+
+
+def at(scene: Conditions, what: str, when: int, place: int, value: float) -> Course:
+    """One number of a calm run changed."""
+    values = getattr(course(scene), what).copy()
+    values[when, place] = value
+    return course(scene, **{what: values})
+
+
+def notices(scene: Conditions, met: Course) -> list[Notice]:
+    return list(course_notices(scene, [met]))
+
+
+def codes(scene: Conditions, met: Course) -> list[str]:
+    return [notice.code for notice in notices(scene, met)]
+
+
+def flow_at(scene: Conditions, mach: float) -> float:
+    """Flow at which the gas at ambient density has a Mach number in the first tube."""
+    sound = scene.scene.fluid.speed_of_sound
+    assert sound is not None
+    return mach * sound * math.pi * scene.graph.tubes[0].radius ** 2
+
+
+def test_a_calm_run_has_nothing_to_tell() -> None:
+    scene = conditions()
+    assert notices(scene, course(scene)) == []
+
+
+def test_a_run_that_ended_before_its_first_output_has_nothing_to_tell() -> None:
+    scene = conditions()
+    nothing = course(scene, time=np.zeros(0), pressure=np.zeros((0, 4)))
+    assert notices(scene, nothing) == []
+
+
+def test_a_bellow_that_swells_far_beyond_its_rest_is_told_with_number_and_place() -> None:
+    scene = conditions()
+    rest = scene.bellow.rest_volume
+    assert codes(scene, at(scene, "volume", 1, 2, 2.6 * rest)) == []
+    (told,) = notices(scene, at(scene, "volume", 1, 2, 5.0 * rest))
+    assert (told.code, told.where, told.time_s) == ("large_volume", scene.graph.bellows[2], 0.5)
+    assert "5 times its rest volume" in told.message
+
+
+def test_a_measured_curve_answers_for_large_volumes() -> None:
+    scene = conditions(CURVE, taken=("material_curve",))
+    assert codes(scene, at(scene, "volume", 1, 2, 5.0 * scene.bellow.rest_volume)) == []
+
+
+# -- flows ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("mach", "taken", "expected"),
+    [
+        (0.29, (), []),
+        (0.31, (), ["fast_gas"]),
+        (0.79, (), ["fast_gas"]),
+        (0.81, (), ["choking"]),
+        (1.5, (), ["choking"]),
+        (0.31, ("gas_compressibility",), []),
+        (0.79, ("gas_compressibility",), []),
+        (0.81, ("gas_compressibility",), ["choking"]),
+    ],
+)
+def test_fast_gas(mach: float, taken: tuple[str, ...], expected: list[str]) -> None:
+    scene = conditions(*AIR, taken=("flow_regime", *taken))
+    met = at(scene, "flow", 1, 2, -flow_at(scene, mach))
+    found = notices(scene, met)
+    assert [n.code for n in found] == expected
+    for notice in found:
+        assert notice.where == scene.graph.tubes[2].name
+        assert notice.time_s == 0.5
+        assert f"the gas reaches Mach {mach:.3g}" in notice.message
+        assert ("choke" in notice.message) == (mach > CHOKING_FRACTION)
+
+
+def test_a_thin_gas_goes_faster_for_the_same_mass() -> None:
+    """A flow is told at ambient density; where the pressure is a quarter it has four times the speed."""
+    scene = conditions(*AIR, taken=("flow_regime", "gas_compressibility"))
+    met = at(scene, "flow", 1, 0, flow_at(scene, 0.25))
+    assert codes(scene, met) == []
+    thin = met.tube_pressure.copy()
+    thin[1, 0] = -0.75 * AMBIENT
+    (notice,) = notices(scene, course(scene, flow=met.flow, tube_pressure=thin))
+    assert notice.code == "choking"
+    assert "Mach 1 " in notice.message
+    # Without compressibility its density stays that of the surroundings.
+    plain = conditions(*AIR, taken=("flow_regime",))
+    assert codes(plain, course(plain, flow=met.flow, tube_pressure=thin)) == []
+
+
+def test_the_exponent_counts_in_a_thin_gas() -> None:
+    words = ("fluid={name: air, polytropic_exponent: 1.4}", "temperature=20 degC")
+    scene = conditions(*words, taken=("flow_regime", "gas_compressibility"))
+    met = at(scene, "flow", 1, 0, flow_at(scene, 0.5))
+    thin = met.tube_pressure.copy()
+    thin[1, 0] = -0.75 * AMBIENT
+    (notice,) = notices(scene, course(scene, flow=met.flow, tube_pressure=thin))
+    assert f"Mach {0.5 * 4 ** (1 / 1.4):.3g} " in notice.message
+
+
+def test_below_vacuum_a_speed_is_still_finite() -> None:
+    scene = conditions(*AIR, taken=("flow_regime", "gas_compressibility"))
+    met = at(scene, "flow", 1, 0, flow_at(scene, 0.1))
+    found = notices(scene, course(scene, flow=met.flow, tube_pressure=met.tube_pressure - 2e5))
+    assert [n.code for n in found] == ["choking"]
+    assert "inf" not in found[0].message
+
+
+def test_a_liquid_is_told_as_fluid_and_one_without_a_speed_of_sound_not_at_all() -> None:
+    water = conditions("fluid=water", "temperature=20 degC", taken=("flow_regime",))
+    (notice,) = notices(water, at(water, "flow", 0, 0, flow_at(water, 0.5)))
+    assert notice.message.startswith("the fluid reaches Mach 0.5")
+    oil = conditions("fluid={name: oil, viscosity: 0.1, density: 900}", taken=("flow_regime",))
+    assert codes(oil, at(oil, "flow", 0, 0, 1.0)) == []
+
+
+@pytest.mark.parametrize("reynolds", [2299.0, 2301.0])
+@pytest.mark.parametrize("taken", [(), ("flow_regime",)])
+def test_turbulence_is_warned_of_where_no_term_stands_for_it(
+    reynolds: float, taken: tuple[str, ...]
+) -> None:
+    scene = conditions("fluid={name: oil, viscosity: 0.1, density: 900}", taken=taken)
+    radius = scene.graph.tubes[1].radius
+    met = at(scene, "flow", 2, 1, reynolds * math.pi * 0.1 * radius / (2 * 900))
+    found = notices(scene, met)
+    if reynolds < 2300 or taken:
+        assert found == []
+        return
+    (notice,) = found
+    assert (notice.code, notice.where, notice.time_s) == ("turbulent_flow", "R1-R2", 1.0)
+    assert "in 1 of 4 tubes" in notice.message
+
+
+def test_without_tubes_no_flow_is_judged() -> None:
+    scene = conditions()
+    bare = course(scene, tubes=(), flow=np.zeros((3, 0)), tube_pressure=np.zeros((3, 0)))
+    assert notices(scene, bare) == []
+
+
+# -- bellows ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("pressure", "expected"),
+    [(-30e3, "extrapolated_curve"), (-20e3, ""), (30e3, ""), (45e3, "extrapolated_curve")],
+)
+def test_beyond_the_measured_curve(pressure: float, expected: str) -> None:
+    scene = conditions(CURVE, taken=("material_curve",))
+    found = notices(scene, at(scene, "pressure", 1, 3, pressure))
+    assert [n.code for n in found] == ([expected] if expected else [])
+    for notice in found:
+        assert notice.where == "L2"
+        assert notice.time_s == 0.5
+        assert f"comes to {pressure / 1e3:.4g} kPa gauge" in notice.message
+        assert "-20 to 30 kPa" in notice.message
+
+
+def test_a_curve_that_is_off_is_not_left() -> None:
+    scene = conditions(CURVE)
+    assert codes(scene, at(scene, "pressure", 1, 3, 45e3)) == []
+
+
+@pytest.mark.parametrize(
+    ("share", "expected"),
+    [(0.2, []), (0.099, []), (0.097, ["collapse"]), (0.0, ["negative_volume"]), (-1.0, ["negative_volume"])],
+)  # fmt: skip
+def test_bellows_below_their_floor(share: float, expected: list[str]) -> None:
+    """Loads may take up to 2 % of the floor besides."""
+    scene = conditions()
+    met = at(scene, "volume", 1, 2, share * scene.bellow.rest_volume)
+    found = notices(scene, met)
+    assert [n.code for n in found] == expected
+    for notice in found:
+        assert (notice.where, notice.time_s) == ("L1", 0.5)
+        assert "1 of 4 bellows fall below their floor of 0.1" in notice.message
+
+
+@pytest.mark.parametrize("taken", ["collapse", "material_curve"])
+def test_a_floor_is_announced_only_where_the_linear_law_rules(taken: str) -> None:
+    low = "input={kind: table, rows: [[0, 0], [1, -33 kPa], [2, -34 kPa]]}"
+    told = [n.code for n in scene_notices(conditions(low))]
+    assert "collapse" in told
+    assert "collapse" not in [n.code for n in scene_notices(conditions(low, taken=(taken,)))]
+    emptied = "input={kind: table, rows: [[0, 0], [1, -36 kPa]]}"
+    assert "negative_volume" in [n.code for n in scene_notices(conditions(emptied))]
+    assert "negative_volume" not in [
+        n.code for n in scene_notices(conditions(emptied, taken=(taken,)))
+    ]
+
+
+def test_a_run_with_collapse_is_not_warned_of_it() -> None:
+    deep = ("input={kind: table, rows: [[0, 0], [1, -60 kPa]]}",
+            "run={duration: 1 s, output_interval: 0.1 s}")  # fmt: skip
+    for mode, expected in (("on", False), ("off", True)):
+        scene = leg("bellows.count=4", *deep, f"effects={{collapse: {mode}, others: off}}")
+        found = simulate(scene, verify=False)
+        assert found.status == "complete"
+        assert bool({"collapse", "negative_volume"} & {w.code for w in found.warnings}) is expected
+
+
+@pytest.mark.parametrize(
+    ("fluid", "absolute", "expected"),
+    [
+        ("water", 3e3, []),
+        ("water", 2e3, ["cavitation"]),
+        ("air", 1e3, []),
+        ("air", -1.0, ["below_vacuum"]),
+    ],
+)
+def test_too_little_pressure(fluid: str, absolute: float, expected: list[str]) -> None:
+    scene = conditions(f"fluid={fluid}", "temperature=20 degC")
+    found = notices(scene, at(scene, "pressure", 2, 1, absolute - AMBIENT))
+    assert [n.code for n in found] == expected
+    assert all((n.where, n.time_s) == ("R2", 1.0) for n in found)
+
+
+# -- shape ------------------------------------------------------------------
+
+
+def test_strains() -> None:
+    scene = conditions()
+    pressed = notices(scene, at(scene, "section_stretch", 1, 1, 0.19))
+    assert pressed[0].code == "small_stretch"
+    assert pressed[0].where == "section 2"
+    assert codes(scene, at(scene, "section_stretch", 1, 1, 0.21)) == []
+    (drawn,) = notices(scene, at(scene, "section_stretch", 1, 1, 2.01))
+    assert (drawn.code, drawn.where, drawn.time_s) == ("large_stretch", "section 2", 0.5)
+    assert "2.01 times" in drawn.message
+    assert codes(scene, at(scene, "section_stretch", 1, 1, 1.99)) == []
+    # A section of 54.5 mm whose inner side stands 15 mm from the axis.
+    length, half = scene.body.section_length, 0.015
+    assert codes(scene, at(scene, "section_turn", 0, 0, -1.01 * length / half)) == ["self_contact"]
+    assert codes(scene, at(scene, "section_turn", 0, 0, -0.99 * length / half)) == []
+    turning = np.full((3, 2), 1.01 * math.pi)
+    turning[1:] = 0.0
+    (notice,) = notices(scene, course(scene, section_turn=turning))
+    assert (notice.code, notice.time_s) == ("full_turn", 0.0)
+
+
+# -- a gas that runs out ----------------------------------------------------
+
+SUCKED = ("bellows.count=4", "input={kind: table, rows: [[0, 0], [1, -90 kPa]]}",
+          "run={duration: 1 s, output_interval: 0.02 s}")  # fmt: skip
+GAS = "gas_compressibility: on, pressure_distribution: on, others: off"
+
+
+def test_a_gas_bellow_sucked_empty_ends_the_run_by_its_name() -> None:
+    found = simulate(leg(*SUCKED, f"effects={{collapse: off, {GAS}}}"), verify=False)
+    assert found.status == "failed"
+    assert found.failure is not None
+    assert "R1 is sucked to its floor after t = " in found.failure
+    assert "collapse" in found.failure
+    # The linear law comes to its floor at -31.7 kPa, which the inlet passes after 0.39 s.
+    assert 0.36 < found.time[-1] < 0.4
+    assert len(found.time) == len(found.tip)
+    assert np.all(np.isfinite(found.tip))
+
+
+def test_with_walls_that_meet_it_goes_on() -> None:
+    found = simulate(leg(*SUCKED, f"effects={{collapse: on, {GAS}}}"), verify=False)
+    assert found.status == "complete", found.failure
+    assert np.all(found.volume > 0.0)
+
+
+def test_the_remedy_is_what_auto_does() -> None:
+    scene = Conditions(leg(*SUCKED, "effects={gas_compressibility: on}"))
+    assert "collapse" in {e.name for e in select_effects(scene).effects}

@@ -1,0 +1,123 @@
+"""Each limit against a course whose numbers are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign.pump.planning.barrel import Line
+from viscodesign.pump.planning.demand import Demand
+from viscodesign.pump.planning.limits import JUDGE_OF, infeasible, verdicts
+from viscodesign.pump.planning.result import PumpVerdict
+
+AMBIENT = 101325.0
+
+
+def demand(pressure: list[float], *words: str, seconds: float = 1.0) -> Demand:
+    """A pump on nothing but its own barrel: what it asks is in closed form."""
+    own = ", ".join(
+        (
+            "syringe_diameter: 34.9 mm",
+            "supply_voltage: 12 V",
+            *words,
+            *(() if "home" in str(words) else ("home: 500",)),
+        )
+    )
+    scene = leg(f"pump={{{own}}}", config="leg_16_straight_air_auto")
+    assert scene.pump is not None
+    values = np.array(pressure)
+    time = seconds * np.arange(len(values))
+    return Demand(scene, scene.pump, "inlet", Line(), time, 0.0, values, 0 * values)
+
+
+def verdict(name: str, *given: object, **more: float) -> PumpVerdict:
+    return JUDGE_OF[name](demand(*given, **more))  # type: ignore[arg-type]
+
+
+def test_140_kpa_gauge_takes_more_than_the_stall() -> None:
+    found = verdict("stall", [0, 140e3, 140e3], "plunger_friction: 0 N")
+    assert found.severity == "infeasible"
+    assert found.wanted / 1.8 == pytest.approx(1.10, abs=0.005)
+    assert found.ratio == pytest.approx(1.10 / 0.8, abs=0.01)
+
+
+def test_38_7_kpa_gauge_fits_but_is_above_the_makers_fifth() -> None:
+    course = [0, 38675.0, 38675.0]
+    assert verdict("stall", course).severity == "ok"
+    advice = verdict("one_fifth", course, "plunger_friction: 0 N")
+    assert advice.severity == "advice"
+    assert advice.wanted / 1.8 == pytest.approx(0.304, abs=0.003)
+
+
+def test_suction_pulls_as_hard_as_pressure_pushes() -> None:
+    assert verdict("stall", [0, -100e3, 0], "plunger_friction: 0 N").wanted == pytest.approx(
+        verdict("stall", [0, 100e3, 0], "plunger_friction: 0 N").wanted
+    )
+
+
+def test_speed_is_held_against_what_the_own_pressure_leaves() -> None:
+    """Same way and time, twice: at rest pressure and under load less is left."""
+    found = verdict("speed", [20e3, 22e3], "plunger_friction: 0 N")
+    torque = 22e3 * np.pi * 0.0349**2 / 4 * 14.8e-3
+    left = 97 * 2 * np.pi / 60 * (1 - torque / 1.8) * 14.8e-3
+    assert found.allowed == pytest.approx(left)
+    assert found.severity == "ok"
+    fast = verdict("speed", [0, 30e3, 0], seconds=0.01)
+    assert fast.severity == "infeasible"
+    assert fast.ratio == pytest.approx(fast.wanted / fast.allowed)
+
+
+def test_suction_ends_where_the_sensor_does() -> None:
+    assert verdict("suction", [0, 20e3 - AMBIENT + 1]).severity == "ok"
+    found = verdict("suction", [0, -100.9e3])
+    assert found.severity == "infeasible"
+    assert found.allowed == pytest.approx(20e3 - AMBIENT)
+
+
+def test_a_cap_and_whether_it_ever_acts() -> None:
+    assert verdict("cap", [0, 26e3]).severity == "infeasible"
+    assert verdict("cap", [0, 24e3]).severity == "ok"
+    found = verdict("cap_torque", [0, 1e3], "max_pressure: 140 kPa gauge")
+    assert found.severity == "advice"
+    assert "38.67 kPa gauge" in found.message
+    assert verdict("cap_torque", [0, 1e3], "max_pressure: 140 kPa abs").severity == "ok"
+
+
+def test_travel_and_barrel() -> None:
+    assert verdict("travel", [0, 60e3], "home: 900").severity == "infeasible"
+    assert verdict("barrel", [0, -40e3], "filled_length: 100 mm").severity == "infeasible"
+    assert verdict("barrel", [0, 10e3]).severity == "ok"
+
+
+def test_a_course_of_few_counts_is_none() -> None:
+    small = verdict("resolution", [0, 300.0])
+    assert small.severity == "infeasible"
+    assert small.wanted < 7.0
+    assert verdict("resolution", [0, 5e3]).severity == "ok"
+    assert verdict("resolution", [0, 0, 0]).severity == "ok"  # nothing is asked
+
+
+def test_the_sensors_error_and_its_step() -> None:
+    assert verdict("sensor", [0, 6.1e3]).severity == "ok"
+    assert "8 bit" not in verdict("sensor", [0, 5e3]).message
+    assert "8 bit" in verdict("sensor", [0, 1.5e3]).message
+
+
+def test_the_battery_is_told_in_minutes() -> None:
+    found = verdict("battery", [100e3] * 5, "plunger_friction: 0 N")
+    current = 2.2 * 100e3 * np.pi * 0.0349**2 / 4 * 14.8e-3 / 1.8
+    assert found.wanted == pytest.approx(1620.0 / current)
+
+
+def test_counts_may_fall_as_the_plunger_goes_in() -> None:
+    up = demand([0, 20e3], "travel: [100, 900]")
+    down = demand([0, 20e3], "travel: [100, 900]", "push: down")
+    assert down.count - 500 == pytest.approx(500 - up.count)
+
+
+def test_every_limit_has_a_name_and_a_sentence() -> None:
+    found = verdicts(demand([0, 10e3, 0]))
+    assert [v.name for v in found] == list(JUDGE_OF)
+    assert all(v.message and np.isfinite(v.ratio) for v in found)
+    assert not infeasible(demand([0, 10e3, 0]))

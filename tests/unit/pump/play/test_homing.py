@@ -1,0 +1,82 @@
+"""The ends of travel against switches that are only computed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tests.pumps import pump as settings_of
+from viscodesign.errors import InterruptedRunError, PumpError
+from viscodesign.pump.boards.simulated import Simulated
+from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.drive import Drive
+from viscodesign.pump.play.homing import BACK_OFF, find_travel
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.pins import SWITCH_DISTANCE, Pins
+from viscodesign.pump.simulated.plant import Plant
+from viscodesign.pump.simulated.ros import Ros
+from viscodesign.pump.simulated.servo import VirtualServo
+
+
+class Vented(Plant):
+    def advance(self, seconds: float, positions: Any) -> Any:
+        return 0.0 * positions
+
+
+class Bed:
+    """A vented pump with switches just outside of 300 to 500 counts, standing at 400."""
+
+    def __init__(self, normally: str = "closed", **broken: float) -> None:
+        switches = {"low": "D1", "high": "D2", "normally": normally}
+        spec = settings_of(home=400, travel=(300, 500), limit_switches=switches)
+        self.servo = VirtualServo(1, 18, 400)
+        self.servo.supply(11.1)
+        bench = Bench([self.servo], [Drive(spec)], Vented())
+        self.clock = SteppedClock()
+        line = DirectLine(Ros(bench, Pins(bench, broken=dict(broken))), self.clock)
+        free = spec.model_copy(update={"travel": (0, 1023)})
+        self.pump = Pump(
+            Simulated(line, [1]),
+            free,
+            [1],
+            Gauges([None], 0.0),
+            Switches.of(spec, [1]),
+            self.clock,
+        )
+
+
+@pytest.mark.parametrize("normally", ["closed", "open"])
+def test_both_ends_are_found_and_backed_off_from(normally: str) -> None:
+    bed = Bed(normally)
+    low, high = find_travel(bed.pump, lambda: False)
+    # Switches stand a little outside of the travel that the spec names.
+    assert low == pytest.approx(300 - SWITCH_DISTANCE + BACK_OFF, abs=4)
+    assert high == pytest.approx(500 + SWITCH_DISTANCE - BACK_OFF, abs=4)
+    assert bed.servo.position == pytest.approx(low, abs=4)
+
+
+def test_a_broken_wire_is_a_pressed_switch_and_told() -> None:
+    bed = Bed(D1=1)
+    with pytest.raises(PumpError, match="low end is pressed on the way"):
+        find_travel(bed.pump, lambda: False)
+    assert abs(bed.servo.position - 400) < 5
+
+
+def test_a_switch_that_never_comes_ends_at_the_servos_own_end() -> None:
+    bed = Bed(D2=0)
+    with pytest.raises(PumpError, match="no switch was pressed"):
+        find_travel(bed.pump, lambda: False)
+
+
+def test_a_wish_to_stop_is_obeyed_and_the_plunger_held() -> None:
+    bed = Bed()
+    with pytest.raises(InterruptedRunError):
+        find_travel(bed.pump, lambda: bed.servo.position > 450)
+    before = bed.servo.position
+    bed.clock.sleep(2.0)
+    assert bed.servo.position == pytest.approx(before, abs=3)

@@ -1,0 +1,253 @@
+"""Every rule that stops a pump: when it does, when it does not, and what it says."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import pytest
+
+from tests.unit.pump.samples import sample, servo
+from viscodesign.pump.bus.packets import ErrorBits
+from viscodesign.pump.play.safety_rules import (
+    ErrorBitsSet,
+    Following,
+    Guard,
+    LimitSwitches,
+    LowBattery,
+    Obedience,
+    Overheating,
+    PressureCap,
+    SensorFrozen,
+    Silence,
+    Travel,
+    Watch,
+    retreat_rules,
+    stream_rules,
+)
+from viscodesign.pump.play.servo_state import Sample
+from viscodesign.scene.pump import Pump
+
+
+def first_stop(guard: Guard, samples: Sequence[Sample]) -> int | None:
+    """Index of the sample that stops the pump."""
+    for k, one in enumerate(samples):
+        if guard.check(one) is not None:
+            return k
+    return None
+
+
+@pytest.mark.parametrize(
+    ("kilopascals", "stops"),
+    [
+        ([24.9, 24.9, 24.9], None),
+        ([26, 24, 26, 24, 26], None),  # one alone is noise
+        ([24, 26, 26, 24], 2),
+        ([24, 25, 25, 25], None),  # the cap itself is allowed
+        ([26, math.nan], 1),  # no number is no reading below the cap
+        ([math.nan, math.nan], 1),
+        ([-90, -90], None),
+    ],
+)
+def test_the_cap_takes_two_samples(kilopascals: list[float], stops: int | None) -> None:
+    samples = [sample(pressure=1e3 * p) for p in kilopascals]
+    assert first_stop(PressureCap(25e3), samples) == stops
+
+
+def test_an_alarm_stays_whatever_comes_then() -> None:
+    watch = Watch([PressureCap(25e3)])
+    for pressure in (26e3, 26e3):
+        stop = watch.check(sample(pressure=pressure))
+    assert stop is not None
+    assert stop.rule == "pressure_cap"
+    assert "26.00 kPa gauge" in stop.reason
+    assert "pump.max_pressure" in stop.reason
+    assert watch.check(sample(pressure=0.0)) is stop
+
+
+def test_a_frozen_sensor_is_found_when_the_pressure_should_change() -> None:
+    wanted = [1e3 * k for k in range(12)]
+    frozen = [sample(pressure=2e3, wanted=w) for w in wanted]
+    assert first_stop(SensorFrozen(), frozen) == 7  # more than 6 kPa
+    alive = [sample(pressure=w, wanted=w) for w in wanted]
+    assert first_stop(SensorFrozen(), alive) is None
+
+
+def test_a_steady_pressure_may_read_the_same_for_ever() -> None:
+    assert first_stop(SensorFrozen(), [sample(pressure=2e3, wanted=2.1e3)] * 1000) is None
+
+
+def test_where_nothing_measures_nothing_is_frozen() -> None:
+    samples = [sample(pressure=None, wanted=1e3 * k) for k in range(20)]
+    assert first_stop(SensorFrozen(), samples) is None
+
+
+@pytest.mark.parametrize(
+    ("pressed", "step", "stops"),
+    [
+        ("", 3, False),
+        ("high", 3, True),
+        ("high", 0, False),
+        ("high", -3, False),
+        ("low", -3, True),
+        ("low", 3, False),
+        ("low high", 3, True),  # both: a broken wire of one
+        ("low high", -3, True),
+    ],
+)
+def test_a_switch_allows_only_motion_away(pressed: str, step: int, stops: bool) -> None:
+    reason = LimitSwitches().check(sample(pressed=pressed, step=step))
+    assert (reason is not None) == stops
+
+
+def test_running_into_a_switch_stops_before_the_next_step() -> None:
+    # The profile stands still for a few ticks between two of its counts.
+    guard = LimitSwitches()
+    assert guard.check(sample(step=1)) is None
+    assert guard.check(sample(step=0)) is None
+    assert guard.check(sample(step=0, pressed="high")) is not None
+
+
+def test_leaving_a_switch_goes_on() -> None:
+    guard = LimitSwitches()
+    samples = [sample(pressed="low", step=1)] * 5 + [sample(step=1)] * 5
+    assert first_stop(guard, samples) is None
+
+
+@pytest.mark.parametrize(
+    ("position", "stops"), [(100, False), (95, False), (94, True), (1006, True)]
+)
+def test_travel(position: int, stops: bool) -> None:
+    reason = Travel(100, 1000).check(sample(state=servo(position)))
+    assert (reason is not None) == stops
+
+
+def test_a_blocked_plunger_is_noticed_after_three_samples() -> None:
+    behind = sample(state=servo(500, goal=564))
+    assert first_stop(Following(3), [behind] * 5) == 2
+    assert first_stop(Following(3), [sample(state=servo(500, goal=563))] * 5) is None
+
+
+def test_a_lost_command_may_be_lost_twice() -> None:
+    arrived = sample(state=servo(500))
+    lost = Sample(**{**vars(arrived), "goals": {1: 503}})
+    assert first_stop(Obedience(), [lost, lost, arrived, lost, lost]) is None
+    assert first_stop(Obedience(), [lost, lost, lost]) == 2
+
+
+def test_a_servo_that_restarted_is_noticed_at_once() -> None:
+    reason = Obedience().check(sample(state=servo(torque=False)))
+    assert reason is not None
+    assert "restarted" in reason
+
+
+@pytest.mark.parametrize("bit", list(ErrorBits))
+def test_every_error_bit_stops(bit: ErrorBits) -> None:
+    reason = ErrorBitsSet().check(sample(state=servo(errors=bit)))
+    assert reason is not None
+    assert "servo 1 reports: " in reason
+
+
+def test_heat_and_battery_take_two_samples() -> None:
+    hot, cool = sample(state=servo(temperature=70.0)), sample(state=servo(temperature=69.0))
+    assert first_stop(Overheating(), [hot, cool, hot, hot]) == 3
+    low, full = sample(state=servo(voltage=9.9)), sample(state=servo(voltage=10.0))
+    assert first_stop(LowBattery(), [low, full, low, low]) == 3
+
+
+def test_a_silence_of_a_quarter_of_a_second() -> None:
+    times = [0.0, 0.033, 0.28, 0.54]
+    assert first_stop(Silence(), [sample(time=t) for t in times]) == 3
+
+
+def test_every_rule_names_itself_and_leaves_a_healthy_pump_alone() -> None:
+    rules = stream_rules(Pump(syringe_diameter=0.0349), 3)
+    assert len({guard.rule for guard in rules}) == len(rules) == 10
+    assert all(guard.check(sample(time=0.01 * k)) is None for k in range(50) for guard in rules)
+
+
+def test_drawing_back_is_watched_by_all_but_the_pressure() -> None:
+    pump = Pump(syringe_diameter=0.0349)
+    left_out = {g.rule for g in stream_rules(pump, 3)} - {g.rule for g in retreat_rules(pump, 3)}
+    assert left_out == {"pressure_cap", "sensor_frozen"}
+
+
+# -- two inlets -----------------------------------------------------------------------------
+
+
+def two(
+    pressure: tuple[float | None, float | None] = (10e3, 10e3),
+    wanted: tuple[float, float] = (10e3, 10e3),
+    pressed: str = "",
+    steps: tuple[int, int] = (0, 0),
+) -> Sample:
+    """Servos 4 and 7; ``pressed``: ends of servo 7."""
+    states = {4: servo(), 7: servo()}
+    goals = {number: state.goal for number, state in states.items()}
+    return Sample(
+        time=0.0,
+        servos=states,
+        pressure=pressure,
+        wanted=wanted,
+        pressed={4: frozenset(), 7: frozenset(pressed.split())},
+        goals=goals,
+        next_goals={4: goals[4] + steps[0], 7: goals[7] + steps[1]},
+    )
+
+
+@pytest.mark.parametrize(
+    ("pairs", "stops"),
+    [
+        ([(24e3, 26e3), (24e3, 26e3)], 1),
+        ([(26e3, 24e3), (24e3, 26e3), (26e3, 24e3)], None),  # one sample each is noise
+        ([(None, 26e3), (None, 26e3)], 1),
+        ([(24e3, math.nan), (24e3, math.nan)], 1),  # a number beside it hides it not
+    ],
+)
+def test_each_inlet_is_capped(
+    pairs: list[tuple[float | None, float | None]], stops: int | None
+) -> None:
+    assert first_stop(PressureCap(25e3), [two(pressure=pair) for pair in pairs]) == stops
+
+
+def test_the_inlet_above_the_cap_is_named_by_its_servo() -> None:
+    guard = PressureCap(25e3)
+    guard.check(two(pressure=(10e3, 26e3)))
+    reason = guard.check(two(pressure=(10e3, 26e3)))
+    assert reason is not None
+    assert "26.00 kPa gauge in 2 samples at the inlet of servo 7" in reason
+
+
+def test_a_frozen_sensor_of_either_inlet_is_found() -> None:
+    samples = [two(pressure=(1e3 * k, 2e3), wanted=(1e3 * k, 1e3 * k)) for k in range(12)]
+    assert first_stop(SensorFrozen(), samples) == 7
+    reason = [SensorFrozen().check(one) for one in samples]
+    assert reason == [None] * 12  # each guard counts for itself
+    guard = SensorFrozen()
+    told = [guard.check(one) for one in samples][7]
+    assert told is not None
+    assert "at the inlet of servo 7" in told
+
+
+@pytest.mark.parametrize(
+    ("steps", "stops"), [((3, 0), False), ((-3, 0), False), ((0, -3), False), ((0, 3), True)]
+)
+def test_a_switch_bars_only_its_own_plunger(steps: tuple[int, int], stops: bool) -> None:
+    reason = LimitSwitches().check(two(pressed="high", steps=steps))
+    assert (reason is not None) == stops
+    if reason is not None:
+        assert "the high end of servo 7" in reason
+
+
+def test_running_into_a_switch_is_noticed_of_the_plunger_that_does() -> None:
+    guard = LimitSwitches()
+    assert guard.check(two(steps=(1, -1))) is None
+    # Servo 4 went up, but the switch is servo 7's.
+    assert guard.check(two(pressed="high")) is None
+    assert guard.check(two(pressed="low")) is not None
+
+
+def test_a_torque_limit_of_zero_is_a_servo_that_shut_itself_off() -> None:
+    reason = ErrorBitsSet().check(sample(state=servo(torque_limit=0)))
+    assert reason is not None
+    assert "shut itself off" in reason

@@ -1,0 +1,72 @@
+"""An error in three units, and what is said where it is too large."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.pose_rig import swing
+from viscodesign.errors import PumpError, UsageError
+from viscodesign.pump.poses.fit import PoseFit, fit_poses
+from viscodesign.pump.poses.fit_error import FitError, Tolerance, refuse_coarse
+
+ERROR = FitError(counts=2.0, volume=0.145e-6, pressure=800.0)
+
+
+@pytest.fixture(scope="module")
+def fit() -> PoseFit:
+    return fit_poses(swing((1, 2)), loop=True)
+
+
+def test_the_largest_of_all_plungers_counts(fit: PoseFit) -> None:
+    error = np.zeros_like(fit.played)
+    error[3], error[5] = (-1.0, 0.5), (0.2, 3.0)
+    off = replace(fit, played=fit.wanted + error)
+    assert FitError.of(off, 0.0725e-6, [400.0, 100.0]) == FitError(
+        pytest.approx(3.0), pytest.approx(0.2175e-6), pytest.approx(400.0)
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "allows"),
+    [
+        ("1 kPa", True),
+        ("0.5 kPa", False),
+        ("800 Pa", True),
+        ("0.2 mL", True),
+        ("100 uL", False),
+        ("2 counts", True),
+        ("1.9 counts", False),
+        ("1 count", False),
+    ],
+)
+def test_a_tolerance_has_its_unit(text: str, allows: bool) -> None:
+    assert Tolerance.of(text).allows(ERROR) is allows
+
+
+@pytest.mark.parametrize(
+    "text", ["", "1", "kPa", "counts", "-1 kPa", "0 counts", "nan counts", "1 mm", "1 parrot", "1e"]
+)
+def test_what_is_none_is_told_with_examples(text: str) -> None:
+    with pytest.raises(UsageError, match=r"'1 kPa', '0\.1 mL' or '2 counts'"):
+        Tolerance.of(text)
+
+
+def test_too_large_an_error_is_refused_with_what_would_help(fit: PoseFit) -> None:
+    refuse_coarse(fit, ERROR, Tolerance.of("1 kPa"))
+    with pytest.raises(PumpError) as told:
+        refuse_coarse(fit, ERROR, Tolerance.of("0.1 kPa"))
+    for words in ("2.00 counts, 0.145 mL, up to 0.8 kPa", "--tolerance is 0.1 kPa", "pump stream"):
+        assert words in str(told.value)
+
+
+def test_a_loop_that_does_not_close_is_told_to_be_one() -> None:
+    half = swing()
+    half = replace(half, time=half.time[:31], counts=half.counts[:31], pressure=half.pressure[:31])
+    fit = fit_poses(half, loop=True)
+    # It cannot be at both ends at once: half of the gap is the least.
+    assert fit.largest_error == pytest.approx(40.0, abs=2.0)
+    with pytest.raises(PumpError, match=r"ends 80\.0 counts from where it begins"):
+        refuse_coarse(fit, ERROR, Tolerance.of("1 counts"))

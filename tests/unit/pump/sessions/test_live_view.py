@@ -1,0 +1,120 @@
+"""What is seen while a pump moves, on a terminal and in a pipe."""
+
+from __future__ import annotations
+
+import io
+import os
+import pty
+
+from tests.unit.pump.samples import sample
+from viscodesign.pump.play.safety_rules import Stop
+from viscodesign.pump.play.stream import Shown
+from viscodesign.pump.sessions.live_view import REPORT, LiveView
+from viscodesign.pump.sessions.outlet import Outlet
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def view(stream: io.TextIOBase, now: list[float], simulated: bool = False) -> LiveView:
+    outlet = Outlet(stream)  # type: ignore[arg-type]
+    return LiveView(["inlet"], (-10e3, 20e3), 8.0, simulated, outlet, lambda: now[0])
+
+
+def shown(time: float = 1.0, skipped: int = 0, stop: Stop | None = None) -> Shown:
+    return Shown(time, sample(pressure=10e3, wanted=12.5e3), skipped, stop)
+
+
+def test_a_terminal_shows_numbers_and_bars_redrawn_in_place() -> None:
+    stream, now = Terminal(), [0.0]
+    picture = view(stream, now)
+    picture.show(shown())
+    first = stream.getvalue()
+    assert "1.0 of 8.0 s" in first
+    assert "wanted     12.50 kPa [..." in first
+    assert "measured   10.00 kPa [..." in first
+    assert first.count("#") > 10
+    assert "\x1b[3A" not in first
+    now[0] += 1.0
+    picture.show(shown(2.0, skipped=3))
+    assert stream.getvalue()[len(first) :].startswith("\x1b[3A")
+    assert "(3 ticks skipped)" in stream.getvalue()
+
+
+def test_bars_go_from_zero_to_both_sides() -> None:
+    picture = view(Terminal(), [0.0])
+    assert picture._bar(0.0, 30) == "[" + "." * 10 + "|" + "." * 20 + "]"
+    assert picture._bar(20e3, 30) == "[" + "." * 10 + "|" + "#" * 20 + "]"
+    assert picture._bar(-10e3, 30) == "[" + "#" * 10 + "|" + "." * 20 + "]"
+    assert picture._bar(99e3, 30) == picture._bar(20e3, 30)
+    assert picture._bar(None, 30) == picture._bar(0.0, 30)
+
+
+def test_a_terminal_is_not_redrawn_more_often_than_the_eye_sees() -> None:
+    stream, now = Terminal(), [0.0]
+    picture = view(stream, now)
+    for k in range(100):
+        now[0] = 0.01 * k
+        picture.show(shown())
+    assert 9 <= stream.getvalue().count("measured") <= 11
+
+
+def test_a_pipe_gets_a_line_every_few_seconds_without_codes() -> None:
+    stream, now = io.StringIO(), [0.0]
+    picture = view(stream, now, simulated=True)
+    for k in range(100):
+        now[0] = 0.1 * k
+        picture.show(shown(0.1 * k))
+    lines = stream.getvalue().splitlines()
+    assert len(lines) == 10.0 // REPORT
+    assert lines[0] == "[simulated] 0.0 of 8.0 s; wanted 12.50 kPa, measured 10.00 kPa"
+    assert "\x1b" not in stream.getvalue()
+
+
+def test_a_stop_is_shown_at_once() -> None:
+    stream, now = io.StringIO(), [0.0]
+    picture = view(stream, now)
+    picture.show(shown())
+    picture.show(shown(1.5, stop=Stop("pressure_cap", "too much")))
+    assert "STOP at 1.5 s: pressure cap" in stream.getvalue().splitlines()[-1]
+
+
+def test_where_the_pump_is_on_its_way_is_said() -> None:
+    stream, now = io.StringIO(), [0.0]
+    view(stream, now).show(shown(-2.5))
+    assert "going to the start, 2.5 s left" in stream.getvalue()
+
+
+def test_a_terminal_that_takes_nothing_does_not_stop_the_pump() -> None:
+    ours, theirs = pty.openpty()
+    with os.fdopen(theirs, "w") as stream:
+        now = [0.0]
+        picture = view(stream, now)
+        for _ in range(2000):  # nobody reads: the terminal's buffer is full long before
+            now[0] += 1.0
+            picture.show(shown())
+        picture.outlet.close()
+        assert os.get_blocking(theirs)  # others share it
+        os.close(ours)
+
+
+def test_a_terminal_that_went_away_is_no_exception() -> None:
+    ours, theirs = pty.openpty()
+    with os.fdopen(theirs, "w") as stream:
+        picture = view(stream, [0.0])
+        os.close(ours)
+        picture.show(shown())
+        picture.outlet.close()
+
+
+def test_a_pipe_that_nobody_empties_does_not_stop_the_pump() -> None:
+    ours, theirs = os.pipe()
+    with os.fdopen(theirs, "w") as stream:
+        now = [0.0]
+        picture = view(stream, now)
+        for _ in range(2000):
+            now[0] += REPORT
+            picture.show(shown())
+        os.close(ours)

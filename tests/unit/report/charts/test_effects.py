@@ -1,0 +1,160 @@
+"""The chart of the effects: both bars, the decision, the error asked for, all on the page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from matplotlib.text import Text
+
+from tests.trajectories import VERDICTS, proven_run, verdict
+from viscodesign.report.charts.effects import DEEPEST, MEASURED, draw_effects, effect_rows
+from viscodesign.report.layout.style import ACCENT, RC
+from viscodesign.results.trajectory import Accuracy, Proof, Trajectory
+
+Drawn = Callable[[Trajectory], Figure]
+
+MANY = tuple(verdict(f"a_very_long_name_of_an_effect_{k}", k % 2 == 0, 10.0**-k) for k in range(18))
+CASES = {
+    "usual": proven_run,
+    "one_without_a_move": lambda: proven_run(
+        effects=VERDICTS[:1], proof=(Proof("tip_load", False, 0.0, 0.0, 1.0),)
+    ),
+    "none_measured": lambda: proven_run(
+        proof=tuple(Proof(v.name, v.taken, math.inf, None, 0.0, "why") for v in VERDICTS)
+    ),
+    "many": lambda: proven_run(
+        effects=MANY, proof=tuple(Proof(v.name, v.taken, v.contribution_m, 1e-3, 1.0) for v in MANY)
+    ),
+    "narrow": lambda: proven_run(
+        effects=VERDICTS[-1:], proof=(Proof("feedback", False, 5e-4, 5.1e-4, 1.0),)
+    ),
+    "strict": lambda: proven_run(accuracy=Accuracy(1e-12, None, "not verified")),
+    "failed": lambda: proven_run(
+        time=np.linspace(0, 1.23, 62), status="failed", failure="it broke", name="x" * 200
+    ),
+}
+
+
+@pytest.fixture
+def drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Drawn:
+    """Draws a run and returns the figure as it was saved, at a low resolution."""
+    figures: list[Figure] = []
+    save = Figure.savefig
+
+    def keep(figure: Figure, *words: Any, **options: Any) -> None:
+        figures.append(figure)
+        save(figure, *words, **options)
+
+    def draw(trajectory: Trajectory) -> Figure:
+        draw_effects(trajectory, tmp_path / "effects.png")
+        assert (tmp_path / "effects.png").read_bytes().startswith(b"\x89PNG")
+        return figures[-1]
+
+    monkeypatch.setattr(Figure, "savefig", keep)
+    monkeypatch.setitem(RC, "savefig.dpi", 40)
+    return draw
+
+
+def bars(figure: Figure) -> dict[tuple[int, bool], Rectangle]:
+    """Every bar by its row, and by whether it is the measured one (the upper)."""
+    found = {}
+    for bar in figure.axes[0].patches:
+        assert isinstance(bar, Rectangle)
+        middle = bar.get_y() + bar.get_height() / 2
+        found[round(middle), middle < round(middle)] = bar
+    return found
+
+
+def names(figure: Figure) -> list[str]:
+    return [label.get_text() for label in figure.axes[0].get_yticklabels()]
+
+
+def words(figure: Figure) -> list[str]:
+    texts: list[Text] = figure.findobj(Text)
+    return [text.get_text() for text in texts]
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
+    figure = drawn(CASES[case]())
+    box, size = figure.get_tightbbox(), figure.get_size_inches()
+    assert box.x0 >= -0.01
+    assert box.y0 >= -0.01
+    assert box.x1 <= size[0] + 0.01
+    assert box.y1 <= size[1] + 0.01
+    assert not any("mathdefault" in text for text in words(figure))
+
+
+def test_a_row_for_every_effect_the_largest_first_the_absent_last() -> None:
+    rows = [row.name for row in effect_rows(proven_run())]
+    assert rows == [
+        "pressure_distribution", "flow_regime", "gas_compressibility", "gravity", "inertia",
+        "feedback", "damping", "fluid_mass", "fluid_inertance", "tip_load", "material_curve",
+    ]  # fmt: skip
+
+
+def test_bars_end_at_the_moves_in_mm(drawn: Drawn) -> None:
+    found = bars(drawn(proven_run()))
+    ends = {key: bar.get_x() + bar.get_width() for key, bar in found.items()}
+    assert ends[0, True] == pytest.approx(98.7)
+    assert ends[0, False] == pytest.approx(114)
+    assert ends[3, True] == pytest.approx(2.3)
+    assert ends[3, False] == pytest.approx(0.2)
+
+
+def test_measured_and_estimated_differ_in_colour_the_decision_in_hatching(drawn: Drawn) -> None:
+    found = bars(drawn(proven_run()))
+    taken, left_out = (0, 3)
+    for measured in (True, False):
+        assert not found[taken, measured].get_hatch()
+        assert found[left_out, measured].get_hatch()
+        assert to_hex(found[left_out, measured].get_facecolor()) == "#ffffff"
+    assert to_hex(found[taken, True].get_facecolor()) == MEASURED
+    assert to_hex(found[taken, False].get_facecolor()) != MEASURED
+
+
+def test_the_error_asked_for_is_a_line_with_its_number(drawn: Drawn) -> None:
+    figure = drawn(proven_run())
+    (line,) = figure.axes[0].lines
+    assert list(line.get_xdata()) == pytest.approx([0.545, 0.545])
+    assert "error asked for: 0.545 mm" in words(figure)
+    assert {"measured", "estimated", "taken: full", "left out: hatched"} <= set(words(figure))
+    assert any(text.endswith("[mm]") for text in words(figure))
+
+
+def test_an_effect_left_out_beyond_the_error_asked_for_stands_out(drawn: Drawn) -> None:
+    figure = drawn(proven_run())
+    wrong = [label for label in figure.axes[0].get_yticklabels() if label.get_color() == ACCENT]
+    assert [label.get_text() for label in wrong] == ["gravity\nleft out, MISSING"]
+    assert "inertia\ntaken" in names(figure)
+    assert "feedback\nleft out" in names(figure)
+
+
+def test_what_has_no_bar_is_told_in_words(drawn: Drawn) -> None:
+    figure = drawn(proven_run())
+    place = {text.get_text(): text for text in figure.axes[0].texts}
+    told = [(text.get_text(), text.xy[1]) for text in figure.axes[0].texts]  # type: ignore[attr-defined]
+    assert ("none", 9) in told
+    assert ("none", 10) in told
+    assert round(place["no solution without it"].xy[1]) == 2  # type: ignore[attr-defined]
+    assert round(place["without limit"].xy[1]) == 1  # type: ignore[attr-defined]
+    assert round(place["2e-09"].xy[1]) == 8  # type: ignore[attr-defined]
+    assert {row for row, _ in bars(figure)} == set(range(8))
+
+
+def test_rounding_does_not_stretch_the_axis(drawn: Drawn) -> None:
+    proof = (
+        Proof("inertia", True, 1e-3, 1e-3, 1.0),
+        Proof("feedback", False, 1e-20, 2e-20, 1.0),
+    )
+    figure = drawn(proven_run(proof=proof, effects=(VERDICTS[8], VERDICTS[10])))
+    low, _ = figure.axes[0].get_xlim()
+    assert low > 0.1 * DEEPEST * 0.545

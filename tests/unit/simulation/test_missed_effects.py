@@ -1,0 +1,117 @@
+"""What a run calls for that the sketches had left out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.hard.found_cases import LEFT_ITS_FLOOR
+from tests.scenes import leg
+from viscodesign import simulate
+from viscodesign.effects.select import Selection, select_effects
+from viscodesign.errors import SolveError
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.simulation import simulate as simulating
+from viscodesign.simulation.build_problem import suggest_settings
+from viscodesign.simulation.missed_effects import reselected
+from viscodesign.simulation.solve_once import Run, solve
+
+Solved = tuple[Conditions, Selection, Run]
+
+
+def solved(*overrides: str) -> Solved:
+    conditions = Conditions(leg(*overrides))
+    selection = select_effects(conditions)
+    run = solve(conditions, selection.effects, suggest_settings(conditions, selection.effects))
+    return conditions, selection, run
+
+
+@pytest.fixture(scope="module")
+def fast() -> Solved:
+    return solved(*LEFT_ITS_FLOOR)
+
+
+def test_fast_flow_calls_for_its_losses_once(fast: Solved) -> None:
+    conditions, selection, run = fast
+    assert "flow_regime" not in selection.taken
+    found = reselected(conditions, selection, run)
+    assert found is not None
+    assert found.selection.taken == selection.taken | {"flow_regime"}
+    (verdict,) = (v for v in found.selection.verdicts if v.name == "flow_regime")
+    assert verdict.taken
+    assert "the flows that were found would lose" in verdict.reason
+    again = solve(conditions, found.selection.effects, run.settings)
+    assert reselected(conditions, found.selection, again) is None
+
+
+def test_what_the_spec_forbids_is_not_called_for(fast: Solved) -> None:
+    scene = leg(*LEFT_ITS_FLOOR, "effects={others: auto, flow_regime: off}")
+    conditions = Conditions(scene)
+    selection = select_effects(conditions)
+    assert reselected(conditions, selection, fast[2]) is None
+
+
+def test_a_rod_that_does_not_move_calls_for_nothing(fast: Solved) -> None:
+    conditions, selection, run = fast
+    still = np.tile([0.0, conditions.body.length, 0.0], (len(run.motion.tip), 1))
+    unmoved = replace(run, motion=replace(run.motion, tip=still))
+    assert reselected(conditions, selection, unmoved) is None
+
+
+def test_the_first_instant_does_not_count(fast: Solved) -> None:
+    conditions, selection, run = fast
+    flow = np.zeros_like(run.motion.flow)
+    flow[0] = run.motion.flow.max()
+    burst = replace(run, motion=replace(run.motion, flow=flow))
+    assert reselected(conditions, selection, burst) is None
+
+
+def test_slow_flow_calls_for_nothing() -> None:
+    assert reselected(*solved("effects=auto")) is None
+
+
+def test_what_it_needs_and_what_costs_nothing_beside_it_come_along() -> None:
+    conditions = Conditions(
+        leg("effects=auto", "accuracy=20 %", "input={kind: constant, value: 1 kPa}")
+    )
+    selection = select_effects(conditions)
+    assert not selection.taken & {"pressure_distribution", "flow_regime", "fluid_inertance"}
+    grown = selection.grown("flow_regime", "it is asked for")
+    assert grown is not None
+    assert grown.taken - selection.taken == {
+        "pressure_distribution",
+        "flow_regime",
+        "fluid_inertance",
+    }
+    assert grown.grown("flow_regime", "it is asked for") is None
+
+
+def test_the_run_tells_why_it_was_done_again() -> None:
+    run = simulate(leg(*LEFT_ITS_FLOOR), verify=False)
+    (rung,) = run.ladder
+    assert (rung.tried, rung.solved) == ("flow_regime taken in, from the start", True)
+    assert "of the largest pressure" in rung.reason
+    assert "turbulent_flow" not in {notice.code for notice in run.warnings}
+
+
+def test_without_a_start_the_first_run_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    solve_scene = simulating._solve
+
+    def first_only(*args: Any) -> Any:
+        if "flow_regime" in args[1].taken:
+            raise SolveError("no pressures", quantity="pressure", where="network")
+        return solve_scene(*args)
+
+    monkeypatch.setattr(simulating, "_solve", first_only)
+    scene = leg(*LEFT_ITS_FLOOR)
+    run = simulate(scene)
+    assert (run.status, len(run.time)) == ("failed", len(scene.run.output_times_array()))
+    assert run.failure is not None
+    assert "flow_regime taken in, from the start" in run.failure
+    assert "no pressures" in run.failure
+    assert [rung.solved for rung in run.ladder] == [False]
+    # What was not taken in is still warned of.
+    assert "turbulent_flow" in {notice.code for notice in run.warnings}

@@ -1,0 +1,110 @@
+"""Problems without states: all outputs in one call, or one by one, come to the same."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from tests.scenes import leg, problem_of
+from tests.validation.rc_network import columns
+from viscodesign.solve.numerics.newton import NewtonError, newton
+from viscodesign.solve.problem import Problem, evaluate, evaluate_along
+from viscodesign.solve.solvers.base import Work
+from viscodesign.solve.solvers.quasi_static import Algebraic
+from viscodesign.solve.statics import Start, consistent, equilibrium
+
+SHORT = "run={duration: 0.4 s, output_interval: 0.02 s}"
+SCENES = {
+    "unloaded": ("effects={others: off}",),
+    "hanging": ("loads.gravity=on", "effects={gravity: on, others: off}"),
+}
+
+
+def made(*overrides: str) -> tuple[Problem, Start]:
+    problem = problem_of(leg(SHORT, *overrides))
+    schedule = problem.schedule
+    start = equilibrium(problem, 0.0, schedule.initial_piece)
+    return problem, consistent(problem, start, 0.0, schedule.pieces[0])
+
+
+@pytest.mark.parametrize("overrides", SCENES.values(), ids=SCENES)
+def test_one_call_finds_what_single_solutions_find(overrides: tuple[str, ...]) -> None:
+    problem, here = made(*overrides)
+    assert problem.equations.states.count == 0
+    schedule, work = problem.schedule, Work()
+    count = len(schedule.edges) - 1
+    (_, found, _), failure = Algebraic(problem, 1e-6)(here, 0, count, work)
+    assert failure is None
+    assert work.steps == count
+    for k in range(count):
+        here = consistent(problem, here, schedule.edges[k + 1], schedule.pieces[k])
+        np.testing.assert_allclose(found[:, k], here.algebraics, atol=1e-9)
+
+
+def test_where_the_one_call_fails_single_solutions_go_as_far_as_they_can(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    problem, here = made(*SCENES["unloaded"])
+    count = len(problem.schedule.edges) - 1
+    (_, at_once, _), _ = Algebraic(problem, 1e-6)(here, 0, count, Work())
+    monkeypatch.setattr(Algebraic, "_at_once", lambda *_: None)
+    (_, single, _), failure = Algebraic(problem, 1e-6)(here, 0, count, Work())
+    assert failure is None
+    np.testing.assert_allclose(single, at_once, atol=1e-9)
+
+
+def snapping(interval: float) -> tuple[str, ...]:
+    """A pressed column whose bellows bend it to one side, and then to the other."""
+    tables = [
+        f"{{kind: table, rows: [[0 s, {side * 22e3}], [4 s, {-side * 22e3}]]}}" for side in (1, -1)
+    ]
+    return (
+        *columns(16, *tables),
+        f"run={{duration: 4 s, output_interval: {interval}}}",
+        "loads.tip_force.z=-14 N",
+        "effects={gravity: on, others: off}",
+    )
+
+
+def fold_of(interval: float) -> float:
+    problem, here = made(*snapping(interval))
+    count = len(problem.schedule.edges) - 1
+    (_, found, _), failure = Algebraic(problem, 1e-6)(here, 0, count, Work())
+    assert failure is not None
+    assert failure.time_s is not None
+    assert failure.quantity == "equilibrium"
+    edges = problem.schedule.edges
+    assert found.shape[1] == np.searchsorted(edges, failure.time_s, side="right") - 1
+    return failure.time_s
+
+
+def test_no_solution_leaps_over_a_fold() -> None:
+    """However far apart the outputs are, the branch ends where it ends."""
+    fine = fold_of(0.01)
+    for interval in (0.1, 0.5, 2.0):
+        # It is found to a thousandth of the interval.
+        assert fold_of(interval) == pytest.approx(fine, abs=1.5e-3 * interval + 1e-5)
+
+
+def test_outputs_read_in_one_call_are_those_of_single_calls() -> None:
+    problem, here = made(*SCENES["hanging"])
+    count = 3
+    columns = [np.tile(v[:, None], count) for v in (here.states, here.algebraics)]
+    found = evaluate_along(problem, columns[0], columns[1])
+    schedule, function = problem.schedule, problem.equations.output_function
+    pieces = schedule.pieces[[0, 0, 1]]
+    for k in range(count):
+        tail = problem.tail(float(schedule.edges[k]), pieces[k])
+        single = evaluate(function, here.states, here.algebraics, *tail)
+        for name, value in zip(function.name_out(), single, strict=True):
+            np.testing.assert_array_equal(found[name][k], np.array(value).ravel(), err_msg=name)
+
+
+@pytest.mark.parametrize("size", [20, 400])
+def test_a_singular_system_is_refused_whatever_factorises_it(size: int) -> None:
+    diagonal = np.ones(size)
+    diagonal[size // 2] = 0.0
+    matrix = ca.DM(ca.Sparsity.diag(size), diagonal)
+    with pytest.raises(NewtonError):
+        newton(lambda y: (diagonal * y - 1.0, matrix), np.zeros(size))

@@ -1,0 +1,70 @@
+"""Algebraic unknowns at round-off, many edges at once or each by itself."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg, problem_of
+from viscodesign.solve import algebraic_polish as refining
+from viscodesign.solve.branch_following import Moment, constraints
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.statics import equilibrium
+from viscodesign.solve.transient import integrate
+
+TOLERANCE = 1e-5
+
+
+@pytest.fixture(scope="module")
+def solved() -> tuple[Problem, np.ndarray, np.ndarray]:
+    scene = leg(config="branched_tree")
+    problem = problem_of(scene)
+    assert "junction_pressure" in problem.equations.algebraics.blocks
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    found = integrate(problem, start, TOLERANCE)
+    return problem, found.states, found.algebraics
+
+
+def defects(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.ndarray:
+    """Largest of each edge (m,)."""
+    schedule = problem.schedule
+    told = []
+    for k in range(states.shape[1]):
+        moment = Moment(states[:, k], schedule.edges[k], schedule.pieces[max(k - 1, 0)])
+        told.append(np.max(np.abs(constraints(problem, moment, algebraics[:, k])[0])))
+    return np.array(told)
+
+
+def test_defects_fall_to_round_off(solved: tuple[Problem, np.ndarray, np.ndarray]) -> None:
+    problem, states, algebraics = solved
+    given = algebraics + 1e-4 * np.sin(np.arange(algebraics.size)).reshape(algebraics.shape)
+    assert np.min(defects(problem, states, given)) > 1e-8
+    found = refining.refined(problem, states, given)
+    assert np.max(defects(problem, states, found)) < 1e-11
+    assert np.max(np.abs(found - algebraics)) < 1e-3
+
+
+def test_alone_and_together_agree(
+    solved: tuple[Problem, np.ndarray, np.ndarray], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    problem, states, algebraics = solved
+    together = refining.refined(problem, states, algebraics)
+    monkeypatch.setattr(refining, "AT_ONCE", 3 * len(algebraics) ** 2)
+    in_blocks = refining.refined(problem, states, algebraics)
+    monkeypatch.setattr(refining, "MOST_DENSE", 0)
+    alone = refining.refined(problem, states, algebraics)
+    assert together == pytest.approx(alone, abs=1e-10)
+    assert in_blocks == pytest.approx(alone, abs=1e-10)
+
+
+def test_one_that_is_lost_stays_and_spoils_no_other(
+    solved: tuple[Problem, np.ndarray, np.ndarray],
+) -> None:
+    problem, states, algebraics = solved
+    given = algebraics.copy()
+    given[:, 2] = np.nan
+    found = refining.refined(problem, states, given)
+    assert np.isnan(found[:, 2]).all()
+    others = np.arange(states.shape[1]) != 2
+    want = refining.refined(problem, states, algebraics)
+    assert found[:, others] == pytest.approx(want[:, others], abs=1e-10)

@@ -1,0 +1,68 @@
+"""Ctrl-C is noted first and obeyed between two stretches."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.scenes import CONFIGS
+from viscodesign.interrupt import gentle_interrupt
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
+
+
+def test_a_wish_is_noted_and_obeyed_when_asked() -> None:
+    before = signal.getsignal(signal.SIGINT)
+    with gentle_interrupt() as interrupt:
+        assert not interrupt.asked
+        os.kill(os.getpid(), signal.SIGINT)
+        assert interrupt.asked
+        assert signal.getsignal(signal.SIGINT) is signal.SIG_DFL  # a second one ends it all
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+TELLS_WHEN_IT_LISTENS = """
+import sys
+from contextlib import contextmanager
+from viscodesign.cli.main import main
+from viscodesign.solve import transient
+
+listens = transient.gentle_interrupt
+
+@contextmanager
+def told():
+    with listens() as interrupt:
+        print("listening", flush=True)
+        yield interrupt
+
+transient.gentle_interrupt = told
+sys.exit(main())
+"""
+
+
+def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
+    spec, folder = CONFIGS / "workspace_middle.yaml", tmp_path / "run"
+    words = ["simulate", str(spec), "-o", str(folder), "--no-plots"]
+    words += ["--set", "run.duration=4000 s", "--set", "run.output_interval=1 s"]
+    process = subprocess.Popen(
+        [sys.executable, "-c", TELLS_WHEN_IT_LISTENS, *words],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout is not None
+    assert process.stdout.readline() == "listening\n"
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "interrupted" in err
+    assert str(folder) in err
+    assert "Traceback" not in err
+    assert json.loads((folder / "summary.json").read_text())["status"] == "interrupted"
+    assert "interrupted: " in out

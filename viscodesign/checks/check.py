@@ -1,0 +1,60 @@
+"""Everything that can be said of a scene without solving it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from viscodesign.checks.classify import classification
+from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
+from viscodesign.checks.scene_warnings import verdict_notices
+from viscodesign.effects.select import select_effects
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.report.tables import check_document
+from viscodesign.results.trajectory import Classification, Notice, Verdict
+from viscodesign.scene.scene import Scene
+
+
+@dataclass(frozen=True)
+class Check:
+    """Verdicts, warnings and facts of a scene."""
+
+    name: str
+    classification: Classification
+    effects: tuple[Verdict, ...]
+    warnings: tuple[Notice, ...]
+    facts: tuple[str, ...]
+
+    def document(self) -> dict[str, Any]:
+        """The check as one JSON-ready object, under the names of a run's summary."""
+        return check_document(self.classification, self.effects, self.facts)
+
+
+def check(scene: Scene) -> Check:
+    """Weigh every effect and test every assumption that needs no solution.
+
+    Raises `SpecError` where the scene has no bounded solution.
+    """
+    conditions = Conditions(scene)
+    refuse_beyond_numbers(conditions)
+    verdicts = select_effects(conditions).verdicts
+    refuse_unsolvable(conditions)
+    found = classification(conditions)
+    found = replace(found, warnings=(*verdict_notices(verdicts), *found.warnings))
+    return Check(scene.name, found, verdicts, found.warnings, tuple(_facts(conditions)))
+
+
+def _facts(conditions: Conditions) -> list[str]:
+    """The graph in words."""
+    graph = conditions.graph
+    facts = [
+        f"{len(graph.bellows)} bellows in {graph.sections} sections, {len(graph.tubes)} tubes, "
+        f"{len(graph.junctions)} junctions, {len(graph.inlets)} inlets"
+    ]
+    for component in graph.components():
+        loops = len(component.tubes) - (len(component.nodes) - 1)
+        source = f"fed by {', '.join(component.inlets)}" if component.inlets else "sealed"
+        shape = "a tree" if loops == 0 else f"{loops} loop{'s' if loops > 1 else ''}"
+        facts.append(f"network of {len(component.bellows)} bellows, {source}: {shape}")
+    facts += graph.remarks()
+    return facts

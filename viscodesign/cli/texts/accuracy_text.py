@@ -1,0 +1,154 @@
+"""What a study of accuracy says: the price of each error, and what to take."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from viscodesign.cli.texts.layout import number, table, wrap
+from viscodesign.results.accuracy_study import AccuracyStudy, Point, tolerance_words
+
+MOST_NOTES = 5
+NOTABLE = 0.1
+"""Part of a time below which a difference is the clock's."""
+
+
+def price_lines(
+    study: AccuracyStudy, budget_s: float | None, folder: Path, files: Sequence[Path]
+) -> list[str]:
+    """Prices, recommendation, reference and what was not measured."""
+    rows = [
+        *([("recommended", _recommended(study))] if study.points else []),
+        *([("to have it", having)] if (having := _having(study)) else []),
+        ("simulate", _simulate(study)),
+        *([("budget", _budget(study, budget_s))] if budget_s is not None else []),
+        ("reference", _reference(study)),
+        ("points", f"{len(study.points)} in {number(study.spent_s, 's')}"),
+        ("files", f"{folder}: {', '.join(file.name for file in files)}"),
+    ]
+    caption = (
+        f"{study.name}: time to solve for an error at the tip, in parts of the length "
+        f"({number(1e3 * study.length, 'mm')})"
+    )
+    return [
+        *wrap(caption, hanging="  "),
+        *table([_price(study, error) for error in study.errors]),
+        "",
+        *table(rows),
+        *_note_lines(study),
+    ]
+
+
+def _price(study: AccuracyStudy, error: float) -> tuple[str, str, str]:
+    asked = " (asked for)" if error == study.requested_rel else ""
+    head = f"for {percentage(error)}{asked}"
+    point = study.cheapest(error)
+    if point is None:
+        return head, "", "not reached in this study"
+    return head, seconds(point.solve_s), study.words(point)
+
+
+def _recommended(study: AccuracyStudy) -> str:
+    point = study.recommended
+    if point is None:
+        return (
+            f"none: no setting of this study reaches the {percentage(study.requested_rel)} asked "
+            f"for; the best has {_error(_best(study))}"
+        )
+    return f"{study.words(point)}: {seconds(point.solve_s)}, {_error(point)}"
+
+
+def _having(study: AccuracyStudy) -> str:
+    """How to have the recommended setting, where `simulate` would not start with it."""
+    best, start = study.recommended, study.start
+    if best is None or start is None or best == start:
+        return ""
+    sets = " ".join(f"--set {change}" for change in study.recommended_changes)
+    if best.is_stepless:
+        return sets
+    mesh = best.is_exact_in_space or best.edges == start.edges
+    if mesh and best.solver == start.solver:
+        python = f"simulate(scene, tolerance={tolerance_words(best.tolerance)})"
+    else:
+        given = f"{best.edges}, {tolerance_words(best.tolerance)}, {best.solver!r}"
+        python = f"viscodesign.simulation.solve_once.solve with Settings({given})"
+    return "; ".join(part for part in (sets, f"from Python: {python}") if part)
+
+
+def _simulate(study: AccuracyStudy) -> str:
+    point = study.start
+    if point is None:
+        return "what it starts with was not measured"
+    said = f"starts with {study.words(point)}: {seconds(point.solve_s)}, {_error(point)}"
+    best = study.recommended
+    if best is None or best == point:
+        return said
+    saved = 1 - best.solve_s / point.solve_s
+    if saved < NOTABLE:
+        return f"{said}; the recommended one is hardly faster"
+    return f"{said}; the recommended one takes {100 * saved:.0f} % less time"
+
+
+def _budget(study: AccuracyStudy, budget_s: float) -> str:
+    if not study.points:
+        return "nothing was measured"
+    point = study.most_accurate(budget_s)
+    if point is None:
+        cheapest = min(study.points, key=lambda point: point.solve_s)
+        return (
+            f"nothing solves within {seconds(budget_s)}: the cheapest setting takes "
+            f"{seconds(cheapest.solve_s)}, {study.words(cheapest)}, {_error(cheapest)}"
+        )
+    return (
+        f"within {seconds(budget_s)}: {study.words(point)}: {seconds(point.solve_s)}, "
+        f"{_error(point)}"
+    )
+
+
+def _reference(study: AccuracyStudy) -> str:
+    found = study.reference
+    if found is None:
+        return "none: interrupted before there was one"
+    edges = f"{found.edges} edge{'s' * (found.edges != 1)} a section"
+    return (
+        f"all that the spec allows; {found.solver}, {edges}, tolerance "
+        f"{tolerance_words(found.tolerance)}; "
+        f"it stands still to {number(1e3 * found.convergence_m, 'mm')}, "
+        f"{percentage(found.convergence_rel)} of the length"
+    )
+
+
+def _note_lines(study: AccuracyStudy) -> list[str]:
+    if not study.notes:
+        return []
+    lines = ["notes"]
+    for note in study.notes[:MOST_NOTES]:
+        lines += wrap(note, "  ", "    ")
+    more = len(study.notes) - MOST_NOTES
+    return [*lines, f"  and {more} more in accuracy.json"] if more > 0 else lines
+
+
+def _best(study: AccuracyStudy) -> Point:
+    return min(study.points, key=lambda point: (point.tip_error_m, point.solve_s))
+
+
+def _error(point: Point) -> str:
+    sign = "<= " if point.is_bound else ""
+    return f"error {sign}{percentage(point.tip_error_rel)}"
+
+
+def percentage(part: float) -> str:
+    """A part in percent, to two digits, never in powers of ten above a millionth."""
+    value = 100 * part
+    return (
+        f"{float(f'{value:.2g}'):.10f}".rstrip("0").rstrip(".") + " %"
+        if value >= 1e-6
+        else (f"{value:.1e} %")
+    )
+
+
+def seconds(time: float) -> str:
+    """A time [s] to two digits, in ms below a second."""
+    if time < 1.0:
+        return f"{float(f'{1e3 * time:.2g}'):g} ms"
+    return f"{float(f'{time:.2g}'):g} s"

@@ -1,0 +1,270 @@
+"""The numbers of a scene by which effects are weighed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Hashable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.setting import Ground
+from viscodesign.model.bellow_law import BellowLaw
+from viscodesign.model.graph import Component, Graph
+from viscodesign.model.rod import Body
+from viscodesign.physics import beam, bellow, gas, timescales, tube
+from viscodesign.results.trajectory import Scales
+from viscodesign.scene.inputs.syringe import Syringe
+from viscodesign.scene.scene import Scene
+from viscodesign.solve.problem import Problem
+from viscodesign.storage.disk_arrays import Shelf
+
+
+@dataclass
+class Conditions:
+    """Stiffnesses, times and loads of a scene, and the effects taken so far."""
+
+    scene: Scene
+    taken: set[str] = field(default_factory=set)
+    problems: dict[Hashable, Problem] = field(default_factory=dict)
+    """What was built for this scene, for those who solve it again."""
+    shelf: Shelf = field(default_factory=Shelf)
+    """Where what is solved goes when it is large."""
+
+    @property
+    def accuracy(self) -> float:
+        """Tip error asked for, in actuator lengths."""
+        return self.scene.accuracy
+
+    @cached_property
+    def graph(self) -> Graph:
+        """The network as a graph."""
+        return self.scene.graph
+
+    @cached_property
+    def body(self) -> Body:
+        """The actuator as a beam."""
+        a = self.scene.actuator
+        return Body(
+            length=a.length,
+            sections=self.scene.bellows.count // 2,
+            bending_stiffness=beam.bending_stiffness(
+                a.youngs_modulus, a.height, a.width, a.bending_factor
+            ),
+            extension_stiffness=beam.extension_stiffness(
+                a.youngs_modulus, a.height, a.width, a.extension_factor
+            ),
+            mass_per_length=beam.mass_per_length(a.density, a.height, a.width, a.solid_fraction),
+        )
+
+    @cached_property
+    def bellow(self) -> BellowLaw:
+        """The linear laws of one bellow."""
+        b, modulus = self.scene.bellows, self.scene.actuator.youngs_modulus
+        rest = bellow.rest_volume(b.height, b.width, b.length)
+        section = self.body.section_length
+        return BellowLaw(
+            length=b.length,
+            rest_volume=rest,
+            compliance=bellow.compliance(b.length, b.area_per_pressure),
+            curvature_per_pressure=bellow.curvature_per_pressure(
+                b.angle_per_pressure, modulus, section
+            ),
+            stretch_per_pressure=bellow.stretch_per_pressure(
+                b.extension_per_pressure, modulus, section
+            ),
+            floor_volume=b.collapse_fraction * rest,
+        )
+
+    @cached_property
+    def resistances(self) -> dict[str, float]:
+        """Slow-flow resistance of every tube [Pa s/m3]."""
+        viscosity = self.scene.fluid.viscosity
+        return {
+            t.name: tube.hydraulic_resistance(viscosity, t.length, t.radius)
+            for t in self.graph.tubes
+        }
+
+    @cached_property
+    def scales(self) -> Scales:
+        """The four characteristic times."""
+        scene, body = self.scene, self.body
+        return Scales(
+            t_s=beam.elastic_inertial_time(
+                body.mass_per_length, body.length, body.bending_stiffness
+            ),
+            t_f=self._viscous_elastic_time(),
+            t_i=min((i.transient() for i in scene.inputs.values()), default=math.inf),
+            t_net=max((self._network_time(c) for c in self.graph.components()), default=0.0),
+        )
+
+    @property
+    def swing_time(self) -> float:
+        """Shortest swing of any inlet's profile, at most the run; no t_i that is stated [s]."""
+        swings = (source.swing_time() for source in self.scene.inputs.values())
+        return min([*swings, self.scene.run.duration])
+
+    def _viscous_elastic_time(self) -> float:
+        tubes = self.graph.tubes
+        if not tubes:
+            return 0.0
+        total = sum(t.length for t in tubes)
+        # Tubes of several radii: the radius of an equal tube of the same total resistance.
+        radius = (total / sum(t.length / t.radius**4 for t in tubes)) ** 0.25
+        return timescales.viscous_elastic_time(
+            self.scene.fluid.viscosity, self.scene.bellows.area_per_pressure, radius, total
+        )
+
+    def _network_time(self, component: Component) -> float:
+        laplacian = self.laplacian(component)
+        bellows, junctions = len(component.bellows), len(component.junctions)
+        own, rest = laplacian[:bellows, :bellows], laplacian[bellows:, bellows:]
+        if junctions:
+            own = own - laplacian[:bellows, bellows:] @ np.linalg.solve(
+                rest, laplacian[bellows:, :bellows]
+            )
+        compliance = np.full(bellows, self.bellow.compliance)
+        return timescales.slowest_network_time(own, compliance, sealed=not component.fed)
+
+    def laplacian(self, component: Component) -> np.ndarray:
+        """Conductance matrix of a component's bellows, then junctions; inlets held [m3/(Pa s)]."""
+        index = {n: k for k, n in enumerate((*component.bellows, *component.junctions))}
+        matrix = np.zeros((len(index), len(index)))
+        for t in component.tubes:
+            conductance = 1 / self.resistances[t.name]
+            ends = [index[end] for end in (t.start, t.end) if end in index]
+            for end in ends:
+                matrix[end, end] += conductance
+            if len(ends) == 2:
+                matrix[ends[0], ends[1]] -= conductance
+                matrix[ends[1], ends[0]] -= conductance
+        return matrix
+
+    # -- loads ----------------------------------------------------------------
+
+    @cached_property
+    def _pressures_met(self) -> tuple[float, float]:
+        """Lowest and highest gauge pressure of the baseline and of all inlets over the run [Pa]."""
+        baseline, met = self.scene.gauge_pressure, [self.scene.gauge_pressure]
+        for name, source in self.scene.inputs.items():
+            unit = 1.0 if source.gives_pressure else self._yield(name)
+            met += [baseline + unit * value for value in source.extremes(self.scene.run.duration)]
+        return min(met), max(met)
+
+    def _yield(self, name: str) -> float:
+        """Pressure per volume that a plunger pushes into its closed network [Pa/m3]."""
+        part = next(c for c in self.graph.components() if name in c.inlets)
+        barrels = sum(self.barrel_compliance(n) for n in part.inlets if n in self.barrels)
+        return 1 / (barrels + len(part.bellows) * self.bellow.compliance)
+
+    @cached_property
+    def barrels(self) -> dict[str, Syringe]:
+        """Inlets that a plunger drives."""
+        inputs = self.scene.inputs.items()
+        return {name: source for name, source in inputs if isinstance(source, Syringe)}
+
+    def barrel_compliance(self, name: str) -> float:
+        """Volume per pressure of the fluid in a barrel at its start [m3/Pa]."""
+        fluid, barrel = self.scene.fluid, self.barrels[name]
+        absolute, volume = (
+            self.scene.ambient_pressure + self.scene.gauge_pressure,
+            barrel.full_volume,
+        )
+        if fluid.bulk_modulus is not None:
+            cushion = gas.gas_compliance(barrel.cushion, absolute, 1.0)
+            return (volume - barrel.cushion) / fluid.bulk_modulus + cushion
+        return gas.gas_compliance(volume, absolute, fluid.polytropic_exponent)
+
+    # -- the sketch -----------------------------------------------------------
+
+    @cached_property
+    def bare_sketch(self) -> Sketch:
+        """The motion without any effect, for effects to add to."""
+        barrels = {name: self.barrel_compliance(name) for name in self.barrels}
+        ground = Ground(self.scene, self.body, self.bellow, self.resistances, barrels, self.swing)
+        return Sketch(ground, mass_per_length=self.body.mass_per_length)
+
+    @cached_property
+    def slow_flows(self) -> np.ndarray:
+        """Flows of all tubes that slow laminar flow would have (T, Q) [m3/s]."""
+        return self.bare_sketch.with_(uniform=False).flows()
+
+    @property
+    def swing(self) -> float:
+        """Largest gauge pressure of any inlet over the run, in size [Pa]."""
+        return max(abs(pressure) for pressure in self._pressures_met) or 1.0
+
+    @property
+    def pressure_range(self) -> float:
+        """Between the lowest and the highest gauge pressure of all inlets [Pa]."""
+        return self.highest_pressure - self.lowest_pressure
+
+    @property
+    def lowest_pressure(self) -> float:
+        """Lowest gauge pressure of any inlet over the run [Pa]."""
+        return self._pressures_met[0]
+
+    @property
+    def highest_pressure(self) -> float:
+        """Highest gauge pressure of any inlet over the run [Pa]."""
+        return self._pressures_met[1]
+
+    @property
+    def tip_force(self) -> float:
+        """Size of the stated tip force [N]."""
+        force = self.scene.loads.tip_force
+        return math.hypot(force.x, force.z)
+
+    @property
+    def solid_mass(self) -> float:
+        """Mass of the body [kg]."""
+        return self.body.mass_per_length * self.body.length
+
+    @property
+    def carried_mass(self) -> float:
+        """Mass of body and payload [kg]."""
+        return self.solid_mass + self.scene.loads.payload
+
+    @property
+    def acceleration(self) -> float:
+        """Gravity that the scene states; zero without [m/s2]."""
+        gravity = self.scene.loads.gravity
+        return 0.0 if gravity is None else gravity.acceleration
+
+    @property
+    def weight(self) -> float:
+        """Of body and payload [N]."""
+        return self.carried_mass * self.acceleration
+
+    @property
+    def fluid_weight(self) -> float:
+        """Of all the fluid that the bellows may come to hold [N]."""
+        b, swelling = self.scene.bellows, self.bellow.compliance * max(self.highest_pressure, 0.0)
+        if b.curve is not None:
+            swelling = max([swelling, *(b.length * row[1] for row in b.curve.rows or ())])
+        volume = len(self.graph.bellows) * (self.bellow.rest_volume + swelling)
+        return self.scene.fluid.density * volume * self.acceleration
+
+    @property
+    def bending_force(self) -> float:
+        """EI/l2, by which forces are told [N]."""
+        return self.body.bending_stiffness / self.body.length**2
+
+    @property
+    def largest_turn(self) -> float:
+        """Of a section: one bellow at the highest pressure, the other at the lowest [rad]."""
+        per_pressure = abs(self.bellow.curvature_per_pressure) * self.body.section_length
+        return self.pressure_range * per_pressure
+
+    @property
+    def suddenly_loaded(self) -> bool:
+        """Whether loads meet a rod that was straight and at rest before."""
+        return self.scene.run.start == "rest" and self.tip_force + self.weight > 0.0
+
+    @property
+    def load_force(self) -> float:
+        """Everything that may load the rod, added up without regard to direction [N]."""
+        inertia = self.carried_mass * self.body.length / max(self.scales.t_i, self.scales.t_s) ** 2
+        return self.tip_force + self.weight + inertia

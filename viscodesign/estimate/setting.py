@@ -1,0 +1,262 @@
+"""What all sketches of one scene share: its times, drives, network and stiffnesses."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Hashable, Mapping
+from functools import cached_property
+from typing import Any, TypeVar
+
+import numpy as np
+
+from viscodesign.estimate.linear_network import LinearNetwork, UniformNetwork
+from viscodesign.model.bellow_law import BellowLaw
+from viscodesign.model.rod import Body
+from viscodesign.scene.scene import Scene
+
+T = TypeVar("T")
+
+PLAIN_SAMPLES = 80
+"""Samples of a run between its corners; also the most outputs that are looked at."""
+SAMPLES_PER_PERIOD = 24
+MOST_SWINGS = 60
+"""Swings of the input after which a sketch ends: a longer train repeats itself."""
+FEWEST_TOLD = 24
+"""Output times that a sketch must meet, where it ends before the run does."""
+GRADES = 10
+FASTEST = 1e-3
+"""Smallest graded step behind a corner, in parts of the time to the next one."""
+TIME_OF_MODES = 0.25
+"""Part of the run in which a flow's inertance is compared with its resistance."""
+PIECES = 8
+"""Pieces of the axis of a sketch, about."""
+
+
+class Ground:
+    """A scene in the numbers that sketches need."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        body: Body,
+        law: BellowLaw,
+        resistances: Mapping[str, float],
+        barrels: Mapping[str, float],
+        swing: float,
+    ) -> None:
+        self._scene = scene
+        self.syringes = dict(barrels)
+        """What the barrel of every syringe stores per pressure [m3/Pa]."""
+        self._memory: dict[Hashable, Any] = {}
+        self.length = body.length
+        self.sections = body.sections
+        self.bending_stiffness = body.bending_stiffness
+        self.extension_stiffness = body.extension_stiffness
+        self.compliance = law.compliance
+        self.rest_volume = law.rest_volume
+        self.curvature = law.curvature_per_pressure
+        self.stretch = law.stretch_per_pressure
+        self.ambient = scene.ambient_pressure
+        self.baseline = scene.gauge_pressure
+        self.swing = swing
+        self.starts_steady = scene.run.start == "equilibrium"
+        self.graph = scene.graph
+        self.bellows = len(self.graph.bellows)
+        self.resistance = np.array([resistances[t.name] for t in self.graph.tubes])
+        self.pieces = PIECES
+
+    def remembered(self, key: Hashable, make: Callable[[], T]) -> T:
+        """What ``make`` gave for this key before, or gives now."""
+        if key not in self._memory:
+            self._memory[key] = make()
+        found: T = self._memory[key]
+        return found
+
+    # -- time -----------------------------------------------------------------
+
+    @cached_property
+    def _grid(self) -> tuple[np.ndarray, np.ndarray]:
+        """Samples (T,), and a shift of those that stand just before a corner (T,) [s]."""
+        scene = self._scene
+        sources = scene.inputs.values()
+        duration = self._window()
+        corners = sorted({c for s in sources for c in s.corners(duration)})
+        periods = max((duration / s.period for s in sources if s.period is not None), default=1)
+        plain = max(PLAIN_SAMPLES, int(SAMPLES_PER_PERIOD * periods))
+        outputs = scene.run.output_times_array()
+        outputs = outputs[outputs <= duration * (1 + 1e-12)]
+        few = outputs[:: max(1, len(outputs) // PLAIN_SAMPLES)]
+        parts = [np.linspace(0.0, duration, plain), few, np.array(corners)]
+        stops = [0.0, *corners, duration]
+        grades = np.geomspace(FASTEST, 1.0, GRADES)
+        parts += [a + (b - a) * grades for a, b in itertools.pairwise(stops)]
+        time = np.unique(np.clip(np.concatenate(parts), 0.0, duration))
+        before = np.array(corners)
+        everything = np.concatenate([[0.0], time, before])
+        sides = (np.array([-1.0]), np.zeros(len(time)), np.full(len(before), -1.0))
+        shift = 1e-9 * duration * np.concatenate(sides)
+        order = np.argsort(everything + shift, kind="stable")
+        # A sample that lies closer before a corner than the shift would follow it.
+        return np.maximum.accumulate(everything[order]), shift[order]
+
+    def _window(self) -> float:
+        """Time up to which the motion is sketched [s]."""
+        scene = self._scene
+        ends = [scene.run.duration]
+        for source in scene.inputs.values():
+            if source.period is not None:
+                ends.append(MOST_SWINGS / 2 * source.period)
+            corners = source.corners(scene.run.duration)
+            if len(corners) > MOST_SWINGS:
+                ends.append(corners[MOST_SWINGS])
+        return min(ends)
+
+    @property
+    def time(self) -> np.ndarray:
+        """Samples (T,); the start and each corner twice: before it and after [s]."""
+        return self._grid[0]
+
+    @cached_property
+    def told(self) -> np.ndarray:
+        """Which samples are output times (n,).
+
+        All of them where a sketch of a long train ends before it has met enough outputs:
+        those that follow may fall upon any part of a cycle.
+        """
+        outputs = self._scene.run.output_times_array()
+        nearest = np.searchsorted(outputs, self.time)
+        near = np.minimum(
+            np.abs(outputs[np.clip(nearest, 0, len(outputs) - 1)] - self.time),
+            np.abs(outputs[np.clip(nearest - 1, 0, len(outputs) - 1)] - self.time),
+        )
+        # A motion is told as it comes to a corner, but as it leaves the start.
+        after = np.concatenate([[False], np.diff(self.time) == 0.0])
+        after[:2] = [True, False]
+        found = np.flatnonzero((near <= 1e-9 * self.time[-1]) & ~after)
+        is_cut = self.time[-1] < self._scene.run.duration
+        return np.flatnonzero(~after) if is_cut and len(found) < FEWEST_TOLD else found
+
+    def _values(self, name: str) -> np.ndarray:
+        """An input's values at the samples (T,), on the right side of every corner."""
+        time, shift = self._grid
+        source = self._scene.inputs[name]
+        found = np.array(source.values(np.maximum(time + shift, 0.0)), dtype=float)
+        found[0] = source.expression(0.0, source.initial_piece(), np)
+        return found
+
+    # -- network --------------------------------------------------------------
+
+    @cached_property
+    def pressure_inlets(self) -> list[str]:
+        """Inlets whose pressure is given."""
+        inputs = self._scene.inputs
+        return [name for name in self.graph.inlets if inputs[name].gives_pressure]
+
+    @cached_property
+    def drive(self) -> np.ndarray:
+        """Pressures of the inlets above the baseline (T, U) [Pa]."""
+        columns = [self._values(name) for name in self.pressure_inlets]
+        return np.array(columns).T.reshape(len(self.time), len(columns))
+
+    def _pushed(self, nodes: list[str]) -> np.ndarray:
+        """Volume that plungers push into every node (T, N) [m3]."""
+        pushed = np.zeros((len(self.time), len(nodes)))
+        for name in self.syringes:
+            pushed[:, nodes.index(name)] = self._values(name)
+        return pushed
+
+    def network(
+        self,
+        compliance: np.ndarray,
+        multiplier: np.ndarray,
+        capacity: dict[str, float],
+        inertance: np.ndarray,
+        uniform: bool,
+    ) -> LinearNetwork | UniformNetwork:
+        """The linear network of bellows (B,), tubes (Q,) and what else stores."""
+        graph = self.graph
+        stores = {n: c for n, c in capacity.items() if n in graph.junctions} | self.syringes
+        nodes = [*graph.bellows, *stores]
+        held = compliance + np.array([capacity.get(n, 0.0) for n in graph.bellows])
+        everything = np.concatenate([held, np.array(list(stores.values()))])
+        pushed = self._pushed(nodes)
+        if uniform:
+            return self._uniform(nodes, everything, pushed)
+        resistance = self.resistance * multiplier
+        late = inertance / (TIME_OF_MODES * self.time[-1]) if inertance.size else 0.0
+        impedance = resistance + late
+        key = tuple(nodes)
+        incidence = self.remembered(("incidence", key), lambda: self._incidence(key))
+        known = len(nodes) + len(self.pressure_inlets)
+        tubes = self._tubes(incidence, known, 1 / impedance)
+        ends = np.abs(incidence[:, :known])
+        leaving = incidence[:, : len(nodes)].T @ tubes
+        return LinearNetwork(
+            self.time,
+            leaving[:, : len(nodes)],
+            -leaving[:, len(nodes) :],
+            everything,
+            self.drive,
+            pushed,
+            self.baseline,
+            inertance,
+            resistance,
+            impedance,
+            self.starts_steady,
+            tubes,
+            ends / np.maximum(ends.sum(axis=1, keepdims=True), 1.0),
+        )
+
+    def _uniform(
+        self, nodes: list[str], capacity: np.ndarray, pushed: np.ndarray
+    ) -> UniformNetwork:
+        held = np.full((len(self.time), len(nodes)), self.baseline)
+        sealed = []
+        for part in self.graph.components():
+            names = set(part.nodes)
+            own = np.array([k for k, n in enumerate(nodes) if n in names], dtype=int)
+            inlets = [n for n in part.inlets if n in self.pressure_inlets]
+            if inlets:
+                column = self.pressure_inlets.index(inlets[0])
+                held[:, own] = self.baseline + self.drive[:, [column]]
+            elif own.size:
+                sealed.append(own)
+        return UniformNetwork(held, tuple(sealed), capacity, pushed, self.baseline)
+
+    def _incidence(self, nodes: tuple[str, ...]) -> np.ndarray:
+        """Which tube leaves (1) or comes to (-1) which node: storing, inlets, bare (Q, ...)."""
+        bare = [n for n in self.graph.junctions if n not in nodes]
+        names = {n: k for k, n in enumerate([*nodes, *self.pressure_inlets, *bare])}
+        incidence = np.zeros((len(self.graph.tubes), len(names)))
+        for k, tube in enumerate(self.graph.tubes):
+            incidence[k, names[tube.start]], incidence[k, names[tube.end]] = 1.0, -1.0
+        return incidence
+
+    def _tubes(self, incidence: np.ndarray, kept: int, conductance: np.ndarray) -> np.ndarray:
+        """Flow of every tube per pressure of the first ``kept`` nodes, bare ones out (Q, kept)."""
+        flows = conductance[:, None] * incidence
+        if kept == incidence.shape[1]:
+            return np.asarray(flows)
+        balance = incidence[:, kept:].T @ flows
+        follow = -np.linalg.solve(balance[:, kept:], balance[:, :kept])
+        return np.asarray(flows[:, :kept] + flows[:, kept:] @ follow)
+
+    @cached_property
+    def straight(self) -> np.ndarray:
+        """Ends of the pieces of the unstrained axis (K, 2) [m]."""
+        places = self.length * np.arange(1, self.pieces + 1) / self.pieces
+        return np.column_stack((np.zeros(self.pieces), places))
+
+    @cached_property
+    def spread(self) -> np.ndarray:
+        """Part of every piece that each section takes up (K, S): strains of pieces are means."""
+        ends = np.linspace(0.0, 1.0, self.pieces + 1)
+        joints = np.linspace(0.0, 1.0, self.sections + 1)
+        upper = np.minimum(ends[1:, None], joints[None, 1:])
+        lower = np.maximum(ends[:-1, None], joints[None, :-1])
+        return np.asarray(np.maximum(upper - lower, 0.0) * self.pieces)
+
+    @cached_property
+    def share(self) -> np.ndarray:
+        """Part of every section that each piece is (K, S): each column adds up to one."""
+        return np.asarray(self.spread / self.spread.sum(axis=0))

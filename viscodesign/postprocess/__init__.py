@@ -1,0 +1,1 @@
+"""From a solution to what is told of it: motion, balances, events, validity."""

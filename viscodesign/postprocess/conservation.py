@@ -1,0 +1,281 @@
+"""Balances that must hold in every run: amount of fluid, and energy.
+
+Both are kept in a ledger that is told consecutive rows, as many at a time as there are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from viscodesign.model.boundary_work import FORCE_AND_PATH
+from viscodesign.model.graph import Component
+from viscodesign.model.network_equations import NetworkForm
+from viscodesign.postprocess.path_integral import group_ends
+from viscodesign.postprocess.work_integrals import ENERGIES, EnergyTable
+from viscodesign.results.trajectory import Invariants
+from viscodesign.solve.problem import Problem, evaluate_at
+from viscodesign.solve.statics import Start, consistent
+
+STANDSTILL = 1e-3
+"""Part of what is stored below which nothing of the fluid moves: round-off is told against it."""
+STILL = 1e-4
+"""Part of what is stored as energy below which next to nothing moves. Steps need not tell such a
+motion's energy: its balance is told where it holds, and else not told, rather than over what is
+stored."""
+UNSURE = 1e-4
+"""Part of the work by which the solved times may misjudge what is summed over them, and the
+balance still be told."""
+ROUND_OFF = 1e-8
+"""Part of what is stored below which all is round-off, and what is left of an equilibrium."""
+NOTHING = 1e-9
+"""The same of what the bellows might store."""
+MOST_STEPS_BETWEEN = 20
+"""Steps between two solved times, on average, up to which these show all that happens."""
+SAME = 1e-9
+"""Part of its size by which an input may differ between both sides of a corner and not jump."""
+
+Rows = Mapping[str, np.ndarray]
+
+
+@dataclass(frozen=True)
+class Block:
+    """Consecutive solved edges: scaled unknowns (n, m), integrals (nq, m), named outputs (m, n)."""
+
+    first: int
+    """Number of the first edge."""
+    states: np.ndarray
+    algebraics: np.ndarray
+    integrals: np.ndarray
+    rows: Rows
+
+
+class Ledger:
+    """Both balances of a run, kept up from block to block."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._fluid = FluidLedger(problem)
+        self._energy = EnergyLedger(problem)
+
+    def add(self, block: Block) -> None:
+        """Take in the edges that follow those before."""
+        self._fluid.add(block)
+        self._energy.add(block)
+
+    def invariants(self, steps: int) -> Invariants:
+        """What holds over all edges told, to which an integrator came in ``steps``."""
+        energy, coupling = self._energy.balance(steps)
+        return Invariants(self._fluid.imbalance(), energy, coupling)
+
+
+class FluidLedger:
+    """Largest difference between what flowed in and what is stored, over what moved."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        equations = problem.equations
+        self._fed = [holding_columns(problem, c) for c in equations.fed]
+        self._driven = [
+            [k for k, name in enumerate(equations.driven) if name in c.inlets]
+            for c in equations.fed
+        ]
+        self._sealed = [holding_columns(problem, c) for c in equations.sealed]
+        self._start: np.ndarray | None = None
+        self._apart = np.zeros(len(self._fed) + len(self._sealed))
+        self._inflow = np.zeros(len(self._fed))
+        self._moved = self._held = 0.0
+
+    def add(self, block: Block) -> None:
+        """Take in the edges that follow those before."""
+        stored = block.rows["stored"]
+        if not stored.size:
+            return
+        if self._start is None:
+            self._start = stored[0]
+        self._moved = max(self._moved, float(np.max(np.abs(stored - self._start))))
+        self._held = max(self._held, float(np.max(np.abs(stored))))
+        self._add_fed(block, stored)
+        self._add_sealed(stored)
+
+    def _add_fed(self, block: Block, stored: np.ndarray) -> None:
+        states = self._problem.equations.states
+        if "inflow" not in states.blocks:
+            return
+        inflows = states.physical("inflow", block.states)
+        for k, (own, driven) in enumerate(zip(self._fed, self._driven, strict=True)):
+            inflow = inflows[driven].sum(axis=0)
+            self._inflow[k] = max(self._inflow[k], float(np.max(np.abs(inflow))))
+            self._note(k, stored, own, inflow)
+
+    def _add_sealed(self, stored: np.ndarray) -> None:
+        equations = self._problem.equations
+        distributed = equations.network_form is NetworkForm.DISTRIBUTED
+        filled = zip(self._sealed, equations.sealed_volumes, strict=True)
+        for k, (own, volume) in enumerate(filled, start=len(self._fed)):
+            assert self._start is not None
+            reference = 0.0 if distributed else volume - float(self._start[own].sum())
+            self._note(k, stored, own, reference)
+
+    def _note(self, k: int, stored: np.ndarray, own: list[int], came: np.ndarray | float) -> None:
+        assert self._start is not None
+        gained = stored[:, own].sum(axis=1) - self._start[own].sum()
+        self._apart[k] = max(self._apart[k], float(np.max(np.abs(gained - came))))
+
+    def imbalance(self) -> float:
+        """Over all edges told."""
+        # Where nothing moves, round-off is told against what is stored.
+        moved = max(self._moved, STANDSTILL * self._held)
+        scale = np.full(len(self._apart), moved)
+        scale[: len(self._fed)] = np.maximum(moved, self._inflow)
+        return float(np.max(self._apart / scale, initial=0.0)) if moved else 0.0
+
+
+def holding_columns(problem: Problem, component: Component) -> list[int]:
+    """Where a component's nodes stand among those that hold fluid."""
+    own = set(component.nodes)
+    names = [*problem.bellows_along_tubes, *problem.equations.storing]
+    return [k for k, name in enumerate(names) if name in own]
+
+
+class EnergyLedger:
+    """Energy stored, less all work done; what an integrator cannot integrate is summed here.
+
+    Where an input jumps and pressures follow at once, the model does not say what the jump
+    costs: the balance then holds on each side of it.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._table = EnergyTable(problem)
+        pieces = problem.schedule.pieces
+        self._stretches = np.array([0, *pieces.changes, len(pieces)])
+        """Edges at which a stretch of smooth input begins, and the last of all."""
+        uniform = problem.equations.network_form is NetworkForm.UNIFORM
+        # Else what is stored are states, and what jumps is no part of the ledger.
+        self._may_jump = uniform or "plunger" in problem.equations.ways
+        self._stretch = 0
+        """Number of the one at hand."""
+        self._first = 0
+        """Edge of the first row kept."""
+        self._kept = np.zeros((0, self._table.width))
+        """Rows from the end of the last whole group of intervals on."""
+        self._opening: np.ndarray | None = None
+        """The row in which the stretch at hand began."""
+        self._edges = 0
+        self._summed = self._unsure = 0.0
+        self._off = self._worst = 0.0
+        self._works = dict.fromkeys(FORCE_AND_PATH, 0.0)
+        self._largest = {"pump": 0.0, "coupling": 0.0, "stored": 0.0}
+        self._low, self._high = np.full((2, len(ENERGIES)), [[np.inf], [-np.inf]])
+        self._is_coupled = False
+
+    def add(self, block: Block) -> None:
+        """Take in the edges that follow those before."""
+        time = self._problem.schedule.edges[block.first :][: block.integrals.shape[1]]
+        rows = self._table.of(time, block.rows, block.integrals)
+        self._note_sizes(rows, block)
+        at_hand = np.concatenate([self._kept, rows])
+        if self._opening is None:
+            self._opening = rows[0]
+        last = block.first + len(rows) - 1
+        while True:
+            end = self._stretches[self._stretch + 1]
+            ends = self._ends(int(end), last)
+            if len(ends):
+                self._close(at_hand, np.concatenate([[0], ends - self._first]))
+                at_hand, self._first = at_hand[ends[-1] - self._first :], int(ends[-1])
+            if self._first < end or self._stretch + 2 == len(self._stretches):
+                break
+            at_hand[0] = self._after(block, int(end), at_hand[0])
+            self._opening = at_hand[0].copy()
+            self._stretch += 1
+        self._kept = at_hand
+
+    def _ends(self, stretch_end: int, last: int) -> np.ndarray:
+        """Ends of the whole groups that follow, up to the last edge told."""
+        if self._table.sums:
+            return group_ends(self._first, stretch_end, last)
+        return np.arange(self._first + 1, min(stretch_end, last) + 1)
+
+    def _note_sizes(self, rows: np.ndarray, block: Block) -> None:
+        """What is the scale of an imbalance."""
+        energies = self._table.energies(rows)
+        self._edges += len(rows)
+        self._low = np.minimum(self._low, energies.min(axis=0))
+        self._high = np.maximum(self._high, energies.max(axis=0))
+        self._note("stored", energies.sum(axis=1))
+        self._is_coupled |= bool(np.any(block.rows["unpaired_volume"]))
+
+    def _note(self, name: str, values: np.ndarray) -> None:
+        self._largest[name] = max(self._largest[name], float(np.max(np.abs(values))))
+
+    def _close(self, rows: np.ndarray, cuts: np.ndarray) -> None:
+        """Take in whole groups of intervals of a stretch, which end at rows ``cuts``."""
+        table, opening = self._table, self._opening
+        assert opening is not None
+        works: dict[str, np.ndarray] = {}
+        ends = rows[cuts]
+        for name in FORCE_AND_PATH:
+            told = table.told(name, ends)
+            parts, unsure = table.summed(name, rows, cuts)
+            summed = np.concatenate([[0.0], np.cumsum(parts)])
+            works[name] = self._works[name] + told - told[0] + summed
+            self._summed += float(np.abs(parts).sum())
+            self._unsure += float(unsure.sum())
+            self._works[name] = float(works[name][-1])
+        stored, lost = table.energies(ends).sum(axis=1), table.lost(ends)
+        done = sum(works.values(), np.zeros(len(ends)))
+        gained = (stored - stored[0]) + (lost - lost[0]) - (done - done[0])
+        off = self._off + gained
+        self._worst = max(self._worst, float(np.max(np.abs(off))))
+        self._off = float(off[-1])
+        self._note("pump", works["pump"] + works["plunger"])
+        self._note("coupling", works["coupling"])
+
+    def _after(self, block: Block, edge: int, row: np.ndarray) -> np.ndarray:
+        """The row with which a stretch begins: another than ended the one before, at a jump."""
+        problem, k = self._problem, edge - block.first
+        if not self._may_jump:
+            return row
+        states, schedule = block.states[:, k], problem.schedule
+        before = Start(states, block.algebraics[:, k])
+        time, piece = float(schedule.edges[edge]), schedule.pieces[edge]
+        if not _jumps(block.rows, k, evaluate_at(problem, states, before.algebraics, time, piece)):
+            return row
+        instant = time, schedule.pieces[edge - 1]
+        found = consistent(problem, before, time, piece, instant)
+        after = evaluate_at(problem, states, found.algebraics, time, piece)
+        for name in ("pressure", "unpaired_volume"):
+            after[name] = after[name][:, problem.places]
+        rows = self._table.of(row[:1], after, block.integrals[:, k : k + 1])
+        return np.asarray(rows[0])
+
+    def balance(self, steps: int) -> tuple[float | None, float | None]:
+        """Imbalance over the work done, and the work of unpaired coupling [J]."""
+        if len(self._kept) > 1:  # the run ended within a group
+            self._close(self._kept, np.array([0, len(self._kept) - 1]))
+            self._kept = self._kept[-1:]
+        coupled = self._works["coupling"] if self._is_coupled else None
+        # Where nothing comes in, energies turn into each other.
+        swing = float(np.max(self._high - self._low))
+        moved = max(self._largest["pump"], self._largest["coupling"], swing)
+        stored, size = self._largest["stored"], self._problem.equations.energy_size
+        scale = max(moved, ROUND_OFF * stored, NOTHING * size)
+        # Samples that are rarer than the swings look smooth and are not.
+        rare = steps > MOST_STEPS_BETWEEN * self._edges
+        if (self._summed if rare else self._unsure) > UNSURE * scale:
+            return None, coupled
+        imbalance = self._worst / scale
+        still = moved < STILL * max(stored, STILL * size)
+        return None if still and imbalance > UNSURE else imbalance, coupled
+
+
+def _jumps(rows: Rows, k: int, after: Rows) -> bool:
+    """Whether any inlet has another value after a corner, at row ``k``, than before."""
+    for name in ("inlet_pressure", "pushed"):
+        apart = np.abs(after[name][0] - rows[name][k])
+        if np.any(apart > SAME * np.max(np.abs(rows[name]), initial=0.0)):
+            return True
+    return False

@@ -1,0 +1,51 @@
+"""What each inlet has given to its network, told from what the network holds."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from viscodesign.postprocess.conservation import holding_columns
+from viscodesign.postprocess.outputs import Outputs
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.transient import Solution
+
+
+class Given:
+    """Amounts since all was filled at the baseline, unloaded [m3 at ambient density].
+
+    Several inlets of given pressure in one network share equally what it held beyond its
+    filling when the run began: how it came in is nowhere told.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._at_start: np.ndarray | None = None
+
+    def along(self, outputs: Outputs, solution: Solution) -> np.ndarray:
+        """Of every inlet, at the rows of a stretch (n, inlets); stretches come in their order."""
+        problem, equations = self._problem, self._problem.equations
+        beyond = outputs["stored"] - equations.filled_amounts
+        if self._at_start is None:
+            self._at_start = beyond[0].copy()
+        names = [*problem.bellows_along_tubes, *equations.storing]
+        given = {name: -beyond[:, k] for k, name in enumerate(names) if name in problem.inlets}
+        later = self._let_in(outputs, solution)
+        for component in equations.fed:
+            driven = [name for name in component.inlets if name in equations.driven]
+            own = holding_columns(problem, component)
+            if len(driven) == 1:
+                given[driven[0]] = beyond[:, own].sum(axis=1)
+                continue
+            first = self._at_start[own].sum() / len(driven)
+            given |= {name: first + later[name] for name in driven}
+        nothing = np.zeros((len(beyond), 0))
+        return np.column_stack([nothing, *(given[name] for name in problem.inlets)])
+
+    def _let_in(self, outputs: Outputs, solution: Solution) -> dict[str, np.ndarray]:
+        """What each inlet of given pressure let in since t = 0, where flows are followed."""
+        states = self._problem.equations.states
+        if "inflow" not in states.blocks:
+            return {}
+        edges = slice(outputs.first, outputs.first + len(outputs.time))
+        rows = states.physical("inflow", solution.states[:, edges])
+        return dict(zip(self._problem.equations.driven, rows, strict=True))

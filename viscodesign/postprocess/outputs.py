@@ -1,0 +1,154 @@
+"""Named outputs at a stretch of solved edges, and what follows from them there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from viscodesign.model.arc_shape import arc_nodes
+from viscodesign.model.network_equations import NetworkForm
+from viscodesign.model.rod_equations import RodForm
+from viscodesign.solve.algebraic_polish import refined
+from viscodesign.solve.problem import Problem, evaluate_along
+from viscodesign.solve.transient import Solution
+from viscodesign.storage.disk_arrays import BLOCK, let_go
+
+SHAPE_POINTS = 64
+"""Points of a drawn axis, at least."""
+MARGIN = 64
+"""Edges on either side that a stretch is read with: rates of splines forget what is farther."""
+LARGEST_STRETCH = 2_000_000
+"""Numbers that are read at once, about."""
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """Named outputs (n, ...) at n edges; those from ``begin`` to ``end`` are its own.
+
+    What stands before and behind them is a margin that other stretches own.
+    """
+
+    problem: Problem
+    first: int
+    """Which edge of the schedule its first row is."""
+    begin: int
+    end: int
+    """Edges of the schedule, too."""
+    time: np.ndarray
+    values: Mapping[str, np.ndarray]
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.values[name]
+
+    def rows_to(self, edge: int) -> slice:
+        """Its own rows before an edge of the schedule."""
+        return slice(self.begin - self.first, edge - self.first)
+
+    def section_strains(self) -> tuple[np.ndarray, np.ndarray]:
+        """Smallest stretch and turn of every section (n, S)."""
+        sections = self.problem.body.sections
+        if self.problem.equations.rod_form is RodForm.ARCS:
+            turn = self["intrinsic_curvature"] * self.problem.body.section_length
+            return 1 + self["intrinsic_stretch"], turn
+        stretch = self["stretch"].reshape(len(self.time), sections, -1).min(axis=2)
+        ends = self["angle"].reshape(len(self.time), sections, -1)[:, :, -1]
+        return stretch, np.diff(ends, axis=1, prepend=0.0)
+
+    def shapes(self, keep: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Axis (T, K, 2) from the clamp on, and angle of the tip (T,), at some rows (T,)."""
+        body = self.problem.body
+        if self.problem.equations.rod_form is RodForm.ARCS:
+            points = -(-SHAPE_POINTS // body.sections)
+            nodes, angles = arc_nodes(
+                self["intrinsic_curvature"][keep],
+                1 + self["intrinsic_stretch"][keep],
+                body.section_length,
+                points,
+            )
+            tip_angle = angles[:, -1]
+        else:
+            nodes, tip_angle = self._interpolated_nodes(keep)
+        clamp = np.zeros((len(keep), 1, 2))
+        return np.concatenate([clamp, nodes], axis=1), tip_angle
+
+    def _interpolated_nodes(self, keep: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The chain's nodes, with points between them on cubics that meet the tangents."""
+        edges = self["position"].shape[1] // 2
+        position = self["position"][keep].reshape(len(keep), edges, 2)
+        per_edge = max(1, -(-SHAPE_POINTS // edges))
+        angle = np.concatenate([np.zeros((len(keep), 1)), self["angle"][keep]], axis=1)
+        nodes = np.concatenate([np.zeros((len(keep), 1, 2)), position], axis=1)
+        tangent = np.stack((np.sin(angle), np.cos(angle)), axis=-1)
+        chord = np.diff(nodes, axis=1)
+        length = np.hypot(chord[..., 0], chord[..., 1])[:, :, None]
+        slopes = length * tangent[:, :-1], length * tangent[:, 1:]
+        between = [
+            _hermite(nodes[:, :-1], nodes[:, 1:], *slopes, s)
+            for s in np.arange(1, per_edge + 1) / per_edge
+        ]
+        points = np.stack(between, axis=2).reshape(len(keep), edges * per_edge, 2)
+        return points, angle[:, -1]
+
+    def flows(self) -> np.ndarray:
+        """Tube flows (n, Q); with one pressure per network, what its volume changes ask for."""
+        if self.problem.equations.network_form is NetworkForm.DISTRIBUTED:
+            return self["flow"]
+        if len(self.time) < 2:
+            return np.zeros((len(self.time), len(self.problem.flow_shares)))
+        from scipy.interpolate import CubicSpline
+
+        rates = CubicSpline(self.time, self["volume"], axis=0)(self.time, 1)
+        return np.asarray(rates @ self.problem.flow_shares.T)
+
+
+def _hermite(
+    a: np.ndarray, b: np.ndarray, slope_a: np.ndarray, slope_b: np.ndarray, s: float
+) -> np.ndarray:
+    if s == 1.0:
+        return b
+    return np.asarray(
+        (1 + 2 * s) * (1 - s) ** 2 * a
+        + s**2 * (3 - 2 * s) * b
+        + s * (1 - s) ** 2 * slope_a
+        + s**2 * (s - 1) * slope_b
+    )
+
+
+def read_outputs(
+    problem: Problem, solution: Solution, at_once: int | None = None
+) -> Iterator[Outputs]:
+    """All that was solved, stretch by stretch of up to ``at_once`` edges."""
+    output = problem.equations.output_function
+    width = sum(output.size1_out(name) for name in output.name_out())
+    most = at_once or int(np.clip(LARGEST_STRETCH // max(width, 1), BLOCK // 8, BLOCK))
+    for begin in range(0, solution.reached, most):
+        end = min(begin + most, solution.reached)
+        yield _read(problem, solution, begin, end)
+        for table in (solution.states, solution.algebraics, solution.integrals):
+            let_go(table)
+
+
+def _read(problem: Problem, solution: Solution, begin: int, end: int) -> Outputs:
+    """Call the output function at the edges from ``begin`` to ``end``, and about them."""
+    equations = problem.equations
+    first, last = max(begin - MARGIN, 0), min(end + MARGIN, solution.reached)
+    states, algebraics = solution.states[:, first:last], solution.algebraics[:, first:last]
+    shared = equations.network_form is NetworkForm.UNIFORM and equations.sealed
+    if shared or "junction_pressure" in equations.algebraics.blocks:
+        # What comes to a junction leaves it, and what is sealed stays: between the steps of an
+        # integrator that holds to its tolerance only.
+        algebraics = refined(problem, states, algebraics, first)
+    values = evaluate_along(problem, states, algebraics, first)
+    if equations.network_form is NetworkForm.DISTRIBUTED:
+        # From the states, in which what is stored and what flowed in agree to round-off.
+        blocks = [n for n in ("volume", "node_volume") if n in equations.states.blocks]
+        held = [equations.states.physical(n, states).T for n in blocks]
+        values["stored"] = equations.rest_amounts + np.concatenate(held, axis=1)
+        if equations.incompressible:
+            bellows = values["stored"][:, : len(problem.bellows)]
+            values["volume"] = bellows - values["tube_volume"]
+    for name in ("pressure", "volume", "unpaired_volume"):
+        values[name] = values[name][:, problem.places]
+    return Outputs(problem, first, begin, end, problem.schedule.edges[first:last], values)

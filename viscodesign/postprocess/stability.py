@@ -1,0 +1,61 @@
+"""Whether small motions about a run's start grow by themselves.
+
+Coefficients that are not reciprocal can feed work into a motion (`not_reciprocal`): the
+model then is weakly unstable under load, which no numerical damping may hide.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+import scipy.linalg
+
+from viscodesign.model.rod_equations import RodForm
+from viscodesign.results.trajectory import Notice
+from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.statics import Start
+
+MOST_STATES = 400
+"""States up to which eigenvalues are sought: their cost grows with the third power."""
+SURELY_GROWS = 1e-6
+"""Growth beside the slowest swing, or the fastest decay of what does not swing, from which it is
+no round-off."""
+
+
+def growth_notices(problem: Problem, start: Start) -> list[Notice]:
+    """A warning where a small motion about the start grows, with its rate and frequency."""
+    equations = problem.equations
+    moving = equations.rod_form is RodForm.DYNAMIC
+    if not moving or equations.states.count > MOST_STATES:
+        return []
+    values = eigenvalues(problem, start)
+    fastest = values[int(np.argmax(values.real))]
+    swings = values[np.abs(values.imag) > 0.0]
+    scale = np.min(np.abs(swings)) if swings.size else np.max(np.abs(values))
+    if fastest.real <= SURELY_GROWS * scale or fastest.real <= 0.0:
+        return []
+    message = (
+        f"small motions about the first shape grow by themselves, at {fastest.real:.4g} 1/s and "
+        f"{abs(fastest.imag):.5g} rad/s: the coupling feeds work into them, as its coefficients "
+        "are not reciprocal"
+    )
+    return [Notice("self_excited", message, "bellows", 0.0)]
+
+
+def eigenvalues(problem: Problem, start: Start) -> np.ndarray:
+    """Of the motion linearised about a start, pressures of inlets held (nx,) [1/s]."""
+    e = problem.equations
+    x, z = e.states.vector, e.algebraics.vector
+    function = e.compiled.get(
+        "linearised",
+        lambda: ca.Function(
+            "linearised",
+            [x, z, e.time, e.pieces, e.parameters],
+            [ca.jacobian(f, v) for f in (e.ode, e.alg) for v in (x, z)],
+        ),
+    )
+    arguments = (start.states, start.algebraics, 0.0, problem.schedule.initial_piece)
+    fx, fz, gx, gz = (m.full() for m in evaluate(function, *arguments, problem.numbers()))
+    if start.algebraics.size:
+        fx = fx - fz @ np.linalg.solve(gz, gx)
+    return np.asarray(scipy.linalg.eigvals(fx))

@@ -1,0 +1,1 @@
+"""The pump: from a wanted pressure to a plunger's motion, played on a real device."""

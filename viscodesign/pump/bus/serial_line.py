@@ -1,0 +1,137 @@
+"""A serial port, or a pseudo-terminal that stands for one."""
+
+from __future__ import annotations
+
+import errno
+import os
+import termios
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import serial
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.bus.clock import Clock, WallClock
+from viscodesign.pump.bus.line import Line
+
+SLICE = 0.005
+"""Of waiting [s]: a deadline is passed by no more."""
+WRITE_TIMEOUT = 0.5
+"""[s]; 256 bytes take 0.27 s at 9600 baud."""
+CFLAG = 2
+"""Place of the control modes among the attributes of a terminal."""
+GONE = (OSError, serial.SerialException, termios.error)
+"""What a port raises whose cable was pulled: by what was being done, one or another."""
+
+
+class SerialLine(Line):
+    """Opened once, at its final speed, and for one program alone.
+
+    Opening pulls DTR, which resets boards that are wired so; a second opening, or a change of
+    the speed after the opening, would reset them again. At its closing DTR is left as it is, so
+    that the next opening does not pull it (`stty -hupcl`), and what a board plays goes on.
+    """
+
+    def __init__(self, port: str, baud: int, clock: Clock | None = None) -> None:
+        self.clock = clock or WallClock()
+        self.port = port
+        self._serial = serial.Serial()
+        self._serial.port = port
+        self._serial.timeout = SLICE
+        self._serial.write_timeout = WRITE_TIMEOUT
+        self._serial.exclusive = True
+        try:
+            self._serial.baudrate = baud
+            self._serial.open()
+            self._keep_dtr()
+        except (ValueError, *GONE) as error:
+            raise PumpError(_why_closed(port, baud, error)) from None
+
+    def _keep_dtr(self) -> None:
+        settings = termios.tcgetattr(self._serial)
+        settings[CFLAG] &= ~termios.HUPCL
+        termios.tcsetattr(self._serial, termios.TCSANOW, settings)
+
+    def write(self, data: bytes) -> None:
+        with self._told():
+            sent = self._serial.write(data)
+        if sent != len(data):
+            raise PumpError(f"{self.port}: {sent} of {len(data)} bytes were taken")
+
+    def read(self, most: int, deadline: float) -> bytes:
+        with self._told():
+            while not (data := self._serial.read(1)):
+                if self.clock.now() >= deadline:
+                    return b""
+            waiting = min(self._serial.in_waiting, most - 1)
+            return bytes(data + self._serial.read(waiting))
+
+    def drain(self) -> bytes:
+        with self._told():
+            return bytes(self._serial.read(self._serial.in_waiting))
+
+    def close(self) -> None:
+        if self._serial.is_open:
+            with self._told():
+                self._serial.close()
+
+    @contextmanager
+    def _told(self) -> Iterator[None]:
+        """What is raised by the port, told as an error of the pump."""
+        if not self._serial.is_open:
+            raise PumpError(f"{self.port}: has been closed")
+        try:
+            yield
+        except serial.SerialTimeoutException:
+            raise PumpError(
+                f"{self.port}: takes no more bytes since {WRITE_TIMEOUT} s; the adapter hangs. "
+                "Pull it out and plug it in again"
+            ) from None
+        except GONE as error:
+            raise PumpError(
+                f"{self.port}: the port is gone ({error}). Was the cable pulled? The servo keeps "
+                "its last goal: switch the pump's power off where it must not stay there"
+            ) from None
+
+
+def _why_closed(port: str, baud: int, error: BaseException) -> str:
+    """What keeps the port from being opened, and what to do."""
+    if isinstance(error, ValueError):
+        return f"{port}: {baud} baud is no speed of this port ({error}); give another --baud"
+    number = error.args[0] if error.args else None
+    if number == errno.ENOENT:
+        return f"{port}: there is no such port; `viscodesign pump ports` lists those there are"
+    if number == errno.EACCES:
+        return (
+            f"{port}: no permission. Join the group that owns it, and log in again: "
+            "sudo usermod -aG dialout $USER"
+        )
+    if number in (errno.EBUSY, errno.EAGAIN, errno.EWOULDBLOCK):
+        users = ", ".join(users_of(port)) or "another program"
+        return f"{port}: in use by {users}; a port has one owner. Close that, or wait for it"
+    if isinstance(error.__context__, termios.error) or number == errno.ENOTTY:
+        return f"{port}: is no serial port; `viscodesign pump ports` lists those there are"
+    return f"{port}: cannot be opened ({error})"
+
+
+def users_of(port: str) -> list[str]:
+    """Programs that hold a port open, as far as the system lets us see (Linux)."""
+    wanted = os.path.realpath(port)
+    found = set()
+    for link in Path("/proc").glob("[0-9]*/fd/*"):
+        try:
+            if os.readlink(link) == wanted:
+                process = link.parent.parent
+                name = (process / "comm").read_text().strip()
+                found.add(f"{name} (process {process.name})")
+        except OSError:  # the process has ended, or belongs to somebody else
+            continue
+    return sorted(found - {f"{_own_name()} (process {os.getpid()})"})
+
+
+def _own_name() -> str:
+    try:
+        return Path("/proc/self/comm").read_text().strip()
+    except OSError:
+        return ""

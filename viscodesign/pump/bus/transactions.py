@@ -1,0 +1,235 @@
+"""Requests and their replies, each reply checked to be the one that was asked for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.bus import packets
+from viscodesign.pump.bus.line import Line
+from viscodesign.pump.bus.packets import ErrorBits, Instruction, Packet, Parser, meaning, shown
+from viscodesign.pump.bus.registers import ID, RAM
+
+TRIES = 3
+"""Of what may be repeated."""
+SILENCE = 0.1
+"""Servos drop a packet whose bytes are this far apart [s] (e-manual, Protocol 1.0)."""
+BOARD = 253
+"""Id by which an ArbotiX speaks for itself."""
+BROKEN = ErrorBits.CHECKSUM | ErrorBits.INSTRUCTION
+"""Said of a request that came broken (the PyPose firmware answers a wrong checksum by 64)."""
+MOST_BYTES = 4096
+"""Taken from the line at once."""
+
+
+class ServoError(PumpError):
+    """What answered says that something is wrong with it."""
+
+    def __init__(self, servo: int, request: Packet, reply: Packet) -> None:
+        self.servo = servo
+        self.errors = ErrorBits(reply.code & 0x7F)
+        self.data = reply.parameters
+        """Registers that were read nonetheless; empty where it gave none."""
+        super().__init__(
+            f"servo {servo} reports: {meaning(reply.code)} (error byte {reply.code:#04x}, "
+            f"asked {request}). {_remedy(self.errors)}"
+        )
+
+
+class NoReplyError(PumpError):
+    """Nothing came, or nothing that answers the request."""
+
+
+class Transactions:
+    """Speaks for the host; one request at a time.
+
+    A reply that did not come in time may come later, and then looks like the reply to
+    something else. So a lost reply stays owed until a reply that cannot be confused with it
+    has come: bytes do not overtake each other, so whatever was owed came before that, or never
+    will.
+    """
+
+    def __init__(self, line: Line, patience: float = 0.1) -> None:
+        self.line = line
+        self.patience = patience
+        """How long to wait for a reply [s]."""
+        self.longest = math.inf
+        """How long to go on asking the same thing [s]."""
+        self._owed: set[tuple[int, int]] = set()
+        """Id and number of parameters of replies that did not come."""
+        self._speaker: int | None = None
+        """Who last gave registers away."""
+
+    def ping(self, servo: int) -> None:
+        self.ask(packets.ping(servo), 0)
+
+    def answers(self, servo: int) -> bool:
+        """Whether a servo answers when it is asked once; with error bits too."""
+        try:
+            self.ask(packets.read(servo, ID.address, ID.size), ID.size, tries=1)
+        except ServoError:
+            return True
+        except NoReplyError:
+            return False
+        return True
+
+    def read(self, servo: int, address: int, count: int) -> bytes:
+        """Registers; asked up to `TRIES` times."""
+        return self.ask(packets.read(servo, address, count), count).parameters
+
+    def write(self, servo: int, address: int, data: bytes) -> None:
+        """Set registers that are forgotten without power, to absolute values."""
+        if address < RAM:
+            raise PumpError(
+                f"servo {servo}: address {address} lies in the EEPROM, which only "
+                "`pump calibrate` writes"
+            )
+        self.ask(packets.write(servo, address, data), 0)
+
+    def write_permanent(self, servo: int, address: int, data: bytes) -> None:
+        """Set registers that are kept without power: for `pump calibrate` alone.
+
+        Cells wear out, so what is there already is left alone.
+        """
+        if self.read(servo, address, len(data)) != data:
+            self.ask(packets.write(servo, address, data), 0)
+
+    def verify(self, servo: int, address: int, data: bytes) -> None:
+        """See that registers hold what was written, where a reply does not tell."""
+        if (there := self.read(servo, address, len(data))) != data:
+            raise PumpError(
+                f"servo {servo} did not take {shown(data)} at address {address}: it holds "
+                f"{shown(there)}. It refuses what is out of range"
+            )
+
+    def tell(self, packet: Packet) -> None:
+        """Send what nobody answers."""
+        self.line.drain()
+        self.line.write(packet.encode())
+
+    def start(self, packet: Packet) -> None:
+        """Start a motion program: sent once, since it may have begun though no reply came."""
+        if not self._settle(packet.id):
+            raise NoReplyError(f"not sent: {packet}. Replies before it were lost")
+        try:
+            self.ask(packet, 0, tries=1)
+        except NoReplyError as error:
+            raise NoReplyError(
+                f"{error} It may have started nonetheless, and is not asked again: see where "
+                "the plunger is, and stop it by `pump stop`"
+            ) from None
+
+    def ask(
+        self, packet: Packet, *lengths: int, tries: int = TRIES, patience: float | None = None
+    ) -> Packet:
+        """The reply, with one of these numbers of parameters.
+
+        Raises `ServoError` where it has error bits, `NoReplyError` where none came. What says
+        that the request came broken is repeated like a lost one.
+        """
+        came, reply = b"", None
+        deadline = self.line.clock.now() + self.longest
+        for k in range(tries):
+            if k > 0 and self.line.clock.now() >= deadline:
+                break
+            sure = self._settle(packet.id)
+            if not sure and packet.code == Instruction.READ:
+                continue
+            # Before it is sent: whatever breaks in between, the reply may still come.
+            owed = {(packet.id, length) for length in lengths}
+            self._owed |= owed
+            reply, came = self._exchange(packet, lengths, patience or self.patience)
+            if not sure:
+                reply = None
+            elif reply is not None:
+                self._owed -= owed
+                if not reply.code & BROKEN:
+                    break
+        if reply is None:
+            raise NoReplyError(_nothing(packet, came, tries))
+        return self._checked(packet, reply)
+
+    def _checked(self, packet: Packet, reply: Packet) -> Packet:
+        if reply.parameters:
+            self._speaker = packet.id
+        if reply.code:
+            raise ServoError(packet.id, packet, reply)
+        return reply
+
+    def _exchange(
+        self, packet: Packet, lengths: tuple[int, ...], patience: float
+    ) -> tuple[Packet | None, bytes]:
+        """One request; its reply where one came, and all bytes that came."""
+
+        def answers(reply: Packet) -> bool:
+            refused = reply.code != 0 and not reply.parameters
+            fits = len(reply.parameters) in lengths or refused
+            return reply.id == packet.id and fits and reply != packet
+
+        self.line.drain()
+        self.line.write(packet.encode())
+        return self._await(answers, self.line.clock.now() + patience)
+
+    def _await(
+        self, answers: Callable[[Packet], bool], deadline: float
+    ) -> tuple[Packet | None, bytes]:
+        parser, came = Parser(), bytearray()
+        while data := self.line.read(MOST_BYTES, deadline):
+            came += data
+            for packet in filter(answers, parser.feed(data)):
+                return packet, bytes(came)
+            if self.line.clock.now() >= deadline:  # on a line that chatters for ever
+                break
+        return next(filter(answers, parser.rest()), None), bytes(came)
+
+    def _settle(self, servo: int) -> bool:
+        """Wait out what this one owes; whether nothing can be taken for another reply now."""
+        if not any(owing == servo for owing, _ in self._owed):
+            return True
+        deadline = self.line.clock.now() + SILENCE
+        while self.line.read(MOST_BYTES, deadline) and self.line.clock.now() < deadline:
+            pass
+        speaker = servo if self._speaker is None else self._speaker
+        # A firmware that only acknowledges, before any servo has spoken: silence must do.
+        silent = servo == BOARD and self._speaker is None
+        if any(map(self._speaks, {servo, speaker})) or silent:
+            self._owed.clear()
+            return True
+        return False
+
+    def _speaks(self, servo: int) -> bool:
+        """Whether this one gives away as many registers as none of the owed replies has."""
+        length = next(n for n in range(3, 64) if (servo, n) not in self._owed)
+        reply, _ = self._exchange(packets.read(servo, 0, length), (length,), self.patience)
+        if reply is not None and len(reply.parameters) == length:
+            return True
+        self._owed.add((servo, length))
+        return False
+
+
+def _nothing(packet: Packet, came: bytes, tries: int) -> str:
+    asked = f"id {packet.id} does not answer {packet}"
+    if packet.encode() in came:
+        return (
+            f"{asked}: only the request itself came back. The adapter echoes what is sent, or "
+            "nobody else is on the bus"
+        )
+    times = "once" if tries == 1 else f"{tries} times"
+    return (
+        f"{asked}, sent {times}; {shown(came)} came. Is the power on, the id right "
+        "(`pump status`), and this the right --board and --baud?"
+    )
+
+
+def _remedy(errors: ErrorBits) -> str:
+    if errors & ErrorBits.OVERLOAD:
+        return (
+            "Nothing holds the plunger now. Let the pressure out, find what blocked it, and "
+            "switch the power off and on"
+        )
+    if errors & ErrorBits.OVERHEAT:
+        return "Let it cool down"
+    if errors & ErrorBits.VOLTAGE:
+        return "Measure the supply, and charge the battery"
+    return "See the log of bytes (--log FILE)"

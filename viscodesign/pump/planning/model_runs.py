@@ -1,0 +1,78 @@
+"""A scene followed for a plan: for its inlets alone, or as a run with its error."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from viscodesign.effects.select import catalogue
+from viscodesign.errors import SolveError
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.interrupt import gentle_interrupt
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.build_problem import suggest_settings
+from viscodesign.simulation.simulate import simulate
+from viscodesign.simulation.solve_once import Progress, solve
+
+
+@dataclass(frozen=True)
+class Inlets:
+    """What happens at P inlets at T times."""
+
+    time: np.ndarray
+    """(T,) [s]"""
+    pressure: np.ndarray
+    """(T, P) gauge [Pa]."""
+    given: np.ndarray
+    """(T, P) to the network since it was filled [m3 at ambient density]."""
+
+    @classmethod
+    def of(cls, run: Trajectory) -> Inlets:
+        """Those of a run."""
+        return cls(run.time, _columns(run.inlet_pressure), _columns(run.inflow))
+
+
+def _columns(values: Mapping[str, np.ndarray]) -> np.ndarray:
+    return np.stack(list(values.values()), axis=1)
+
+
+def taken_effects(run: Trajectory) -> frozenset[str]:
+    """Names of the effects that a run took."""
+    return frozenset(v.name for v in run.effects if v.taken)
+
+
+def follow(scene: Scene, taken: frozenset[str]) -> Inlets:
+    """The inlets of a scene with just these effects; `SolveError` where a run breaks off."""
+    conditions = Conditions(scene, set(taken))
+    effects = [kind.of(conditions) for name, kind in catalogue().items() if name in taken]
+    run = solve(conditions, effects, suggest_settings(conditions, effects))
+    if run.solution.asked_to_stop:
+        # Asked while it was solved, be it when all was done: a plan has more to do.
+        raise KeyboardInterrupt
+    if run.motion.failure is not None:
+        raise broken_off(str(run.motion.failure), run.motion.time)
+    return Inlets(run.motion.time, run.motion.inlet_pressure, run.motion.inflow)
+
+
+def followed_and_verified(scene: Scene, progress: Progress | None) -> Trajectory:
+    """A run to its end with its error; `SolveError` in its own words where it broke off."""
+    with gentle_interrupt() as interrupt:
+        run = simulate(scene, progress=progress)
+    if interrupt.asked or run.status == "interrupted":
+        raise KeyboardInterrupt
+    if run.status == "failed" and run.accuracy.estimated_tip_error_m is None:
+        raise broken_off(run.failure or "no reason given", run.time)
+    return run
+
+
+def broken_off(reason: str, times: np.ndarray) -> SolveError:
+    """The failure of a plan whose model did not come to the end."""
+    return SolveError(
+        f"the coupled model could not be followed: {reason}",
+        quantity="motion",
+        where="plan",
+        time_s=float(times[-1]) if times.size else 0.0,
+    )

@@ -1,0 +1,207 @@
+"""The study: from a scene's pressures to a plunger's motion, its limits, and what comes of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from viscodesign._version import __version__
+from viscodesign.physics import gas
+from viscodesign.pump import syringe as syringe_pump
+from viscodesign.pump.planning.achievable import Achieved, achieve
+from viscodesign.pump.planning.barrel import line_at
+from viscodesign.pump.planning.demand import Demand, course
+from viscodesign.pump.planning.fixes import changes_for, together
+from viscodesign.pump.planning.limits import verdicts
+from viscodesign.pump.planning.model_runs import Inlets, followed_and_verified, taken_effects
+from viscodesign.pump.planning.requested import Wanted, lead_in, shares_a_network
+from viscodesign.pump.planning.result import PumpPlan, PumpVerdict
+from viscodesign.pump.planning.scene_variants import planned, pump_of, servo_ids, with_effects_of
+from viscodesign.pump.planning.trials import Trials
+from viscodesign.pump.servo_motor import STEADY_SHARE
+from viscodesign.results.trajectory import Notice, Status, Trajectory
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.solve_once import Progress
+
+
+def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
+    """Plan a pump's motion for the pressures that a scene wants.
+
+    The scene is followed through its own coupled model, which tells what every inlet gives;
+    barrel and dead volume tell where its plunger is then. That is held against what the pump
+    can do at each pressure, and what the pump does instead is followed through the model
+    again. ``progress`` is told the part that is done. Raises `SpecError` where the scene has
+    no pump or no pressures to plan for, `SolveError` where a run breaks off.
+    """
+    pump = pump_of(scene)
+    first = planned(scene)
+    run = followed_and_verified(first, progress)
+    settled, taken, inlets = with_effects_of(first, run), taken_effects(run), Inlets.of(run)
+    lines = {name: line_at(settled, name, taken) for name in scene.inputs}
+    lead = lead_in(settled, pump, lines, inlets, taken)
+    asked = Wanted(settled, inlets, taken, lines, lead)
+    demands = asked.demands(pump)
+    trials = Trials(settled, asked, pump)
+    found = tuple(_with_changes(trials, v) for d in demands for v in verdicts(d))
+    achieved = achieve(asked, pump, progress)
+    status, failure = _status(run, achieved.run)
+    return PumpPlan(
+        name=scene.name,
+        version=__version__,
+        spec_sha256=scene.source.sha256,
+        status=status,
+        failure=failure,
+        inlets=tuple(scene.inputs),
+        servos=servo_ids(scene, pump),
+        servo=demands[0].servo.title,
+        wanted=course(demands),
+        achievable=course(achieved.demands),
+        wanted_run=run,
+        achievable_run=achieved.run,
+        deviation=_deviation(run, achieved.run),
+        clipped=achieved.clipped,
+        sweeps=achieved.sweeps,
+        unsettled_counts=achieved.unsettled_counts,
+        verdicts=found,
+        together=together(trials, found),
+        numbers={d.inlet: _numbers(d) for d in demands},
+        limits=_limits(demands),
+        warnings=(*_notices(settled, demands, achieved), *run.warnings),
+    )
+
+
+def _with_changes(trials: Trials, verdict: PumpVerdict) -> PumpVerdict:
+    if verdict.severity == "ok":
+        return verdict
+    return replace(verdict, changes=changes_for(trials, verdict))
+
+
+def _status(*runs: Trajectory) -> tuple[Status, str | None]:
+    for run in runs:
+        if run.status != "complete":
+            return run.status, run.failure
+    return "complete", None
+
+
+def _deviation(run: Trajectory, other: Trajectory) -> np.ndarray:
+    """Distance of two tips at the times that both have (T,) [m]."""
+    both = min(len(run.tip), len(other.tip))
+    apart = run.tip[:both, :2] - other.tip[:both, :2]
+    return np.asarray(np.hypot(apart[:, 0], apart[:, 1]))
+
+
+def _limits(demands: tuple[Demand, ...]) -> dict[str, float]:
+    """What holds for the pumps of all inlets."""
+    first, pump = demands[0], demands[0].pump
+    current = sum(_mean_current(d) for d in demands)
+    return {
+        "fifth_nm": STEADY_SHARE * first.stall_torque,
+        "stall_nm": first.stall_torque,
+        "travel_low_counts": float(pump.travel[0]),
+        "travel_high_counts": float(pump.travel[1]),
+        "cap_pa_gauge": pump.max_pressure,
+        "battery_life_s": syringe_pump.battery_life(pump.battery_capacity, current),
+    }
+
+
+def _mean_current(demand: Demand) -> float:
+    """Of one servo over the course [A]."""
+    current = syringe_pump.servo_current(demand.servo, demand.torque)
+    return float(np.trapezoid(current, demand.time)) / float(np.ptp(demand.time))
+
+
+def _numbers(demand: Demand) -> dict[str, float]:
+    """What the drive of an inlet is, and what the plan takes of it."""
+    pump, drive = demand.pump, demand.drive
+    barrel = demand.barrel
+    fast = min(barrel.compliance(p, x) for p, x in demand.extremes)
+    slow = barrel.compliance(barrel.baseline, 0.0) + _network_compliance(demand)
+    shape = (pump.syringe_diameter, pump.pinion_diameter)
+    current = syringe_pump.servo_current(demand.servo, demand.torque)
+    free = float(syringe_pump.speed_left(demand.servo, pump.supply_voltage, 0.0))
+    low, high = pump.travel
+    fastest = float(np.max(np.abs(demand.velocity))) * 2 / pump.pinion_diameter
+    return {
+        "stall_pressure_pa_gauge": demand.stall_pressure,
+        "steady_pressure_pa_gauge": STEADY_SHARE * demand.stall_pressure,
+        "no_load_flow_m3_s": float(syringe_pump.flow_rate(free, *shape)),
+        "travel_volume_m3": (high - low) * drive.volume_per_count,
+        "volume_per_count_m3": drive.volume_per_count,
+        "counts_per_ml": 1e-6 * syringe_pump.counts_per_volume(*shape),
+        "counts_per_kpa_fast": 1e3 * syringe_pump.counts_per_pressure(fast, *shape),
+        "counts_per_kpa_slow": 1e3 * syringe_pump.counts_per_pressure(slow, *shape),
+        "kpa_per_count_fast": 1e-3 / syringe_pump.counts_per_pressure(fast, *shape),
+        "filled_length_m": drive.filled_at_home,
+        "highest_pressure_pa_gauge": float(demand.pressure.max()),
+        "lowest_pressure_pa_gauge": float(demand.pressure.min()),
+        "largest_torque_nm": float(np.max(np.abs(demand.torque))),
+        "largest_flow_m3_s": float(np.max(np.abs(demand.velocity))) * drive.area,
+        "largest_current_a": float(np.max(current)),
+        "mean_current_a": _mean_current(demand),
+        "fastest_speed_register": float(syringe_pump.speed_register(fastest)),
+        "lead_in_s": demand.lead_s,
+    }
+
+
+def _network_compliance(demand: Demand) -> float:
+    """Of all bellows that an inlet feeds, wall and gas, by the linear law [m3/Pa]."""
+    scene = demand.scene
+    part = next(c for c in scene.graph.components() if demand.inlet in c.inlets)
+    bellows, absolute = scene.bellows, scene.ambient_pressure + scene.gauge_pressure
+    one = bellows.length * bellows.area_per_pressure
+    if scene.effects.mode("gas_compressibility") == "on":
+        rest = bellows.height * bellows.width * bellows.length
+        one += gas.gas_compliance(rest, absolute, scene.fluid.polytropic_exponent)
+    return len(part.bellows) * one / len(part.inlets)
+
+
+AGREED_COUNTS = 0.5
+NEAR_CAP = 0.01
+"""Part of the cap by which it may be passed without a word."""
+
+
+def _notices(scene: Scene, demands: tuple[Demand, ...], achieved: Achieved) -> list[Notice]:
+    """What a reader of the plan should hear beside its verdicts."""
+    told = []
+    if scene.fluid.is_gas and scene.effects.mode("gas_compressibility") != "on":
+        rest = scene.bellows.height * scene.bellows.width * scene.bellows.length
+        swing = max(float(np.ptp(d.pressure)) for d in demands)
+        missing = len(scene.graph.bellows) * rest * swing / scene.ambient_pressure
+        told.append(
+            Notice(
+                "gas_not_counted",
+                "effects.gas_compressibility is off: the gas in the bellows is taken as "
+                f"incompressible, and up to {1e6 * missing:.3g} mL that the plunger would have to "
+                "move for it are not counted",
+            )
+        )
+    if shares_a_network(scene) and demands[0].lead_s > 0.0:
+        told.append(
+            Notice(
+                "shared_start",
+                "several inlets feed one network: what flows from one to the other before t = 0 is "
+                f"that of a lead-in of {demands[0].lead_s:.4g} s",
+            )
+        )
+    for demand in achieved.demands:
+        over = float(demand.pressure.max()) - demand.pump.max_pressure
+        if over > NEAR_CAP * demand.pump.max_pressure:
+            told.append(
+                Notice(
+                    "cap_passed",
+                    f"whole counts bring the pressure {over / 1e3:.3g} kPa above the cap for "
+                    "moments: a pump that watches it would stop there",
+                    demand.inlet,
+                    float(demand.time[int(np.argmax(demand.pressure))]),
+                )
+            )
+    if achieved.unsettled_counts > AGREED_COUNTS:
+        told.append(
+            Notice(
+                "unsettled",
+                f"after {achieved.sweeps} solutions the achievable motion still changes by "
+                f"{achieved.unsettled_counts:.3g} counts",
+            )
+        )
+    return told

@@ -1,0 +1,138 @@
+"""What a plan of a pump's motion leaves behind: courses, verdicts, changes, and two runs.
+
+Plain data, like a trajectory. Times of the courses begin with the lead-in, those of the
+runs behind it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from viscodesign.pump.profile import Profile
+from viscodesign.results.trajectory import Notice, Status, Trajectory
+
+Severity = Literal["ok", "advice", "infeasible"]
+
+
+@dataclass(frozen=True)
+class Change:
+    """One change that makes a verdict pass, as was tried, and what is left to do after it."""
+
+    key: str
+    """What it changes: a key of the spec, or "pressure" or "time"."""
+    words: str
+    """As in '0.62 times every pressure of the input'."""
+    settings: tuple[str, ...]
+    """For `--set`; none where a table of the spec holds the numbers."""
+    leaves: tuple[str, ...]
+    """Verdicts that are infeasible after it."""
+    factor: float = 1.0
+    """Of all pressures, or all times, where that is what it changes."""
+
+
+@dataclass(frozen=True)
+class PumpVerdict:
+    """One limit of a pump, held against what a course asks."""
+
+    name: str
+    inlet: str
+    severity: Severity
+    wanted: float
+    """What is asked at the worst time, in ``unit``."""
+    allowed: float
+    unit: str
+    ratio: float
+    """How much of what is allowed is asked; above 1 it is too much."""
+    time_s: float
+    """The worst time, lead-in included [s]."""
+    message: str
+    changes: tuple[Change, ...] = ()
+
+
+@dataclass(frozen=True)
+class PumpCourse:
+    """Motion of P plungers at T times from the start of the lead-in."""
+
+    time: np.ndarray
+    """(T,) [s]"""
+    lead_s: float
+    """Part before the scene's own t = 0: from home to what the start needs [s]."""
+    pressure: np.ndarray
+    """(T, P) gauge [Pa]."""
+    given: np.ndarray
+    """(T, P) to the network since it was filled [m3 at ambient density]."""
+    position: np.ndarray
+    """(T, P) pushed in from home [m]."""
+    volume: np.ndarray
+    """(T, P) swept by the plunger from home [m3]."""
+    count: np.ndarray
+    """(T, P) of the servo."""
+    flow: np.ndarray
+    """(T, P) swept in a time, from then on [m3/s]."""
+    torque: np.ndarray
+    """(T, P) at the pinion, friction included [N m]."""
+    stall_share: np.ndarray
+    """(T, P) of the stall torque at the battery's voltage, in size [1]."""
+    speed_share: np.ndarray
+    """(T, P) of the speed that is left at this torque [1]."""
+
+
+@dataclass(frozen=True)
+class PumpPlan:
+    """A scene's pressures as plunger motion, what speaks against it, and what would come."""
+
+    name: str
+    version: str
+    spec_sha256: str
+    status: Status
+    failure: str | None
+    inlets: tuple[str, ...]
+    servos: tuple[int, ...]
+    servo: str
+    wanted: PumpCourse
+    achievable: PumpCourse
+    wanted_run: Trajectory
+    achievable_run: Trajectory
+    deviation: np.ndarray
+    """(T,) distance of both tips at the runs' times [m]."""
+    clipped: tuple[str, ...]
+    """What of the wanted motion the pump cannot do, in words."""
+    sweeps: int
+    """Solutions of the achievable motion until it and its pressure agreed."""
+    unsettled_counts: float
+    """By how much the last two of them differed [counts]."""
+    verdicts: tuple[PumpVerdict, ...]
+    together: tuple[Change, ...]
+    """Few changes that make everything feasible, one upon the other; none where there are none."""
+    numbers: Mapping[str, Mapping[str, float]]
+    """Inlet -> what the drive is, by names with units."""
+    limits: Mapping[str, float]
+    """What holds for all inlets: `fifth_nm`, `stall_nm`, `travel_low_counts`,
+    `travel_high_counts`, `cap_pa_gauge`, `battery_life_s`."""
+    warnings: tuple[Notice, ...]
+
+    @property
+    def is_feasible(self) -> bool:
+        """Whether no verdict forbids it."""
+        return all(v.severity != "infeasible" for v in self.verdicts)
+
+    @property
+    def deviation_m(self) -> float:
+        """Largest distance of the two tips [m]."""
+        return float(np.max(self.deviation, initial=0.0))
+
+    @property
+    def error_m(self) -> float | None:
+        """What both runs state about their own errors, added up [m]."""
+        errors = [
+            run.accuracy.estimated_tip_error_m for run in (self.wanted_run, self.achievable_run)
+        ]
+        return None if None in errors else sum(e for e in errors if e is not None)
+
+    def profile(self, course: PumpCourse) -> Profile:
+        """A course as what a board plays."""
+        return Profile(self.inlets, self.servos, course.time, course.count, course.pressure)

@@ -1,0 +1,191 @@
+"""Scenes beside the one that is planned: its pressures scaled, slowed, or given by tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from viscodesign.effects.select import effect_names
+from viscodesign.errors import Fault, SpecError
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.inputs.table import Table
+from viscodesign.scene.pump import Pump
+from viscodesign.scene.reading.field_lookup import quantity_of
+from viscodesign.scene.scene import Scene
+
+SAMPLES_PER_SWING = 40
+FINEST, COARSEST = 0.005, 0.02
+"""Time between two samples of a plan [s]; coarser only where there would be too many."""
+MOST_SAMPLES = 4000
+COUNTED = ("gas_compressibility", "tube_compliance")
+"""Effects that a plunger feels even where the tip does not."""
+
+
+def pump_of(scene: Scene) -> Pump:
+    """The scene's pump; raises `SpecError` with what to add where there is none."""
+    pump = scene.pump
+    if pump is None:
+        message = (
+            "missing; the pump commands need the drive's numbers. Add for example\n"
+            "  pump:\n    syringe_diameter: 34.9 mm\n    servo: ax18a\n"
+            "or try one: --set 'pump={syringe_diameter: 34.9 mm}'"
+        )
+        raise SpecError([Fault(message, "pump", scene.source.file)])
+    for name, source in scene.inputs.items():
+        if not source.gives_pressure:
+            message = f"the inlet '{name}' is driven by a plunger already; a plan starts from the "
+            raise SpecError(
+                [Fault(message + "pressures that are wanted", "input", scene.source.file)]
+            )
+    if isinstance(pump.servo_id, int) and len(scene.inputs) > 1:
+        ids = ", ".join(f"{name}: {k}" for k, name in enumerate(scene.inputs, start=1))
+        message = f"{pump.servo_id} is one servo for {len(scene.inputs)} inlets; give each its "
+        raise SpecError(
+            [Fault(message + f"own, like {{{ids}}}", "pump.servo_id", scene.source.file)]
+        )
+    fluid = scene.fluid
+    if not fluid.is_gas and fluid.bulk_modulus is None:
+        message = f"the pump pushes {fluid.name}, whose stiffness is not known; state viscosity, "
+        message += "density and gas_constant or bulk_modulus under fluid"
+        raise SpecError([Fault(message, "fluid", scene.source.file)])
+    return pump
+
+
+def servo_ids(scene: Scene, pump: Pump) -> tuple[int, ...]:
+    """Id of each inlet's servo, in the order of the inlets."""
+    ids = pump.servo_id
+    return tuple(ids if isinstance(ids, int) else ids[name] for name in scene.inputs)
+
+
+def planned(scene: Scene) -> Scene:
+    """The scene with outputs as fine as a plunger needs, and what a plunger feels taken in."""
+    modes = dict(scene.effects.modes)
+    if scene.fluid.is_gas:
+        modes |= {name: "on" for name in COUNTED if _may_take(scene, name)}
+    effects = scene.effects.model_copy(update={"modes": modes})
+    return scene.model_copy(update={"effects": effects, "run": _with_outputs(scene, _times(scene))})
+
+
+def _may_take(scene: Scene, name: str) -> bool:
+    needs_flow = name == "tube_compliance" and scene.effects.mode("pressure_distribution") == "off"
+    return scene.effects.mode(name) == "auto" and not needs_flow
+
+
+def _times(scene: Scene) -> np.ndarray:
+    """Even times, and the corners of all inputs."""
+    duration = scene.run.duration
+    swing = min(source.swing_time() for source in scene.inputs.values())
+    asked = min(COARSEST, max(swing / SAMPLES_PER_SWING, FINEST))
+    count = int(np.clip(np.ceil(duration / asked), 8, MOST_SAMPLES))
+    corners = [c for source in scene.inputs.values() for c in source.corners(duration)]
+    times = np.unique(np.concatenate([np.linspace(0.0, duration, count + 1), corners]))
+    keep = np.append(np.diff(times) > 1e-3 * duration / count, True)
+    return np.asarray(times[keep])
+
+
+def _with_outputs(scene: Scene, times: np.ndarray) -> Any:
+    return scene.run.model_copy(update={"output_times": tuple(times.tolist())})
+
+
+def with_effects_of(scene: Scene, found: Trajectory) -> Scene:
+    """The scene with just the effects that a run of it took."""
+    known = effect_names()
+    modes = {v.name: "on" if v.taken else "off" for v in found.effects if v.name in known}
+    return scene.model_copy(
+        update={"effects": scene.effects.model_copy(update={"modes": modes, "others": "auto"})}
+    )
+
+
+def with_inputs(scene: Scene, inputs: Mapping[str, Input]) -> Scene:
+    """The scene with other inputs at its inlets."""
+    if scene.several_inputs is not None:
+        return scene.model_copy(update={"several_inputs": dict(inputs)})
+    return scene.model_copy(update={"input": next(iter(inputs.values()))})
+
+
+def with_pressures(scene: Scene, time: np.ndarray, pressure: np.ndarray) -> Scene:
+    """The scene driven by tables of gauge pressure (T, P) [Pa]; its outputs at their times."""
+    above = pressure - scene.gauge_pressure
+    tables = {
+        name: Table(kind="table", rows=tuple(zip(time.tolist(), column.tolist(), strict=True)))
+        for name, column in zip(scene.inputs, above.T, strict=True)
+    }
+    run = scene.run.model_copy(
+        update={"duration": float(time[-1]), "output_times": tuple(time.tolist())}
+    )
+    return with_inputs(scene.model_copy(update={"run": run}), tables)
+
+
+JUMP = 1e-6
+"""Part of a run before and behind a corner at which its values are compared."""
+SUDDEN = 0.01
+"""Part of the whole swing that a jump has at least."""
+
+
+def jumps(scene: Scene) -> list[float]:
+    """Times at which the pressure of an input jumps [s]."""
+    duration = scene.run.duration
+    found: set[float] = set()
+    for source in scene.inputs.values():
+        corners = np.array([0.0, *source.corners(duration)])
+        sides = [source.values(np.clip(corners + s * JUMP * duration, 0, None)) for s in (-1, 1)]
+        if scene.run.start == "rest":
+            sides[0][0] = 0.0
+        swing = float(np.ptp(np.concatenate(sides))) or 1.0
+        found |= set(corners[np.abs(sides[1] - sides[0]) > SUDDEN * swing].tolist())
+    return sorted(found)
+
+
+def ramped(scene: Scene, lasting: float) -> Scene:
+    """The scene with every jump of its pressures made a ramp of some time [s]."""
+    own, duration = scene.run.output_times_array(), scene.run.duration
+    starts = [t for t in jumps(scene) if t < duration]
+    ends = [min(t + lasting, duration) for t in starts]
+    time = np.unique(np.concatenate([own, starts, ends]))
+    columns = []
+    for source in scene.inputs.values():
+        values = source.values(time)
+        for begin, end in zip(starts, ends, strict=True):
+            before = source.values(np.array([max(begin - JUMP * duration, 0.0)]))[0]
+            if begin == 0.0 and scene.run.start == "rest":
+                before = 0.0
+            inside = (time >= begin) & (time < end)
+            share = (time[inside] - begin) / (end - begin)
+            values[inside] = before + share * (values[inside] - before)
+        columns.append(values)
+    keep = np.append(np.diff(time) > JUMP * duration, True)
+    pressure = scene.gauge_pressure + np.stack(columns, axis=1)
+    return with_pressures(scene, time[keep], pressure[keep])
+
+
+def scaled(scene: Scene, *, pressure: float = 1.0, time: float = 1.0) -> Scene:
+    """The scene with every pressure of its inputs, and every time of its run, by a factor."""
+    run = scene.run
+    times = tuple(time * t for t in run.output_times or ())
+    changes: dict[str, Any] = {
+        "duration": time * run.duration,
+        "output_interval": time * run.output_interval,
+        "output_times": times or None,
+    }
+    inputs = {
+        name: source.model_copy(update=scaled_fields(source, pressure=pressure, time=time))
+        for name, source in scene.inputs.items()
+    }
+    slowed = scene.model_copy(update={"run": run.model_copy(update=changes)})
+    return with_inputs(slowed, inputs)
+
+
+def scaled_fields(source: Input, *, pressure: float = 1.0, time: float = 1.0) -> dict[str, Any]:
+    """Fields of an input that change when its pressures and times do, with their new values."""
+    factors = {"pressure": pressure, "time": time, "frequency": 1 / time}
+    found: dict[str, Any] = {}
+    for name, field in type(source).model_fields.items():
+        value, kind = getattr(source, name), quantity_of(field)
+        if isinstance(value, float) and kind is not None and factors.get(kind.name, 1.0) != 1.0:
+            found[name] = value * factors[kind.name]
+    if isinstance(source, Table) and source.rows is not None:
+        found["rows"] = tuple((time * t, pressure * p) for t, p in source.rows)
+    return found

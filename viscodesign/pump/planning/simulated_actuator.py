@@ -1,0 +1,165 @@
+"""The actuator behind a simulated pump, in real time: one tick of its plungers after the other.
+
+The whole coupled model, with the effects that the scene calls for, the rod's inertia too
+where it takes part. A tick is one interval between two corners of the inputs: its plungers
+move evenly from where they are to where they shall be.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from viscodesign.effects.select import catalogue, select_effects
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.postprocess.outputs import Outputs
+from viscodesign.pump.drive import Drive
+from viscodesign.pump.planning.barrel import NEARLY_FULL, Barrel, line_at
+from viscodesign.pump.planning.scene_variants import planned, pump_of, with_inputs
+from viscodesign.pump.simulated.plant import Plant
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.build_problem import build, suggest_settings
+from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate_along
+from viscodesign.solve.solvers.base import Solver, Work
+from viscodesign.solve.solvers.quasi_static import Algebraic
+from viscodesign.solve.statics import Start, equilibrium
+from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
+
+TOLERANCE = 1e-3
+"""Of the integrator: about half a percent of the length at the tip, where less is asked for."""
+LONGEST = 0.05
+"""A longer tick is cut into such [s]."""
+ANY_LENGTH = "rosenbrock"
+"""The solver that takes intervals of any length without being made anew."""
+GRID = 0.01
+"""Length of the intervals of any other; what is left over waits for the next tick [s]."""
+
+
+class ActuatorPlant(Plant):
+    """Gauge pressures at the plungers, and the tip, of a scene's actuator.
+
+    It is filled at the baseline with all plungers at home, and begins in equilibrium, there or
+    where a first `advance` by no time puts them. `advance` raises `SolveError` where the model
+    cannot be followed.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        pump, scene = pump_of(scene), planned(scene)
+        drive = Drive(pump)
+        self.area, self._longest_way = drive.area, (1 - NEARLY_FULL) * drive.filled_at_home
+        names = select_effects(Conditions(scene)).taken
+        self.problem, self.effects = _problem(scene, drive, names)
+        self.inlets = tuple(scene.inputs)
+        self.time = 0.0
+        """Behind which the state is [s]."""
+        self.position = np.zeros(len(self.inlets))
+        """(P,) pushed in from home [m]."""
+        self._solver = _solver(self.problem)
+        self._any_length = not isinstance(self._solver, solver_catalogue()[DEFAULT_SOLVER])
+        self._owed = 0.0
+        self._work = Work()
+        self._begin(self.position)
+
+    @property
+    def label(self) -> str:
+        """What is computed, in one line."""
+        return f"simulated actuator, coupled model with {', '.join(self.effects)}"
+
+    @property
+    def steps(self) -> int:
+        """Steps of the integrator so far."""
+        return self._work.steps
+
+    def advance(self, seconds: float, positions: np.ndarray) -> np.ndarray:
+        """Gauge pressures (P,) [Pa] after some time in which the plungers move evenly to a place.
+
+        ``positions`` (P,) pushed in from home [m]; further than the barrel is filled none goes.
+        """
+        goal = np.minimum(np.asarray(positions, dtype=float), self._longest_way)
+        begin = self.position
+        if seconds <= 0.0 and self.time == 0.0:
+            self._begin(goal)
+        count, length = self._intervals(seconds)
+        for k in range(1, count + 1):
+            self._tick(length, begin + k / count * (goal - begin))
+        return self.pressure
+
+    def _begin(self, position: np.ndarray) -> None:
+        """Equilibrium with the plungers at a place [m]."""
+        still = np.zeros_like(position)
+        piece = np.stack((self.area * position, still, still), axis=1).ravel()
+        self._here = equilibrium(self.problem, 0.0, piece)
+        self.position = position
+        self._solver.problem = replace(self.problem, schedule=_one_interval(GRID, piece))
+        self._read()
+
+    def _intervals(self, seconds: float) -> tuple[int, float]:
+        """Number and length [s] of the intervals of a tick."""
+        if seconds <= 0.0:
+            return 0, 0.0
+        if self._any_length:
+            count = int(np.ceil(seconds / LONGEST - 1e-9))
+            return count, seconds / count
+        self._owed += seconds
+        count = int(self._owed / GRID + 1e-9)
+        self._owed -= count * GRID
+        return count, GRID
+
+    def _tick(self, seconds: float, goal: np.ndarray) -> None:
+        """One interval of the integrator."""
+        rows = np.stack(
+            (
+                self.area * self.position,
+                self.area * (goal - self.position) / seconds,
+                np.zeros_like(goal),
+            ),
+            axis=1,
+        )
+        self._solver.problem = replace(self.problem, schedule=_one_interval(seconds, rows.ravel()))
+        (states, algebraics, _), failure = self._solver(self._here, 0, 1, self._work)
+        if failure is not None:
+            raise failure
+        self._here = Start(states[:, -1], algebraics[:, -1])
+        self.position = goal
+        self.time += seconds
+        self._read()
+
+    def _read(self) -> None:
+        """Pressures and tip of the state that was reached."""
+        problem = replace(self.problem, schedule=self._solver.problem.schedule)
+        here = self._here
+        values = evaluate_along(problem, here.states[:, None], here.algebraics[:, None])
+        self.pressure: np.ndarray = values["inlet_pressure"][0].copy()
+        """(P,) gauge [Pa]."""
+        outputs = Outputs(problem, 0, 0, 1, np.zeros(1), values)
+        shape, angle = outputs.shapes(np.zeros(1, dtype=int))
+        self.tip: np.ndarray = np.append(shape[0, -1], angle)
+        """x [m], z [m], angle [rad]."""
+
+
+def _problem(scene: Scene, drive: Drive, names: frozenset[str]) -> tuple[Problem, tuple[str, ...]]:
+    """The scene's equations with plungers at its inlets, at home."""
+    still = np.array([0.0, 1.0])
+    inputs = {
+        name: Barrel.of(scene, drive, line_at(scene, name, names)).syringe(still, 0.0 * still)
+        for name in scene.inputs
+    }
+    conditions = Conditions(with_inputs(scene, inputs), set(names))
+    effects = [kind.of(conditions) for name, kind in catalogue().items() if name in names]
+    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    return problem, tuple(effect.name for effect in effects)
+
+
+def _solver(problem: Problem) -> Solver:
+    if not problem.equations.states.count:
+        return Algebraic(problem, TOLERANCE)
+    kind = solver_catalogue()[ANY_LENGTH]
+    if not (kind.takes(problem) and kind.fits(problem)):
+        kind = solver_catalogue()[DEFAULT_SOLVER]
+    return kind(problem, TOLERANCE)
+
+
+def _one_interval(seconds: float, piece: np.ndarray) -> Schedule:
+    pieces = Pieces(piece[None, :], np.array([0]), 1)
+    return Schedule(np.array([0.0, seconds]), pieces, np.array([0, 1]), piece)

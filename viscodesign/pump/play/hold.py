@@ -1,0 +1,131 @@
+"""How every motion ends: standing where it is, or without torque; and whether that is sure.
+
+Needs no spec, so that `pump stop` works with none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.boards.base import Board, Goal
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.bus.transactions import ServoError
+from viscodesign.pump.play.servo_state import ServoState, read_servo, write_register
+
+HOLD_SPEED = 20
+"""Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
+NEAR = 40
+"""A held plunger stands this close to its goal, or it is not held [counts]."""
+PAUSE = 0.02
+"""Between tries [s]."""
+PATIENCE = 1.0
+"""To try for a verified hold [s]."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How one servo was left."""
+
+    servo: int
+    sure: bool
+    """Whether it was read back."""
+    words: str
+
+    def __str__(self) -> str:
+        return f"servo {self.servo}: {self.words}"
+
+
+def hold(
+    board: Board,
+    servos: Sequence[int],
+    clock: Clock,
+    *,
+    positions: dict[int, int] | None = None,
+    within: float = PATIENCE,
+) -> list[Standing]:
+    """Send every servo to where it is, and read back that it holds that goal.
+
+    ``positions`` of a moment ago, for a servo that takes commands but whose replies do not come
+    through; they are brought up to date. A servo without torque is left so: nothing drives it.
+    """
+    where = {} if positions is None else positions
+    return _for_each(servos, clock, within, lambda servo: _hold(board, servo, where))
+
+
+def release(
+    board: Board, servos: Sequence[int], clock: Clock, *, within: float = PATIENCE
+) -> list[Standing]:
+    """Switch torque off, and read back that it is."""
+    return _for_each(servos, clock, within, lambda servo: _release(board, servo))
+
+
+def _for_each(
+    servos: Sequence[int], clock: Clock, within: float, attempt: Callable[[int], Standing]
+) -> list[Standing]:
+    """Try each servo until it is sure or time is up; at least once, and in turns."""
+    deadline = clock.now() + within
+    left: dict[int, Standing] = {}
+    waiting = list(servos)
+    while waiting:
+        for servo in waiting:
+            left[servo] = attempt(servo)
+        waiting = [servo for servo in waiting if not left[servo].sure]
+        if clock.now() >= deadline:
+            break
+        if waiting:
+            clock.sleep(PAUSE)
+    return [left[servo] for servo in servos]
+
+
+def _hold(board: Board, servo: int, last: dict[int, int]) -> Standing:
+    """One try. The position is read first, so that no goal is far from the plunger."""
+    try:
+        state = read_servo(board, servo)
+    except PumpError as error:
+        return _hold_unseen(board, servo, last.get(servo), error)
+    last[servo] = state.position
+    if not state.torque:
+        return Standing(servo, True, f"torque is off, at {state.position} counts")
+    if state.torque_limit == 0:
+        return Standing(servo, True, f"shut itself off ({state.complaint or 'torque limit 0'})")
+    try:
+        board.move({servo: Goal(state.position, HOLD_SPEED)})
+    except PumpError as error:
+        return Standing(servo, False, f"no hold could be sent: {error}")
+    try:
+        return _verified(servo, state.position, read_servo(board, servo))
+    except PumpError as error:
+        return Standing(servo, False, f"hold sent, but not verified: {error}")
+
+
+def _verified(servo: int, goal: int, state: ServoState) -> Standing:
+    if not state.torque or state.goal != goal:
+        return Standing(servo, False, f"hold at {goal} counts was sent, but it did not take it")
+    if abs(state.position - goal) > NEAR:
+        return Standing(servo, False, f"holds {goal} counts, but is at {state.position}")
+    told = f"holds at {goal} counts, verified"
+    return Standing(servo, True, f"{told}; it reports: {state.complaint}" if state.errors else told)
+
+
+def _hold_unseen(board: Board, servo: int, position: int | None, error: PumpError) -> Standing:
+    """Where is not known now, but was a tick ago; an absolute goal does no harm twice."""
+    if position is None:
+        return Standing(servo, False, f"no hold could be sent: {error}")
+    try:
+        board.move({servo: Goal(position, HOLD_SPEED)})
+    except PumpError as failure:
+        return Standing(servo, False, f"no hold could be sent: {failure}")
+    return Standing(servo, False, f"sent to {position} counts unseen; no reply: {error}")
+
+
+def _release(board: Board, servo: int) -> Standing:
+    try:
+        write_register(board, servo, registers.TORQUE_ENABLE, 0)
+    except ServoError as fault:
+        return Standing(servo, False, f"torque off was sent; {fault}")
+    except PumpError as error:
+        return Standing(servo, False, f"torque off is not verified: {error}")
+    return Standing(servo, True, "torque is off, verified")

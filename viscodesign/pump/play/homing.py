@@ -1,0 +1,85 @@
+"""Finding the ends of travel against limit switches, slowly and with little torque."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection
+
+from viscodesign.errors import InterruptedRunError, PumpError
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.ticks import Ticks
+from viscodesign.scene.pump import SERVO_COUNTS
+
+SPEED = 20.0
+"""[counts/s]: 1.5 mm/s."""
+RATE = 20.0
+"""Of the ticks [Hz]."""
+BACK_OFF = 10
+"""Travel ends this far before the place where a switch lets go [counts]."""
+BLOCKED = 30
+"""A plunger this far behind its goal runs against something [counts]."""
+SIGN = {"low": -1, "high": 1}
+Arrived = Callable[[Collection[str], int], bool]
+"""Whether the way is over, by the pressed switches and the position [counts]."""
+
+
+def find_travel(pump: Pump, stopped: Callable[[], bool]) -> tuple[int, int]:
+    """Both ends of travel of a connected pump's plunger [counts]; it stands at the low one then.
+
+    ``stopped``: whether somebody wishes it to end. Whatever happens, the plunger is held.
+    """
+    try:
+        pump.arm()
+        high = _find(pump, "high", stopped)
+        low = _find(pump, "low", stopped)
+    finally:
+        pump.hold()
+    if high - low < 4 * BACK_OFF:
+        raise PumpError(f"the switches are at {low} and {high} counts: too close; see their wires")
+    return low, high
+
+
+def _find(pump: Pump, end: str, stopped: Callable[[], bool]) -> int:
+    """Go towards an end until its switch is pressed, then back until it lets go, and farther."""
+    sign, other = SIGN[end], "high" if end == "low" else "low"
+    _go(pump, sign, lambda pressed, _: end in pressed, other, stopped)
+    _go(pump, -sign, lambda pressed, _: end not in pressed, other, stopped)
+    place = pump.positions[pump.servos[0]] - sign * BACK_OFF
+    _go(pump, -sign, lambda _, position: (place - position) * sign >= 0, other, stopped)
+    return place
+
+
+def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[[], bool]) -> None:
+    """Step by step in one direction; never on when something is wrong."""
+    servo = pump.servos[0]
+    pump.reach = step = math.ceil(SPEED / RATE)
+    ticks = Ticks(pump.clock, 1.0 / RATE)
+    ticks.begin()
+    while True:
+        states, _, by_servo = pump.look()
+        pressed = by_servo.get(servo, frozenset())
+        if stopped():
+            raise InterruptedRunError("stopped by the user; the plunger is held")
+        if states[servo].errors:
+            raise PumpError(f"servo {servo} reports: {states[servo].complaint}")
+        if barred in pressed:
+            raise PumpError(
+                f"the switch at the {barred} end is pressed on the way to the other one: see its "
+                "wire, and whether pump.limit_switches names the pins the right way round"
+            )
+        if arrived(pressed, states[servo].position):
+            return
+        goal = pump.goals[servo] + sign * step
+        _refuse(goal, states[servo].position)
+        pump.set_goals({servo: goal}, {servo: SPEED})
+        ticks.wait(lambda: not stopped())
+
+
+def _refuse(goal: int, position: int) -> None:
+    if not 0 <= goal <= SERVO_COUNTS:
+        raise PumpError("the servo is at the end of its counts and no switch was pressed")
+    if abs(goal - position) > BLOCKED:
+        raise PumpError(
+            f"the plunger stays at {position} counts and no switch is pressed there: it is "
+            "blocked, or the switch does not work"
+        )

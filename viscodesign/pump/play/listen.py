@@ -1,0 +1,51 @@
+"""Reading a pump that somebody else moves, or nobody."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from viscodesign.pump.boards.base import Board
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.play.servo_state import Sample, read_servo
+from viscodesign.pump.play.ticks import Ticks
+from viscodesign.pump.sensors.pressure_readings import Gauges
+
+
+def listen(
+    board: Board,
+    servos: Sequence[int],
+    gauges: Gauges,
+    clock: Clock,
+    wish: Wish,
+    see: Callable[[float, Sample], None],
+    *,
+    rate: float,
+    duration: float | None,
+) -> Ticks:
+    """Read at a steady rate [Hz] until the time [s] is over or somebody wishes it; writes nothing.
+
+    ``see`` is given the time from the start [s] and what was read.
+    """
+    ticks = Ticks(clock, 1.0 / rate)
+    ticks.begin()
+    while not wish.asked and (duration is None or ticks.elapsed <= duration):
+        see(ticks.now, look(board, servos, gauges, clock))
+        ticks.wait(lambda: not wish.asked)
+    return ticks
+
+
+def look(board: Board, servos: Sequence[int], gauges: Gauges, clock: Clock) -> Sample:
+    """One sample; nothing is wanted, and the goals are those that the servos hold."""
+    states = {servo: read_servo(board, servo) for servo in servos}
+    goals = {servo: state.goal for servo, state in states.items()}
+    pressure = gauges.read()
+    return Sample(
+        time=clock.now(),
+        servos=states,
+        pressure=pressure,
+        wanted=(None,) * len(pressure),
+        pressed={},
+        goals=goals,
+        next_goals=goals,
+    )

@@ -1,0 +1,115 @@
+"""What is known of a servo and of the pressures at one moment."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.boards.base import Board
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.packets import ErrorBits, meaning
+from viscodesign.pump.bus.registers import Register
+from viscodesign.pump.bus.transactions import ServoError
+
+FIRST = registers.TORQUE_ENABLE.address
+LENGTH = registers.PRESENT_TEMPERATURE.address + 1 - FIRST
+
+
+NO_ERRORS = ErrorBits(0)
+
+
+@dataclass(frozen=True)
+class ServoState:
+    """Registers 24 to 43 of a servo, read at once."""
+
+    torque: bool
+    goal: int
+    """[counts]"""
+    moving_speed: int
+    """The register; 0 would be full speed."""
+    torque_limit: int
+    """[1/1023 of stall]"""
+    position: int
+    """[counts]"""
+    load: float
+    """Output of its controller over the largest, positive towards higher counts."""
+    voltage: float
+    """[V]"""
+    temperature: float
+    """[degC]"""
+    errors: ErrorBits = NO_ERRORS
+
+    @classmethod
+    def decode(cls, data: bytes, errors: ErrorBits) -> ServoState:
+        def value(register: Register) -> int:
+            return register.within(data, FIRST)
+
+        return cls(
+            torque=bool(value(registers.TORQUE_ENABLE)),
+            goal=value(registers.GOAL_POSITION),
+            moving_speed=value(registers.MOVING_SPEED),
+            torque_limit=value(registers.TORQUE_LIMIT),
+            position=value(registers.PRESENT_POSITION),
+            load=value(registers.PRESENT_LOAD) / 1023,
+            voltage=value(registers.PRESENT_VOLTAGE) / 10,
+            temperature=float(value(registers.PRESENT_TEMPERATURE)),
+            errors=errors,
+        )
+
+    @property
+    def complaint(self) -> str:
+        """What its error bits say, in words."""
+        return meaning(self.errors)
+
+
+def read_servo(board: Board, servo: int) -> ServoState:
+    """A servo's state, with its error bits where it has some but gives its registers."""
+    data, errors = read_anyway(board, servo, FIRST, LENGTH)
+    return ServoState.decode(data, errors)
+
+
+def read_anyway(board: Board, servo: int, address: int, count: int) -> tuple[bytes, ErrorBits]:
+    """Registers and error bits; raises where no registers came."""
+    try:
+        return board.read(servo, address, count), NO_ERRORS
+    except ServoError as fault:
+        if len(fault.data) != count:
+            raise
+        return fault.data, fault.errors
+
+
+def read_register(board: Board, servo: int, register: Register) -> int:
+    """One register, whatever the error bits say."""
+    data, _ = read_anyway(board, servo, register.address, register.size)
+    return register.decode(data)
+
+
+def write_register(board: Board, servo: int, register: Register, value: int) -> None:
+    """Set one register and see by reading that it holds the value."""
+    board.write(servo, register.address, register.encode(value))
+    held = read_register(board, servo, register)
+    if held != value:
+        raise PumpError(
+            f"servo {servo}: {register.name} was set to {value}, but reads {held}; "
+            "switch the servo off and on, and check its supply and cable"
+        )
+
+
+@dataclass(frozen=True)
+class Sample:
+    """What one tick read, and what is to be done next; S servos, in the order of their inlets."""
+
+    time: float
+    """Of the clock [s]."""
+    servos: Mapping[int, ServoState]
+    pressure: tuple[float | None, ...]
+    """(S,) measured gauge pressure [Pa]; None where nothing measures it."""
+    wanted: tuple[float | None, ...]
+    """(S,) gauge pressure that the model expects now [Pa]."""
+    pressed: Mapping[int, frozenset[str]]
+    """Limit switches that are pressed (or broken), 'low' or 'high', of each servo that has some."""
+    goals: Mapping[int, int]
+    """Goals in force [counts]."""
+    next_goals: Mapping[int, int]
+    """Goals that are to follow [counts]."""

@@ -1,0 +1,71 @@
+"""A steady grid of moments."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from viscodesign.pump.bus.clock import Clock
+
+SLICE = 0.02
+"""Waiting is cut into pieces this long, to hear a wish to stop at any rate [s]."""
+
+
+@dataclass
+class Ticks:
+    """Moments ``start + k period``; those that went by unused are counted, not made up for."""
+
+    clock: Clock
+    period: float
+    """[s]"""
+    start: float = 0.0
+    """Of the clock [s]."""
+    index: int = 0
+    done: int = 0
+    skipped: int = 0
+    worst: float = 0.0
+    """Longest time by which a tick came late [s]."""
+    total: float = 0.0
+    """Sum of those times [s]."""
+
+    def begin(self) -> None:
+        """Put the first moment at now; counts go on."""
+        self.start, self.index = self.clock.now(), 0
+
+    @property
+    def elapsed(self) -> float:
+        """The present moment of the grid, from its start [s]."""
+        return self.index * self.period
+
+    @property
+    def now(self) -> float:
+        """Time from the start [s]."""
+        return self.clock.now() - self.start
+
+    def wait(self, wanted: Callable[[], bool] = lambda: True) -> None:
+        """Let time pass up to the next moment, or until it is ``wanted`` no more."""
+        self.index += 1
+        behind = int(self.now / self.period) - self.index
+        if behind > 0:
+            self.skipped += behind
+            self.index += behind
+        moment = self.start + self.index * self.period
+        while wanted() and (left := moment - self.clock.now()) > 0.0:
+            self.clock.sleep(min(left, SLICE))
+        self._note(self.clock.now() - moment)
+
+    def _note(self, late: float) -> None:
+        self.done += 1
+        self.worst = max(self.worst, late)
+        self.total += max(late, 0.0)
+
+    def document(self) -> dict[str, Any]:
+        """Counts and jitter, under names with units."""
+        return {
+            "rate_hz": 1.0 / self.period,
+            "ticks": self.done,
+            "skipped_ticks": self.skipped,
+            "worst_lateness_s": self.worst,
+            "mean_lateness_s": self.total / max(self.done, 1),
+        }

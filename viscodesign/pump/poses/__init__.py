@@ -1,0 +1,1 @@
+"""Profiles as poses of an ArbotiX board."""

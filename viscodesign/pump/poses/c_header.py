@@ -1,0 +1,141 @@
+"""A sequence of poses as a C header, for a sketch that plays it without a computer.
+
+The arrays are those that Bioloid's library for the ArbotiX plays: a pose begins with its number
+of servos, a sequence with its number of moves.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.poses.engine import FRAME_MS, Move, PoseSequence, time_asking
+
+LEAD_FRAMES = 600
+"""Of the way to the first pose: at most 20 s, and 52 counts/s."""
+
+_HEAD = """\
+/* {title}
+ *
+ * Made by viscodesign; changes are lost when it is made again.
+{facts}
+ *
+ * Servo {phantom} must not exist: its moves keep the time of waits and slow moves. Nothing
+ * watches the pressure while this plays; the torque limit is the only guard.
+ *
+ * A sketch that plays it from power-on (library Bioloid of the ArbotiX):
+ *
+ *   #include <ax12.h>
+ *   #include <BioloidController.h>
+ *   #include "poses.h"
+ *   BioloidController bioloid = BioloidController(1000000);
+ *   void setup() {{
+ *     for (int id = 1; id <= {servos}; id++) ax12SetRegister2(id, 34, TORQUE_LIMIT);
+ *     for (int id = 1; id <= {servos}; id++) ax12SetRegister2(id, 32, MOVING_SPEED);
+ *     // A servo that is not read would jump: wait for each.
+ *     for (int id = 1; id <= {servos}; id++) while (ax12GetRegister(id, 36, 2) < 0) delay(100);
+ *     bioloid.poseSize = {phantom};
+ *     bioloid.readPose();                        // begin where the plunger is
+ *     bioloid.loadPose(pose_0);
+ *     bioloid.interpolateSetup(LEAD_IN_MS);      // slowly to the start
+ *     while (bioloid.interpolating > 0) bioloid.interpolateStep();
+ *     bioloid.playSeq(profile);
+ *   }}
+ *   void loop() {{
+ *     bioloid.play();
+ *     {again}
+ *   }}
+ */"""
+_POINTER = "(unsigned int *) "
+"""The library's type of a pose is not constant."""
+_ONCE = "// once"
+_AGAIN = "if (bioloid.playing == 0) bioloid.playSeq(profile);"
+
+
+def poses_h(
+    sequence: PoseSequence,
+    *,
+    title: str,
+    facts: Mapping[str, str],
+    torque_limit: int,
+    moving_speed: int,
+    looped: bool,
+) -> str:
+    """The header's text.
+
+    ``facts``: where it comes from and how close it is, as words; ``torque_limit`` and
+    ``moving_speed`` as their registers take them.
+    """
+    phantom = len(sequence.poses[0])
+    told = "\n".join(f" * {name}: {_plain(words)}" for name, words in facts.items())
+    head = _HEAD.format(
+        title=_plain(title),
+        facts=told,
+        phantom=phantom,
+        servos=phantom - 1,
+        again=_AGAIN if looped else _ONCE,
+    )
+    constants = {
+        "TORQUE_LIMIT": torque_limit,
+        "MOVING_SPEED": moving_speed,
+        "LEAD_IN_MS": time_asking(LEAD_FRAMES),
+    }
+    poses = [
+        f"const PROGMEM uint16_t pose_{index}[] = {{{_listed((len(pose), *pose))}}};"
+        for index, pose in enumerate(sequence.poses)
+    ]
+    moves = ",\n".join(f"  {{{_POINTER}pose_{m.pose}, {m.ms}}}" for m in sequence.moves)
+    return "\n".join(
+        [
+            head,
+            "#ifndef POSES_H",
+            "#define POSES_H",
+            "",
+            "#include <avr/pgmspace.h>",
+            "#include <stdint.h>",
+            "",
+            *(f"#define {name} {value}" for name, value in constants.items()),
+            "",
+            *poses,
+            "",
+            f"/* times in ms, each one less than its frames of {FRAME_MS} ms */",
+            "const PROGMEM transition_t profile[] = {",
+            f"  {{0, {len(sequence.moves)}}},",
+            moves,
+            "};",
+            "",
+            "#endif",
+            "",
+        ]
+    )
+
+
+def _listed(values: tuple[int, ...]) -> str:
+    return ", ".join(map(str, values))
+
+
+def _plain(words: str) -> str:
+    """Words that cannot end the comment they stand in."""
+    return re.sub(r"\s+", " ", words).replace("*/", "* /").encode("ascii", "replace").decode()
+
+
+_POSE = re.compile(r"uint16_t pose_(\d+)\[\] = \{([\d, ]+)\};")
+_MOVE = re.compile(r"\{\(unsigned int \*\) pose_(\d+), (\d+)\}")
+
+
+def read_poses_h(text: str) -> PoseSequence:
+    """The sequence that a header holds; raises `PumpError` where it is not whole."""
+    rows = {int(n): [int(v) for v in values.split(",")] for n, values in _POSE.findall(text)}
+    moves = tuple(Move(int(pose), int(ms)) for pose, ms in _MOVE.findall(text))
+    count = re.search(r"\{0, (\d+)\}", text)
+    whole = (
+        count is not None
+        and int(count[1]) == len(moves)
+        and sorted(rows) == list(range(len(rows)))
+        and all(row[0] == len(row) - 1 for row in rows.values())
+        and all(move.pose in rows for move in moves)
+    )
+    if not whole:
+        raise PumpError("the header is not a whole one of viscodesign's")
+    return PoseSequence(tuple(tuple(rows[n][1:]) for n in sorted(rows)), moves)

@@ -1,0 +1,85 @@
+"""What PyPose understands beyond the servos' protocol; sent to the board's own id.
+
+Source: vanadiumlabs/arbotix, pypose/pypose.ino.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import IntEnum
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.bus.packets import Packet
+from viscodesign.pump.poses.engine import (
+    LONGEST_MS,
+    MOST_MOVES,
+    MOST_POSES,
+    Move,
+    PoseSequence,
+)
+
+ARBOTIX = 253
+"""Id by which the firmwares of the ArbotiX answer for themselves."""
+HALT = b"H"
+"""Looked for between two moves; no packet."""
+END = 255
+"""Pose number behind the last move."""
+
+
+class PoseInstruction(IntEnum):
+    """Of the firmware; 25, which swings servo 1 and switches all pins, is left out for good."""
+
+    SIZE_POSE = 7
+    LOAD_POSE = 8
+    LOAD_SEQUENCE = 9
+    PLAY = 10
+    LOOP = 11
+
+
+def size_pose(servos: int) -> Packet:
+    """Take poses of so many servos, ids from 1 on, and read where they are."""
+    return Packet(ARBOTIX, PoseInstruction.SIZE_POSE, bytes([servos]))
+
+
+def load_pose(index: int, counts: Sequence[int]) -> Packet:
+    """Keep a pose; behind the last one lies other memory."""
+    if not 0 <= index < MOST_POSES:
+        raise PumpError(f"pose {index}; the board keeps poses 0 to {MOST_POSES - 1}")
+    words = b"".join(count.to_bytes(2, "little") for count in counts)
+    return Packet(ARBOTIX, PoseInstruction.LOAD_POSE, bytes([index]) + words)
+
+
+def load_sequence(moves: Sequence[Move]) -> Packet:
+    """Keep the moves; more than its buffer takes would hang the board."""
+    if not 1 <= len(moves) <= MOST_MOVES:
+        raise PumpError(f"{len(moves)} moves; the board takes 1 to {MOST_MOVES}")
+    return Packet(
+        ARBOTIX,
+        PoseInstruction.LOAD_SEQUENCE,
+        b"".join(_entry(move.pose, move.ms) for move in moves) + _entry(END, 0),
+    )
+
+
+def _entry(pose: int, ms: int) -> bytes:
+    if not 0 <= ms <= LONGEST_MS:
+        raise PumpError(f"a move of {ms} ms; the board takes 0 to {LONGEST_MS}")
+    return bytes([pose]) + ms.to_bytes(2, "little")
+
+
+def loading(sequence: PoseSequence) -> list[Packet]:
+    """All that brings a sequence onto the board, in order."""
+    return [
+        size_pose(len(sequence.poses[0])),
+        *(load_pose(index, counts) for index, counts in enumerate(sequence.poses)),
+        load_sequence(sequence.moves),
+    ]
+
+
+def play() -> Packet:
+    """Go through the moves once."""
+    return Packet(ARBOTIX, PoseInstruction.PLAY)
+
+
+def loop() -> Packet:
+    """Go through the moves until it is halted."""
+    return Packet(ARBOTIX, PoseInstruction.LOOP)

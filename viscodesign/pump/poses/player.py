@@ -1,0 +1,243 @@
+"""A sequence of poses on an ArbotiX: brought there, approached slowly, played, and ended.
+
+While the board plays it hears nothing but a halt, and that only between two moves; nothing is
+supervised then but the time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.boards.arbotix import Arbotix
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.transactions import NoReplyError
+from viscodesign.pump.play.hold import HOLD_SPEED, NEAR, Standing
+from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.play.pump import Pump, speed_register
+from viscodesign.pump.play.servo_state import read_servo
+from viscodesign.pump.play.stream import Ending, Shown, Stream
+from viscodesign.pump.play.ticks import SLICE
+from viscodesign.pump.poses import packets as pose_packets
+from viscodesign.pump.poses.engine import FRAME
+from viscodesign.pump.poses.fit import PoseFit
+from viscodesign.pump.profile import Profile
+
+LEAD_RATE = 8.0
+"""Ticks of the way to the start [Hz]: single writes and reads at 38400 baud take their time."""
+LEAD_SETTLE = 0.5
+"""At the start before the board takes over [s]."""
+FASTER = 1.5
+"""Moving speed over that of the fastest move: so a servo keeps up, and no wrong goal is a jump."""
+HANDOVER = 2e-3
+"""Time that the board may lose at each move [s]: a millisecond's rounding, and its writing."""
+ANSWER = 1.0
+"""To wait for a sign of life once it should be idle [s]."""
+HALT_TRIES = 3
+
+
+def by_servo(profile: Profile) -> Profile:
+    """The profile with its columns in the order of the servos' ids, which must be 1, 2, ..."""
+    order = np.argsort(profile.servos)
+    ids = [profile.servos[k] for k in order]
+    if ids != list(range(1, len(ids) + 1)):
+        raise PumpError(
+            f"servo ids {', '.join(map(str, sorted(ids)))}; the PyPose firmware takes poses of the "
+            f"servos 1 to {len(ids)} only. `pump calibrate` sets ids; then correct pump.servo_id"
+        )
+    return Profile(
+        inlets=tuple(profile.inlets[k] for k in order),
+        servos=tuple(ids),
+        time=profile.time,
+        counts=profile.counts[:, order],
+        pressure=profile.pressure[:, order],
+    )
+
+
+def divided(profile: Profile, moment: float) -> tuple[Profile, Profile]:
+    """The way up to a moment, and the rest from there on with a time from 0 on."""
+    before, after = profile.time < moment - 1e-9, profile.time > moment + 1e-9
+    counts = profile.at(moment)[None]
+    pressure = np.array([[np.interp(moment, profile.time, p) for p in profile.pressure.T]])
+    return (
+        replace(
+            profile,
+            time=np.append(profile.time[before], moment),
+            counts=np.concatenate([profile.counts[before], counts]),
+            pressure=np.concatenate([profile.pressure[before], pressure]),
+        ),
+        replace(
+            profile,
+            time=np.append(0.0, profile.time[after] - moment),
+            counts=np.concatenate([counts, profile.counts[after]]),
+            pressure=np.concatenate([pressure, profile.pressure[after]]),
+        ),
+    )
+
+
+def _rested(lead: Profile) -> Profile:
+    """The same with a rest at its end."""
+    return replace(
+        lead,
+        time=np.append(lead.time, lead.duration + LEAD_SETTLE),
+        counts=np.concatenate([lead.counts, lead.counts[-1:]]),
+        pressure=np.concatenate([lead.pressure, lead.pressure[-1:]]),
+    )
+
+
+def playing_speed(fit: PoseFit) -> int:
+    """Moving speed register with which servos keep up with a fit, and hardly more."""
+    return max(speed_register(FASTER * fit.fastest), HOLD_SPEED)
+
+
+class PosePlayer:
+    """One fit, played by the board of a connected pump."""
+
+    def __init__(
+        self,
+        pump: Pump,
+        board: Arbotix,
+        fit: PoseFit,
+        wish: Wish,
+        tell: Callable[[str], None],
+        see: Callable[[float], None] = lambda elapsed: None,
+    ) -> None:
+        """``tell`` is given what a user has to hear; ``see`` the time since the start [s]."""
+        self.pump = pump
+        self.board = board
+        self.fit = fit
+        self.wish = wish
+        self.tell = tell
+        self.see = see
+        self._began: float | None = None
+        """When it was told to play [s of the clock]; None where nothing plays."""
+
+    @property
+    def servos(self) -> int:
+        """Of a pose, the phantom included; it has the last id."""
+        return len(self.fit.sequence.poses[0])
+
+    def load(self) -> None:
+        """Bring poses and moves onto the board, which moves nothing."""
+        self._refuse_a_real_phantom()
+        size, *rest = pose_packets.loading(self.fit.sequence)
+        self.board.size_pose(size)
+        for packet in rest:
+            self.board.tell(packet)
+
+    def _refuse_a_real_phantom(self) -> None:
+        try:
+            self.board.read(self.servos, registers.PRESENT_POSITION.address, 2)
+        except NoReplyError:
+            return
+        raise PumpError(
+            f"a servo answers with id {self.servos}, which has to stay free: it would swing "
+            "through its whole range to keep the time. Take it off the bus, or give it another id"
+        )
+
+    def approach(self, lead: Profile, see: Callable[[Shown], None] = lambda shown: None) -> Ending:
+        """Torque on, then from where the plungers are to the lead's end, under all guards."""
+        return Stream(
+            self.pump, _rested(lead), self.wish, see, rate=LEAD_RATE, lead=lead.duration
+        ).play()
+
+    def play(self) -> Ending:
+        """Play once, or loop until a wish to stop; however this ends, nothing plays then.
+
+        Where the plungers are is read again by the board before, or its first move would begin
+        where they were.
+        """
+        ending = Ending()
+        try:
+            self.board.size_pose(pose_packets.size_pose(self.servos))
+            self._allow_speed()
+            ending = self._played()
+        except PumpError as error:
+            ending = Ending("stopped", str(error), "replies", may_retreat=False)
+        finally:
+            ending.standing = self._stand()
+        return ending
+
+    def _allow_speed(self) -> None:
+        for servo in self.pump.servos:
+            self.board.set(servo, registers.MOVING_SPEED, playing_speed(self.fit))
+
+    def _played(self) -> Ending:
+        clock, looped = self.pump.clock, self.fit.looped
+        if self.wish.asked:
+            return self._interrupted()
+        # From the sending on it may be playing, whatever is answered.
+        self._began = clock.now()
+        self.board.start(pose_packets.loop() if looped else pose_packets.play())
+        self._began = clock.now()
+        end = self._began + self._moments()[-1]
+        while looped or clock.now() < end:
+            if self.wish.asked:
+                return self._interrupted()
+            clock.sleep(SLICE if looped else min(SLICE, end - clock.now()))
+            self.see(clock.now() - self._began)
+        if not self.board.is_idle(ANSWER + HANDOVER * len(self.fit.sequence.moves)):
+            return Ending("stopped", "the board does not say that it has ended", "replies")
+        self._began = None
+        return self._arrived()
+
+    def _interrupted(self) -> Ending:
+        return Ending("interrupted", f"asked to stop ({self.wish.first})")
+
+    def _moments(self) -> np.ndarray:
+        """When each move ends, from the start of a round [s]."""
+        return np.cumsum([FRAME * frames for frames in self.fit.move_frames])
+
+    def _arrived(self) -> Ending:
+        """Whether the plungers are where the last move ends, and well."""
+        last = self.fit.sequence.goals()[-1]
+        for servo, goal in zip(sorted(self.pump.servos), last, strict=False):
+            state = read_servo(self.board, servo)
+            if state.errors:
+                return Ending("stopped", f"servo {servo} reports: {state.complaint}", "servo_alarm")
+            if abs(state.position - goal) > NEAR:
+                return Ending(
+                    "stopped",
+                    f"servo {servo} is at {state.position} counts, not at {goal}: it did not "
+                    "follow. The plunger is blocked, or the torque limit too low for the pressure",
+                    "following",
+                )
+        return Ending("complete", "played to its end")
+
+    def _stand(self) -> list[Standing]:
+        """Halt what may be playing, then hold, or drop the torque where a stop was asked twice.
+
+        Where the board stays deaf, only that is told.
+        """
+        if self._began is not None and not self._halted():
+            return [
+                Standing(servo, False, "the board still plays or hangs; switch its power off")
+                for servo in self.pump.servos
+            ]
+        return self.pump.release() if self.wish.urgent else self.pump.hold()
+
+    def _halted(self) -> bool:
+        """Halt; repeated, since a halt may be lost on the way, and never anything before it."""
+        self.tell(
+            f"halting: the move that runs cannot be interrupted and ends in about "
+            f"{self._left_of_move():.1f} s; only the power switch stops it now"
+        )
+        longest = FRAME * max(self.fit.move_frames)
+        for _ in range(HALT_TRIES):
+            self.board.halt()
+            if self.board.is_idle(longest + ANSWER):
+                self._began = None
+                return True
+        return False
+
+    def _left_of_move(self) -> float:
+        """Until the end of the move that runs, by our clock [s]."""
+        moments = self._moments()
+        elapsed = self.pump.clock.now() - (self._began or 0.0)
+        if self.fit.looped:
+            elapsed %= moments[-1]
+        running = moments[moments > elapsed]
+        return float(running[0] - elapsed) if len(running) else 0.0

@@ -1,0 +1,123 @@
+"""The files of a plan of the pump, beside those of a run or alone."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from viscodesign.pump.planning.result import PumpPlan
+from viscodesign.report.run_folder import PLAN_FILES, prepare_folder, text_bytes
+from viscodesign.report.tables import notice_documents, plain
+from viscodesign.storage.atomic_files import refused_plainly, write_all
+
+TABLE, DOCUMENT, PICTURE = PLAN_FILES
+
+QUANTITIES = {
+    "pressure_pa": "pressure",
+    "given_m3": "given",
+    "volume_m3": "volume",
+    "flow_m3_s": "flow",
+    "plunger_m": "position",
+    "count": "count",
+    "torque_nm": "torque",
+    "stall_share": "stall_share",
+    "speed_share": "speed_share",
+}
+"""Column's last words: the course's field."""
+
+
+def write_plan(
+    plan: PumpPlan, directory: str | Path, *, plots: bool = True, force: bool = False
+) -> list[Path]:
+    """Write a plan's files and return them; those of an earlier one are replaced.
+
+    No other file is touched. Table and document come first, both or none. Raises
+    `UsageError` where the folder cannot be written, or holds other files (without ``force``).
+    """
+    folder = prepare_folder(directory, force=force)
+    document = json.dumps(plan_document(plan), indent=2, ensure_ascii=False)
+    contents = {
+        folder / TABLE: [plan_csv(plan)],
+        folder / DOCUMENT: [text_bytes(document + "\n")],
+    }
+    picture = folder / PICTURE
+    write_all(contents, first=lambda: _remove(picture))
+    if not plots:
+        return list(contents)
+    # Drawing is slow to import, and a plan without a picture does not need it.
+    from viscodesign.pump.report.plan_chart import draw_plan
+
+    draw_plan(plan, picture)
+    return [*contents, picture]
+
+
+def _remove(file: Path) -> None:
+    with refused_plainly(file):
+        file.unlink(missing_ok=True)
+
+
+def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
+    """Names and values (T, columns) of `plan.csv`; pressures are gauge.
+
+    Tips are told from the run's own start on; before it they are not a number.
+    """
+    names, columns = ["time_s", "run_time_s"], [plan.wanted.time]
+    columns.append(plan.wanted.time - plan.wanted.lead_s)
+    for kind, course in (("wanted", plan.wanted), ("achievable", plan.achievable)):
+        for word, attribute in QUANTITIES.items():
+            for k, inlet in enumerate(plan.inlets):
+                own = "" if len(plan.inlets) == 1 else f"{inlet}_"
+                names.append(f"{kind}_{own}{word}")
+                columns.append(getattr(course, attribute)[:, k])
+    before = len(plan.wanted.time) - len(plan.wanted_run.time)
+    for kind, run in (("wanted", plan.wanted_run), ("achievable", plan.achievable_run)):
+        for k, word in enumerate(("tip_x_m", "tip_z_m", "tip_angle_rad")):
+            names.append(f"{kind}_{word}")
+            columns.append(np.concatenate([np.full(before, np.nan), run.tip[:, k]]))
+    return names, np.column_stack(columns)
+
+
+def plan_csv(plan: PumpPlan) -> bytes:
+    """Every digit; what is not known is an empty cell."""
+    names, values = plan_columns(plan)
+    lines = [",".join(names)]
+    lines += [",".join("" if v != v else repr(v) for v in row) for row in values.tolist()]
+    return text_bytes("\n".join(lines) + "\n")
+
+
+def plan_document(plan: PumpPlan) -> dict[str, Any]:
+    """The plan without its courses."""
+    document = {
+        "name": plan.name,
+        "version": plan.version,
+        "spec_sha256": plan.spec_sha256,
+        "status": plan.status,
+        "failure": plan.failure,
+        "feasible": plan.is_feasible,
+        "servo": plan.servo,
+        "inlets": dict(zip(plan.inlets, plan.servos, strict=True)),
+        "lead_s": plan.wanted.lead_s,
+        "duration_s": float(plan.wanted.time[-1]),
+        "verdicts": [asdict(verdict) for verdict in plan.verdicts],
+        "together": [asdict(change) for change in plan.together],
+        "limits": dict(plan.limits),
+        "numbers": {inlet: dict(numbers) for inlet, numbers in plan.numbers.items()},
+        "achievable": {
+            "clipped": plan.clipped,
+            "sweeps": plan.sweeps,
+            "unsettled_counts": plan.unsettled_counts,
+            "tip_deviation_m": plan.deviation_m,
+        },
+        "accuracy": {
+            "wanted": asdict(plan.wanted_run.accuracy),
+            "achievable": asdict(plan.achievable_run.accuracy),
+            "tip_error_m": plan.error_m,
+        },
+        "effects": [v.name for v in plan.wanted_run.effects if v.taken],
+        "warnings": notice_documents(plan.warnings),
+    }
+    return dict(plain(document))

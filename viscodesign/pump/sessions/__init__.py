@@ -1,0 +1,1 @@
+"""Whole sessions with a pump: connect, stream, upload, record, calibrate, stop."""

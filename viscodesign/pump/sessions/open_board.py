@@ -1,0 +1,113 @@
+"""From the words of a command to a board that answers."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from viscodesign.errors import UsageError
+from viscodesign.plugins import members
+from viscodesign.pump.boards.base import Board
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
+from viscodesign.pump.bus.clock import Clock, WallClock
+from viscodesign.pump.bus.line import Line
+from viscodesign.pump.bus.serial_line import SerialLine
+from viscodesign.pump.drive import Drive
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.pins import Pins
+from viscodesign.pump.simulated.plant import AMBIENT, ClosedGas, Plant
+from viscodesign.pump.simulated.ros import Ros
+from viscodesign.pump.simulated.servo import VirtualServo
+from viscodesign.scene.pump import Pump
+
+MODEL_NUMBERS = {"ax12a": 12, "ax18a": 18}
+"""Of the servos that `pump.servo` names."""
+
+
+def boards() -> dict[str, type[Board]]:
+    """Kinds of boards by the word after `--board`."""
+    return members("viscodesign.pump.boards", Board)  # type: ignore[type-abstract]
+
+
+def board_kind(name: str) -> type[Board]:
+    """The kind of board with a name."""
+    kinds = boards()
+    if name not in kinds:
+        close = get_close_matches(name, kinds, n=1)
+        meant = f"; did you mean {close[0]!r}?" if close else ""
+        raise UsageError(f"--board {name}: no such board{meant} There are: {', '.join(kinds)}")
+    return kinds[name]
+
+
+def open_board(
+    name: str,
+    port: str | None,
+    baud: int | None,
+    log: ByteLog,
+    clock: Clock | None = None,
+    pump: Pump | None = None,
+    plant: Plant | None = None,
+    ambient: float = AMBIENT,
+) -> Board:
+    """A board behind its port, booted; moves nothing and asks nothing yet.
+
+    ``plant`` is what the plungers of a simulated board press into, a closed barrel where none
+    is given; ``ambient`` the absolute pressure around its sensor [Pa]. Whoever opens it closes
+    its line.
+    """
+    kind = board_kind(name)
+    _check_port(kind, port, baud)
+    clock = clock or WallClock()
+    servos = servo_ids(pump)
+    if kind.simulated:
+        if pump is None:
+            raise UsageError("--board simulated needs the `pump:` section of a spec")
+        line: Line = simulated_line(pump, clock, plant, ambient)
+    else:
+        line = SerialLine(str(port), baud or kind.baud, clock)
+    log.event("opened", board=name, port=port, baud=baud or kind.baud, simulated=kind.simulated)
+    board = kind(LoggedLine(line, log), servos)
+    clock.sleep(kind.boot)
+    board.line.drain()
+    return board
+
+
+def servo_ids(pump: Pump | None) -> list[int]:
+    """Of the servos that a pump names, in the order of its inlets."""
+    if pump is None:
+        return []
+    return [pump.servo_id] if isinstance(pump.servo_id, int) else list(pump.servo_id.values())
+
+
+def simulated_line(
+    pump: Pump, clock: Clock, plant: Plant | None = None, ambient: float = AMBIENT
+) -> Line:
+    """A line into a computed ArbotiX with the firmware for ROS, and a pump behind it."""
+    bench = simulated_bench(pump, plant, ambient)
+    return DirectLine(Ros(bench, Pins(bench, ambient)), clock)
+
+
+def simulated_bench(pump: Pump, plant: Plant | None = None, ambient: float = AMBIENT) -> Bench:
+    """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
+    drives = [Drive(pump) for _ in servo_ids(pump)]
+    servos = [
+        VirtualServo(servo, MODEL_NUMBERS[pump.servo], pump.home) for servo in servo_ids(pump)
+    ]
+    for servo in servos:
+        servo.supply(pump.supply_voltage)
+        servo.set(registers.CW_LIMIT, pump.travel[0])
+        servo.set(registers.CCW_LIMIT, pump.travel[1])
+    return Bench(servos, drives, plant or ClosedGas(drives, ambient))
+
+
+def _check_port(kind: type[Board], port: str | None, baud: int | None) -> None:
+    if kind.simulated and (port is not None or baud is not None):
+        raise UsageError("--board simulated has no --port and no --baud: nothing real moves")
+    if not kind.simulated and port is None:
+        raise UsageError(
+            f"--board {kind.name} needs --port, such as /dev/ttyUSB0; "
+            "`viscodesign pump ports` lists those there are"
+        )
+    if baud is not None and baud <= 0:
+        raise UsageError(f"--baud {baud}; give bits a second, such as {kind.baud}")

@@ -1,0 +1,1 @@
+"""Simulated servos, firmware and syringes, down to the bytes."""

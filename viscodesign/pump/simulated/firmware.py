@@ -1,0 +1,190 @@
+"""What the firmwares of the ArbotiX share: one processor, its inbox, and a parser with faults.
+
+Read from the sources of vanadiumlabs' `pypose.ino` and `ros.ino` (ArbotiX repositories):
+one FF begins a packet, nothing ends it but its length, and lengths below 2 or above 144 never
+come to an end.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import abstractmethod
+from collections.abc import Generator
+
+from viscodesign.pump.bus import packets
+from viscodesign.pump.bus.packets import Packet
+from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device, Outbox
+
+Work = Generator[float, None, None]
+"""Yields the moment at which the processor goes on, or `WHEN_BYTES_COME`."""
+WHEN_BYTES_COME = -math.inf
+NEVER = math.inf
+
+INBOX = 63
+"""Bytes that the serial port keeps while the processor is busy; more are lost."""
+LONGEST = 144
+"""LEN of the longest packet: its parameters and checksum fill `params[143]`."""
+PARAMETERS = 143
+ARBOTIX = 253
+SERVO_TIMEOUT = 1e-3
+"""How long it waits for a servo that is not there [s]."""
+
+
+class Firmware(Device):
+    """A program on the board, written as the board's is: one thing after the other."""
+
+    baud: int
+    checksum_error: int
+    """Error byte that answers a wrong checksum."""
+
+    def __init__(self, bench: Bench, latency: float = 1e-3) -> None:
+        self.bench = bench
+        self.latency = latency
+        self.now = 0.0
+        self._outbox = Outbox()
+        self._coming: list[tuple[float, int]] = []
+        self._inbox = bytearray()
+        self._sent = 0.0
+        self._program: Work | None = None
+        self._wake = NEVER
+        self.start()
+
+    def reset(self, now: float, boot: float = 0.0) -> None:
+        """Power, the button or DTR: all is forgotten, and what comes meanwhile is lost."""
+        self.now = now
+        self._inbox.clear()
+        self._coming = [(moment, byte) for moment, byte in self._coming if moment > now + boot]
+        self._parameters = bytearray(PARAMETERS)
+        self._received = b""
+        self.start()
+        self._program = self._loop(now + boot)
+        self._wake = next(self._program)
+
+    @abstractmethod
+    def start(self) -> None:
+        """What the sketch sets up."""
+
+    @abstractmethod
+    def obey(self, packet: Packet) -> Work:
+        """Do what a packet says that came whole."""
+
+    def feed(self, data: bytes, now: float) -> None:
+        self.run(now)
+        byte = BITS_PER_BYTE / self.baud
+        moment = max(now, self._coming[-1][0] if self._coming else now)
+        for value in data:
+            moment += byte
+            if moment >= self._deaf_until:
+                self._coming.append((moment, value))
+
+    def take(self, now: float) -> bytes:
+        self.run(now)
+        return self._outbox.take(now)
+
+    def due(self) -> float:
+        return min(self._outbox.due(), self._next())
+
+    def run(self, until: float) -> None:
+        """Let the processor work up to a moment; the first one that is told is power-on."""
+        if self._program is None:
+            self.reset(until)
+        while (moment := self._next()) <= until:
+            self.now = max(moment, self.now)
+            self._receive(self.now)
+            self.bench.advance(self.now)
+            self._wake = next(self._program) if self._program else NEVER
+        self._receive(until)
+        self.bench.advance(until)
+
+    def _next(self) -> float:
+        """When the processor has something to do."""
+        if self._wake != WHEN_BYTES_COME:
+            return self._wake
+        if self._inbox:
+            return self.now
+        return self._coming[0][0] if self._coming else NEVER
+
+    def _receive(self, now: float) -> None:
+        arrived = [byte for moment, byte in self._coming if moment <= now]
+        del self._coming[: len(arrived)]
+        self._inbox += bytes(arrived[: max(INBOX - len(self._inbox), 0)])
+
+    def read(self) -> int:
+        """The next byte, or -1 where none is there."""
+        return self._inbox.pop(0) if self._inbox else -1
+
+    def send(self, data: bytes) -> None:
+        """Out at the port's speed, behind what is still going out."""
+        self._sent = max(self._sent, self.now) + len(data) * BITS_PER_BYTE / self.baud
+        self._outbox.put(data, self._sent + self.latency)
+
+    def reply(self, id: int, error: int, data: bytes = b"") -> None:
+        self.send(Packet(id, error, data).encode())
+
+    def _loop(self, ready: float) -> Work:
+        self._deaf_until = ready
+        yield ready
+        while True:
+            while (yield from self._byte()) != 0xFF:
+                pass
+            yield from self._packet()
+
+    def _byte(self) -> Generator[float, None, int]:
+        while not self._inbox:
+            yield WHEN_BYTES_COME
+        return self.read()
+
+    def _packet(self) -> Work:
+        """Behind one FF: further ones are skipped, then id, length, instruction, the rest."""
+        while (id := (yield from self._byte())) == 0xFF:
+            pass
+        length = yield from self._byte()
+        code = yield from self._byte()
+        if not 2 <= length <= LONGEST:
+            yield from hang()
+        total = id + length + code
+        for place in range(length - 1):
+            self._parameters[place] = yield from self._byte()
+            total += self._parameters[place]
+        if total % 256 != 255:
+            self.reply(id, self.checksum_error)
+        else:
+            yield from self.obey(Packet(min(id, 254), code, bytes(self._parameters[: length - 2])))
+
+    def ask_servo(self, id: int, address: int, count: int) -> Generator[float, None, int]:
+        """What `ax12GetRegister` gives: the first one or two bytes, or -1.
+
+        The packet stays in a buffer. Where nothing answers the one before stays there.
+        """
+        answered = self.bench.answer(packets.read(id, address, count), self.now)
+        if answered is None:
+            yield self.now + SERVO_TIMEOUT
+            return -1
+        reply, delay = answered
+        self._received = reply.encode()
+        bits = (8 + len(self._received)) * BITS_PER_BYTE
+        yield self.now + delay + bits / 1e6
+        value = self._received[5:-1] if count == 1 else self._received[5:7]
+        return int.from_bytes(value[:2], "little")
+
+    def pass_read(self, packet: Packet) -> Work:
+        """A READ for a servo: whatever lies in the buffer then goes back, once."""
+        address, count = self._parameters[0], self._parameters[1]
+        yield from self.ask_servo(packet.id, address, count)
+        self.send(self._received)
+        self._received = b""
+
+    def pass_write(self, packet: Packet) -> Work:
+        """A WRITE of one byte or two, whatever its length; said to be done by whoever."""
+        size = 1 if len(packet.parameters) == 2 else 2
+        data = bytes(self._parameters[1 : 1 + size])
+        self.bench.answer(packets.write(packet.id, self._parameters[0], data), self.now)
+        self.reply(packet.id, 0)
+        yield self.now
+
+
+def hang() -> Work:
+    """What only a reset ends."""
+    while True:
+        yield NEVER

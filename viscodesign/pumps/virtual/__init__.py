@@ -1,1 +1,0 @@
-"""Servos, boards and sensors that are only computed, and speak the real bytes."""

@@ -1,0 +1,174 @@
+"""`effects.png`: how far every effect moves the tip, estimated and measured."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from matplotlib.colors import to_hex
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
+
+from viscodesign.report.layout.style import (
+    ACCENT,
+    FAINT,
+    GREY,
+    INK,
+    SEQUENTIAL,
+    axes_at,
+    head,
+    head_room,
+    picture,
+    shown,
+)
+from viscodesign.results.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LEFT, BOTTOM, PLOT_WIDTH, RIGHT = 2.05, 0.5, 4.6, 0.3
+WIDTH = LEFT + PLOT_WIDTH + RIGHT
+ROW, LEGEND = 0.36, 0.5
+NUMBER = 0.75
+"""Room to the right of the longest bar, for its number; all in inches."""
+BAR = 0.36
+"""Thickness of a bar, of its row."""
+MEASURED, ESTIMATED = to_hex(SEQUENTIAL(0.25)), FAINT
+HATCH = "/////"
+LINE: Any = {"color": ACCENT, "lw": 1.4, "ls": (0, (5, 2))}
+DEEPEST = 1e-5
+"""Smallest move with a bar of its own, of the error asked for; below it there is none."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One effect; moves in mm, None where there is no number."""
+
+    name: str
+    taken: bool
+    estimated: float | None
+    measured: float | None
+    note: str = ""
+    """What stands in place of a measurement."""
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """What it is sorted by: measured where that is known."""
+        known = self.estimated if self.measured is None else self.measured
+        return known or 0.0, self.estimated or 0.0
+
+
+def draw_effects(trajectory: Trajectory, path: Path) -> None:
+    """A row for each effect, the largest move on top; the error asked for as a line."""
+    rows = effect_rows(trajectory)
+    budget = 1e3 * trajectory.accuracy.requested_m
+    height = ROW * len(rows)
+    with picture(path, WIDTH, BOTTOM + height + LEGEND + head_room(trajectory, WIDTH)) as made:
+        axes = axes_at(made, LEFT, BOTTOM, PLOT_WIDTH, height)
+        limits = _limits(rows, budget)
+        axes.set(xscale="log", xlim=limits, ylim=(len(rows) - 0.5, -0.5))
+        axes.set_xlabel("how far the tip moves when this effect alone is switched [mm]")
+        axes.xaxis.set_major_locator(LogLocator(numticks=9))
+        axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+        axes.xaxis.set_minor_locator(NullLocator())
+        axes.grid(axis="x", color="#e6e6e6", lw=0.6)
+        axes.set_axisbelow(True)
+        axes.axvline(budget, zorder=4, **LINE)
+        for k, row in enumerate(rows):
+            _draw_row(axes, k, row, limits[0])
+        _draw_names(axes, rows, budget)
+        _draw_legend(made, budget, BOTTOM + height)
+        head(made, trajectory, "what the effects do", 0.1)
+
+
+def effect_rows(trajectory: Trajectory) -> list[Row]:
+    """One for each effect of the catalogue, by size; what a scene has not comes last."""
+    proofs = {proof.name: proof for proof in trajectory.proof}
+    rows = []
+    for verdict in trajectory.effects:
+        proof = proofs.get(verdict.name)
+        if proof is None:
+            move = 1e3 * verdict.contribution_m
+            note = "not measured" if move else ""
+            rows.append(Row(verdict.name, verdict.taken, move, None, note))
+        else:
+            measured = None if proof.measured_m is None else 1e3 * proof.measured_m
+            note = "no solution without it" if proof.taken else "no solution with it"
+            told = note if measured is None else ""
+            rows.append(Row(proof.name, proof.taken, 1e3 * proof.estimated_m, measured, told))
+    return sorted(rows, key=lambda row: row.size, reverse=True)
+
+
+def _limits(rows: Iterable[Row], budget: float) -> tuple[float, float]:
+    """Powers of ten about all bars and the error asked for."""
+    moves = [m for row in rows for m in (row.estimated, row.measured) if m and math.isfinite(m)]
+    seen = [budget, *(m for m in moves if m > DEEPEST * budget)]
+    low = 10.0 ** math.floor(math.log10(0.5 * min(seen)))
+    return low, low * (max(seen) / low) ** (PLOT_WIDTH / (PLOT_WIDTH - NUMBER))
+
+
+def _draw_row(axes: Axes, k: int, row: Row, low: float) -> None:
+    if not row.estimated and not row.measured and not row.note:
+        _write(axes, low, k, "none")
+        return
+    _draw_bar(axes, k + BAR / 2, row.estimated, row.taken, ESTIMATED, "")
+    _draw_bar(axes, k - BAR / 2, row.measured, row.taken, MEASURED, row.note)
+
+
+def _draw_bar(
+    axes: Axes, y: float, move: float | None, taken: bool, colour: str, note: str
+) -> None:
+    """A bar from the axis on, full or hatched; its number behind its end."""
+    low, high = axes.get_xlim()
+    if move is None or move <= low:
+        words = note if move is None else f"{move:.2g}" if move else "none"
+        _write(axes, low, y, words)
+        return
+    end = min(move, low * (high / low) ** (1 - NUMBER / PLOT_WIDTH))
+    edge = colour if colour == MEASURED else GREY
+    style: dict[str, Any] = (
+        {"color": colour} if taken else {"facecolor": "white", "edgecolor": edge, "hatch": HATCH}
+    )
+    axes.barh(y, end - low, BAR, left=low, zorder=3, linewidth=0.8, **style)
+    _write(axes, end, y, f"{move:.3g}" if math.isfinite(move) else "without limit")
+
+
+def _write(axes: Axes, x: float, y: float, words: str) -> None:
+    axes.annotate(
+        words, xy=(x, y), xytext=(3, 0), textcoords="offset points", va="center_baseline",
+        fontsize=6.5, color=INK, zorder=5,
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4},
+    )  # fmt: skip
+
+
+def _draw_names(axes: Axes, rows: list[Row], budget: float) -> None:
+    """Name and decision; a wrong one stands out."""
+    missing = [not row.taken and (row.measured or 0.0) > budget for row in rows]
+    words = [
+        f"{shown(row.name, 24)}\n{'taken' if row.taken else 'left out'}{', MISSING' * wrong}"
+        for row, wrong in zip(rows, missing, strict=True)
+    ]
+    axes.set_yticks(range(len(rows)), words, fontsize=7.5, linespacing=1.0)
+    axes.tick_params(axis="y", length=0)
+    for label, wrong in zip(axes.get_yticklabels(), missing, strict=True):
+        label.set(weight="bold" if wrong else "normal", color=ACCENT if wrong else INK)
+
+
+def _draw_legend(made: Figure, budget: float, top: float) -> None:
+    width, height = made.get_size_inches()
+    handles = [
+        Patch(facecolor=MEASURED, label="measured"),
+        Patch(facecolor=ESTIMATED, label="estimated"),
+        Patch(facecolor=INK, label="taken: full"),
+        Patch(facecolor="white", edgecolor=INK, hatch=HATCH, label="left out: hatched"),
+        Line2D([], [], **LINE, label=f"error asked for: {budget:.3g} mm"),
+    ]
+    made.legend(
+        handles=handles, loc="lower left", ncols=3, borderaxespad=0, columnspacing=1.4,
+        bbox_to_anchor=(LEFT / width, (top + 0.08) / height),
+    )  # fmt: skip

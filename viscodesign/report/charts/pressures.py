@@ -1,0 +1,157 @@
+"""`pressures.png`: every bellow's pressure against time, with the inlet's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection
+from matplotlib.colors import BoundaryNorm, Normalize
+
+from viscodesign.report.layout.downsampling import envelope
+from viscodesign.report.layout.style import (
+    FAINT,
+    GREY,
+    INLET_COLOURS,
+    SEQUENTIAL,
+    TIME_DIGITS,
+    axes_at,
+    head,
+    head_room,
+    picture,
+    shown,
+)
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.storage.disk_arrays import extremes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+DASHES = ("-", "--", ":", "-.")
+LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT, GAP = 0.68, 0.5, 2.5, 3.0, 0.3
+BAR_LEFT = LEFT + 2 * PANEL_WIDTH + GAP + 0.15
+WIDTH = BAR_LEFT + 0.65
+PANEL_TITLE = 0.22
+LEGEND_ROW = 0.2
+"""All in inches."""
+DISCRETE = 16
+"""Up to so many sections each has its own field in the colour bar."""
+
+
+def draw_pressures(trajectory: Trajectory, path: Path) -> None:
+    """Two panels, left and right column, kPa gauge; colour is the section."""
+    rows = -(-len(trajectory.inlet_pressure) // len(DASHES))
+    above = PANEL_TITLE + LEGEND_ROW * rows + head_room(trajectory, WIDTH)
+    with picture(path, WIDTH, BOTTOM + PANEL_HEIGHT + above) as made:
+        left = axes_at(made, LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT)
+        right = axes_at(made, LEFT + PANEL_WIDTH + GAP, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT)
+        norm = _section_colours(trajectory.sections)
+        limits = _limits(trajectory)
+        for axes, side, title in ((left, "L", "left column"), (right, "R", "right column")):
+            _draw_column(axes, trajectory, side, norm)
+            _draw_levels(axes, trajectory, limits[1])
+            axes.ticklabel_format(axis="y", style="plain", useOffset=False)
+            axes.ticklabel_format(axis="x", scilimits=TIME_DIGITS)
+            axes.set(xlim=limits[0], ylim=limits[1], xlabel="time [s]")
+            last = f" to {side}{trajectory.sections}" if trajectory.sections > 1 else ""
+            axes.set_title(f"{title}, {side}1{last}", loc="left", fontsize=9)
+        left.set_ylabel("gauge pressure [kPa]")
+        right.tick_params(labelleft=False)
+        _draw_legend(made, right)
+        _draw_bar(made, trajectory, norm)
+        head(made, trajectory, "pressures", LEFT)
+
+
+def _section_colours(sections: int) -> Normalize:
+    if sections > DISCRETE:
+        return Normalize(1, sections)
+    return BoundaryNorm(np.arange(sections + 1) + 0.5, SEQUENTIAL.N)
+
+
+def _draw_column(axes: Axes, trajectory: Trajectory, side: str, norm: Normalize) -> None:
+    columns = [k for k, name in enumerate(trajectory.bellows) if name.startswith(side)]
+    low, high = extremes(trajectory.pressure)
+    # What swings least is drawn last: where many cycles fill their bands, each still shows.
+    columns.sort(key=lambda k: -float(high[k] - low[k]))
+    numbers = np.array([float(trajectory.bellows[k][1:]) for k in columns])
+    time, pressure = envelope(trajectory.time, trajectory.pressure)
+    times = np.broadcast_to(time[:, None], (len(time), len(columns)))
+    curves = np.stack((times, pressure[:, columns] / 1e3), axis=2).transpose(1, 0, 2)
+    lines = LineCollection(list(curves), cmap=SEQUENTIAL, norm=norm, linewidths=1.1, zorder=3)
+    lines.set_array(numbers)
+    axes.add_collection(lines)
+    alone = len(trajectory.inlet_pressure) == 1
+    for k, (name, values) in enumerate(trajectory.inlet_pressure.items()):
+        axes.plot(
+            time, envelope(trajectory.time, values[:, None])[1][:, 0] / 1e3, zorder=2, lw=2.4,
+            color=INLET_COLOURS[k % len(INLET_COLOURS)], ls=DASHES[k % len(DASHES)],
+            label="inlet" if alone or name == "inlet" else f"inlet {shown(name, 14)}",
+            marker="_" if len(time) == 1 else None,
+        )  # fmt: skip
+    if len(time) == 1:
+        axes.scatter(times[0], curves[:, 0, 1], c=numbers, cmap=SEQUENTIAL, norm=norm, zorder=3)
+
+
+def _limits(trajectory: Trajectory) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Time [s] and pressure [kPa], both never of no extent."""
+    told = (trajectory.pressure, *trajectory.inlet_pressure.values())
+    lows, highs = zip(*(extremes(values) for values in told), strict=True)
+    low = min(float(np.min(v)) for v in lows) / 1e3
+    high = max(float(np.max(v)) for v in highs) / 1e3
+    largest = max(abs(low), abs(high))
+    # A range of rounding alone is drawn as a level line.
+    margin = 0.06 * (high - low) if high - low > 1e-6 * largest else 0.1 * largest or 1.0
+    start, end = float(trajectory.time[0]), float(trajectory.time[-1])
+    across = (start, end) if end > start else (start - 0.5, start + 0.5)
+    return across, (low - margin, high + margin)
+
+
+def _draw_levels(axes: Axes, trajectory: Trajectory, limits: tuple[float, float]) -> None:
+    """Grid, the ambient, and the vacuum that no gauge pressure can pass."""
+    axes.grid(color="#e6e6e6", lw=0.6)
+    axes.set_axisbelow(True)
+    levels = {"ambient": 0.0, "vacuum": -trajectory.ambient_pressure / 1e3}
+    for name, level in levels.items():
+        if limits[0] < level < limits[1]:
+            axes.axhline(level, color=GREY, lw=0.9, ls=(0, (6, 2)), zorder=1)
+            axes.annotate(
+                name, xy=(1, level), xycoords=("axes fraction", "data"), xytext=(-1, 1.5),
+                textcoords="offset points", ha="right", va="bottom", fontsize=7, color="#555555",
+                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
+                zorder=5,
+            )  # fmt: skip
+
+
+def _draw_legend(made: Figure, axes: Axes) -> None:
+    width, height = made.get_size_inches()
+    made.legend(
+        *axes.get_legend_handles_labels(), loc="lower left", ncols=len(DASHES), handlelength=2.4,
+        borderaxespad=0, columnspacing=1.4,
+        bbox_to_anchor=(LEFT / width, (BOTTOM + PANEL_HEIGHT + PANEL_TITLE) / height),
+    )  # fmt: skip
+
+
+def _draw_bar(made: Figure, trajectory: Trajectory, norm: Normalize) -> None:
+    sections = trajectory.sections
+    bar = made.colorbar(
+        ScalarMappable(norm, SEQUENTIAL), cax=axes_at(made, BAR_LEFT, BOTTOM, 0.12, PANEL_HEIGHT)
+    )
+    bar.set_label("section, 1 at the clamp")
+    ticks = _section_ticks(sections)
+    bar.set_ticks([float(tick) for tick in ticks], labels=[str(tick) for tick in ticks])
+    bar.minorticks_off()
+    bar.ax.tick_params(length=0 if sections <= DISCRETE else 3)
+    bar.outline.set_edgecolor(FAINT)
+    bar.outline.set_linewidth(0.4)
+
+
+def _section_ticks(sections: int) -> list[int]:
+    """All of few; of many the first and about ten round numbers."""
+    if sections <= DISCRETE:
+        return list(range(1, sections + 1))
+    rounds = (m * 10**e for e in range(9) for m in (1, 2, 5))
+    step = next(step for step in rounds if sections <= 10 * step)
+    return [1, *range(step, sections + 1, step)]

@@ -1,0 +1,193 @@
+"""The plane of the paper's Figure 1: which timescale rules."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from viscodesign.report.layout.label_placement import Box, place_labels, text_box
+from viscodesign.report.layout.style import ACCENT, FAINT, GREY, INK, axes_at, picture, shown
+from viscodesign.results.trajectory import Classification
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+WORDS = {
+    "I": "I  uniform pressure,\nsolid inertia",
+    "II": "II  pressure distribution,\nsteep input",
+    "III": "III  pressure distribution,\ninput as slow as the fluid",
+    "IV": "IV  uniform pressure,\nquasi-static",
+}
+CORNERS = {"I": (1, 1), "II": (0, 1), "III": (0, 0), "IV": (1, 0)}
+LEFT, BOTTOM, SIZE, ABOVE, RIGHT = 0.72, 0.55, 4.6, 0.15, 0.2
+KEY_WIDTH = 2.2
+"""In inches."""
+LARGEST_DECADE = 9
+"""Ratios beyond ten to this, up or down, are drawn at the edge."""
+EDGE = 0.022
+"""Distance of what lies outside from the edge, of the plane's side."""
+NEAR = 0.012
+"""Points nearer than this, of the plane's side, are one mark."""
+LINE = 0.004
+"""Half the room of the lines between quadrants, of the plane's side."""
+MOST_DIRECT, MOST_NAMES = 5, 3
+"""So many marks, of so many names, have the names themselves beside them; more have numbers."""
+
+
+@dataclass(frozen=True)
+class Mark:
+    """One or more specs at one place of the plane, in parts of its sides."""
+
+    x: float
+    y: float
+    symbol: str
+    names: tuple[str, ...]
+
+
+def draw_plane(classifications: Sequence[Classification], path: Path) -> None:
+    """Log-log, four quadrants, every spec named; png, pdf or svg by the ending."""
+    places = [_place(found) for found in classifications]
+    decades = (_decades([x for x, _ in places]), _decades([y for _, y in places]))
+    marks = _marks(classifications, places, decades)
+    direct = len(marks) <= MOST_DIRECT and all(len(mark.names) <= MOST_NAMES for mark in marks)
+    width = LEFT + SIZE + (RIGHT if direct else KEY_WIDTH)
+    with picture(path, width, BOTTOM + SIZE + ABOVE) as made:
+        axes = axes_at(made, LEFT, BOTTOM, SIZE, SIZE)
+        axes.set(xlim=(0, 1), ylim=(0, 1))
+        words = _draw_quadrants(axes, decades)
+        _draw_ticks(axes, decades)
+        texts = ["\n".join(m.names) if direct else str(k + 1) for k, m in enumerate(marks)]
+        _draw_marks(axes, marks, texts, words)
+        if not direct:
+            _draw_key(made, marks)
+
+
+def _place(found: Classification) -> tuple[float, float]:
+    """Decimal logarithms of t_s/t_f and t_s/t_i; infinite for a ratio of 0 or infinity."""
+    ratios = found.scales.ratios
+    x, y = (
+        math.log10(ratio) if ratio > 0 else -math.inf
+        for ratio in (ratios["ts_over_tf"], ratios["ts_over_ti"])
+    )
+    return x, y
+
+
+def _decades(logarithms: list[float]) -> tuple[int, int]:
+    """Whole decades that hold every point of reason, two at least on either side of one."""
+    near = [value for value in logarithms if abs(value) <= LARGEST_DECADE]
+    return (
+        min([-2, *(math.floor(value - 0.3) for value in near)]),
+        max([2, *(math.ceil(value + 0.3) for value in near)]),
+    )
+
+
+def _marks(
+    classifications: Sequence[Classification],
+    places: list[tuple[float, float]],
+    decades: tuple[tuple[int, int], tuple[int, int]],
+) -> list[Mark]:
+    """Specs at one place become one mark; marks are sorted from the top, then from the left."""
+    marks: list[Mark] = []
+    for found, place in zip(classifications, places, strict=True):
+        x, y = (_inside(value, ends) for value, ends in zip(place, decades, strict=True))
+        symbol = _symbol(place, decades)
+        name = shown(found.name, 32)
+        for k, mark in enumerate(marks):
+            if symbol == mark.symbol and math.hypot(x - mark.x, y - mark.y) < NEAR:
+                marks[k] = Mark(mark.x, mark.y, symbol, (*mark.names, name))
+                break
+        else:
+            marks.append(Mark(x, y, symbol, (name,)))
+    return sorted(marks, key=lambda mark: (-round(mark.y, 2), mark.x))
+
+
+def _inside(logarithm: float, ends: tuple[int, int]) -> float:
+    part = (logarithm - ends[0]) / (ends[1] - ends[0])
+    return float(np.clip(part, EDGE, 1 - EDGE))
+
+
+def _symbol(place: tuple[float, float], decades: tuple[tuple[int, int], tuple[int, int]]) -> str:
+    """A dot, or an arrow out of the plane."""
+    (x, y), ((left, right), (bottom, top)) = place, decades
+    if y < bottom or y > top:
+        return "v" if y < bottom else "^"
+    if x < left or x > right:
+        return "<" if x < left else ">"
+    return "o"
+
+
+def _draw_quadrants(axes: Axes, decades: tuple[tuple[int, int], tuple[int, int]]) -> list[Box]:
+    """Draw them; return the room of their words and of the lines between them."""
+    x, y = (-low / (high - low) for low, high in decades)
+    axes.fill_between([x, 1], y, 1, color="#f4f4f4", lw=0)
+    axes.fill_between([0, x], 0, y, color="#f4f4f4", lw=0)
+    axes.axhline(y, color=FAINT, lw=1)
+    axes.axvline(x, color=FAINT, lw=1)
+    boxes = [
+        Box(x - LINE, 0, x + LINE, 1, faint=True),
+        Box(0, y - LINE, 1, y + LINE, faint=True),
+    ]
+    for quadrant, (right, up) in CORNERS.items():
+        place = (0.98 if right else 0.02, 0.98 if up else 0.02)
+        across, upright = "right" if right else "left", "top" if up else "bottom"
+        axes.text(*place, WORDS[quadrant], ha=across, va=upright, fontsize=8.5, color="#555555")
+        boxes.append(text_box(WORDS[quadrant], place, across, upright, 8.5, SIZE))
+    return boxes
+
+
+def _draw_ticks(axes: Axes, decades: tuple[tuple[int, int], tuple[int, int]]) -> None:
+    for side, (low, high) in zip((axes.xaxis, axes.yaxis), decades, strict=True):
+        step = -(-(high - low) // 8)
+        major = [k for k in range(low, high + 1) if k % step == 0]
+        side.set_ticks([(k - low) / (high - low) for k in major], [power_of_ten(k) for k in major])
+        minor = [
+            (k + math.log10(m) - low) / (high - low) for k in range(low, high) for m in range(1, 10)
+        ]
+        side.set_ticks(minor if step == 1 else [], minor=True)
+    axes.set_xlabel("$t_s\\,/\\,t_f$   (solid over fluid)", parse_math=True)
+    axes.set_ylabel("$t_s\\,/\\,t_i$   (solid over input)", parse_math=True)
+
+
+def power_of_ten(exponent: int) -> str:
+    """10 with its exponent above the line: 10⁻³."""
+    return "10" + str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def _draw_marks(axes: Axes, marks: list[Mark], texts: list[str], words: list[Box]) -> None:
+    for mark in marks:
+        axes.plot(
+            mark.x, mark.y, marker=mark.symbol, color=ACCENT, mec=INK, mew=0.6, ms=6.5,
+            ls="none", zorder=4,
+        )  # fmt: skip
+    points = [(mark.x, mark.y) for mark in marks]
+    for label in place_labels(points, texts, words, size=8.0, side=SIZE):
+        if label.step > 0:
+            ends = ([label.point[0], label.x], [label.point[1], label.y])
+            axes.plot(*ends, color=GREY, lw=0.6, zorder=3)
+        axes.text(
+            label.x, label.y, label.text, ha=label.across, va=label.upright, fontsize=8.0, zorder=5,
+            linespacing=1.15,
+        )  # fmt: skip
+
+
+def _draw_key(made: Figure, marks: list[Mark]) -> None:
+    """Numbers and names in a column beside the plane, in the order of the marks' height."""
+    lines = sum(len(mark.names) for mark in marks) + 0.4 * (len(marks) - 1)
+    step = min(0.16, SIZE / max(lines, 1.0))
+    size = min(8.0, step * 72 / 1.2)
+    axes = axes_at(made, LEFT + SIZE + 0.15, BOTTOM, KEY_WIDTH - 0.2, SIZE)
+    axes.set(xlim=(0, KEY_WIDTH - 0.2), ylim=(SIZE, 0))
+    axes.set_axis_off()
+    down = step / 2
+    for k, mark in enumerate(marks):
+        axes.text(0.16, down, str(k + 1), ha="right", va="center", size=size, weight="bold")
+        for name in mark.names:
+            axes.text(0.24, down, name, va="center", size=size)
+            down += step
+        down += 0.4 * step

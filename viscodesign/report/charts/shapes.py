@@ -1,0 +1,203 @@
+"""`shapes.png`: a filmstrip of the actuator, every bellow coloured by its pressure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Colormap, ListedColormap, Normalize
+
+from viscodesign.report.layout.snapshots import clamp_strokes, normals, spread_instants
+from viscodesign.report.layout.strip import Frame, Strip, arrange
+from viscodesign.report.layout.style import DIVERGING, INK, axes_at, head, head_room, picture
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.storage.disk_arrays import extremes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+SHOWN = 8
+GAP = 0.12
+"""Part of a section's length left between neighbouring bellows."""
+MIDDLE = 0.08
+"""Part of the half width left free on either side of the axis."""
+EDGED = 24
+"""With more sections than this a bellow's edge would hide its colour."""
+WIDTH, SIDE, FOOT = 6.6, 0.2, 0.62
+"""The figure, its margins, and the foot with scale and colour bar [inch]."""
+
+
+@dataclass(frozen=True)
+class Poses:
+    """What the strip shows, in mm and kPa: N instants, B bellows, K points of the axis."""
+
+    labels: list[str]
+    axis: np.ndarray
+    """(N, K, 2)"""
+    blocks: np.ndarray
+    """(N, B, 4, 2)"""
+    pressure: np.ndarray
+    """(N, B) gauge."""
+    clamp: tuple[float, float]
+    """Half width and height."""
+
+
+def draw_shapes(trajectory: Trajectory, path: Path) -> None:
+    """Up to eight instants at one scale, time above each, a scale bar and a colour bar."""
+    poses = _poses(trajectory)
+    strip = arrange(_frames(poses), 1e3 * trajectory.length, WIDTH - 2 * SIDE)
+    height = FOOT + strip.height + head_room(trajectory, WIDTH)
+    with picture(path, WIDTH, height) as made:
+        axes = axes_at(made, SIDE, FOOT, WIDTH - 2 * SIDE, strip.height)
+        wide, high = (WIDTH - 2 * SIDE) / strip.scale, strip.height / strip.scale
+        axes.set(xlim=(0, wide), ylim=(high, 0))
+        axes.set_axis_off()
+        colours, norm, occurring = _colouring(trajectory.pressure)
+        _draw_poses(axes, poses, strip, colours, norm)
+        _draw_labels(axes, poses, strip)
+        _draw_sides(axes, poses, strip)
+        _draw_scale(made, strip)
+        _draw_bar(made, ScalarMappable(norm, colours), occurring)
+        head(made, trajectory, "shapes and pressures", SIDE)
+
+
+def _poses(trajectory: Trajectory) -> Poses:
+    instants = spread_instants(trajectory, SHOWN, pressures=True)
+    axis, rows = trajectory.shape[instants] * 1e3, trajectory.shape_rows[instants]
+    return Poses(
+        time_labels(trajectory.time[rows]),
+        axis,
+        _blocks(trajectory, axis),
+        trajectory.pressure[rows] / 1e3,
+        (0.7e3 * trajectory.width, 0.14e3 * trajectory.width),
+    )
+
+
+def _blocks(trajectory: Trajectory, axis: np.ndarray) -> np.ndarray:
+    """Quadrangles (N, B, 4, 2) beside axes (N, K, 2) [mm], in the order of the bellows."""
+    arc = trajectory.arc / trajectory.arc[-1] * trajectory.sections
+    section = np.arange(trajectory.sections)
+    ends = np.stack((section + GAP / 2, section + 1 - GAP / 2))
+    point = _interpolated(ends, arc, axis)
+    out = _interpolated(ends, arc, normals(axis)) * 0.5e3 * trajectory.width
+    columns = {}
+    for side, sign in (("R", 1.0), ("L", -1.0)):
+        near, far = point + MIDDLE * sign * out, point + sign * out
+        columns[side] = np.stack((near[:, 0], near[:, 1], far[:, 1], far[:, 0]), axis=2)
+    return np.stack([columns[b[0]][:, int(b[1:]) - 1] for b in trajectory.bellows], axis=1)
+
+
+def _interpolated(at: np.ndarray, arc: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Values (N, K, 2) along the arc at places (2, S): (N, 2, S, 2)."""
+    return np.array([np.stack([np.interp(at, arc, v[:, i]) for i in (0, 1)], -1) for v in values])
+
+
+def _frames(poses: Poses) -> list[Frame]:
+    """The room that each pose takes about the middle of its clamp."""
+    half, hatch = poses.clamp
+    corners = poses.blocks.reshape(len(poses.blocks), -1, 2)
+    low = np.minimum(corners.min(axis=1), (-half, -hatch))
+    high = np.maximum(corners.max(axis=1), (half, 0.0))
+    return [Frame(*a, *b) for a, b in zip(low.tolist(), high.tolist(), strict=True)]
+
+
+def time_labels(times: np.ndarray) -> list[str]:
+    """Times with as few equal decimals as tell them apart and round off little."""
+    for decimals in range(4):
+        labels = [f"{time:.{decimals}f}" for time in times]
+        close = np.abs(np.array([float(label) for label in labels]) - times)
+        if len(set(labels)) == len(labels) and np.all(close <= 0.002 * np.ptp(times)):
+            return [f"t = {label} s" for label in labels]
+    enough = (n for n in range(3, 17) if len({f"{t:.{n}g}" for t in times}) == len(times))
+    digits = next(enough, 17)
+    return [f"t = {time:.{digits}g} s" for time in times]
+
+
+def _colouring(pressure: np.ndarray) -> tuple[Colormap, Normalize, tuple[float, float]]:
+    """Red above, blue below the ambient, white at it; and the range [kPa] that occurs.
+
+    Pressures that all lie far from the ambient get the range between themselves
+    instead, or the differences that bend the actuator could not be seen.
+    """
+    lows, highs = extremes(pressure)
+    low, high = float(lows.min()) / 1e3, float(highs.max()) / 1e3
+    largest = max(abs(low), abs(high))
+    if largest == 0.0:
+        return DIVERGING, Normalize(-1.0, 1.0), (-1.0, 1.0)
+    if low * high > 0 and 1e-6 * largest < high - low < 0.4 * largest:
+        part = np.linspace(0.55, 1.0, 256) if low > 0 else np.linspace(0.0, 0.45, 256)
+        return ListedColormap(DIVERGING(part)), Normalize(low, high), (low, high)
+    return DIVERGING, Normalize(-largest, largest), (min(low, 0.0), max(high, 0.0))
+
+
+def _draw_poses(axes: Axes, poses: Poses, strip: Strip, colours: Colormap, norm: Normalize) -> None:
+    origin = np.array(strip.origins)
+    many = poses.blocks.shape[1] > 2 * EDGED
+    blocks = (poses.blocks + origin[:, None, None]).reshape(-1, 4, 2)
+    shown = PolyCollection(
+        list(blocks), cmap=colours, norm=norm, edgecolors="face" if many else INK, linewidths=0.3
+    )
+    shown.set_clip_on(False)
+    shown.set_array(poses.pressure.ravel())
+    axes.add_collection(shown)
+    half, hatch = poses.clamp
+    strokes = (clamp_strokes(half, hatch, 9) + origin[:, None, None]).reshape(-1, 2, 2)
+    plates = origin[:, None] + np.array([(-half, 0.0), (half, 0.0)])
+    bent = poses.axis + origin[:, None]
+    for lines, pen in ((strokes, 0.5), (plates, 1.4), (bent, 0.9)):
+        axes.add_collection(LineCollection(list(lines), colors=INK, linewidths=pen, clip_on=False))
+
+
+def _draw_labels(axes: Axes, poses: Poses, strip: Strip) -> None:
+    for label, (x, _), top in zip(poses.labels, strip.origins, strip.label_levels, strict=True):
+        axes.text(x, top, label, ha="center", va="center", fontsize=8.5)
+
+
+def _draw_sides(axes: Axes, poses: Poses, strip: Strip) -> None:
+    """Name the columns of the first pose."""
+    axis = poses.axis[0]
+    along = axis[-1] - axis[-2]
+    along = along / max(float(np.hypot(*along)), 1e-300)
+    across = np.array((along[1], -along[0]))
+    step = 0.09 / strip.scale
+    for name, sign in (("L", -1.0), ("R", 1.0)):
+        place = axis[-1] + along * step + sign * across * poses.clamp[0] * 0.4
+        x, z = place + strip.origins[0]
+        axes.text(x, z, name, ha="center", va="center", fontsize=7, color="#555555")
+
+
+def _draw_scale(made: Figure, strip: Strip) -> None:
+    """A bar of 20 mm, or of another round length where that is out of proportion."""
+    length = scale_length(strip.scale)
+    axes = axes_at(made, SIDE, 0.2, 2.0, 0.3)
+    axes.set(xlim=(0, 2.0 / strip.scale), ylim=(0, 1))
+    axes.set_axis_off()
+    axes.plot([0, length], [0.25, 0.25], color=INK, lw=2.4, solid_capstyle="butt")
+    axes.text(0, 0.4, f"{length:g} mm", fontsize=8, va="bottom")
+
+
+def scale_length(scale: float) -> float:
+    """20 mm if that is between 0.2 and 1.2 inch at ``scale`` [inch/mm], else near 0.6 inch."""
+    if 0.2 <= 20 * scale <= 1.2:
+        return 20.0
+    rounds: Sequence[float] = [m * 10.0**e for e in range(-6, 7) for m in (1, 2, 5)]
+    return min(rounds, key=lambda length: abs(np.log(length * scale / 0.6)))
+
+
+def _draw_bar(made: Figure, mapped: ScalarMappable, occurring: tuple[float, float]) -> None:
+    """The part of the colours that occurs, lying in the foot."""
+    cax = axes_at(made, 2.6, 0.38, WIDTH - 2.6 - SIDE - 0.1, 0.11)
+    bar = made.colorbar(mapped, cax=cax, orientation="horizontal")
+    cax.set_xlim(*occurring)
+    cax.tick_params(labelsize=7.5, length=2.5, pad=1.5)
+    bar.outline.set_visible(False)
+    made.text(
+        2.5 / WIDTH, 0.435 / made.get_figheight(), "gauge pressure [kPa]",
+        ha="right", va="center", fontsize=8,
+    )  # fmt: skip

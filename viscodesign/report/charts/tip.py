@@ -1,0 +1,143 @@
+"""`tip.png`: the tip's path with time as colour, and the actuator at several instants."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+
+from viscodesign.report.charts.tip_path import draw_path, time_range
+from viscodesign.report.layout.downsampling import MOST_ROWS
+from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
+from viscodesign.report.layout.style import (
+    FAINT,
+    INK,
+    SEQUENTIAL,
+    TIME_DIGITS,
+    axes_at,
+    head,
+    head_room,
+    picture,
+)
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.storage.disk_arrays import extremes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+SHOWN = 7
+LARGEST = np.array((4.6, 4.8))
+SMALLEST = np.array((3.2, 2.0))
+"""Size of the axes, x and z [inch]."""
+LEFT, BOTTOM, RIGHT = 0.62, 0.5, 0.85
+"""Room around the axes [inch]; the colour bar stands to their right."""
+ZOOM_GAP, ZOOM = 0.7, 2.1
+"""Room before, and side of, the enlarged path [inch]."""
+ZOOM_RANGE = (1e-3, 0.12)
+"""A path of such an extent, of the length, is drawn enlarged beside the actuator too."""
+
+
+def draw_tip(trajectory: Trajectory, path: Path) -> None:
+    """Equal axes in mm, the clamp at the top, z downwards as the actuator hangs."""
+    instants = spread_instants(trajectory, SHOWN)
+    bodies = outline(trajectory.shape[instants], trajectory.width) * 1e3
+    low, high = _limits(trajectory, bodies)
+    width, height = np.maximum((high - low) * _scale(low, high), SMALLEST).tolist()
+    zoomed = _is_small(trajectory)
+    right = LEFT + width + (ZOOM_GAP + ZOOM if zoomed else 0.0)
+    full = right + RIGHT
+    with picture(path, full, BOTTOM + height + head_room(trajectory, full)) as made:
+        axes = axes_at(made, LEFT, BOTTOM, width, height)
+        axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
+        axes.set(xlabel="x [mm]", ylabel="z [mm], down from the clamp")
+        _draw_clamp(axes, trajectory)
+        _draw_bodies(axes, trajectory, instants, bodies)
+        lines = draw_path(axes, trajectory, 0.4 if zoomed else 1.0)
+        if zoomed:
+            axes = axes_at(made, LEFT + width + ZOOM_GAP, BOTTOM, ZOOM, ZOOM)
+            _draw_enlarged(axes, trajectory)
+        _draw_legend(made, axes, right, BOTTOM + ZOOM + 0.05 if zoomed else 0.07)
+        bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, BOTTOM, 0.12, height))
+        bar.set_label("time [s]")
+        bar.outline.set_visible(False)
+        bar.ax.ticklabel_format(axis="y", scilimits=TIME_DIGITS)
+        if len(trajectory.time) == 1:
+            bar.set_ticks([float(trajectory.time[0])])
+        thinned = len(trajectory.time) > MOST_ROWS
+        head(made, trajectory, f"path of the tip{', in stretches' if thinned else ''}", LEFT)
+
+
+def _is_small(trajectory: Trajectory) -> bool:
+    low, high = extremes(trajectory.tip)
+    extent = float(np.max((high - low)[:2]))
+    return ZOOM_RANGE[0] < extent / trajectory.length < ZOOM_RANGE[1]
+
+
+def _draw_enlarged(axes: Axes, trajectory: Trajectory) -> None:
+    low, high = (1e3 * corner[:2] for corner in extremes(trajectory.tip))
+    middle, half = (low + high) / 2, 0.6 * float(np.max(high - low))
+    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
+    axes.locator_params(nbins=5)
+    axes.ticklabel_format(style="plain", useOffset=False)
+    axes.set(xlabel="x [mm]")
+    axes.set_title("enlarged", loc="left", fontsize=9)
+    draw_path(axes, trajectory)
+
+
+def _draw_legend(made: Figure, axes: Axes, right: float, bottom: float) -> None:
+    width, height = made.get_size_inches()
+    made.legend(
+        *axes.get_legend_handles_labels(), loc="lower right", ncols=2, handletextpad=0.1,
+        columnspacing=1.0, borderaxespad=0,
+        bbox_to_anchor=((right + 0.05) / width, bottom / height),
+    )  # fmt: skip
+
+
+def _limits(trajectory: Trajectory, bodies: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Corners (x, z) [mm] of a frame about all that is drawn, of a sensible shape."""
+    half, hatch = _clamp_size(trajectory)
+    corners = [1e3 * corner[None, :2] for corner in extremes(trajectory.tip)]
+    points = np.concatenate([bodies.reshape(-1, 2), *corners])
+    low = np.minimum(points.min(axis=0), (-half, -hatch))
+    high = np.maximum(points.max(axis=0), (half, 0.0))
+    margin = 0.04 * float(np.max(high - low))
+    low, high = low - margin, high + margin
+    short = np.maximum(SMALLEST / _scale(low, high) - (high - low), 0.0)
+    return low - short / 2, high + short / 2
+
+
+def _scale(low: np.ndarray, high: np.ndarray) -> float:
+    """Inches for a millimetre."""
+    return float(np.min(LARGEST / (high - low)))
+
+
+def _clamp_size(trajectory: Trajectory) -> tuple[float, float]:
+    """Half width and height of the hatched clamp [mm]."""
+    return 0.75e3 * trajectory.width, 0.15e3 * trajectory.width
+
+
+def _draw_clamp(axes: Axes, trajectory: Trajectory) -> None:
+    half, hatch = _clamp_size(trajectory)
+    strokes = clamp_strokes(half, hatch, 12)
+    axes.add_collection(LineCollection(list(strokes), colors=INK, linewidths=0.7, zorder=3))
+    axes.plot([-half, half], [0, 0], color=INK, lw=1.5, solid_capstyle="butt", zorder=3)
+
+
+def _draw_bodies(
+    axes: Axes, trajectory: Trajectory, instants: np.ndarray, bodies: np.ndarray
+) -> None:
+    """Outlines in a light grey, axes in the colour of their time."""
+    axes.add_collection(
+        PolyCollection(
+            list(bodies), facecolors="#eeeeee", edgecolors=FAINT, linewidths=0.6, alpha=0.5
+        )
+    )
+    bent = LineCollection(
+        list(trajectory.shape[instants] * 1e3), cmap=SEQUENTIAL, linewidths=0.8, zorder=3
+    )
+    bent.set_array(trajectory.time[trajectory.shape_rows[instants]])
+    bent.set_clim(*time_range(trajectory))
+    axes.add_collection(bent)

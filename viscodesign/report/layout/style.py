@@ -1,0 +1,133 @@
+"""One look for every picture: readable in print, safe for the colour-blind."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import textwrap
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.font_manager import findfont, get_font
+
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.storage.atomic_files import replaced
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+RC: Any = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 9,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "legend.fontsize": 8,
+    "legend.frameon": False,
+    "hatch.linewidth": 0.6,
+    "savefig.dpi": 200,
+    # Names are printed as they are: a dollar sign in one is no formula.
+    "text.parse_math": False,
+    "text.usetex": False,
+}
+INK = "#222222"
+GREY = "#8a8a8a"
+FAINT = "#b8b8b8"
+ACCENT = "#d55e00"
+"""Vermillion of the Okabe-Ito set."""
+INLET_COLOURS = (ACCENT, "#cc79a7", "#000000", "#e69f00")
+"""Okabe-Ito colours that do not occur in `SEQUENTIAL`."""
+SEQUENTIAL = ListedColormap(mpl.colormaps["viridis"](np.linspace(0.0, 0.9, 256)))
+"""Without its last, palest part, which vanishes on paper."""
+DIVERGING = mpl.colormaps["RdBu_r"]
+
+TIME_DIGITS = (-4, 5)
+"""Powers of ten between which times are written out: there is room for five digits."""
+TITLE_ROOM = 0.34
+BANNER_LINE = 0.17
+BANNER_LINES = 3
+POINTS = 72.0
+CHARACTER = 0.6
+"""Width of a usual character, of the font's size."""
+
+
+@contextlib.contextmanager
+def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
+    """A figure in inches, written whole to ``path`` at the end; no global state is left.
+
+    The ending of ``path`` tells the format (png, pdf, svg; png without one).
+    """
+    with mpl.rc_context(RC):
+        made = Figure(figsize=(width, height))
+        FigureCanvasAgg(made)
+        yield made
+        kind = path.suffix.lstrip(".").lower() or "png"
+        with replaced(path) as file:
+            made.savefig(file, format=kind)
+
+
+def axes_at(made: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
+    """Axes at a place of the figure that is given in inches."""
+    across, up = made.get_size_inches()
+    return made.add_axes((left / across, bottom / up, width / across, height / up))
+
+
+def head_room(trajectory: Trajectory, width: float) -> float:
+    """Height [inch] that `head` takes on a figure of ``width``."""
+    return TITLE_ROOM + BANNER_LINE * len(_banner_lines(trajectory, width))
+
+
+def head(made: Figure, trajectory: Trajectory, words: str, left: float) -> None:
+    """Title from ``left`` [inch]; above it, for a run that did not reach its end, why."""
+    width, height = made.get_size_inches()
+    lines = _banner_lines(trajectory, width)
+    top = height - BANNER_LINE * len(lines)
+    size = 10.0
+    title = f"{shown(trajectory.name, _characters(width - left, size) - len(words) - 2)}: {words}"
+    made.text(left / width, (top - 0.21) / height, title, size=size, va="baseline")
+    if lines:
+        axes = axes_at(made, 0, top, width, height - top)
+        axes.set_axis_off()
+        axes.add_patch(mpl.patches.Rectangle((0, 0), 1, 1, facecolor=ACCENT))
+        axes.text(
+            0.5, 0.5, "\n".join(lines), ha="center", va="center_baseline",
+            color="white", weight="bold", size=8, linespacing=1.15,
+        )  # fmt: skip
+
+
+def _banner_lines(trajectory: Trajectory, width: float) -> list[str]:
+    if trajectory.status == "complete":
+        return []
+    text = f"run {trajectory.status}, ended at t = {trajectory.time[-1]:.4g} s"
+    if trajectory.failure:
+        text += f": {trajectory.failure}"
+    # Bold characters are wider.
+    columns = int(0.88 * _characters(width - 0.3, 8.0))
+    return textwrap.wrap(shown(text, 10_000), columns, max_lines=BANNER_LINES, placeholder=" ...")
+
+
+def _characters(width: float, size: float) -> int:
+    """How many characters of ``size`` [pt] fit into ``width`` [inch]."""
+    return max(8, int(width * POINTS / (CHARACTER * size)))
+
+
+def shown(text: str, limit: int) -> str:
+    """One line of at most ``limit`` characters, each of which the font has."""
+    known = _font_characters()
+    line = " ".join(text.split())
+    line = "".join(c if ord(c) in known else "\N{WHITE SQUARE}" for c in line)
+    return line if len(line) <= limit else line[: max(limit - 3, 1)] + "..."
+
+
+@functools.cache
+def _font_characters() -> frozenset[int]:
+    return frozenset(get_font(findfont(RC["font.family"])).get_charmap())

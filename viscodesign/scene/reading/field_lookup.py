@@ -1,0 +1,94 @@
+"""Which field of the models a key of a spec leads to, and which keys may stand beside it."""
+
+from __future__ import annotations
+
+from types import UnionType
+from typing import Annotated, Any, Union, get_args, get_origin
+
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from viscodesign.scene.input import INPUT_KINDS
+from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.per_inlet import is_by_inlet
+from viscodesign.scene.reading.yaml_nodes import Document
+from viscodesign.scene.scene import Scene
+from viscodesign.scene.section import KeyPath
+from viscodesign.units import Kind
+
+
+def field_at(path: KeyPath, document: Document) -> FieldInfo | None:
+    """The field that a key is read into, where it is one of a model."""
+    model = _model_at(path[:-1], document) if path else None
+    return _fields(model).get(path[-1]) if model is not None else None
+
+
+def quantity_of(found: FieldInfo) -> Kind | None:
+    """The kind of quantity that a field holds, also where it may be left out."""
+    notes = [*found.metadata, *_notes(found.annotation)]
+    return next((note for note in notes if isinstance(note, Kind)), None)
+
+
+def keys_beside(path: KeyPath, document: Document) -> list[str]:
+    """The keys that are allowed where ``path`` stands."""
+    model = _model_at(path[:-1], document)
+    return list(_fields(model)) if model is not None else []
+
+
+def _fields(model: type[BaseModel]) -> dict[str, FieldInfo]:
+    return {found.alias or name: found for name, found in model.model_fields.items()}
+
+
+def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
+    """The model that a key's mapping is read into."""
+    annotation: Any = Scene
+    for depth, part in enumerate(path):
+        model = _model_in(annotation, document.given(path[:depth]))
+        if model is None:
+            annotation = _entry_of(annotation)
+        elif part in _fields(model):
+            annotation = _fields(model)[part].annotation
+        else:
+            return None
+    return _model_in(annotation, document.given(path))
+
+
+def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
+    """The model that an annotation stands for; of the kinds of input, the one that is given."""
+    kinds = [a for a in _alternatives(annotation) if isinstance(a, type)]
+    models = [a for a in kinds if issubclass(a, BaseModel)]
+    if models and all(issubclass(model, Input) for model in models):
+        kind = given.get("kind") if isinstance(given, dict) else None
+        return INPUT_KINDS.get(kind) if isinstance(kind, str) else None
+    if len(kinds) < len(_alternatives(annotation)) and is_by_inlet(given):
+        return None
+    return models[0] if len(models) == 1 else None
+
+
+def _entry_of(annotation: Any) -> Any:
+    """What a mapping's or a list's entries are."""
+    for alternative in _alternatives(annotation):
+        if get_origin(alternative) is dict:
+            return get_args(alternative)[1]
+        if get_origin(alternative) is tuple:
+            return get_args(alternative)[0]
+    return None
+
+
+def _notes(annotation: Any) -> list[Any]:
+    """What the members of a union are annotated with."""
+    if get_origin(annotation) is Annotated:
+        return list(get_args(annotation)[1:])
+    if get_origin(annotation) in (Union, UnionType):
+        return [note for member in get_args(annotation) for note in _notes(member)]
+    return []
+
+
+def _alternatives(annotation: Any) -> list[Any]:
+    """The members of a union, however it is nested and annotated."""
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        return _alternatives(get_args(annotation)[0])
+    if origin in (Union, UnionType):
+        return [a for member in get_args(annotation) for a in _alternatives(member)]
+    return [annotation]

@@ -1,0 +1,69 @@
+"""JSON Schema of the spec, for editors."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from viscodesign.scene.effects_choice import OTHERS
+from viscodesign.scene.fluid import named_fluids
+from viscodesign.scene.reading.read import KnownEffects
+from viscodesign.scene.scene import Scene
+
+_ON = ["on", "yes", True]
+_OFF = ["off", "no", False]
+_BOUNDS = {
+    "gt": "exclusiveMinimum",
+    "ge": "minimum",
+    "lt": "exclusiveMaximum",
+    "le": "maximum",
+}
+
+
+def spec_schema(known: KnownEffects) -> dict[str, Any]:
+    """Draft 2020-12. The words that stand for a mapping are allowed beside it."""
+    schema = Scene.model_json_schema(by_alias=True)
+    definitions, properties = schema["$defs"], schema["properties"]
+    properties["fluid"] = {
+        "anyOf": [{"enum": list(named_fluids())}, {"$ref": "#/$defs/Fluid"}],
+        "description": "A named fluid, or a mapping with its properties",
+    }
+    mode = {"enum": ["auto", *_ON, *_OFF]}
+    properties["effects"] = {
+        "anyOf": [
+            mode,
+            {
+                "type": "object",
+                "properties": {
+                    **dict.fromkeys(known.names, mode),
+                    OTHERS: {**mode, "description": "For every effect that is not named"},
+                },
+                "additionalProperties": False,
+            },
+        ],
+        "description": "auto, or effect: auto | on | off",
+    }
+    definitions.pop("EffectsChoice", None)
+    gravity = definitions["Loads"]["properties"]["gravity"]
+    gravity["anyOf"] = [{"enum": [*_ON, *_OFF, None]}, {"$ref": "#/$defs/Gravity"}]
+    schema["oneOf"] = [{"required": ["input"]}, {"required": ["inputs"]}]
+    _settle_bounds(schema)
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "viscodesign spec",
+        **{key: value for key, value in schema.items() if key != "title"},
+    }
+
+
+def _settle_bounds(node: Any) -> None:
+    """Put the bounds of quantities that may be left out where JSON Schema looks for them."""
+    if isinstance(node, list):
+        for item in node:
+            _settle_bounds(item)
+    if not isinstance(node, dict):
+        return
+    for name, keyword in _BOUNDS.items():
+        if isinstance(node.get(name), (int, float)) and "anyOf" in node:
+            number = next(one for one in node["anyOf"] if one.get("type") == "number")
+            number[keyword] = node.pop(name)
+    for item in node.values():
+        _settle_bounds(item)

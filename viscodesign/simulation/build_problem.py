@@ -1,0 +1,198 @@
+"""From a scene and the effects that it calls for to a problem that a solver takes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.effects.base import Effect
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.model.formulation import formulate
+from viscodesign.model.network_equations import NetworkForm
+from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES, Body
+from viscodesign.model.system import Source, Syringe, System
+from viscodesign.model.unknowns import Sizes
+from viscodesign.postprocess.sample_times import with_samples
+from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
+from viscodesign.scene.scene import Scene
+from viscodesign.solve.problem import Pieces, Problem, Schedule
+from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue
+
+SHARE_OF_TIME = 0.5
+"""Part of the accuracy that a first solution may spend on its steps through time."""
+COARSE_EDGES = 8
+COARSE_ACCURACY = 1e-3
+"""Eight edges leave about a thousandth of the length at moderate loads; the error falls
+with the third power of the edge length or faster (measured against elliptic integrals)."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How finely a problem is solved."""
+
+    edges_per_section: int
+    tolerance: float
+    solver: str = DEFAULT_SOLVER
+
+
+def suggest_settings(conditions: Conditions, effects: Sequence[Effect]) -> Settings:
+    """Mesh, tolerance and solver that should meet the scene's accuracy with these effects.
+
+    A run then measures what they do.
+    """
+    accuracy, body = conditions.accuracy, conditions.body
+    wanted = max(MINIMUM_EDGES, COARSE_EDGES * max(1.0, COARSE_ACCURACY / accuracy) ** (1 / 3))
+    per_section = max(
+        math.ceil(wanted / body.sections - 1e-9),
+        math.ceil(conditions.largest_turn / LARGEST_TURN_PER_EDGE),
+        1,
+    )
+    solver = RINGING_SOLVER if _rings_on(effects) else DEFAULT_SOLVER
+    tolerance = SHARE_OF_TIME * accuracy / solver_catalogue()[solver].tip_error_per_tolerance
+    return Settings(per_section, tolerance, solver)
+
+
+def _rings_on(effects: Sequence[Effect]) -> bool:
+    """Whether something moves the rod without what always comes along to calm it."""
+    names = {effect.name for effect in effects}
+    return any(effect.companion and effect.companion not in names for effect in effects)
+
+
+def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:
+    """Assemble the system, let every effect join it, and formulate its equations."""
+    scene = conditions.scene
+    system = System(
+        conditions.graph,
+        _as_stiff_as_can_be_told(conditions),
+        conditions.bellow,
+        {name: _source(scene, name) for name in scene.inputs},
+        scene.gauge_pressure,
+        scene.ambient_pressure,
+        settings.edges_per_section,
+    )
+    system.wide = _wide_tubes(conditions)
+    for effect in effects:
+        effect.join(system)
+    sizes = Sizes(
+        pressure=conditions.swing,
+        time=conditions.scales.t_s,
+        swing=conditions.swing_time,
+    )
+    equations = formulate(system, sizes)
+    return Problem(
+        equations=equations,
+        body=conditions.body,
+        inlets=tuple(scene.inputs),
+        bellows=conditions.graph.bellows,
+        bellows_along_tubes=conditions.graph.bellows_along_tubes(),
+        baseline=scene.gauge_pressure,
+        schedule=with_samples(schedule(scene), equations, scene.run.start == "rest"),
+        floor_volume=_floor(conditions, effects),
+        most_steps=scene.run.max_steps,
+        flow_shares=_flow_shares(conditions, equations.network_form),
+    )
+
+
+HARDLY_RESISTS = 3e-3
+"""Time in which a tube fills one bellow, in times of the input's swing, below which the flow
+through it is an unknown of its own. At the tolerances of the default accuracy (1e-5 of the
+pressure) an error of pressure would pass for 1/300 of that flow."""
+MOST_RESIST = 0.75
+"""Part of the tubes that bound the flow through the others."""
+
+
+def _wide_tubes(conditions: Conditions) -> frozenset[str]:
+    """Tubes whose flow the input's swing, or the other tubes, bound far more than they do."""
+    if not conditions.resistances:
+        return frozenset()
+    filling = conditions.swing_time / conditions.bellow.compliance
+    resistances = conditions.resistances
+    others = np.quantile(list(resistances.values()), MOST_RESIST, method="nearest")
+    least = HARDLY_RESISTS * max(filling, float(others))
+    return frozenset(name for name, value in resistances.items() if value < least)
+
+
+INEXTENSIBLE = 30.0
+"""Stiffness along the axis over what the accuracy can tell from infinite: a rod that is stiffer
+only makes its equations harder to solve."""
+
+
+def _as_stiff_as_can_be_told(conditions: Conditions) -> Body:
+    """The body, its axis made no stiffer than moves the tip by a thirtieth of the accuracy.
+
+    A force F stretches a rod by F/EA of its length; forces are told by EI/L2.
+    """
+    body, pull = conditions.body, conditions.load_force + conditions.fluid_weight
+    most = INEXTENSIBLE / conditions.accuracy * max(conditions.bending_force, pull)
+    return replace(body, extension_stiffness=min(body.extension_stiffness, most))
+
+
+def _floor(conditions: Conditions, effects: Sequence[Effect]) -> float | None:
+    names = {effect.name for effect in effects}
+    held = not names & {"collapse", "material_curve"}
+    return conditions.bellow.floor_volume if held and "gas_compressibility" in names else None
+
+
+def _source(scene: Scene, name: str) -> Source:
+    source, syringe = scene.inputs[name], None
+    if isinstance(source, SyringeInput):
+        fluid = scene.fluid
+        modulus, exponent = fluid.bulk_modulus, fluid.polytropic_exponent
+        # Beside a gas it is the same gas, and part of the full volume.
+        cushion = 0.0 if fluid.is_gas else source.cushion
+        syringe = Syringe(source.full_volume, modulus, exponent, cushion)
+    return Source(
+        lambda time, piece: source.expression(time, piece, ca), source.coefficients, syringe
+    )
+
+
+def _flow_shares(conditions: Conditions, form: NetworkForm) -> np.ndarray:
+    """Tube flows (Q, B) per rate of every bellow's volume, shared by the tubes' resistances."""
+    graph = conditions.graph
+    if form is NetworkForm.DISTRIBUTED:
+        return np.zeros((len(graph.tubes), len(graph.bellows)))
+    tubes = {t.name: k for k, t in enumerate(graph.tubes)}
+    bellows = {name: k for k, name in enumerate(graph.bellows)}
+    shares = np.zeros((len(tubes), len(bellows)))
+    for component in graph.components():
+        nodes = (*component.bellows, *component.junctions)
+        # Least squares, since a sealed island's pressures are known up to a constant.
+        drop = -np.linalg.pinv(conditions.laplacian(component))
+        for t in component.tubes:
+            conductance = 1 / conditions.resistances[t.name]
+            for end, sign in ((t.start, 1.0), (t.end, -1.0)):
+                if end in nodes:
+                    row = sign * conductance * drop[nodes.index(end)]
+                    for k, name in enumerate(component.bellows):
+                        shares[tubes[t.name], bellows[name]] += row[k]
+    return shares
+
+
+def schedule(scene: Scene) -> Schedule:
+    """Output times, corners of all inputs, and the coefficients between them."""
+    duration = scene.run.duration
+    times = scene.run.output_times_array()
+    corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
+    stops = _merge(np.concatenate([[0.0], *corners, [duration]]), duration)
+    edges = _merge(np.concatenate([times, stops]), duration)
+    firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
+    sources = scene.inputs.values()
+    pieces = np.concatenate(
+        [s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))], 1
+    )
+    initial = np.concatenate([s.initial_piece() for s in sources] or [np.zeros(0)])
+    outputs = np.searchsorted(edges, times - 1e-12 * duration)
+    return Schedule(edges, Pieces(pieces, firsts, len(edges) - 1), outputs, initial)
+
+
+def _merge(times: np.ndarray, duration: float) -> np.ndarray:
+    """Ascending times, those within round-off of each other made one."""
+    ordered = np.unique(times)
+    keep = np.concatenate([[True], np.diff(ordered) > 1e-12 * duration])
+    merged = ordered[keep]
+    merged[-1] = duration
+    return np.asarray(merged)

@@ -1,0 +1,59 @@
+"""Every effect switched, solved again, and the tips compared: what an estimate is worth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from viscodesign.effects.select import Selection
+from viscodesign.errors import ViscodesignError
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.results.trajectory import Proof, Verdict
+from viscodesign.simulation.build_problem import Settings
+from viscodesign.simulation.solve_once import Run, solve, tip_difference
+
+FINER = 20
+"""By how much the tolerance is cut, so that small changes stand out from the steps' noise."""
+
+
+def prove(
+    conditions: Conditions,
+    selection: Selection,
+    settings: Settings,
+    progress: Callable[[float], None] | None = None,
+) -> tuple[Proof, ...]:
+    """Switch each effect that a scene has, one at a time, and measure the tip's move.
+
+    A scene that cannot be solved with the effect switched says so in the note; an
+    interrupt ends the list. Raises `SolveError` where the scene itself cannot start.
+    """
+    finer = replace(settings, tolerance=settings.tolerance / FINER)
+    base = solve(conditions, selection.effects, finer)
+    if base.solution.interrupted:
+        return ()
+    verdicts = [v for v in selection.verdicts if v.name in selection.provable]
+    proofs: list[Proof] = []
+    for k, verdict in enumerate(verdicts):
+        proof, run = _switched(conditions, selection, finer, base, verdict)
+        if run is not None and run.solution.interrupted:
+            break
+        proofs.append(proof)
+        if progress is not None:
+            progress((k + 1) / len(verdicts))
+    return tuple(proofs)
+
+
+def _switched(
+    conditions: Conditions, selection: Selection, settings: Settings, base: Run, verdict: Verdict
+) -> tuple[Proof, Run | None]:
+    try:
+        run = solve(conditions, selection.switched(verdict.name), settings)
+    except ViscodesignError as error:
+        note = str(error).splitlines()[0]
+        return Proof(verdict.name, verdict.taken, verdict.contribution_m, None, 0.0, note), None
+    measured = tip_difference(base.motion, run.motion)
+    note = ""
+    if not run.is_complete:
+        note = f"compared up to t = {run.motion.time[-1]:.4g} s, where it ended"
+    proof = Proof(verdict.name, verdict.taken, verdict.contribution_m, measured, run.spent_s, note)
+    return proof, run

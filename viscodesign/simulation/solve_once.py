@@ -1,0 +1,113 @@
+"""One scene solved at one setting."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from viscodesign.effects.base import Effect
+from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.model.rod_equations import RodForm
+from viscodesign.postprocess.motion import Motion, read_motion
+from viscodesign.simulation.build_problem import Settings, build
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.statics import equilibrium, rest
+from viscodesign.solve.transient import Solution, integrate
+from viscodesign.storage.disk_arrays import blocks
+
+Progress = Callable[[float], None]
+
+
+@dataclass(frozen=True)
+class Run:
+    """One solution of a scene at one setting."""
+
+    settings: Settings
+    problem: Problem
+    motion: Motion
+    solution: Solution
+    build_s: float
+    solve_s: float
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether it came to the end."""
+        return self.motion.failure is None and not self.solution.interrupted
+
+    @property
+    def is_exact_in_space(self) -> bool:
+        """Whether the rod is a row of arcs, which no mesh divides."""
+        return self.problem.equations.rod_form is RodForm.ARCS
+
+    @property
+    def spent_s(self) -> float:
+        """Wall time, building and solving [s]."""
+        return self.build_s + self.solve_s
+
+
+def solve(
+    conditions: Conditions,
+    effects: Sequence[Effect],
+    settings: Settings,
+    progress: Progress | None = None,
+) -> Run:
+    """Build and solve once. Raises `SolveError` where not even a first equilibrium exists."""
+    began = clock.perf_counter()
+    problem = _problem(conditions, effects, settings)
+    built = clock.perf_counter()
+    piece = problem.schedule.initial_piece
+    steady = conditions.scene.run.start == "equilibrium"
+    start = equilibrium(problem, 0.0, piece) if steady else rest(problem, piece)
+    solution = integrate(
+        problem, start, settings.tolerance, progress, settings.solver, conditions.shelf
+    )
+    solved = clock.perf_counter()
+    motion = read_motion(problem, solution, conditions.shelf, conditions.scene.run.shapes_apart)
+    compile_s = solution.work.compile_s
+    build_s, solve_s = built - began + compile_s, solved - built - compile_s
+    # What was read of the solution is not needed twice.
+    return Run(settings, problem, motion, solution.without_columns(), build_s, solve_s)
+
+
+def _problem(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:
+    """The scene's equations, made once for every set of effects and mesh."""
+    key = (tuple(effect.name for effect in effects), settings.edges_per_section)
+    if key not in conditions.problems:
+        conditions.problems[key] = build(conditions, effects, settings)
+    return conditions.problems[key]
+
+
+@dataclass(frozen=True)
+class FlowDifference:
+    """Where the flows of two solutions are farthest apart."""
+
+    share: float
+    """Of the largest flow of all."""
+    tube: int
+    row: int
+
+
+def flow_difference(coarse: Motion, fine: Motion) -> FlowDifference | None:
+    """Largest difference of any tube's flow over the output times that both reached."""
+    both = min(len(coarse.flow), len(fine.flow))
+    largest, worst = 0.0, FlowDifference(0.0, 0, 0)
+    for rows in blocks(both, coarse.flow, fine.flow):
+        flow = fine.flow[rows]
+        apart = np.abs(coarse.flow[rows] - flow)
+        largest = max(largest, float(np.max(np.abs(flow), initial=0.0)))
+        if np.max(apart, initial=0.0) > worst.share:
+            row, tube = np.unravel_index(int(np.argmax(apart)), apart.shape)
+            worst = FlowDifference(float(apart[row, tube]), int(tube), rows.start + int(row))
+    return replace(worst, share=worst.share / largest) if largest else None
+
+
+def tip_difference(coarse: Motion, fine: Motion) -> float:
+    """Largest distance between two tips over the output times that both reached [m]."""
+    both = min(len(coarse.tip), len(fine.tip))
+    apart = (
+        coarse.tip[rows, :2] - fine.tip[rows, :2] for rows in blocks(both, coarse.tip, fine.tip)
+    )
+    return max(float(np.max(np.hypot(part[:, 0], part[:, 1]))) for part in apart)

@@ -1,1 +1,0 @@
-"""Quick sketches of a motion: what a term would change at the tip, without solving."""

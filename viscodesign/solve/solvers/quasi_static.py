@@ -1,0 +1,98 @@
+"""The march of a problem without states."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.errors import SolveError
+from viscodesign.model.rod_equations import RodForm
+from viscodesign.solve.branch_following import Earlier
+from viscodesign.solve.numerics.newton import CONVERGED, MAX_ITERATIONS
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.solvers.base import Columns, Solver, Work
+from viscodesign.solve.solvers.quiet_stderr import silence
+from viscodesign.solve.statics import Start, consistent
+
+
+class Algebraic(Solver):
+    """Every output is a solution of its own, found from the one before."""
+
+    # Not named, hence not among those to choose from: without states there is no choice.
+
+    def __call__(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """Solve the constraints at edges first+1..stop."""
+        # Pressures have one solution. A loaded rod may have several, and plain Newton would
+        # leap from one to another where a fold ends the branch that it was on.
+        if self.problem.equations.rod_form is RodForm.ARCS:
+            found = self._at_once(here, first, stop)
+            if found is not None:
+                work.steps += stop - first
+                return self._columns(found), None
+        return self._one_by_one(here, first, stop, work)
+
+    def _at_once(self, here: Start, first: int, stop: int) -> np.ndarray | None:
+        """All of them by plain Newton in one call (nz, m); None where it fails for any."""
+        problem, count = self.problem, stop - first
+        if not problem.equations.algebraics.count:
+            return np.zeros((0, count))
+        march = problem.equations.compiled.get(("algebraic", count), lambda: _march(problem, count))
+        schedule = problem.schedule
+        try:
+            with silence():
+                result = march(
+                    here.algebraics,
+                    schedule.edges[None, first + 1 : stop + 1],
+                    schedule.pieces[first:stop].T,
+                    np.tile(problem.numbers()[:, None], count),
+                )
+        except RuntimeError:
+            return None
+        found = np.array(result)
+        return found if np.isfinite(found).all() else None
+
+    def _one_by_one(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """The same with damped steps and loads raised bit by bit, as far as it goes."""
+        schedule = self.problem.schedule
+        found: list[np.ndarray] = []
+        failure: SolveError | None = None
+        earlier: Earlier | None = None
+        for k in range(first, stop):
+            try:
+                piece, time = schedule.pieces[k], float(schedule.edges[k])
+                if k and np.any(piece != schedule.pieces[k - 1]):
+                    here = consistent(self.problem, here, time, piece, self.before(k))
+                    earlier = None
+                end = float(schedule.edges[k + 1])
+                there = consistent(self.problem, here, end, piece, (time, piece), earlier)
+                earlier, here = (here.algebraics, time), there
+            except SolveError as error:
+                failure = error
+                break
+            found.append(here.algebraics)
+            work.steps += 1
+        count = self.problem.equations.algebraics.count
+        return self._columns(np.array(found).T.reshape(count, len(found))), failure
+
+    def _columns(self, found: np.ndarray) -> Columns:
+        count = found.shape[1]
+        return np.zeros((0, count)), found, np.zeros((0, count))
+
+
+def _march(problem: Problem, count: int) -> ca.Function:
+    """(start, times (1, m), pieces (p, m), numbers (n, m)) -> unknowns (nz, m)."""
+    equations = problem.equations
+    given = ca.vertcat(equations.time, equations.pieces, equations.parameters)
+    system = {"x": equations.algebraics.vector, "p": given, "g": equations.alg}
+    options = {"abstol": CONVERGED, "abstolStep": CONVERGED, "max_iter": MAX_ITERATIONS}
+    finder = ca.rootfinder("constraints", "newton", system, options | {"error_on_fail": True})
+    z, t = ca.MX.sym("z", equations.algebraics.count), ca.MX.sym("t")
+    pieces = ca.MX.sym("pieces", equations.pieces.numel())
+    numbers = ca.MX.sym("numbers", equations.parameters.numel())
+    after = finder(z, ca.vertcat(t, pieces, numbers))
+    step = ca.Function("step", [z, t, pieces, numbers], [after])
+    return step.mapaccum("march", count)

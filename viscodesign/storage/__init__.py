@@ -1,0 +1,1 @@
+"""Arrays on disk, and files that are whole or absent."""
