@@ -61,15 +61,15 @@ def study(seed: int, index: int) -> Iterator[Record]:
     }
     proven = simulate(scenes["auto"], verify=False, prove=True)
     budget = proven.accuracy.requested_m
-    for proof in proven.proof:
+    for ablation in proven.proof:
         yield {
             "kind": "proof",
             "index": index,
-            "effect": proof.name,
-            "taken": proof.taken,
-            "estimated": proof.estimated_m / budget,
-            "measured": None if proof.measured_m is None else proof.measured_m / budget,
-            "note": proof.note,
+            "effect": ablation.name,
+            "taken": ablation.taken,
+            "estimated": ablation.estimated_m / budget,
+            "measured": None if ablation.measured_m is None else ablation.measured_m / budget,
+            "note": ablation.note,
         }
 
 

@@ -184,17 +184,17 @@ def _extent(words: str, run: Trajectory) -> str:
 def _verdict_rows(pair: Pair) -> list[tuple[str, ...]]:
     """Effects that the scene has, those first that move the tip most."""
     published = _taken(pair.published)
-    proofs = sorted(pair.called_for.proof, key=lambda proof: -proof.estimated_m)
+    ablations = sorted(pair.called_for.proof, key=lambda ablation: -ablation.estimated_m)
     return [
         (
-            f"`{proof.name}`",
-            "in" if proof.name in published else "out",
-            "in" if proof.taken else "out",
-            millimetres(proof.estimated_m),
-            "none" if proof.measured_m is None else millimetres(proof.measured_m)
-            + (f" ({proof.note})" if proof.note else ""),
+            f"`{ablation.name}`",
+            "in" if ablation.name in published else "out",
+            "in" if ablation.taken else "out",
+            millimetres(ablation.estimated_m),
+            "none" if ablation.measured_m is None else millimetres(ablation.measured_m)
+            + (f" ({ablation.note})" if ablation.note else ""),
         )
-        for proof in proofs
+        for ablation in ablations
     ]  # fmt: skip
 
 

@@ -10,17 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.results.trajectory import (
-    Accuracy,
-    Classification,
-    Cost,
-    Invariants,
-    Notice,
-    Proof,
-    Scales,
-    Trajectory,
-    Verdict,
-)
+from viscodesign.results.findings import Classification, EffectAblation, Notice, Scales, Verdict
+from viscodesign.results.trajectory import Accuracy, Cost, Invariants, Trajectory
 
 LENGTH, WIDTH = 0.109, 0.03
 CURVATURE = 10.266 / 1.8e6 / LENGTH
@@ -150,20 +141,20 @@ VERDICTS = (
     verdict("feedback", False, 1.02e-4),
 )
 """Absent, tiny, large and unbounded ones."""
-PROOFS = (
-    Proof("fluid_mass", False, 4.3e-6, 3.9e-6, 1.1),
-    Proof("pressure_distribution", True, 0.114, 0.0987, 0.4),
-    Proof("gas_compressibility", True, 0.0613, None, 0.0, "bellows empty at t = 0.7 s"),
-    Proof("flow_regime", True, math.inf, 0.0974, 2.0),
-    Proof("fluid_inertance", False, 2e-12, 0.0, 1.3),
-    Proof("gravity", False, 2e-4, 2.3e-3, 1.2),
-    Proof("inertia", True, 7.9e-4, 8.1e-4, 0.9),
-    Proof("damping", True, 4e-4, 1.1e-4, 0.9, "compared up to t = 0.41 s, where it ended"),
-    Proof("feedback", False, 1.02e-4, 1.3e-4, 1.2),
+ABLATIONS = (
+    EffectAblation("fluid_mass", False, 4.3e-6, 3.9e-6, 1.1),
+    EffectAblation("pressure_distribution", True, 0.114, 0.0987, 0.4),
+    EffectAblation("gas_compressibility", True, 0.0613, None, 0.0, "bellows empty at t = 0.7 s"),
+    EffectAblation("flow_regime", True, math.inf, 0.0974, 2.0),
+    EffectAblation("fluid_inertance", False, 2e-12, 0.0, 1.3),
+    EffectAblation("gravity", False, 2e-4, 2.3e-3, 1.2),
+    EffectAblation("inertia", True, 7.9e-4, 8.1e-4, 0.9),
+    EffectAblation("damping", True, 4e-4, 1.1e-4, 0.9, "compared up to t = 0.41 s, where it ended"),
+    EffectAblation("feedback", False, 1.02e-4, 1.3e-4, 1.2),
 )
 """Needed, small, spent, and one that was left out although it moves the tip by 2.3 mm."""
 
 
-def proven_run(**changes: Any) -> Trajectory:
+def ablated_run(**changes: Any) -> Trajectory:
     """The made-up run with what its effects were measured to do."""
-    return made_run(**{"effects": VERDICTS, "proof": PROOFS, **changes})
+    return made_run(**{"effects": VERDICTS, "proof": ABLATIONS, **changes})

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from viscodesign.pump.planning.plan import plan
     from viscodesign.pump.planning.result import PumpPlan
     from viscodesign.results.accuracy_study import AccuracyStudy
-    from viscodesign.results.trajectory import Classification, Trajectory
+    from viscodesign.results.findings import Classification
+    from viscodesign.results.trajectory import Trajectory
     from viscodesign.scene.scene import Scene
     from viscodesign.simulation.simulate import simulate
     from viscodesign.studies.accuracy import accuracy
@@ -46,7 +47,7 @@ __all__ = [
 _HOMES = {
     "AccuracyStudy": "results.accuracy_study",
     "Check": "checks.check",
-    "Classification": "results.trajectory",
+    "Classification": "results.findings",
     "PumpPlan": "pump.planning.result",
     "Scene": "scene.scene",
     "Trajectory": "results.trajectory",

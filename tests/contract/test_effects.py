@@ -18,7 +18,7 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.select import catalogue, select_effects
 from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.model.rod_equations import RodForm
-from viscodesign.results.trajectory import Verdict
+from viscodesign.results.findings import Verdict
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium

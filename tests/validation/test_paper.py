@@ -10,7 +10,7 @@ import pytest
 
 from tests.scenes import CONFIGS, leg
 from viscodesign import Trajectory, check, classify, load, simulate
-from viscodesign.results.trajectory import Verdict
+from viscodesign.results.findings import Verdict
 
 PAPER_SCENES = sorted(path.stem for path in CONFIGS.glob("*.yaml"))
 

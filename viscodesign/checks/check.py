@@ -10,8 +10,7 @@ from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.checks.scene_warnings import verdict_notices
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import Conditions
-from viscodesign.report.tables import check_document
-from viscodesign.results.trajectory import Classification, Notice, Verdict
+from viscodesign.results.findings import Classification, Notice, Verdict, check_document
 from viscodesign.scene.scene import Scene
 
 

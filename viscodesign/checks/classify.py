@@ -9,7 +9,7 @@ from viscodesign.checks.refusals import refuse_beyond_numbers
 from viscodesign.checks.scene_warnings import scene_notices
 from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.physics.timescales import cutoff_frequency
-from viscodesign.results.trajectory import Classification, Scales
+from viscodesign.results.findings import Classification, Scales
 from viscodesign.scene.scene import Scene
 
 QUADRANTS: dict[str, str] = {

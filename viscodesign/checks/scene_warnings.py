@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from viscodesign.estimate.scene_quantities import Conditions
-from viscodesign.results.trajectory import Notice, Verdict
+from viscodesign.results.findings import Notice, Verdict
 from viscodesign.scene.bellows import falls, first_peak
 
 STEEP_RECIPROCITY = 1.05

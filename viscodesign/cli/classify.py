@@ -11,7 +11,7 @@ import typer
 from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Specs
 
 if TYPE_CHECKING:
-    from viscodesign.results.trajectory import Classification
+    from viscodesign.results.findings import Classification
 
 EXAMPLE = """\b
 Examples:
@@ -40,7 +40,7 @@ def command(
     """
     from viscodesign import classify, load
     from viscodesign.cli.output import json_text, say, write_text
-    from viscodesign.report.tables import classification_document
+    from viscodesign.results.findings import classification_document
 
     picture = _picture(plot)
     found = [classify(load(spec, overrides or ())) for spec in specs]

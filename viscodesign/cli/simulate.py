@@ -63,7 +63,7 @@ def command(
     from viscodesign import simulate as solve
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.texts.ablation_text import proof_lines
+    from viscodesign.cli.texts.ablation_text import ablation_lines
     from viscodesign.cli.texts.run_text import summary_lines
     from viscodesign.report.run_folder import prepare_folder, write_run
 
@@ -79,7 +79,7 @@ def command(
         say(json_text({**trajectory.summary(), "files": [str(file) for file in files]}))
         _warn(trajectory, quiet)
     elif not quiet:
-        proof = ["", *proof_lines(trajectory)] if prove else []
+        proof = ["", *ablation_lines(trajectory)] if prove else []
         say("\n".join([*summary_lines(trajectory, folder, files), *proof]))
     _end(trajectory, folder)
 

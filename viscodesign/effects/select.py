@@ -16,7 +16,7 @@ from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
 from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.plugins import members
-from viscodesign.results.trajectory import Verdict
+from viscodesign.results.findings import Verdict
 
 SHARE_OF_ACCURACY = 0.35
 """Part of the accuracy that all omitted effects together may spend, by the sketches."""

@@ -15,7 +15,7 @@ from viscodesign.model.bellow_law import BellowLaw
 from viscodesign.model.graph import Component, Graph
 from viscodesign.model.rod import Body
 from viscodesign.physics import beam, bellow, gas, timescales, tube
-from viscodesign.results.trajectory import Scales
+from viscodesign.results.findings import Scales
 from viscodesign.scene.inputs.syringe import Syringe
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Problem

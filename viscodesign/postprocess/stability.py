@@ -11,7 +11,7 @@ import numpy as np
 import scipy.linalg
 
 from viscodesign.model.rod_equations import RodForm
-from viscodesign.results.trajectory import Notice
+from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.statics import Start
 

@@ -11,7 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.results.trajectory import Invariants, Notice
+from viscodesign.results.findings import Notice
+from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import vanished_section
 

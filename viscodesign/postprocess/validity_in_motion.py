@@ -9,7 +9,7 @@ import numpy as np
 
 from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.physics import beam, gas, tube
-from viscodesign.results.trajectory import Notice
+from viscodesign.results.findings import Notice
 
 LAMINAR_LIMIT = 2300.0
 SLOW_SOUND_FRACTION = 0.3

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from viscodesign.report.run_folder import STUDY_FILES, prepare_folder, text_bytes
-from viscodesign.report.tables import plain
 from viscodesign.results.accuracy_study import COLUMNS, AccuracyStudy, Point
+from viscodesign.results.findings import plain
 from viscodesign.storage.atomic_files import refused_plainly, write_all
 
 TABLE, DOCUMENT, PICTURE = STUDY_FILES

@@ -12,8 +12,12 @@ import numpy as np
 
 from viscodesign.errors import UsageError
 from viscodesign.interrupt import gentle_interrupt
-from viscodesign.report.tables import shape_columns, summary_document, trajectory_columns
-from viscodesign.results.trajectory import Trajectory
+from viscodesign.results.trajectory import (
+    Trajectory,
+    shape_columns,
+    summary_document,
+    trajectory_columns,
+)
 from viscodesign.storage.atomic_files import refused_plainly, write_all, write_bytes
 from viscodesign.storage.disk_arrays import BLOCK, blocks
 from viscodesign.storage.leftovers import clear_leftovers

@@ -7,103 +7,28 @@ the command line prints it, and a script reads it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from viscodesign.results.rung import Rung
+from viscodesign.results.findings import (
+    Classification,
+    EffectAblation,
+    Notice,
+    RetryAttempt,
+    Verdict,
+    ablation_documents,
+    classification_document,
+    notice_documents,
+    plain,
+    verdict_documents,
+)
 
 if TYPE_CHECKING:
     import pandas as pd
 
 Status = Literal["complete", "failed", "interrupted"]
-
-
-@dataclass(frozen=True)
-class Scales:
-    """The four characteristic times of a scene [s]."""
-
-    t_s: float
-    """Elastic-inertial time of the solid."""
-    t_f: float
-    """Viscous-elastic time of the fluid, as the paper defines it."""
-    t_i: float
-    """Shortest monotone swing of the inlet pressure (infinite for a constant)."""
-    t_net: float
-    """Slowest time constant of the real network."""
-
-    @property
-    def ratios(self) -> dict[str, float]:
-        """`ts_over_tf` (x of the quadrant plane), `ts_over_ti` (y) and `tnet_over_ti`."""
-        return {
-            "ts_over_tf": _ratio(self.t_s, self.t_f),
-            "ts_over_ti": _ratio(self.t_s, self.t_i),
-            "tnet_over_ti": _ratio(self.t_net, self.t_i),
-        }
-
-
-def _ratio(above: float, below: float) -> float:
-    if below == 0.0:
-        return float("inf")
-    return above / below
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """Why an effect is in or out of a run."""
-
-    name: str
-    mode: Literal["auto", "on", "off"]
-    taken: bool
-    weight: float
-    formula: str
-    reason: str
-    contribution_m: float = 0.0
-    """Estimate of how far the tip moves when this effect alone is switched [m]."""
-    budget_share: float = 0.0
-    """The same over the tip error asked for."""
-    present: bool = True
-    """Whether the scene has what the effect acts on."""
-
-
-@dataclass(frozen=True)
-class Proof:
-    """What switching one effect did to the tip, measured by a second solution."""
-
-    name: str
-    taken: bool
-    """Whether the run has the effect; the second solution has it the other way round."""
-    estimated_m: float
-    """The verdict's contribution [m]."""
-    measured_m: float | None
-    """Largest distance of the tips over all output times [m]; None where there is no solution."""
-    solve_s: float
-    """Wall time of the second solution [s]."""
-    note: str = ""
-    """Why there is none, or up to when it reached."""
-
-
-@dataclass(frozen=True)
-class Notice:
-    """A warning: something the numbers say and the user should hear."""
-
-    code: str
-    message: str
-    where: str = ""
-    time_s: float | None = None
-
-
-@dataclass(frozen=True)
-class Classification:
-    """Timescales, ratios and quadrant of one scene, with what they mean."""
-
-    name: str
-    scales: Scales
-    quadrant: Literal["I", "II", "III", "IV"]
-    meaning: str
-    cutoff_frequency_hz: float
-    warnings: tuple[Notice, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -194,9 +119,9 @@ class Trajectory:
     unloaded [m3 at ambient density]; from what is held, not from flows."""
     shape_every: int = 1
     """Rows from one shape to the next."""
-    proof: tuple[Proof, ...] = ()
+    proof: tuple[EffectAblation, ...] = ()
     """What every effect changes, where that was asked for."""
-    ladder: tuple[Rung, ...] = ()
+    ladder: tuple[RetryAttempt, ...] = ()
     """What was tried where a solver had come to a stop, in order."""
     settings: Mapping[str, Any] = field(default_factory=dict)
     """What the solver chose: edges, tolerance, form of rod and network."""
@@ -217,18 +142,89 @@ class Trajectory:
 
     def summary(self) -> dict[str, Any]:
         """The run without its arrays, ready for JSON (numbers that are not finite as None)."""
-        from viscodesign.report.tables import summary_document
-
         return summary_document(self)
 
     def frame(self) -> pd.DataFrame:
         """Tip, pressures and flows against time: the columns of `trajectory.csv`."""
-        from viscodesign.report.tables import trajectory_frame
-
         return trajectory_frame(self)
 
     def shape_frame(self) -> pd.DataFrame:
         """The axis at the times of its shapes: the columns of `shape.csv`."""
-        from viscodesign.report.tables import shape_frame
-
         return shape_frame(self)
+
+
+def summary_document(trajectory: Trajectory) -> dict[str, Any]:
+    """The run without its arrays; ``proof`` is there where it was asked for."""
+    document = {
+        "name": trajectory.name,
+        "version": trajectory.version,
+        "spec_sha256": trajectory.spec_sha256,
+        "status": trajectory.status,
+        "failure": trajectory.failure,
+        **{
+            key: value
+            for key, value in classification_document(trajectory.classification).items()
+            if key not in ("name", "warnings")
+        },
+        "effects": verdict_documents(trajectory.effects),
+        **({"proof": ablation_documents(trajectory.proof)} if trajectory.proof else {}),
+        "accuracy": asdict(trajectory.accuracy),
+        "cost": asdict(trajectory.cost),
+        "invariants": asdict(trajectory.invariants),
+        "ladder": [plain(asdict(rung)) for rung in trajectory.ladder],
+        "settings": dict(trajectory.settings),
+        "warnings": notice_documents(trajectory.warnings),
+    }
+    return dict(plain(document))
+
+
+WHOLE = slice(None)
+
+
+def trajectory_columns(trajectory: Trajectory, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
+    """Names and values (T, columns) of `trajectory.csv`, or of some rows; pressures are gauge."""
+    names = ["time_s", "tip_x_m", "tip_z_m", "tip_angle_rad"]
+    inlets = list(trajectory.inlet_pressure)
+    alone = len(inlets) == 1
+    names += ["inlet_pressure_pa" if alone else f"inlet_pressure_{name}_pa" for name in inlets]
+    names += [f"pressure_{name}_pa" for name in trajectory.bellows]
+    names += [f"flow_{name}_m3_s" for name in trajectory.tubes]
+    inlet_values = [values[rows, None] for values in trajectory.inlet_pressure.values()]
+    values = [
+        trajectory.time[rows, None],
+        trajectory.tip[rows],
+        *inlet_values,
+        trajectory.pressure[rows],
+        trajectory.flow[rows],
+    ]
+    return names, np.concatenate(values, axis=1)
+
+
+def shape_columns(trajectory: Trajectory, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
+    """Names and values (N K, 4) of `shape.csv`, or of some shapes."""
+    time, shape = trajectory.time[trajectory.shape_rows[rows]], trajectory.shape[rows]
+    times, points = shape.shape[:2]
+    values = np.column_stack(
+        (
+            np.repeat(time, points),
+            np.tile(trajectory.arc, times),
+            shape.reshape(-1, 2),
+        )
+    )
+    return ["time_s", "arc_m", "x_m", "z_m"], values
+
+
+def trajectory_frame(trajectory: Trajectory) -> pd.DataFrame:
+    """`trajectory.csv` as a data frame."""
+    import pandas as pd
+
+    names, values = trajectory_columns(trajectory)
+    return pd.DataFrame(values, columns=names)
+
+
+def shape_frame(trajectory: Trajectory) -> pd.DataFrame:
+    """`shape.csv` as a data frame."""
+    import pandas as pd
+
+    names, values = shape_columns(trajectory)
+    return pd.DataFrame(values, columns=names)

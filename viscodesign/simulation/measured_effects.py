@@ -8,7 +8,7 @@ from dataclasses import replace
 from viscodesign.effects.select import Selection
 from viscodesign.errors import ViscodesignError
 from viscodesign.estimate.scene_quantities import Conditions
-from viscodesign.results.trajectory import Proof, Verdict
+from viscodesign.results.findings import EffectAblation, Verdict
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run, solve, tip_difference
 
@@ -16,12 +16,12 @@ FINER = 20
 """By how much the tolerance is cut, so that small changes stand out from the steps' noise."""
 
 
-def prove(
+def measure_effects(
     conditions: Conditions,
     selection: Selection,
     settings: Settings,
     progress: Callable[[float], None] | None = None,
-) -> tuple[Proof, ...]:
+) -> tuple[EffectAblation, ...]:
     """Switch each effect that a scene has, one at a time, and measure the tip's move.
 
     A scene that cannot be solved with the effect switched says so in the note; an
@@ -32,28 +32,27 @@ def prove(
     if base.solution.interrupted:
         return ()
     verdicts = [v for v in selection.verdicts if v.name in selection.provable]
-    proofs: list[Proof] = []
+    ablations: list[EffectAblation] = []
     for k, verdict in enumerate(verdicts):
-        proof, run = _switched(conditions, selection, finer, base, verdict)
+        ablation, run = _switched(conditions, selection, finer, base, verdict)
         if run is not None and run.solution.interrupted:
             break
-        proofs.append(proof)
+        ablations.append(ablation)
         if progress is not None:
             progress((k + 1) / len(verdicts))
-    return tuple(proofs)
+    return tuple(ablations)
 
 
 def _switched(
     conditions: Conditions, selection: Selection, settings: Settings, base: Run, verdict: Verdict
-) -> tuple[Proof, Run | None]:
+) -> tuple[EffectAblation, Run | None]:
+    told = (verdict.name, verdict.taken, verdict.contribution_m)
     try:
         run = solve(conditions, selection.switched(verdict.name), settings)
     except ViscodesignError as error:
-        note = str(error).splitlines()[0]
-        return Proof(verdict.name, verdict.taken, verdict.contribution_m, None, 0.0, note), None
+        return EffectAblation(*told, None, 0.0, str(error).splitlines()[0]), None
     measured = tip_difference(base.motion, run.motion)
     note = ""
     if not run.is_complete:
         note = f"compared up to t = {run.motion.time[-1]:.4g} s, where it ended"
-    proof = Proof(verdict.name, verdict.taken, verdict.contribution_m, measured, run.spent_s, note)
-    return proof, run
+    return EffectAblation(*told, measured, run.spent_s, note), run

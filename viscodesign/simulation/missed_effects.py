@@ -15,7 +15,7 @@ from viscodesign.effects.select import SHARE_OF_ACCURACY, Selection
 from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.motion import Motion
-from viscodesign.results.rung import Rung
+from viscodesign.results.findings import RetryAttempt
 from viscodesign.simulation.solve_once import Run
 from viscodesign.storage.disk_arrays import blocks
 
@@ -34,9 +34,9 @@ class Reselection:
     time_s: float
     """Where the run asked for it [s]."""
 
-    def rung(self, solved: bool) -> Rung:
+    def rung(self, solved: bool) -> RetryAttempt:
         """What is told of it once the run was done again."""
-        return Rung(self.time_s, self.tried, solved, self.reason)
+        return RetryAttempt(self.time_s, self.tried, solved, self.reason)
 
 
 def reselected(conditions: Conditions, selection: Selection, run: Run) -> Reselection | None:

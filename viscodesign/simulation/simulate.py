@@ -21,21 +21,13 @@ from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.stability import growth_notices
 from viscodesign.postprocess.terminations import broken_balance, doubted_balance
 from viscodesign.postprocess.validity_in_motion import Course, course_notices
-from viscodesign.results.rung import Rung
-from viscodesign.results.trajectory import (
-    Accuracy,
-    Cost,
-    Notice,
-    Proof,
-    Status,
-    Trajectory,
-    Verdict,
-)
+from viscodesign.results.findings import EffectAblation, Notice, RetryAttempt, Verdict
+from viscodesign.results.trajectory import Accuracy, Cost, Status, Trajectory
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.error_control import LEFT_BY_SPACE, LEFT_BY_TIME, ErrorParts, Verifier
-from viscodesign.simulation.measured_effects import prove as prove_effects
+from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import Reselection, reselected
 from viscodesign.simulation.solve_once import Progress, Run
 from viscodesign.storage.disk_arrays import Shelf, blocks
@@ -67,7 +59,7 @@ def simulate(
     refuse_beyond_numbers(conditions)
     selection = select_effects(conditions)
     refuse_unsolvable(conditions)
-    ladder: list[Rung] = []
+    ladder: list[RetryAttempt] = []
     solved = _solve(conditions, selection, tolerance, verify, progress)
     while (more := solved.called_for) is not None:
         try:
@@ -82,9 +74,9 @@ def simulate(
         selection, solved = more.selection, again
     conditions.taken = set(selection.taken)
     verifier, run = solved.verifier, solved.run
-    proof: tuple[Proof, ...] = ()
+    proof: tuple[EffectAblation, ...] = ()
     if prove and run.is_complete and not verifier.interrupted:
-        proof = prove_effects(conditions, selection, run.settings, progress)
+        proof = measure_effects(conditions, selection, run.settings, progress)
     accuracy = _accuracy(verifier, solved.parts, verify)
     status, failure = _outcome(verifier, run, accuracy, verify)
     found = _trajectory(conditions, selection.verdicts, run)

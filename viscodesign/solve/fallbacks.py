@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from viscodesign.errors import SolveError
-from viscodesign.results.rung import Rung
+from viscodesign.results.findings import RetryAttempt
 from viscodesign.solve.branch_jumps import end_of_branch, has_branches, watched
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
@@ -24,7 +24,7 @@ class Ladder:
     def __init__(self, march: Solver, others: Sequence[type[Solver]]) -> None:
         self.march = march
         """The solver that goes on."""
-        self.rungs: list[Rung] = []
+        self.rungs: list[RetryAttempt] = []
         self._others = others
         self._helped = False
 
@@ -46,7 +46,7 @@ class Ladder:
             return self.march.nothing(), failure  # no way of solving finds what is not there
         for tried, solver in self._attempts():
             columns, again = watched(solver, here, edge, edge + 1, work)
-            self.rungs.append(Rung(time, tried, again is None, reason))
+            self.rungs.append(RetryAttempt(time, tried, again is None, reason))
             if again is None:
                 if self._helped:
                     self.march = solver

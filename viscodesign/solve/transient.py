@@ -16,7 +16,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.plugins import members
-from viscodesign.results.rung import Rung
+from viscodesign.results.findings import RetryAttempt
 from viscodesign.solve import solvers
 from viscodesign.solve.fallbacks import Ladder
 from viscodesign.solve.problem import Problem
@@ -59,7 +59,7 @@ class Solution:
     """Whether it ended early because the user asked."""
     asked_to_stop: bool = False
     """Whether the user asked at all, be it when all was done: nothing more should follow."""
-    rungs: tuple[Rung, ...] = ()
+    rungs: tuple[RetryAttempt, ...] = ()
     """What was tried where the solver came to a stop."""
     solver: str = DEFAULT_SOLVER
     """Name of the one that began."""

@@ -11,14 +11,8 @@ import pytest
 
 from tests.trajectories import CLASSIFICATION, made_run
 from viscodesign.cli.main import main
-from viscodesign.results.trajectory import (
-    Accuracy,
-    Classification,
-    Cost,
-    Notice,
-    Trajectory,
-    Verdict,
-)
+from viscodesign.results.findings import Classification, Notice, Verdict
+from viscodesign.results.trajectory import Accuracy, Cost, Trajectory
 
 CONFIGS = Path(__file__).resolve().parents[3] / "configs"
 

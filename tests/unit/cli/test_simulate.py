@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.trajectories import PROOFS, made_run, proven_run
+from tests.trajectories import ABLATIONS, ablated_run, made_run
 from viscodesign.cli.simulate import folder_name
 from viscodesign.results.trajectory import Trajectory
 
@@ -111,7 +111,7 @@ def test_the_proof_is_asked_for_and_told(
 
     def solve(scene: object, *, prove: bool, **_: object) -> Trajectory:
         asked.append(prove)
-        return proven_run() if prove else made_run()
+        return ablated_run() if prove else made_run()
 
     monkeypatch.setattr("viscodesign.simulate", solve)
     plain = call("simulate", leg, "-o", tmp_path, "--no-plots")
@@ -120,15 +120,15 @@ def test_the_proof_is_asked_for_and_told(
     assert "proof:" not in plain.out
     for words in ("proof: each effect switched", "MISSING", "--set effects.gravity=on"):
         assert words in proven.out
-    assert len(json.loads((tmp_path / "summary.json").read_text())["proof"]) == len(PROOFS)
+    assert len(json.loads((tmp_path / "summary.json").read_text())["proof"]) == len(ABLATIONS)
 
 
 def test_the_proof_is_in_the_document_and_its_alarm_beside_it(
     call: Call, tmp_path: Path, leg: Path, solved: Callable[[Trajectory], None]
 ) -> None:
-    solved(proven_run())
+    solved(ablated_run())
     outcome = call("simulate", leg, "-o", tmp_path, "--no-plots", "--prove", "--json")
-    assert [p["name"] for p in json.loads(outcome.out)["proof"]] == [p.name for p in PROOFS]
+    assert [p["name"] for p in json.loads(outcome.out)["proof"]] == [p.name for p in ABLATIONS]
     assert outcome.err.count("WARNING: gravity was left out") == 1
     quiet = call("simulate", leg, "-o", tmp_path, "--no-plots", "--prove", "-q")
     assert (quiet.out, quiet.err) == ("", "")

@@ -19,7 +19,7 @@ from viscodesign.effects.gravity import Gravity
 from viscodesign.effects.select import SHARE_OF_ACCURACY, Selection, catalogue, select_effects
 from viscodesign.estimate.estimate import Sketch
 from viscodesign.estimate.scene_quantities import Conditions
-from viscodesign.results.trajectory import Verdict
+from viscodesign.results.findings import Verdict
 
 AUTO = "effects=auto"
 SLOW = ("input={kind: sine, amplitude: 3 kPa, frequency: 0.001 Hz}", "fluid=water",

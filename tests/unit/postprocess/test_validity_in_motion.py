@@ -14,7 +14,7 @@ from viscodesign.checks.scene_warnings import scene_notices
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import Conditions
 from viscodesign.postprocess.validity_in_motion import CHOKING_FRACTION, Course, course_notices
-from viscodesign.results.trajectory import Notice
+from viscodesign.results.findings import Notice
 
 TIME = np.array([0.0, 0.5, 1.0])
 AMBIENT = 101325.0

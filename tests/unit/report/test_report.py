@@ -20,7 +20,7 @@ from viscodesign.errors import UsageError
 from viscodesign.report.charts.quadrants import draw_plane
 from viscodesign.report.layout.snapshots import normals, outline, spread_instants
 from viscodesign.report.run_folder import PICTURES, SUMMARY, TABLES, write_run
-from viscodesign.results.trajectory import Notice
+from viscodesign.results.findings import Notice
 from viscodesign.storage import atomic_files as atomic
 
 PNG = b"\x89PNG"

@@ -17,7 +17,7 @@ from typing import IO, Any
 import numpy as np
 import pytest
 
-from tests.trajectories import proven_run
+from tests.trajectories import ablated_run
 from tests.unit.report.conftest import Made
 from viscodesign.errors import UsageError
 from viscodesign.report import run_folder as files
@@ -157,7 +157,7 @@ def test_old_pictures_go_when_none_are_drawn(run: Trajectory, tmp_path: Path) ->
 
 
 def test_effects_are_drawn_only_where_they_were_measured(run: Trajectory, tmp_path: Path) -> None:
-    written = write_run(proven_run(), tmp_path)
+    written = write_run(ablated_run(), tmp_path)
     assert [file.name for file in written] == [*TABLES, *PICTURES, PROOF_PICTURE, "summary.json"]
     assert (tmp_path / PROOF_PICTURE).read_bytes().startswith(b"\x89PNG")
     assert PROOF_PICTURE not in {file.name for file in write_run(run, tmp_path)}
@@ -165,8 +165,8 @@ def test_effects_are_drawn_only_where_they_were_measured(run: Trajectory, tmp_pa
 
 
 def test_an_old_picture_of_effects_goes_when_none_are_drawn(tmp_path: Path) -> None:
-    write_run(proven_run(), tmp_path)
-    write_run(proven_run(), tmp_path, plots=False)
+    write_run(ablated_run(), tmp_path)
+    write_run(ablated_run(), tmp_path, plots=False)
     assert names(tmp_path) == {*TABLES, "summary.json"}
 
 

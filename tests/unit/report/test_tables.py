@@ -8,17 +8,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from tests.trajectories import CLASSIFICATION, PROOFS, proven_run
+from tests.trajectories import ABLATIONS, CLASSIFICATION, ablated_run
 from tests.unit.report.conftest import Made
-from viscodesign.report.tables import (
+from viscodesign.results.findings import (
+    Scales,
+    Verdict,
     check_document,
     classification_document,
     plain,
+)
+from viscodesign.results.trajectory import (
+    Trajectory,
     shape_columns,
     summary_document,
     trajectory_columns,
 )
-from viscodesign.results.trajectory import Scales, Trajectory, Verdict
 
 
 def test_columns_of_a_run(run: Trajectory) -> None:
@@ -72,8 +76,8 @@ def test_a_summary_has_its_sections_and_no_number_that_json_lacks(run: Trajector
 
 def test_a_proof_is_told_only_where_there_is_one(run: Trajectory) -> None:
     assert "proof" not in summary_document(run)
-    proof = summary_document(proven_run())["proof"]
-    assert [p["name"] for p in proof] == [p.name for p in PROOFS]
+    proof = summary_document(ablated_run())["proof"]
+    assert [p["name"] for p in proof] == [p.name for p in ABLATIONS]
     assert proof[0] == {
         "name": "fluid_mass", "taken": False, "estimated_m": 4.3e-6, "measured_m": 3.9e-6,
         "solve_s": 1.1, "note": "",

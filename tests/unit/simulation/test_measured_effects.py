@@ -12,7 +12,7 @@ from tests.scenes import leg
 from viscodesign import Trajectory, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import Conditions
-from viscodesign.simulation import measured_effects as proving
+from viscodesign.simulation import measured_effects
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run
 from viscodesign.simulation.solve_once import solve as really_solve
@@ -30,50 +30,52 @@ FACTOR = 3.0
 
 
 @cache
-def proved(scene: str) -> Trajectory:
+def ablated(scene: str) -> Trajectory:
     return simulate(leg(*SMALL, *SCENES[scene]), verify=False, prove=True)
 
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_estimates_are_near_measurements_where_they_count(scene: str) -> None:
-    found = proved(scene)
+    found = ablated(scene)
     floor = 0.1 * found.accuracy.requested_m
     large = 0
-    for proof in found.proof:
-        assert proof.measured_m is not None
-        if max(proof.measured_m, proof.estimated_m) > floor:
+    for ablation in found.proof:
+        assert ablation.measured_m is not None
+        if max(ablation.measured_m, ablation.estimated_m) > floor:
             large += 1
-            assert proof.measured_m / FACTOR <= proof.estimated_m <= proof.measured_m * FACTOR
+            assert (
+                ablation.measured_m / FACTOR <= ablation.estimated_m <= ablation.measured_m * FACTOR
+            )
     assert large >= 3
 
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_everything_that_the_scene_has_is_switched_once(scene: str) -> None:
-    found = proved(scene)
+    found = ablated(scene)
     overrides = (*SMALL, *SCENES[scene])
-    provable = select_effects(Conditions(leg(*overrides))).provable
+    switchable = select_effects(Conditions(leg(*overrides))).provable
     told = {v.name: v for v in found.effects}
-    assert [p.name for p in found.proof] == provable
-    for proof in found.proof:
-        assert proof.taken == told[proof.name].taken
-        assert proof.estimated_m == told[proof.name].contribution_m
-        assert proof.solve_s > 0.0
-        assert proof.note == ""
+    assert [p.name for p in found.proof] == switchable
+    for ablation in found.proof:
+        assert ablation.taken == told[ablation.name].taken
+        assert ablation.estimated_m == told[ablation.name].contribution_m
+        assert ablation.solve_s > 0.0
+        assert ablation.note == ""
 
 
 def test_what_is_left_out_moves_the_tip_by_less_than_was_asked_for() -> None:
-    found = proved("as it calls for")
+    found = ablated("as it calls for")
     left = [p.measured_m for p in found.proof if not p.taken]
     assert left
     assert all(m is not None and m < found.accuracy.requested_m for m in left)
 
 
 def test_nothing_else_of_the_trajectory_changes() -> None:
-    with_proof = proved("flow alone")
+    with_ablations = ablated("flow alone")
     without = simulate(leg(*SMALL, *SCENES["flow alone"]), verify=False)
     assert without.proof == ()
     for name in ("time", "tip", "pressure", "volume", "flow", "arc", "shape"):
-        assert np.array_equal(getattr(without, name), getattr(with_proof, name)), name
+        assert np.array_equal(getattr(without, name), getattr(with_ablations, name)), name
     for name in (
         "status",
         "effects",
@@ -83,22 +85,22 @@ def test_nothing_else_of_the_trajectory_changes() -> None:
         "settings",
         "spec_text",
     ):
-        assert getattr(without, name) == getattr(with_proof, name), name
-    assert without.cost.steps == with_proof.cost.steps
+        assert getattr(without, name) == getattr(with_ablations, name), name
+    assert without.cost.steps == with_ablations.cost.steps
 
 
 def test_a_switch_that_cannot_be_solved_says_so() -> None:
     deep = ("input={kind: constant, value: -100 kPa}", "run={duration: 0.1 s}")
     found = simulate(leg(*DEEP, *deep), verify=False, prove=True)
     assert found.status == "complete"
-    proofs = {p.name: p for p in found.proof}
-    collapse = proofs.pop("collapse")
+    ablations = {p.name: p for p in found.proof}
+    collapse = ablations.pop("collapse")
     assert collapse.taken
     assert collapse.measured_m is None
     assert collapse.solve_s == 0.0
     assert "section" in collapse.note
     assert "\n" not in collapse.note
-    assert all(p.measured_m is not None and not p.note for p in proofs.values())
+    assert all(p.measured_m is not None and not p.note for p in ablations.values())
 
 
 def test_a_switch_that_ends_early_is_compared_as_far_as_it_came() -> None:
@@ -109,14 +111,14 @@ def test_a_switch_that_ends_early_is_compared_as_far_as_it_came() -> None:
     verdict = next(v for v in found.verdicts if v.name == "collapse")
     settings = Settings(2, 1e-4)
     base = really_solve(conditions, found.effects, settings)
-    proof, run = proving._switched(conditions, found, settings, base, verdict)
+    ablation, run = measured_effects._switched(conditions, found, settings, base, verdict)
     assert run is not None
     assert not run.is_complete
-    assert proof.note == f"compared up to t = {run.motion.time[-1]:.4g} s, where it ended"
+    assert ablation.note == f"compared up to t = {run.motion.time[-1]:.4g} s, where it ended"
     both = len(run.motion.tip)
     assert 1 < both < len(base.motion.tip)
     apart = base.motion.tip[:both, :2] - run.motion.tip[:, :2]
-    assert proof.measured_m == pytest.approx(np.max(np.hypot(*apart.T)))
+    assert ablation.measured_m == pytest.approx(np.max(np.hypot(*apart.T)))
 
 
 def test_an_interrupt_ends_the_list(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -128,7 +130,7 @@ def test_an_interrupt_ends_the_list(monkeypatch: pytest.MonkeyPatch) -> None:
         stopped = replace(run.solution, interrupted=len(calls) == 4)
         return replace(run, solution=stopped)
 
-    monkeypatch.setattr(proving, "solve", interrupted)
+    monkeypatch.setattr(measured_effects, "solve", interrupted)
     told: list[float] = []
     found = simulate(
         leg(*SMALL, *SCENES["flow alone"]), verify=False, prove=True, progress=told.append
@@ -139,11 +141,11 @@ def test_an_interrupt_ends_the_list(monkeypatch: pytest.MonkeyPatch) -> None:
     assert told[-2:] == [pytest.approx(1 / 9), pytest.approx(2 / 9)]
 
 
-def test_a_failed_run_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_failed_run_is_not_switched(monkeypatch: pytest.MonkeyPatch) -> None:
     def never(*given: object) -> Run:
-        raise AssertionError("a run that failed was proved")
+        raise AssertionError("a run that failed was switched")
 
-    monkeypatch.setattr(proving, "solve", never)
+    monkeypatch.setattr(measured_effects, "solve", never)
     found = simulate(
         leg(
             "bellows.count=4",
@@ -167,10 +169,10 @@ def test_small_changes_stand_out_from_the_steps_noise(monkeypatch: pytest.Monkey
         settings.append(chosen)
         return really_solve(conditions, [], chosen)
 
-    monkeypatch.setattr(proving, "solve", noted)
+    monkeypatch.setattr(measured_effects, "solve", noted)
     found = simulate(leg(*SMALL, "effects=off"), verify=False, prove=True)
-    tolerance = found.settings["tolerance"] / proving.FINER
+    tolerance = found.settings["tolerance"] / measured_effects.FINER
     assert [s.tolerance for s in settings] == pytest.approx([tolerance] * len(settings))
     assert {s.edges_per_section for s in settings} == {found.settings["edges_per_section"]}
     assert len(settings) == len(found.proof) + 1
-    assert proving.FINER >= 10
+    assert measured_effects.FINER >= 10

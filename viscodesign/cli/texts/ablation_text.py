@@ -7,7 +7,8 @@ from collections.abc import Mapping
 
 from viscodesign.cli.texts.check_text import decision, millimetres, share
 from viscodesign.cli.texts.layout import number, table, wrap
-from viscodesign.results.trajectory import Proof, Trajectory
+from viscodesign.results.findings import EffectAblation
+from viscodesign.results.trajectory import Trajectory
 
 NOTABLE = 0.1
 """Part of the error asked for below which nobody minds how good an estimate is."""
@@ -15,17 +16,17 @@ FAR_OFF = 3.0
 """Ratio of measurement and estimate from which the estimate is called wrong."""
 
 
-def proof_lines(trajectory: Trajectory) -> list[str]:
+def ablation_lines(trajectory: Trajectory) -> list[str]:
     """A table of the effects, what the omitted ones spend together, and what is amiss."""
     if not trajectory.proof:
         return wrap("proof: none; every effect is switched only after a run is complete")
     budget = trajectory.accuracy.requested_m
     rows = [("effect", "verdict", "estimated", "measured", "of budget", "says")]
-    for proof in trajectory.proof:
-        part = "unknown" if proof.measured_m is None else share(proof.measured_m / budget)
+    for ablation in trajectory.proof:
+        part = "unknown" if ablation.measured_m is None else share(ablation.measured_m / budget)
         rows.append((
-            proof.name, decision(proof), _mm(proof.estimated_m), _mm(proof.measured_m),
-            part, _meaning(proof, budget),
+            ablation.name, decision(ablation), _mm(ablation.estimated_m), _mm(ablation.measured_m),
+            part, _meaning(ablation, budget),
         ))  # fmt: skip
     caption = (
         f"proof: each effect switched, solved again, the tips compared; the budget, "
@@ -51,44 +52,44 @@ def alarm_lines(trajectory: Trajectory) -> list[str]:
     budget = trajectory.accuracy.requested_m
     modes = {verdict.name: verdict.mode for verdict in trajectory.effects}
     lines: list[str] = []
-    for proof in trajectory.proof:
-        if _is_missing(proof, budget):
-            lines += wrap(_alarm(proof, budget, modes), hanging="  ")
+    for ablation in trajectory.proof:
+        if _is_missing(ablation, budget):
+            lines += wrap(_alarm(ablation, budget, modes), hanging="  ")
     return lines
 
 
-def _is_missing(proof: Proof, budget: float) -> bool:
-    return not proof.taken and proof.measured_m is not None and proof.measured_m > budget
+def _is_missing(ablation: EffectAblation, budget: float) -> bool:
+    return not ablation.taken and ablation.measured_m is not None and ablation.measured_m > budget
 
 
-def _alarm(proof: Proof, budget: float, modes: Mapping[str, str]) -> str:
-    spec = modes.get(proof.name) == "off"
+def _alarm(ablation: EffectAblation, budget: float, modes: Mapping[str, str]) -> str:
+    spec = modes.get(ablation.name) == "off"
     why = "as the spec says" if spec else "by the estimate"
     return (
-        f"WARNING: {proof.name} was left out {why}, but moves the tip by "
-        f"{_mm(proof.measured_m)}, {share((proof.measured_m or 0.0) / budget)} of the "
-        f"error asked for. Take it: --set effects.{proof.name}=on"
+        f"WARNING: {ablation.name} was left out {why}, but moves the tip by "
+        f"{_mm(ablation.measured_m)}, {share((ablation.measured_m or 0.0) / budget)} of the "
+        f"error asked for. Take it: --set effects.{ablation.name}=on"
     )
 
 
-def _meaning(proof: Proof, budget: float) -> str:
+def _meaning(ablation: EffectAblation, budget: float) -> str:
     """In a word or two what the measurement says of the decision."""
-    if proof.measured_m is None:
-        return f"not measured: {proof.note}" if proof.note else "not measured"
-    if _is_missing(proof, budget):
+    if ablation.measured_m is None:
+        return f"not measured: {ablation.note}" if ablation.note else "not measured"
+    if _is_missing(ablation, budget):
         word = "MISSING"
-    elif proof.measured_m == 0.0:
+    elif ablation.measured_m == 0.0:
         word = "no change"
-    elif proof.taken:
-        word = "needed" if proof.measured_m > budget else "small"
+    elif ablation.taken:
+        word = "needed" if ablation.measured_m > budget else "small"
     else:
         word = "spent"
-    return "; ".join(part for part in (word, _quality(proof, budget), proof.note) if part)
+    return "; ".join(part for part in (word, _quality(ablation, budget), ablation.note) if part)
 
 
-def _quality(proof: Proof, budget: float) -> str:
+def _quality(ablation: EffectAblation, budget: float) -> str:
     """What the estimate is worth, where it is far from a measurement that matters."""
-    measured, estimated = proof.measured_m or 0.0, proof.estimated_m
+    measured, estimated = ablation.measured_m or 0.0, ablation.estimated_m
     if max(measured, estimated) < NOTABLE * budget or not math.isfinite(estimated):
         return ""
     if measured > FAR_OFF * estimated:

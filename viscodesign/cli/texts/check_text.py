@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from viscodesign.cli.texts.layout import blocks, number, table, wrap
-from viscodesign.results.trajectory import Classification, Notice, Proof, Verdict
+from viscodesign.results.findings import Classification, EffectAblation, Notice, Verdict
 
 TIMES = {
     "t_s": "elastic-inertial time of the solid",
@@ -65,7 +65,7 @@ def _reason_lines(effects: Sequence[Verdict]) -> list[str]:
     return lines
 
 
-def decision(found: Verdict | Proof) -> str:
+def decision(found: Verdict | EffectAblation) -> str:
     """Whether a run has the effect."""
     if isinstance(found, Verdict) and not found.present:
         return "absent"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from viscodesign.cli.texts.check_text import notice_lines, percent, quadrant_lines
 from viscodesign.cli.texts.layout import number, table
-from viscodesign.results.rung import Rung
+from viscodesign.results.findings import RetryAttempt
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
 
@@ -38,7 +38,7 @@ MOST_RUNGS = 6
 """Attempts that are told; all of them are in `summary.json`."""
 
 
-def _rung(rung: Rung) -> str:
+def _rung(rung: RetryAttempt) -> str:
     """One attempt where a solver had stopped."""
     ended = "it went on" if rung.solved else "in vain"
     return f"at {number(rung.time_s, 's')}: {rung.tried}, {ended}"

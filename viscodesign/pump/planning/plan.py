@@ -20,7 +20,8 @@ from viscodesign.pump.planning.result import PumpPlan, PumpVerdict
 from viscodesign.pump.planning.scene_variants import planned, pump_of, servo_ids, with_effects_of
 from viscodesign.pump.planning.trials import Trials
 from viscodesign.pump.servo_motor import STEADY_SHARE
-from viscodesign.results.trajectory import Notice, Status, Trajectory
+from viscodesign.results.findings import Notice
+from viscodesign.results.trajectory import Status, Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 

@@ -13,7 +13,8 @@ from typing import Literal
 import numpy as np
 
 from viscodesign.pump.profile import Profile
-from viscodesign.results.trajectory import Notice, Status, Trajectory
+from viscodesign.results.findings import Notice
+from viscodesign.results.trajectory import Status, Trajectory
 
 Severity = Literal["ok", "advice", "infeasible"]
 

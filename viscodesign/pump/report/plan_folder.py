@@ -11,7 +11,7 @@ import numpy as np
 
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.report.run_folder import PLAN_FILES, prepare_folder, text_bytes
-from viscodesign.report.tables import notice_documents, plain
+from viscodesign.results.findings import notice_documents, plain
 from viscodesign.storage.atomic_files import refused_plainly, write_all
 
 TABLE, DOCUMENT, PICTURE = PLAN_FILES

@@ -88,19 +88,21 @@ def draw_effects(trajectory: Trajectory, path: Path) -> None:
 
 def effect_rows(trajectory: Trajectory) -> list[Row]:
     """One for each effect of the catalogue, by size; what a scene has not comes last."""
-    proofs = {proof.name: proof for proof in trajectory.proof}
+    ablations = {ablation.name: ablation for ablation in trajectory.proof}
     rows = []
     for verdict in trajectory.effects:
-        proof = proofs.get(verdict.name)
-        if proof is None:
+        ablation = ablations.get(verdict.name)
+        if ablation is None:
             move = 1e3 * verdict.contribution_m
             note = "not measured" if move else ""
             rows.append(Row(verdict.name, verdict.taken, move, None, note))
         else:
-            measured = None if proof.measured_m is None else 1e3 * proof.measured_m
-            note = "no solution without it" if proof.taken else "no solution with it"
+            measured = None if ablation.measured_m is None else 1e3 * ablation.measured_m
+            note = "no solution without it" if ablation.taken else "no solution with it"
             told = note if measured is None else ""
-            rows.append(Row(proof.name, proof.taken, 1e3 * proof.estimated_m, measured, told))
+            rows.append(
+                Row(ablation.name, ablation.taken, 1e3 * ablation.estimated_m, measured, told)
+            )
     return sorted(rows, key=lambda row: row.size, reverse=True)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from viscodesign.report.layout.label_placement import Box, place_labels, text_box
 from viscodesign.report.layout.style import ACCENT, FAINT, GREY, INK, axes_at, picture, shown
-from viscodesign.results.trajectory import Classification
+from viscodesign.results.findings import Classification
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import pytest
 
-from tests.trajectories import made_run, proven_run, verdict
-from viscodesign.cli.texts.ablation_text import alarm_lines, proof_lines
-from viscodesign.results.trajectory import Proof
+from tests.trajectories import ablated_run, made_run, verdict
+from viscodesign.cli.texts.ablation_text import ablation_lines, alarm_lines
+from viscodesign.results.findings import EffectAblation
 
 BUDGET = 0.000545
 
 
-def row(proof: Proof, mode: str = "auto") -> str:
+def row(ablation: EffectAblation, mode: str = "auto") -> str:
     """The line of one effect, words apart by one space."""
-    effects = (verdict(proof.name, proof.taken, proof.estimated_m, mode),)
-    lines = proof_lines(proven_run(effects=effects, proof=(proof,)))
-    return " ".join(next(line for line in lines if line.startswith(f"  {proof.name}")).split())
+    effects = (verdict(ablation.name, ablation.taken, ablation.estimated_m, mode),)
+    lines = ablation_lines(ablated_run(effects=effects, proof=(ablation,)))
+    return " ".join(next(line for line in lines if line.startswith(f"  {ablation.name}")).split())
 
 
 @pytest.mark.parametrize("columns", [None, "60", "80", "100"])
@@ -25,7 +25,7 @@ def test_every_effect_beside_its_measurement(
     if columns is not None:
         monkeypatch.setenv("COLUMNS", columns)
         monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
-    lines = proof_lines(proven_run())
+    lines = ablation_lines(ablated_run())
     words = " ".join(" ".join(lines).split())
     assert "the error asked for, is 0.545 mm" in words
     assert "pressure_distribution taken 114 mm 98.7 mm > 1000 % needed" in words
@@ -49,7 +49,7 @@ def test_every_effect_beside_its_measurement(
 def test_a_measurement_is_held_against_the_budget(
     measured: float, taken: bool, meaning: str
 ) -> None:
-    assert row(Proof("inertia", taken, measured, measured, 1.0)).endswith(meaning)
+    assert row(EffectAblation("inertia", taken, measured, measured, 1.0)).endswith(meaning)
 
 
 @pytest.mark.parametrize(
@@ -65,39 +65,39 @@ def test_a_measurement_is_held_against_the_budget(
 def test_an_estimate_that_is_far_off_is_named(
     estimated: float, measured: float, words: str
 ) -> None:
-    told = row(Proof("inertia", False, estimated, measured, 1.0))
+    told = row(EffectAblation("inertia", False, estimated, measured, 1.0))
     assert told.endswith(words or ("spent", "no change")[measured == 0.0])
 
 
 def test_what_was_not_measured_says_why() -> None:
-    told = row(Proof("inertia", True, 1e-3, None, 0.0, "no equilibrium at t = 0 s"))
+    told = row(EffectAblation("inertia", True, 1e-3, None, 0.0, "no equilibrium at t = 0 s"))
     assert told == "inertia taken 1 mm unknown unknown not measured: no equilibrium at t = 0 s"
-    partly = row(Proof("inertia", True, 1e-3, 1e-3, 0.0, "compared up to t = 1 s"))
+    partly = row(EffectAblation("inertia", True, 1e-3, 1e-3, 0.0, "compared up to t = 1 s"))
     assert partly.endswith("needed; compared up to t = 1 s")
 
 
 def test_omissions_are_summed_and_only_they() -> None:
-    proofs = (
-        Proof("a", False, 0.0, 1e-4, 1.0),
-        Proof("b", False, 0.0, 2e-4, 1.0),
-        Proof("c", False, 0.0, None, 1.0),
-        Proof("d", True, 0.0, 5e-4, 1.0),
+    ablations = (
+        EffectAblation("a", False, 0.0, 1e-4, 1.0),
+        EffectAblation("b", False, 0.0, 2e-4, 1.0),
+        EffectAblation("c", False, 0.0, None, 1.0),
+        EffectAblation("d", True, 0.0, 5e-4, 1.0),
     )
-    text = "\n".join(proof_lines(proven_run(proof=proofs)))
+    text = "\n".join(ablation_lines(ablated_run(proof=ablations)))
     assert "add up to 0.3 mm, 55 % of the budget (2 measured, one at a time)" in text
 
 
 def test_a_missing_effect_is_an_alarm_with_its_remedy() -> None:
-    (alarm,) = alarm_lines(proven_run())
+    (alarm,) = alarm_lines(ablated_run())
     assert alarm == (
         "WARNING: gravity was left out as the spec says, but moves the tip by 2.3 mm, 422 % of "
         "the error asked for. Take it: --set effects.gravity=on"
     )
-    assert alarm in proof_lines(proven_run())
-    chosen = proven_run(effects=(verdict("gravity", False, 2e-4),))
+    assert alarm in ablation_lines(ablated_run())
+    chosen = ablated_run(effects=(verdict("gravity", False, 2e-4),))
     assert "left out by the estimate" in alarm_lines(chosen)[0]
 
 
 def test_a_run_that_was_not_proven_says_so() -> None:
-    assert proof_lines(made_run())[0].startswith("proof: none")
+    assert ablation_lines(made_run())[0].startswith("proof: none")
     assert alarm_lines(made_run()) == []

@@ -18,8 +18,8 @@ from viscodesign.cli.texts.check_text import (
     verdict_lines,
 )
 from viscodesign.cli.texts.run_text import MOST_RUNGS, summary_lines
-from viscodesign.results.rung import Rung
-from viscodesign.results.trajectory import Accuracy, Classification, Scales, Trajectory
+from viscodesign.results.findings import Classification, RetryAttempt, Scales
+from viscodesign.results.trajectory import Accuracy, Trajectory
 
 FILES = [Path("runs/leg/trajectory.csv"), Path("runs/leg/summary.json")]
 
@@ -42,8 +42,8 @@ def test_a_run_in_a_dozen_lines(trajectory: Trajectory) -> None:
 def test_what_was_tried_where_a_solver_stopped_is_told(trajectory: Trajectory) -> None:
     assert "ladder" not in _summary(trajectory)
     rungs = (
-        Rung(0.25, "order 2 at most", False, "the steps shrink to nothing"),
-        Rung(0.25, "Rodas5P instead", True, "the steps shrink to nothing"),
+        RetryAttempt(0.25, "order 2 at most", False, "the steps shrink to nothing"),
+        RetryAttempt(0.25, "Rodas5P instead", True, "the steps shrink to nothing"),
     )
     text = _summary(replace(trajectory, ladder=rungs))
     assert "ladder      at 0.25 s: order 2 at most, in vain" in text
@@ -51,7 +51,7 @@ def test_what_was_tried_where_a_solver_stopped_is_told(trajectory: Trajectory) -
 
 
 def test_of_many_attempts_the_first_are_told(trajectory: Trajectory) -> None:
-    rungs = tuple(Rung(0.1 * k, f"attempt {k}", False, "") for k in range(MOST_RUNGS + 3))
+    rungs = tuple(RetryAttempt(0.1 * k, f"attempt {k}", False, "") for k in range(MOST_RUNGS + 3))
     text = _summary(replace(trajectory, ladder=rungs))
     assert text.count("ladder") == MOST_RUNGS
     assert f"attempt {MOST_RUNGS - 1}" in text

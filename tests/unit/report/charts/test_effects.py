@@ -14,30 +14,32 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 
-from tests.trajectories import VERDICTS, proven_run, verdict
+from tests.trajectories import VERDICTS, ablated_run, verdict
 from viscodesign.report.charts.effects import DEEPEST, MEASURED, draw_effects, effect_rows
 from viscodesign.report.layout.style import ACCENT, RC
-from viscodesign.results.trajectory import Accuracy, Proof, Trajectory
+from viscodesign.results.findings import EffectAblation
+from viscodesign.results.trajectory import Accuracy, Trajectory
 
 Drawn = Callable[[Trajectory], Figure]
 
 MANY = tuple(verdict(f"a_very_long_name_of_an_effect_{k}", k % 2 == 0, 10.0**-k) for k in range(18))
 CASES = {
-    "usual": proven_run,
-    "one_without_a_move": lambda: proven_run(
-        effects=VERDICTS[:1], proof=(Proof("tip_load", False, 0.0, 0.0, 1.0),)
+    "usual": ablated_run,
+    "one_without_a_move": lambda: ablated_run(
+        effects=VERDICTS[:1], proof=(EffectAblation("tip_load", False, 0.0, 0.0, 1.0),)
     ),
-    "none_measured": lambda: proven_run(
-        proof=tuple(Proof(v.name, v.taken, math.inf, None, 0.0, "why") for v in VERDICTS)
+    "none_measured": lambda: ablated_run(
+        proof=tuple(EffectAblation(v.name, v.taken, math.inf, None, 0.0, "why") for v in VERDICTS)
     ),
-    "many": lambda: proven_run(
-        effects=MANY, proof=tuple(Proof(v.name, v.taken, v.contribution_m, 1e-3, 1.0) for v in MANY)
+    "many": lambda: ablated_run(
+        effects=MANY,
+        proof=tuple(EffectAblation(v.name, v.taken, v.contribution_m, 1e-3, 1.0) for v in MANY),
     ),
-    "narrow": lambda: proven_run(
-        effects=VERDICTS[-1:], proof=(Proof("feedback", False, 5e-4, 5.1e-4, 1.0),)
+    "narrow": lambda: ablated_run(
+        effects=VERDICTS[-1:], proof=(EffectAblation("feedback", False, 5e-4, 5.1e-4, 1.0),)
     ),
-    "strict": lambda: proven_run(accuracy=Accuracy(1e-12, None, "not verified")),
-    "failed": lambda: proven_run(
+    "strict": lambda: ablated_run(accuracy=Accuracy(1e-12, None, "not verified")),
+    "failed": lambda: ablated_run(
         time=np.linspace(0, 1.23, 62), status="failed", failure="it broke", name="x" * 200
     ),
 }
@@ -94,7 +96,7 @@ def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
 
 
 def test_a_row_for_every_effect_the_largest_first_the_absent_last() -> None:
-    rows = [row.name for row in effect_rows(proven_run())]
+    rows = [row.name for row in effect_rows(ablated_run())]
     assert rows == [
         "pressure_distribution", "flow_regime", "gas_compressibility", "gravity", "inertia",
         "feedback", "damping", "fluid_mass", "fluid_inertance", "tip_load", "material_curve",
@@ -102,7 +104,7 @@ def test_a_row_for_every_effect_the_largest_first_the_absent_last() -> None:
 
 
 def test_bars_end_at_the_moves_in_mm(drawn: Drawn) -> None:
-    found = bars(drawn(proven_run()))
+    found = bars(drawn(ablated_run()))
     ends = {key: bar.get_x() + bar.get_width() for key, bar in found.items()}
     assert ends[0, True] == pytest.approx(98.7)
     assert ends[0, False] == pytest.approx(114)
@@ -111,7 +113,7 @@ def test_bars_end_at_the_moves_in_mm(drawn: Drawn) -> None:
 
 
 def test_measured_and_estimated_differ_in_colour_the_decision_in_hatching(drawn: Drawn) -> None:
-    found = bars(drawn(proven_run()))
+    found = bars(drawn(ablated_run()))
     taken, left_out = (0, 3)
     for measured in (True, False):
         assert not found[taken, measured].get_hatch()
@@ -122,7 +124,7 @@ def test_measured_and_estimated_differ_in_colour_the_decision_in_hatching(drawn:
 
 
 def test_the_error_asked_for_is_a_line_with_its_number(drawn: Drawn) -> None:
-    figure = drawn(proven_run())
+    figure = drawn(ablated_run())
     (line,) = figure.axes[0].lines
     assert list(line.get_xdata()) == pytest.approx([0.545, 0.545])
     assert "error asked for: 0.545 mm" in words(figure)
@@ -131,7 +133,7 @@ def test_the_error_asked_for_is_a_line_with_its_number(drawn: Drawn) -> None:
 
 
 def test_an_effect_left_out_beyond_the_error_asked_for_stands_out(drawn: Drawn) -> None:
-    figure = drawn(proven_run())
+    figure = drawn(ablated_run())
     wrong = [label for label in figure.axes[0].get_yticklabels() if label.get_color() == ACCENT]
     assert [label.get_text() for label in wrong] == ["gravity\nleft out, MISSING"]
     assert "inertia\ntaken" in names(figure)
@@ -139,7 +141,7 @@ def test_an_effect_left_out_beyond_the_error_asked_for_stands_out(drawn: Drawn) 
 
 
 def test_what_has_no_bar_is_told_in_words(drawn: Drawn) -> None:
-    figure = drawn(proven_run())
+    figure = drawn(ablated_run())
     place = {text.get_text(): text for text in figure.axes[0].texts}
     told = [(text.get_text(), text.xy[1]) for text in figure.axes[0].texts]  # type: ignore[attr-defined]
     assert ("none", 9) in told
@@ -152,9 +154,9 @@ def test_what_has_no_bar_is_told_in_words(drawn: Drawn) -> None:
 
 def test_rounding_does_not_stretch_the_axis(drawn: Drawn) -> None:
     proof = (
-        Proof("inertia", True, 1e-3, 1e-3, 1.0),
-        Proof("feedback", False, 1e-20, 2e-20, 1.0),
+        EffectAblation("inertia", True, 1e-3, 1e-3, 1.0),
+        EffectAblation("feedback", False, 1e-20, 2e-20, 1.0),
     )
-    figure = drawn(proven_run(proof=proof, effects=(VERDICTS[8], VERDICTS[10])))
+    figure = drawn(ablated_run(proof=proof, effects=(VERDICTS[8], VERDICTS[10])))
     low, _ = figure.axes[0].get_xlim()
     assert low > 0.1 * DEEPEST * 0.545

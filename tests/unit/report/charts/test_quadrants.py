@@ -17,7 +17,7 @@ from viscodesign.errors import UsageError
 from viscodesign.report.charts.quadrants import draw_plane, power_of_ten
 from viscodesign.report.layout.label_placement import place_labels, text_box
 from viscodesign.report.layout.style import RC
-from viscodesign.results.trajectory import Classification, Scales
+from viscodesign.results.findings import Classification, Scales
 
 
 def spec(name: str, t_f: float, t_i: float, t_s: float = 1.0) -> Classification:
