@@ -10,18 +10,18 @@ import numpy as np
 
 from tests.pumps import HOME, bench, pump, stepped
 from tests.rig.faults import Fault, Faulty
+from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.packets import Instruction, Packet
-from viscodesign.pump.play.interrupt import Wish
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.play.stream import Ending
+from viscodesign.pump.play.stream import StreamResult
 from viscodesign.pump.poses.fit import PoseFit, fit_poses
 from viscodesign.pump.poses.player import PosePlayer, divided
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import Gauges
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
 
@@ -37,10 +37,10 @@ def swing(ids: Sequence[int] = (1,), duration: float = 1.98, amplitude: float = 
     return Profile(names, tuple(ids), time, columns, 0.0 * columns)
 
 
-class Watched(Bench):
+class Watched(SimulatedBench):
     """Keeps the goals that all servos were sent at once: one row a frame."""
 
-    def __init__(self, inner: Bench) -> None:
+    def __init__(self, inner: SimulatedBench) -> None:
         self.__dict__ |= inner.__dict__
         self.goals: list[list[int]] = []
 
@@ -78,11 +78,11 @@ class PoseRig:
             self.board,
             pump(travel=TRAVEL, sensor=None),
             self.ids,
-            Gauges([None] * len(self.ids), 101_325.0),
+            PressureReadings([None] * len(self.ids), 101_325.0),
             Switches({}),
             self.clock,
         )
-        self.wish = Wish()
+        self.wish = StopRequest()
         self.wanted = self.profile or swing(self.ids)
         self.fit: PoseFit = fit_poses(self.wanted, loop=self.loop)
         self.player = PosePlayer(
@@ -103,7 +103,7 @@ class PoseRig:
         assert ending.status == "complete", ending.reason
         self.bench.goals.clear()
 
-    def play(self) -> Ending:
+    def play(self) -> StreamResult:
         """All of it."""
         self.begin()
         return self.player.play()

@@ -10,18 +10,18 @@ import numpy as np
 
 from tests.pumps import HOME, Weights, bench, pump
 from tests.rig.bus import BusAdapter
+from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.bus.packets import Instruction, Packet, Parser
-from viscodesign.pump.play.interrupt import Wish
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.play.stream import Ending, OnStop, Shown, Stream
+from viscodesign.pump.play.stream import OnStop, Stream, StreamResult, TickReport
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import Gauges
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 
 AMBIENT = 101_325.0
@@ -110,7 +110,7 @@ class Rig:
     def __post_init__(self) -> None:
         self.clock = SteppedClock()
         self.plant = Weights(np.full(len(self.ids), self.pressure))
-        self.bench: Bench = bench(*self.ids, plant=self.plant, **self.settings)
+        self.bench: SimulatedBench = bench(*self.ids, plant=self.plant, **self.settings)
         for servo in self.bench.servos:
             servo.supply(11.1)
             servo.set(registers.CW_LIMIT, TRAVEL[0])
@@ -124,13 +124,15 @@ class Rig:
             self.board,
             self.spec,
             self.ids,
-            Gauges([lambda k=k: self._absolute(k) for k in range(len(self.ids))], AMBIENT),
+            PressureReadings(
+                [lambda k=k: self._absolute(k) for k in range(len(self.ids))], AMBIENT
+            ),
             Switches.of(self.spec, self.ids),
             self.clock,
         )
-        self.wish = Wish()
-        self.rows: list[Shown] = []
-        self.see: Callable[[Shown], None] = self.rows.append
+        self.wish = StopRequest()
+        self.rows: list[TickReport] = []
+        self.see: Callable[[TickReport], None] = self.rows.append
         self.stream: Stream | None = None
 
     def _absolute(self, inlet: int) -> float:
@@ -154,12 +156,12 @@ class Rig:
         self.pump.connect()
         self.pump.arm()
 
-    def play(self) -> Ending:
+    def play(self) -> StreamResult:
         """All of it: connect, arm, stream."""
         self.pump.connect()
         return self.play_armed()
 
-    def play_armed(self) -> Ending:
+    def play_armed(self) -> StreamResult:
         self.stream = Stream(
             self.pump,
             self.profile(),

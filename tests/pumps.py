@@ -7,9 +7,9 @@ from typing import Any
 
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.plant import ClosedGas, Plant
-from viscodesign.pump.simulated.servo import VirtualServo
+from viscodesign.pump.simulated.servo import SimulatedServo
 from viscodesign.scene.pump import Pump
 
 HOME = 200
@@ -20,11 +20,11 @@ def pump(**settings: Any) -> Pump:
     return Pump.model_validate(given | settings)
 
 
-def bench(*ids: int, plant: Plant | None = None, **settings: Any) -> Bench:
+def bench(*ids: int, plant: Plant | None = None, **settings: Any) -> SimulatedBench:
     """Plungers at home; each barrel closed where no plant is given."""
     drives = [Drive(pump(**settings)) for _ in ids]
-    servos = [VirtualServo(id, position=HOME) for id in ids]
-    return Bench(servos, drives, plant or ClosedGas(drives))
+    servos = [SimulatedServo(id, position=HOME) for id in ids]
+    return SimulatedBench(servos, drives, plant or ClosedGas(drives))
 
 
 @dataclass

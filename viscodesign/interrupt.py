@@ -1,50 +1,97 @@
-"""Ctrl-C during a solve: heard at once, obeyed between two stretches of the motion."""
+"""Signals that ask to stop: noted at once, obeyed where the work can be interrupted."""
 
 from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
 
+STOP_SIGNALS = [
+    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if name in dir(signal)
+]
+"""Ctrl-C, termination, and a terminal that was closed."""
+
 
 @dataclass
-class Interrupt:
-    """Whether the user asked to stop."""
+class StopRequest:
+    """How often, and by which signal first, the user asked to stop."""
 
-    asked: bool = False
+    times: int = 0
+    first: str = ""
+
+    @property
+    def asked(self) -> bool:
+        """Whether to stop."""
+        return self.times > 0
+
+    @property
+    def urgent(self) -> bool:
+        """Whether it was asked for again while the work was being stopped."""
+        return self.times > 1
 
     def note(self, number: int, frame: FrameType | None) -> None:
-        """Remember the wish; a second Ctrl-C ends the process on the spot."""
-        del number, frame
-        self.asked = True
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        """Signal handler: count the request and do nothing else."""
+        del frame
+        self.times += 1
+        self.first = self.first or signal.Signals(number).name
 
 
-_open: list[Interrupt] = []
-"""Those of the main thread that listen, one inside of the other."""
+_open: list[StopRequest] = []
+"""Those of the main thread that listen to Ctrl-C, innermost last."""
 
 
 @contextmanager
-def gentle_interrupt() -> Iterator[Interrupt]:
-    """Note Ctrl-C instead of raising it.
+def gentle_interrupt() -> Iterator[StopRequest]:
+    """Note Ctrl-C instead of raising it; a second one ends the process at once.
 
     An exception raised while the integrator calls back is taken there for a failed
-    step, which is tried again: the wish would be lost. Only the main thread may
-    handle signals; in any other, nothing changes. Whoever is around this hears of it, too.
+    step, which is tried again: the request would be lost. Only the main thread may
+    handle signals; in any other, nothing changes. Enclosing listeners are told, too.
     """
-    interrupt = Interrupt()
+    request = StopRequest()
+
+    def note_once(number: int, frame: FrameType | None) -> None:
+        request.note(number, frame)
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+    with _handled([signal.SIGINT], note_once) as handled:
+        if not handled:
+            yield request
+            return
+        _open.append(request)
+        try:
+            yield request
+        finally:
+            _open.pop()
+            if request.asked and _open:
+                _open[-1].times += 1
+
+
+@contextmanager
+def stop_on_signals() -> Iterator[StopRequest]:
+    """Count every signal that asks to stop, and die of none: for a pump that moves.
+
+    Only the main thread may handle signals; in any other, nothing changes.
+    """
+    request = StopRequest()
+    with _handled(STOP_SIGNALS, request.note):
+        yield request
+
+
+@contextmanager
+def _handled(
+    numbers: Sequence[int], handler: Callable[[int, FrameType | None], None]
+) -> Iterator[bool]:
+    """Signals go to the handler, in the main thread alone; whether they do."""
     if threading.current_thread() is not threading.main_thread():
-        yield interrupt
+        yield False
         return
-    before = signal.signal(signal.SIGINT, interrupt.note)
-    _open.append(interrupt)
+    before = {number: signal.signal(number, handler) for number in numbers}
     try:
-        yield interrupt
+        yield True
     finally:
-        _open.pop()
-        if interrupt.asked and _open:
-            _open[-1].asked = True
-        signal.signal(signal.SIGINT, before)
+        for number, old in before.items():
+            signal.signal(number, old)

@@ -20,13 +20,13 @@ from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.packets import ErrorBits, Packet
 from viscodesign.pump.bus.registers import Register
 from viscodesign.pump.sessions.open_board import boards
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import Device
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
 
-DEVICES: dict[str, Callable[[Bench], Device]] = {
+DEVICES: dict[str, Callable[[SimulatedBench], Device]] = {
     "dynamixel": BusAdapter,
     "arbotix": PyPose,
     "arbotix-ros": Ros,
@@ -49,7 +49,7 @@ TRUTH: list[tuple[Register, int]] = [
 ]
 
 
-def connected(name: str, pump: Bench, trouble: Sequence[Fault] = ()) -> Board:
+def connected(name: str, pump: SimulatedBench, trouble: Sequence[Fault] = ()) -> Board:
     device = Faulty(DEVICES[name](pump), trouble)
     return boards()[name](DirectLine(device, stepped()), [1, 2])
 

@@ -27,7 +27,7 @@ from tests.scenes import CONFIGS, ROOT
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.play.hold import HOLD_SPEED
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.ros import Ros
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals and terminals")
@@ -45,7 +45,7 @@ class Streaming:
     """A `pump stream` under way, and the pump that it moves."""
 
     process: subprocess.Popen[str]
-    bench: Bench
+    bench: SimulatedBench
     server: PtyServer
     folder: Path
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from viscodesign.pump.bus.packets import OVERHEAD, Parser
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device, Outbox
 
 LONGEST_GAP = 0.1
@@ -15,7 +15,7 @@ LONGEST_GAP = 0.1
 class BusAdapter(Device):
     """What a USB adapter passes through both ways, ``latency`` seconds late back."""
 
-    def __init__(self, bench: Bench, baud: int = 1_000_000, latency: float = 1e-3) -> None:
+    def __init__(self, bench: SimulatedBench, baud: int = 1_000_000, latency: float = 1e-3) -> None:
         self.bench = bench
         self.latency = latency
         self._byte = BITS_PER_BYTE / baud

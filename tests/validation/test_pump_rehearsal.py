@@ -13,17 +13,17 @@ import pytest
 
 from tests.scenes import CONFIGS
 from viscodesign import load
+from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.planning.plan import plan
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-from viscodesign.pump.play.interrupt import Wish
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.play.stream import Ending, Shown, Stream
+from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
 from viscodesign.pump.sensors.board_analog import BoardAnalog
 from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.open_board import simulated_line
 
 RATE = 30.0
@@ -33,7 +33,7 @@ SENSOR_STEP = 1.0 / 256 / 0.002421 * 1e3
 
 class Rehearsal(NamedTuple):
     plan: PumpPlan
-    ending: Ending
+    ending: StreamResult
     skipped: int
     time: np.ndarray
     """(T,) [s], from the scene's start on."""
@@ -52,11 +52,11 @@ def rehearsal() -> Rehearsal:
     clock, plant = SteppedClock(), ActuatorPlant(scene)
     ambient = scene.ambient_pressure
     board = Simulated(simulated_line(scene.pump, clock, plant, ambient), planned.servos)
-    gauges = Gauges([BoardAnalog(board, 0).absolute], ambient)
+    gauges = PressureReadings([BoardAnalog(board, 0).absolute], ambient)
     pump = Pump(board, scene.pump, planned.servos, gauges, Switches({}), clock)
     rows: list[tuple[float, ...]] = []
 
-    def see(shown: Shown) -> None:
+    def see(shown: TickReport) -> None:
         pressure = shown.sample.pressure[0]
         assert pressure is not None
         position = shown.sample.servos[planned.servos[0]].position
@@ -65,7 +65,9 @@ def rehearsal() -> Rehearsal:
     course = planned.achievable
     pump.connect()
     gauges.zero()
-    stream = Stream(pump, planned.profile(course), Wish(), see, rate=RATE, lead=course.lead_s)
+    stream = Stream(
+        pump, planned.profile(course), StopRequest(), see, rate=RATE, lead=course.lead_s
+    )
     ending = stream.play()
     table = np.array([row for row in rows if row[0] >= 0.0])
     time, counts, pressure = table[:, 0], table[:, 1], table[:, 2]

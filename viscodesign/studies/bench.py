@@ -13,7 +13,7 @@ from types import FrameType
 
 from viscodesign.effects.select import Selection
 from viscodesign.estimate.scene_quantities import Conditions
-from viscodesign.interrupt import Interrupt
+from viscodesign.interrupt import StopRequest
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.simulation.solve_once import Progress, Run, solve
 
@@ -89,7 +89,7 @@ class Bench:
         conditions: Conditions,
         selection: Selection,
         limit_s: float,
-        interrupt: Interrupt,
+        interrupt: StopRequest,
         progress: Progress | None = None,
     ) -> None:
         self.conditions = conditions
@@ -133,7 +133,7 @@ class Bench:
             self._check()
         found = solve(self.conditions, effects, settings, self._watch)
         if found.solution.interrupted:
-            self.interrupt.asked = True
+            self.interrupt.times += 1
         self._check()
         key = (names, settings.edges_per_section, settings.solver)
         made_s = found.solution.work.compile_s
@@ -162,7 +162,7 @@ class Bench:
         # end; a short one may be done before it could obey.
         alone = threading.current_thread() is threading.main_thread()
         if alone and signal.getsignal(signal.SIGINT) is signal.SIG_DFL:
-            self.interrupt.asked = True
+            self.interrupt.times += 1
         self._tell()
         if self.spent_s > self._until_s and not self.interrupt.asked:
             raise OutOfTimeError

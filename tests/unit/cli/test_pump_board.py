@@ -17,7 +17,7 @@ from tests.rig.pty import PtyServer
 from viscodesign.cli import confirm as _confirm
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import WallClock
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 
 from .conftest import CONFIGS, Call
 
@@ -28,7 +28,7 @@ SPEC = CONFIGS / "leg_16_pump.yaml"
 class Port:
     """Two servos on an adapter, behind a port."""
 
-    bench: Bench
+    bench: SimulatedBench
     server: PtyServer
 
     @property

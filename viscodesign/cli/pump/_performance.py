@@ -19,10 +19,10 @@ from viscodesign.cli.pump._told import (
     servo_documents,
 )
 from viscodesign.cli.texts.layout import table
+from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.bus.byte_log import ByteLog
-from viscodesign.pump.play.interrupt import Wish, noted_signals
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.play.stream import Ending, OnStop, Shown, Stream
+from viscodesign.pump.play.stream import OnStop, Stream, StreamResult, TickReport
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sessions.live_view import LiveView
 from viscodesign.pump.sessions.outlet import Outlet
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from viscodesign.pump.bus.clock import Clock
     from viscodesign.pump.planning.result import PumpPlan
     from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-    from viscodesign.pump.sensors.pressure_readings import Gauges
+    from viscodesign.pump.sensors.pressure_readings import PressureReadings
     from viscodesign.scene.pump import Pump as Settings
     from viscodesign.scene.scene import Scene
 
@@ -46,7 +46,7 @@ class Agreement:
     squares: float = 0.0
     largest: float = 0.0
 
-    def note(self, shown: Shown) -> None:
+    def note(self, shown: TickReport) -> None:
         pairs = zip(shown.sample.pressure, shown.sample.wanted, strict=True)
         for measured, wanted in pairs:
             if measured is not None and wanted is not None:
@@ -88,7 +88,7 @@ class Performance:
         rows = plan_rows(self.plan, self.settings, self.rate, self.on_stop)
         return [f"{self.way.label}to be played on the board {self.way.board}", *table(rows)]
 
-    def perform(self) -> Ending:
+    def perform(self) -> StreamResult:
         """Connect, show, ask, stream, stand; raises `PumpError` where it does not begin."""
         with (
             opened(self.way, self.clock, Setting.of(self.scene), self.plant) as (board, log),
@@ -98,14 +98,14 @@ class Performance:
             shown = self._connect(pump)
             log.event("found", lines=shown, calibration=self._calibration())
             confirm(shown if not (self.quiet and self.yes) else [], "Move the pump?", yes=self.yes)
-            with noted_signals() as wish, self._record(board) as record:
+            with stop_on_signals() as wish, self._record(board) as record:
                 return self._stream(pump, wish, record, log)
 
-    def _gauges(self, board: Board) -> AbstractContextManager[Gauges]:
+    def _gauges(self, board: Board) -> AbstractContextManager[PressureReadings]:
         ambient = self.scene.ambient_pressure
         return gauges(board, self.settings, ambient, self.plan.inlets)
 
-    def _pump(self, board: Board, sensors: Gauges) -> Pump:
+    def _pump(self, board: Board, sensors: PressureReadings) -> Pump:
         switches = Switches.of(self.settings, self.plan.servos)
         return Pump(board, self.settings, self.plan.servos, sensors, switches, self.clock)
 
@@ -144,7 +144,7 @@ class Performance:
         names = ("tip_x_m", "tip_z_m", "tip_angle_rad")
         return {name: lambda k=k: float(plant.tip[k]) for k, name in enumerate(names)}  # type: ignore[misc]
 
-    def _stream(self, pump: Pump, wish: Wish, record: Record, log: ByteLog) -> Ending:
+    def _stream(self, pump: Pump, wish: StopRequest, record: Record, log: ByteLog) -> StreamResult:
         outlet, view = self._view()
         stream = Stream(
             pump,
@@ -183,8 +183,10 @@ class Performance:
         span = (min(float(course.pressure.min()), 0.0), self.settings.max_pressure)
         return outlet, LiveView(self.plan.inlets, span, duration, self.way.simulated, outlet)
 
-    def _seen_by(self, record: Record, log: ByteLog, view: LiveView) -> Callable[[Shown], None]:
-        def see(shown: Shown) -> None:
+    def _seen_by(
+        self, record: Record, log: ByteLog, view: LiveView
+    ) -> Callable[[TickReport], None]:
+        def see(shown: TickReport) -> None:
             sample = shown.sample
             record.add(shown.time, sample)
             self.agreement.note(shown)

@@ -8,11 +8,11 @@ import numpy as np
 
 from viscodesign.cli.pump._poses import Poses, player_of, pump_with
 from viscodesign.errors import PumpError
+from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.packets import Instruction, shown
-from viscodesign.pump.bus.recording_line import Overheard
-from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.bus.recording_line import RecordingLine
 from viscodesign.pump.poses.packets import ARBOTIX, HALT
 from viscodesign.pump.sessions.open_board import simulated_bench
 from viscodesign.pump.simulated.direct_line import DirectLine
@@ -46,9 +46,9 @@ def rehearsed(poses: Poses, *, moves: bool) -> list[str]:
 def _sent(poses: Poses, *, moves: bool) -> list[bytes]:
     clock = SteppedClock()
     bench = simulated_bench(poses.settings, NoPressure())
-    line = Overheard(DirectLine(PyPose(bench), clock))
+    line = RecordingLine(DirectLine(PyPose(bench), clock))
     pump = pump_with(Arbotix(line, poses.lead.servos), poses, clock)
-    wish = Wish()
+    wish = StopRequest()
 
     def see(elapsed: float) -> None:
         # A loop is left after its first round.

@@ -16,10 +16,10 @@ from viscodesign.cli.pump._setting import Setting
 from viscodesign.cli.pump._told import document_rows, ending_lines, servo_documents
 from viscodesign.cli.texts.layout import table
 from viscodesign.errors import InterruptedRunError
+from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.play.interrupt import Wish, noted_signals
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.play.stream import Ending
+from viscodesign.pump.play.stream import StreamResult
 from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
 from viscodesign.pump.poses.c_header import poses_h
 from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
@@ -27,7 +27,7 @@ from viscodesign.pump.poses.fit import PoseFit, fit_poses
 from viscodesign.pump.poses.fit_error import FitError, Tolerance, refuse_coarse
 from viscodesign.pump.poses.player import PosePlayer, by_servo, divided, playing_speed
 from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 if TYPE_CHECKING:
     from viscodesign.pump.boards.base import Board
@@ -166,7 +166,7 @@ class Upload:
     yes: bool
     quiet: bool
 
-    def perform(self) -> Ending | None:
+    def perform(self) -> StreamResult | None:
         """Connect, ask, load, go to the start, play, stand; None where it is only loaded."""
         with opened(self.way, self.clock, Setting.of(self.poses.scene)) as (board, log):
             pump = pump_with(board, self.poses, self.clock)
@@ -182,13 +182,13 @@ class Upload:
                 confirm([] if quiet else shown, "Move the pump?", yes=self.yes)
             elif not self.quiet:
                 complain("\n".join(shown))
-            with noted_signals() as wish:
+            with stop_on_signals() as wish:
                 ending = self._play(pump, wish)
             if ending is not None:
                 log.event("ended", status=ending.status, reason=ending.reason)
             return ending
 
-    def _play(self, pump: Pump, wish: Wish) -> Ending | None:
+    def _play(self, pump: Pump, wish: StopRequest) -> StreamResult | None:
         words = ("round", "playing")
         with progress(self.quiet or not self.moves, *words) as advance:
             player = player_of(pump, self.poses, wish, lambda t: advance(self._part(t)))
@@ -212,14 +212,14 @@ class Upload:
 def pump_with(board: Board, poses: Poses, clock: Clock) -> Pump:
     """The pump behind a board that reads neither sensors nor switches."""
     servos = poses.lead.servos
-    nothing = Gauges([None] * len(servos), poses.scene.ambient_pressure)
+    nothing = PressureReadings([None] * len(servos), poses.scene.ambient_pressure)
     return Pump(board, poses.settings, servos, nothing, Switches({}), clock)
 
 
 def player_of(
     pump: Pump,
     poses: Poses,
-    wish: Wish,
+    wish: StopRequest,
     see: Callable[[float], None],
     tell: Callable[[str], None] = complain,
 ) -> PosePlayer:

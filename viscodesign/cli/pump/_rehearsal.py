@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from viscodesign.cli.pump._performance import Performance
 from viscodesign.cli.pump._told import ending_lines
+from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.packets import Instruction, shown
-from viscodesign.pump.bus.recording_line import Overheard
-from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.bus.recording_line import RecordingLine
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.open_board import simulated_line
 
 FIRST = 10
@@ -24,15 +24,15 @@ def rehearsed(performance: Performance) -> list[str]:
     plan, settings = performance.plan, performance.settings
     clock = SteppedClock()
     ambient = performance.scene.ambient_pressure
-    line = Overheard(simulated_line(settings, clock, performance.plant, ambient))
+    line = RecordingLine(simulated_line(settings, clock, performance.plant, ambient))
     board = Simulated(line, plan.servos)
     # Nothing is measured here: a closed barrel would show another pressure than the actuator's.
-    gauges = Gauges([None] * len(plan.servos), ambient)
+    gauges = PressureReadings([None] * len(plan.servos), ambient)
     pump = Pump(board, settings, plan.servos, gauges, Switches({}), clock)
     stream = Stream(
         pump,
         plan.profile(plan.achievable),
-        Wish(),
+        StopRequest(),
         lambda tick: None,
         rate=performance.rate,
         lead=plan.achievable.lead_s,

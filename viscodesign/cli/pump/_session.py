@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from viscodesign.pump.bus.byte_log import ByteLog
     from viscodesign.pump.bus.clock import Clock
     from viscodesign.pump.sensors.base import PressureSource
-    from viscodesign.pump.sensors.pressure_readings import Gauges
+    from viscodesign.pump.sensors.pressure_readings import PressureReadings
     from viscodesign.pump.simulated.plant import Plant
     from viscodesign.scene.pump import Pump, Sensor
 
@@ -95,12 +95,12 @@ def opened(
 @contextlib.contextmanager
 def gauges(
     board: Board, pump: Pump | None, ambient: float, inlets: Sequence[str]
-) -> Iterator[Gauges]:
+) -> Iterator[PressureReadings]:
     """The pressure sensors of the inlets, each on the board or on a Phidgets' kit.
 
     ``ambient``: absolute [Pa].
     """
-    from viscodesign.pump.sensors.pressure_readings import Gauges
+    from viscodesign.pump.sensors.pressure_readings import PressureReadings
     from viscodesign.scene.per_inlet import each
 
     sensors = each(None if pump is None else pump.sensor, len(inlets))
@@ -111,7 +111,7 @@ def gauges(
             if source is not None:
                 open_sources.callback(source.close)
             reads.append(None if source is None else source.absolute)
-        yield Gauges(reads, ambient, inlets)
+        yield PressureReadings(reads, ambient, inlets)
 
 
 def _source(board: Board, sensor: Sensor) -> PressureSource:

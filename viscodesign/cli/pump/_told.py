@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from viscodesign.pump.planning.result import PumpPlan
-    from viscodesign.pump.play.preflight import Servo
-    from viscodesign.pump.play.stream import Ending
+    from viscodesign.pump.play.preflight import FoundServo
+    from viscodesign.pump.play.stream import StreamResult
     from viscodesign.scene.pump import Pump
 
 
@@ -46,7 +46,7 @@ def plan_rows(plan: PumpPlan, pump: Pump, rate: float, on_stop: str) -> list[tup
     ]
 
 
-def servo_documents(servos: Sequence[Servo]) -> list[dict[str, Any]]:
+def servo_documents(servos: Sequence[FoundServo]) -> list[dict[str, Any]]:
     """Servos as they were found, under names with units."""
     return [
         {
@@ -87,7 +87,7 @@ def _row(servo: dict[str, Any]) -> tuple[str, ...]:
     )
 
 
-def ending_lines(ending: Ending) -> list[str]:
+def ending_lines(ending: StreamResult) -> list[str]:
     """How it ended, and how the pump stands now."""
     words = {"complete": "played to its end", "interrupted": "interrupted", "stopped": "STOPPED"}
     first = words[ending.status]
@@ -101,7 +101,7 @@ def ending_lines(ending: Ending) -> list[str]:
     return lines
 
 
-def ending_document(ending: Ending) -> dict[str, Any]:
+def ending_document(ending: StreamResult) -> dict[str, Any]:
     """The same for a program."""
     return {
         "status": ending.status,

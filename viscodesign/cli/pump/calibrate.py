@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from viscodesign.cli.pump._setting import Setting
     from viscodesign.pump.boards.base import Board as AnyBoard
     from viscodesign.pump.bus.clock import Clock
-    from viscodesign.pump.play.eeprom import Change
-    from viscodesign.pump.play.preflight import Servo
+    from viscodesign.pump.play.eeprom import RegisterChange
+    from viscodesign.pump.play.preflight import FoundServo
     from viscodesign.scene.pump import Pump
 
 EXAMPLE = """\b
@@ -101,7 +101,7 @@ def _calibrate(
     board: AnyBoard, setting: Setting, clock: Clock, keep: bool, rename: str | None, yes: bool
 ) -> tuple[int, AnyTravel]:
     from viscodesign.cli.output import complain
-    from viscodesign.pump.play.preflight import find_servo
+    from viscodesign.pump.play.preflight import identify
 
     if rename:
         _rename(board, rename, yes)
@@ -109,7 +109,7 @@ def _calibrate(
     complain(f"found {board.identify()}")
     found = (pump.home, pump.travel) if keep else _measured(board, pump, servos, clock, yes)
     for servo in servos:
-        _keep_in(board, find_servo(board, servo), found[1], yes)
+        _keep_in(board, identify(board, servo), found[1], yes)
     return found
 
 
@@ -146,11 +146,11 @@ def _against_switches(
     board: AnyBoard, pump: Pump, servo: int, clock: Clock, yes: bool
 ) -> tuple[int, AnyTravel]:
     from viscodesign.cli.confirm import confirm
+    from viscodesign.interrupt import stop_on_signals
     from viscodesign.pump.play.homing import find_travel
-    from viscodesign.pump.play.interrupt import noted_signals
     from viscodesign.pump.play.pump import Pump as Moved
     from viscodesign.pump.sensors.limit_switches import Switches
-    from viscodesign.pump.sensors.pressure_readings import Gauges
+    from viscodesign.pump.sensors.pressure_readings import PressureReadings
     from viscodesign.scene.pump import SERVO_COUNTS
 
     confirm(
@@ -160,15 +160,15 @@ def _against_switches(
     )
     free = pump.model_copy(update={"travel": (0, SERVO_COUNTS)})
     switches = Switches.of(pump, [servo])
-    moved = Moved(board, free, [servo], Gauges([None], 0.0), switches, clock)
-    with noted_signals() as wish:
+    moved = Moved(board, free, [servo], PressureReadings([None], 0.0), switches, clock)
+    with stop_on_signals() as wish:
         low, high = find_travel(moved, lambda: wish.asked)
     return (low if pump.push == "up" else high), (low, high)
 
 
 def _rename(board: AnyBoard, words: str, yes: bool) -> None:
     from viscodesign.pump.bus import registers
-    from viscodesign.pump.play.eeprom import Change
+    from viscodesign.pump.play.eeprom import RegisterChange
 
     try:
         old, new = (int(word) for word in words.split("="))
@@ -178,10 +178,10 @@ def _rename(board: AnyBoard, words: str, yes: bool) -> None:
         raise UsageError(f"--rename {words}: ids go from 0 to 252; 253 is the ArbotiX itself")
     if board.answers(new):
         raise PumpError(f"a servo with id {new} is there already; two would answer at once")
-    _write(board, Change(old, registers.ID, old, new), yes)
+    _write(board, RegisterChange(old, registers.ID, old, new), yes)
 
 
-def _keep_in(board: AnyBoard, servo: Servo, travel: AnyTravel, yes: bool) -> None:
+def _keep_in(board: AnyBoard, servo: FoundServo, travel: AnyTravel, yes: bool) -> None:
     """Bring a servo's EEPROM in line, one register after the other."""
     from viscodesign.cli.output import complain
     from viscodesign.pump.play.eeprom import changes
@@ -193,7 +193,7 @@ def _keep_in(board: AnyBoard, servo: Servo, travel: AnyTravel, yes: bool) -> Non
         complain(f"servo {servo.id} holds all of it already; nothing is written")
 
 
-def _write(board: AnyBoard, change: Change, yes: bool) -> None:
+def _write(board: AnyBoard, change: RegisterChange, yes: bool) -> None:
     from viscodesign.cli.confirm import confirm
     from viscodesign.pump.play import eeprom as permanent
 

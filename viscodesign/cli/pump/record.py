@@ -77,7 +77,7 @@ def _record(
 ) -> dict[str, Any]:
     """Read until the time is over; what the JSON beside the table says then."""
     from viscodesign.cli.pump._session import gauges, opened
-    from viscodesign.pump.play.interrupt import noted_signals
+    from viscodesign.interrupt import stop_on_signals
     from viscodesign.pump.play.listen import listen
     from viscodesign.pump.sessions.record import recorded
 
@@ -90,7 +90,7 @@ def _record(
         with (
             gauges(board, setting.pump, setting.ambient, names) as sensors,
             recorded(path, names, facts) as record,
-            noted_signals() as wish,
+            stop_on_signals() as wish,
         ):
             try:
                 ticks = listen(

@@ -61,12 +61,12 @@ def command(
 def _found(board: AnyBoard, setting: Setting) -> dict[str, Any]:
     """All that can be read, under names with units."""
     from viscodesign.cli.pump._told import servo_documents
-    from viscodesign.pump.play.preflight import find_servo, objections
+    from viscodesign.pump.play.preflight import blocking_faults, identify
 
     identity = board.identify()
-    servos = [find_servo(board, servo) for servo in setting.servos(board)]
+    servos = [identify(board, servo) for servo in setting.servos(board)]
     names = setting.named([servo.id for servo in servos])
-    against = [] if setting.pump is None else [objections(s, setting.pump) for s in servos]
+    against = [] if setting.pump is None else [blocking_faults(s, setting.pump) for s in servos]
     return {
         "identity": identity,
         "servos": servo_documents(servos),

@@ -13,7 +13,7 @@ from viscodesign.errors import PumpError
 if TYPE_CHECKING:
     from viscodesign.pump.boards.base import Board as AnyBoard
     from viscodesign.pump.bus.clock import Clock
-    from viscodesign.pump.play.hold import Standing
+    from viscodesign.pump.play.hold import FinalServoState
 
 EXAMPLE = """\b
 Examples:
@@ -75,14 +75,14 @@ def command(
     return None
 
 
-def _stopped(board: AnyBoard, ids: list[int], clock: Clock, release: bool) -> list[Standing]:
+def _stopped(board: AnyBoard, ids: list[int], clock: Clock, release: bool) -> list[FinalServoState]:
     """Halt, then hold each servo as soon as it is found; again where the board is deaf."""
-    from viscodesign.pump.play.stopping import stop_all
+    from viscodesign.pump.play.hold import stop_all
 
     return stop_all(board, ids, clock, release=release)
 
 
-def _document(board: str, left: list[Standing]) -> dict[str, Any]:
+def _document(board: str, left: list[FinalServoState]) -> dict[str, Any]:
     return {
         "board": board,
         "servos": [{"id": one.servo, "verified": one.sure, "state": one.words} for one in left],

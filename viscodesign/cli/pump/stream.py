@@ -13,7 +13,7 @@ from viscodesign.cli.pump._playable import Achievable, refuse_unplayable
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 
 if TYPE_CHECKING:
-    from viscodesign.pump.play.stream import Ending
+    from viscodesign.pump.play.stream import StreamResult
 
 ON_STOP = ("hold", "release", "retract")
 EXAMPLE = """\b
@@ -130,7 +130,7 @@ def _check(board: str, rate: float, on_stop: str) -> None:
         raise UsageError(f"--on-stop {on_stop}: no such thing; one of {', '.join(ON_STOP)}")
 
 
-def _leave(ending: Ending, folder: Path) -> None:
+def _leave(ending: StreamResult, folder: Path) -> None:
     """What did not end well is an error, after its files are written."""
     kept = f"the record up to there is in {folder}"
     if not ending.sure or ending.status == "stopped":

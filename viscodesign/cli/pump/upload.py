@@ -14,7 +14,7 @@ from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 
 if TYPE_CHECKING:
     from viscodesign.cli.pump._poses import Poses
-    from viscodesign.pump.play.stream import Ending
+    from viscodesign.pump.play.stream import StreamResult
 
 EXAMPLE = """\b
 Examples:
@@ -88,7 +88,7 @@ def command(
     files = _write(poses, export, picture, force)
     if files:
         told |= {"status": "written", "files": [str(file) for file in files]}
-    ending: Ending | None = None
+    ending: StreamResult | None = None
     lines = poses.lines()
     if dry_run:
         told["status"], lines = "dry run", rehearsed(poses, moves=play or loop)
@@ -138,7 +138,7 @@ def _write(poses: Poses, export: Path | None, picture: Path | None, force: bool)
 
 
 def _say(
-    told: dict[str, Any], ending: Ending | None, lines: list[str], json: bool, quiet: bool
+    told: dict[str, Any], ending: StreamResult | None, lines: list[str], json: bool, quiet: bool
 ) -> None:
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.pump._told import ending_document
@@ -149,7 +149,7 @@ def _say(
         say("\n".join(lines))
 
 
-def _leave(ending: Ending | None) -> None:
+def _leave(ending: StreamResult | None) -> None:
     """What did not end well is an error."""
     if ending is None:
         return

@@ -5,7 +5,7 @@ from __future__ import annotations
 from viscodesign.pump.bus.line import Line
 
 
-class Overheard(Line):
+class RecordingLine(Line):
     """Keeps all that is sent."""
 
     def __init__(self, line: Line) -> None:

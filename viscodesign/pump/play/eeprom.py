@@ -8,12 +8,12 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.registers import Register
-from viscodesign.pump.play.preflight import ANSWERS_ALL, Servo
+from viscodesign.pump.play.preflight import ANSWERS_ALL, FoundServo
 from viscodesign.pump.play.servo_state import read_register
 
 
 @dataclass(frozen=True)
-class Change:
+class RegisterChange:
     """One register of the EEPROM that is to hold another value."""
 
     servo: int
@@ -25,17 +25,19 @@ class Change:
         return f"servo {self.servo}: {self.register.name} {self.before} -> {self.after}"
 
 
-def changes(servo: Servo, travel: tuple[int, int]) -> list[Change]:
+def changes(servo: FoundServo, travel: tuple[int, int]) -> list[RegisterChange]:
     """What differs from a calibrated servo; nothing where nothing does."""
     wanted = [
         (registers.CW_LIMIT, servo.limits[0], travel[0]),
         (registers.CCW_LIMIT, servo.limits[1], travel[1]),
         (registers.STATUS_LEVEL, servo.status_level, ANSWERS_ALL),
     ]
-    return [Change(servo.id, r, before, after) for r, before, after in wanted if before != after]
+    return [
+        RegisterChange(servo.id, r, before, after) for r, before, after in wanted if before != after
+    ]
 
 
-def write(board: Board, change: Change) -> None:
+def write(board: Board, change: RegisterChange) -> None:
     """Write one register, and see by reading that it holds the value."""
     data = change.register.encode(change.after)
     board.write_permanent(change.servo, change.register.address, data)

@@ -23,10 +23,14 @@ PAUSE = 0.02
 """Between tries [s]."""
 PATIENCE = 1.0
 """To try for a verified hold [s]."""
+DEAF = 40.0
+"""A board that plays by itself may hear nothing this long: its moves last up to 32.8 s [s]."""
+AGAIN = 2.0
+"""Between two halts of such a board [s]."""
 
 
 @dataclass(frozen=True)
-class Standing:
+class FinalServoState:
     """How one servo was left."""
 
     servo: int
@@ -45,7 +49,7 @@ def hold(
     *,
     positions: dict[int, int] | None = None,
     within: float = PATIENCE,
-) -> list[Standing]:
+) -> list[FinalServoState]:
     """Send every servo to where it is, and read back that it holds that goal.
 
     ``positions`` of a moment ago, for a servo that takes commands but whose replies do not come
@@ -57,17 +61,17 @@ def hold(
 
 def release(
     board: Board, servos: Sequence[int], clock: Clock, *, within: float = PATIENCE
-) -> list[Standing]:
+) -> list[FinalServoState]:
     """Switch torque off, and read back that it is."""
     return _for_each(servos, clock, within, lambda servo: _release(board, servo))
 
 
 def _for_each(
-    servos: Sequence[int], clock: Clock, within: float, attempt: Callable[[int], Standing]
-) -> list[Standing]:
+    servos: Sequence[int], clock: Clock, within: float, attempt: Callable[[int], FinalServoState]
+) -> list[FinalServoState]:
     """Try each servo until it is sure or time is up; at least once, and in turns."""
     deadline = clock.now() + within
-    left: dict[int, Standing] = {}
+    left: dict[int, FinalServoState] = {}
     waiting = list(servos)
     while waiting:
         for servo in waiting:
@@ -80,7 +84,7 @@ def _for_each(
     return [left[servo] for servo in servos]
 
 
-def _hold(board: Board, servo: int, last: dict[int, int]) -> Standing:
+def _hold(board: Board, servo: int, last: dict[int, int]) -> FinalServoState:
     """One try. The position is read first, so that no goal is far from the plunger."""
     try:
         state = read_servo(board, servo)
@@ -88,44 +92,81 @@ def _hold(board: Board, servo: int, last: dict[int, int]) -> Standing:
         return _hold_unseen(board, servo, last.get(servo), error)
     last[servo] = state.position
     if not state.torque:
-        return Standing(servo, True, f"torque is off, at {state.position} counts")
+        return FinalServoState(servo, True, f"torque is off, at {state.position} counts")
     if state.torque_limit == 0:
-        return Standing(servo, True, f"shut itself off ({state.complaint or 'torque limit 0'})")
+        return FinalServoState(
+            servo, True, f"shut itself off ({state.complaint or 'torque limit 0'})"
+        )
     try:
         board.move({servo: Goal(state.position, HOLD_SPEED)})
     except PumpError as error:
-        return Standing(servo, False, f"no hold could be sent: {error}")
+        return FinalServoState(servo, False, f"no hold could be sent: {error}")
     try:
         return _verified(servo, state.position, read_servo(board, servo))
     except PumpError as error:
-        return Standing(servo, False, f"hold sent, but not verified: {error}")
+        return FinalServoState(servo, False, f"hold sent, but not verified: {error}")
 
 
-def _verified(servo: int, goal: int, state: ServoState) -> Standing:
+def _verified(servo: int, goal: int, state: ServoState) -> FinalServoState:
     if not state.torque or state.goal != goal:
-        return Standing(servo, False, f"hold at {goal} counts was sent, but it did not take it")
+        return FinalServoState(
+            servo, False, f"hold at {goal} counts was sent, but it did not take it"
+        )
     if abs(state.position - goal) > NEAR:
-        return Standing(servo, False, f"holds {goal} counts, but is at {state.position}")
+        return FinalServoState(servo, False, f"holds {goal} counts, but is at {state.position}")
     told = f"holds at {goal} counts, verified"
-    return Standing(servo, True, f"{told}; it reports: {state.complaint}" if state.errors else told)
+    return FinalServoState(
+        servo, True, f"{told}; it reports: {state.complaint}" if state.errors else told
+    )
 
 
-def _hold_unseen(board: Board, servo: int, position: int | None, error: PumpError) -> Standing:
+def _hold_unseen(
+    board: Board, servo: int, position: int | None, error: PumpError
+) -> FinalServoState:
     """Where is not known now, but was a tick ago; an absolute goal does no harm twice."""
     if position is None:
-        return Standing(servo, False, f"no hold could be sent: {error}")
+        return FinalServoState(servo, False, f"no hold could be sent: {error}")
     try:
         board.move({servo: Goal(position, HOLD_SPEED)})
     except PumpError as failure:
-        return Standing(servo, False, f"no hold could be sent: {failure}")
-    return Standing(servo, False, f"sent to {position} counts unseen; no reply: {error}")
+        return FinalServoState(servo, False, f"no hold could be sent: {failure}")
+    return FinalServoState(servo, False, f"sent to {position} counts unseen; no reply: {error}")
 
 
-def _release(board: Board, servo: int) -> Standing:
+def _release(board: Board, servo: int) -> FinalServoState:
     try:
         write_register(board, servo, registers.TORQUE_ENABLE, 0)
     except ServoError as fault:
-        return Standing(servo, False, f"torque off was sent; {fault}")
+        return FinalServoState(servo, False, f"torque off was sent; {fault}")
     except PumpError as error:
-        return Standing(servo, False, f"torque off is not verified: {error}")
-    return Standing(servo, True, "torque is off, verified")
+        return FinalServoState(servo, False, f"torque off is not verified: {error}")
+    return FinalServoState(servo, True, "torque is off, verified")
+
+
+def stop_all(
+    board: Board, ids: Sequence[int], clock: Clock, *, release: bool = False
+) -> list[FinalServoState]:
+    """Halt the board's own program, then hold (or release) each servo that is found.
+
+    Each is told as soon as it is found: others that are not there would cost time. Empty where
+    none answers; a board that plays by itself is asked again until its move must be over.
+    """
+    board.halt()
+    deadline = clock.now() + (0.0 if board.streams else DEAF)
+    while not (left := _each(board, ids, clock, release)) and clock.now() < deadline:
+        clock.sleep(AGAIN)
+        board.halt()
+    return left
+
+
+def _each(board: Board, ids: Sequence[int], clock: Clock, drop: bool) -> list[FinalServoState]:
+    act = release if drop else hold
+    return [one for servo in ids if _is_there(board, servo) for one in act(board, [servo], clock)]
+
+
+def _is_there(board: Board, servo: int) -> bool:
+    """Also where what comes from it is broken: then it is told all the same."""
+    try:
+        return board.answers(servo)
+    except PumpError:
+        return False

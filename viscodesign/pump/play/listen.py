@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.interrupt import Wish
 from viscodesign.pump.play.servo_state import Sample, read_servo
 from viscodesign.pump.play.ticks import Ticks
-from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 
 def listen(
     board: Board,
     servos: Sequence[int],
-    gauges: Gauges,
+    gauges: PressureReadings,
     clock: Clock,
-    wish: Wish,
+    wish: StopRequest,
     see: Callable[[float, Sample], None],
     *,
     rate: float,
@@ -35,7 +35,7 @@ def listen(
     return ticks
 
 
-def look(board: Board, servos: Sequence[int], gauges: Gauges, clock: Clock) -> Sample:
+def look(board: Board, servos: Sequence[int], gauges: PressureReadings, clock: Clock) -> Sample:
     """One sample; nothing is wanted, and the goals are those that the servos hold."""
     states = {servo: read_servo(board, servo) for servo in servos}
     goals = {servo: state.goal for servo, state in states.items()}

@@ -20,7 +20,7 @@ ANSWERS_ALL = 2
 
 
 @dataclass(frozen=True)
-class Servo:
+class FoundServo:
     """One servo as it was found."""
 
     id: int
@@ -40,10 +40,10 @@ class Servo:
         return self.limits == (0, 0)
 
 
-def find_servo(board: Board, servo: int) -> Servo:
+def identify(board: Board, servo: int) -> FoundServo:
     """Read who it is and how it does; changes nothing."""
     data, _ = read_anyway(board, servo, 0, IDENTITY)
-    return Servo(
+    return FoundServo(
         id=servo,
         model=registers.MODEL.within(data, 0),
         firmware=registers.FIRMWARE.within(data, 0),
@@ -53,12 +53,12 @@ def find_servo(board: Board, servo: int) -> Servo:
     )
 
 
-def objections(servo: Servo, pump: Pump) -> list[str]:
+def blocking_faults(servo: FoundServo, pump: Pump) -> list[str]:
     """Why it must not be moved, each with what to do."""
     return [f"servo {servo.id}: {reason}" for reason in _reasons(servo, pump)]
 
 
-def _reasons(servo: Servo, pump: Pump) -> Iterator[str]:
+def _reasons(servo: FoundServo, pump: Pump) -> Iterator[str]:
     state, (low, high) = servo.state, pump.travel
     if servo.model != NAMES[pump.servo]:
         wanted = registers.MODELS[NAMES[pump.servo]]
@@ -74,7 +74,7 @@ def _reasons(servo: Servo, pump: Pump) -> Iterator[str]:
     yield from _misplaced(servo, low, high)
 
 
-def _misplaced(servo: Servo, low: int, high: int) -> Iterator[str]:
+def _misplaced(servo: FoundServo, low: int, high: int) -> Iterator[str]:
     if servo.turns_endlessly:
         yield "is in wheel mode (both angle limits 0), where it never stops; run `pump calibrate`"
     elif not low <= servo.limits[0] <= servo.limits[1] <= high:

@@ -10,14 +10,18 @@ from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.drive import COUNTS_PER_TURN, Drive
-from viscodesign.pump.play.hold import HOLD_SPEED, Standing, hold, release
-from viscodesign.pump.play.preflight import Servo, find_servo, objections
+from viscodesign.pump.play.hold import HOLD_SPEED, FinalServoState, hold, release
+from viscodesign.pump.play.preflight import FoundServo, blocking_faults, identify
 from viscodesign.pump.play.safety_rules import Stop
 from viscodesign.pump.play.servo_state import ServoState, read_servo, write_register
-from viscodesign.pump.play.strain import Strain
-from viscodesign.pump.play.torque_limit import following_limit, free_speed, torque_limit
+from viscodesign.pump.play.torque_limit import (
+    TorqueSaturation,
+    following_limit,
+    free_speed,
+    torque_limit,
+)
 from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import Gauges
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.scene.pump import Pump as Settings
 
 SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
@@ -41,7 +45,7 @@ class Pump:
         board: Board,
         settings: Settings,
         servos: Sequence[int],
-        gauges: Gauges,
+        gauges: PressureReadings,
         switches: Switches,
         clock: Clock,
     ) -> None:
@@ -60,7 +64,7 @@ class Pump:
         """Goals in force [counts]."""
         self.positions: dict[int, int] = {}
         """Last read [counts]."""
-        self.strain = Strain()
+        self.saturation = TorqueSaturation()
         """Of the servos, as last read."""
         self.read_at = -math.inf
         """When, about: between question and answer [s of the clock]."""
@@ -69,12 +73,12 @@ class Pump:
         self.reach = 1
         """Farthest that a goal may lie from the one before [counts]: one tick's travel."""
 
-    def connect(self) -> list[Servo]:
+    def connect(self) -> list[FoundServo]:
         """Identify the board and all servos; raises `PumpError` where they must not move."""
         self.identity = self.board.identify()
-        found = [find_servo(self.board, servo) for servo in self.servos]
+        found = [identify(self.board, servo) for servo in self.servos]
         self.positions = {servo.id: servo.state.position for servo in found}
-        wrong = [reason for servo in found for reason in objections(servo, self.settings)]
+        wrong = [reason for servo in found for reason in blocking_faults(servo, self.settings)]
         if wrong:
             raise PumpError("\n".join(["nothing has moved:", *wrong]))
         return found
@@ -174,7 +178,7 @@ class Pump:
 
         A servo that shut itself off, or that may be about to, keeps what it has.
         """
-        held = self.strain.writable(self.clock.now())
+        held = self.saturation.writable(self.clock.now())
         limits = {
             servo: following_limit(held[servo], torque_limit(self.settings, paces[servo]))
             for servo in self.servos
@@ -210,18 +214,20 @@ class Pump:
         states = {servo: read_servo(self.board, servo) for servo in self.servos}
         self.positions = {servo: state.position for servo, state in states.items()}
         self.read_at = (before + self.clock.now()) / 2
-        self.strain.note(states, self.read_at)
+        self.saturation.note(states, self.read_at)
         return states, self.gauges.read(), self.switches.read(self.board)
 
-    def hold(self) -> list[Standing]:
+    def hold(self) -> list[FinalServoState]:
         """Stand where it is, read back; nothing is sent where the torque was never on."""
         if not self.armed:
-            return [Standing(s, True, "untouched: its torque was never on") for s in self.servos]
+            return [
+                FinalServoState(s, True, "untouched: its torque was never on") for s in self.servos
+            ]
         left = hold(self.board, self.servos, self.clock, positions=self.positions)
         self.goals |= self.positions
         return left
 
-    def release(self) -> list[Standing]:
+    def release(self) -> list[FinalServoState]:
         """Torque off, read back; pressure may push the plunger back then."""
         self.armed = False
         return release(self.board, self.servos, self.clock)

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.play.hold import Standing
-from viscodesign.pump.play.interrupt import Wish
+from viscodesign.interrupt import StopRequest
+from viscodesign.pump.play.hold import FinalServoState
 from viscodesign.pump.play.path import Course, led_in, top_speed, way_back
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.safety_rules import Guard, Stop, Watch, retreat_rules, stream_rules
@@ -28,7 +28,7 @@ Status = Literal["complete", "interrupted", "stopped"]
 
 
 @dataclass(frozen=True)
-class Shown:
+class TickReport:
     """What one tick gives to be recorded and seen."""
 
     time: float
@@ -41,7 +41,7 @@ class Shown:
 
 
 @dataclass
-class Ending:
+class StreamResult:
     """How a stream ended, and how the pump was left."""
 
     status: Status = "stopped"
@@ -50,7 +50,7 @@ class Ending:
     """The broken rule, where one was."""
     may_retreat: bool = True
     """Whether the plunger may be drawn back."""
-    standing: list[Standing] = field(default_factory=list)
+    standing: list[FinalServoState] = field(default_factory=list)
     retreat: str = ""
     """Why drawing the plunger back did not go to its end, where it did not."""
 
@@ -67,8 +67,8 @@ class Stream:
         self,
         pump: Pump,
         profile: Profile,
-        wish: Wish,
-        see: Callable[[Shown], None],
+        wish: StopRequest,
+        see: Callable[[TickReport], None],
         *,
         rate: float,
         lead: float = 0.0,
@@ -84,12 +84,12 @@ class Stream:
         self.wish = wish
         self.see = see
         self.on_stop = on_stop
-        self.ending = Ending()
+        self.ending = StreamResult()
         self.ticks = Ticks(pump.clock, 1.0 / rate)
         self.origin = 0.0
         """When the scene's own time begins [s of the clock]."""
 
-    def play(self) -> Ending:
+    def play(self) -> StreamResult:
         """Arm, go to the profile, and along it to its end, a stop or a wish.
 
         However this is left, by an exception too, the pump stands (or it is said that no hold
@@ -98,16 +98,16 @@ class Stream:
         try:
             self.ending = self._forward()
         except PumpError as error:
-            self.ending = Ending("stopped", str(error), "replies", may_retreat=False)
+            self.ending = StreamResult("stopped", str(error), "replies", may_retreat=False)
         except BaseException as error:
             told = f"{type(error).__name__}: {error}".removesuffix(": ")
-            self.ending = Ending("stopped", told, "exception", may_retreat=False)
+            self.ending = StreamResult("stopped", told, "exception", may_retreat=False)
             raise
         finally:
             self._stand()
         return self.ending
 
-    def _forward(self) -> Ending:
+    def _forward(self) -> StreamResult:
         if self.wish.asked:
             return self._interrupted()
         if not self.pump.armed:
@@ -119,7 +119,7 @@ class Stream:
     def _watch(self, course: Course, rules: Callable[[Settings, int], list[Guard]]) -> Watch:
         return Watch(rules(self.pump.settings, course.reach(self.ticks.period)))
 
-    def _run(self, course: Course, watch: Watch, heard: int) -> Ending:
+    def _run(self, course: Course, watch: Watch, heard: int) -> StreamResult:
         """Ticks until the course is over, a rule is broken, or one more wish than was heard."""
         self.pump.reach = course.reach(self.ticks.period)
         free = free_speed(self.pump.settings)
@@ -130,12 +130,12 @@ class Stream:
                 return self._interrupted()
             stop = self._tick(course, points, watch, heard)
             if stop is not None:
-                return Ending("stopped", str(stop), stop.rule, stop.may_retreat)
+                return StreamResult("stopped", str(stop), stop.rule, stop.may_retreat)
             self.ticks.wait(lambda: self._untouched(heard))
-        return Ending("complete", "played to its end")
+        return StreamResult("complete", "played to its end")
 
-    def _interrupted(self) -> Ending:
-        return Ending("interrupted", f"asked to stop ({self.wish.first})")
+    def _interrupted(self) -> StreamResult:
+        return StreamResult("interrupted", f"asked to stop ({self.wish.first})")
 
     def _untouched(self, heard: int) -> bool:
         return self.wish.times <= heard
@@ -163,7 +163,7 @@ class Stream:
         if stop is None and self._untouched(heard):
             self.pump.set_goals(goals, speeds, course.paces(elapsed))
         time = self.pump.read_at - self.origin
-        self.see(Shown(time, sample, self.ticks.skipped, stop))
+        self.see(TickReport(time, sample, self.ticks.skipped, stop))
         return stop
 
     def _reach(self, course: Course, period: float) -> int:
@@ -180,7 +180,7 @@ class Stream:
         if self.on_stop == "release" or self.wish.urgent:
             ending.standing = self.pump.release()
 
-    def _go_back(self) -> list[Standing]:
+    def _go_back(self) -> list[FinalServoState]:
         """Draw the plungers back to home, slowly and under all rules that still make sense."""
         pump = self.pump
         try:
@@ -188,6 +188,6 @@ class Stream:
             heard = 1 if self.ending.status == "interrupted" else 0
             back = self._run(course, self._watch(course, retreat_rules), heard)
         except PumpError as error:
-            back = Ending("stopped", str(error))
+            back = StreamResult("stopped", str(error))
         self.ending.retreat = "" if back.status == "complete" else back.reason
         return pump.hold()

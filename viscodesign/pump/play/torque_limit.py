@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
+from viscodesign.pump.play.servo_state import ServoState
 from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
 from viscodesign.pump.syringe import shaft_torque, stall_pressure, stall_torque
 from viscodesign.scene.pump import Pump
@@ -13,6 +16,11 @@ ABOVE_CAP = 1.2
 FULL = 1023
 NOTABLE = 32
 """A limit so much above what is needed is lowered [1/1023 of stall]: 4 kPa of a 100 mL syringe."""
+LONGEST_SATURATION = 0.2
+"""Of strain, after which a torque limit is left alone [s]. After how long a servo shuts itself
+off no manual says; that it is no sooner is an assumption."""
+SATURATION_MARGIN = 2
+"""An output this close to its limit is at it [1/1023 of stall]."""
 
 
 def torque_limit(pump: Pump, speed: float = 0.0) -> int:
@@ -48,3 +56,40 @@ def stalling_pressure(pump: Pump, limit: int) -> float:
     """Gauge pressure that a torque limit can hold against without friction [Pa]."""
     servo, shape = SERVOS[pump.servo], (pump.syringe_diameter, pump.pinion_diameter)
     return limit / FULL * stall_pressure(servo, pump.supply_voltage, *shape)
+
+
+@dataclass
+class TorqueSaturation:
+    """Which servos give all the torque that they are allowed, and since when.
+
+    A servo that does so for long shuts itself off: it sets its torque limit to 0, and whoever
+    writes that register gives it its torque back silently. Between reading a servo and writing
+    to it some milliseconds pass, so no limit is written to one that has been saturated for long.
+    """
+
+    limits: dict[int, int] = field(default_factory=dict)
+    """Torque limits of servos that are well [1/1023 of stall]."""
+    since: dict[int, float] = field(default_factory=dict)
+    """When those that strain were first seen to [s of the clock]."""
+
+    def note(self, states: Mapping[int, ServoState], moment: float) -> None:
+        """What was read at a moment [s of the clock]."""
+        self.limits = {
+            servo: state.torque_limit
+            for servo, state in states.items()
+            if state.torque and state.torque_limit > 0 and not state.errors
+        }
+        saturated = [servo for servo, state in states.items() if _saturated(state)]
+        self.since = {servo: self.since.get(servo, moment) for servo in saturated}
+
+    def writable(self, now: float) -> dict[int, int]:
+        """Torque limits in force of those servos that may be given another one."""
+        return {
+            servo: limit
+            for servo, limit in self.limits.items()
+            if now - self.since.get(servo, now) < LONGEST_SATURATION
+        }
+
+
+def _saturated(state: ServoState) -> bool:
+    return abs(state.load) * FULL >= state.torque_limit - SATURATION_MARGIN

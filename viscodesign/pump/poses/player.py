@@ -12,14 +12,14 @@ from dataclasses import replace
 import numpy as np
 
 from viscodesign.errors import PumpError
+from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.transactions import NoReplyError
-from viscodesign.pump.play.hold import HOLD_SPEED, NEAR, Standing
-from viscodesign.pump.play.interrupt import Wish
+from viscodesign.pump.play.hold import HOLD_SPEED, NEAR, FinalServoState
 from viscodesign.pump.play.pump import Pump, speed_register
 from viscodesign.pump.play.servo_state import read_servo
-from viscodesign.pump.play.stream import Ending, Shown, Stream
+from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
 from viscodesign.pump.play.ticks import SLICE
 from viscodesign.pump.poses import packets as pose_packets
 from viscodesign.pump.poses.engine import FRAME
@@ -101,7 +101,7 @@ class PosePlayer:
         pump: Pump,
         board: Arbotix,
         fit: PoseFit,
-        wish: Wish,
+        wish: StopRequest,
         tell: Callable[[str], None],
         see: Callable[[float], None] = lambda elapsed: None,
     ) -> None:
@@ -138,25 +138,27 @@ class PosePlayer:
             "through its whole range to keep the time. Take it off the bus, or give it another id"
         )
 
-    def approach(self, lead: Profile, see: Callable[[Shown], None] = lambda shown: None) -> Ending:
+    def approach(
+        self, lead: Profile, see: Callable[[TickReport], None] = lambda shown: None
+    ) -> StreamResult:
         """Torque on, then from where the plungers are to the lead's end, under all guards."""
         return Stream(
             self.pump, _rested(lead), self.wish, see, rate=LEAD_RATE, lead=lead.duration
         ).play()
 
-    def play(self) -> Ending:
+    def play(self) -> StreamResult:
         """Play once, or loop until a wish to stop; however this ends, nothing plays then.
 
         Where the plungers are is read again by the board before, or its first move would begin
         where they were.
         """
-        ending = Ending()
+        ending = StreamResult()
         try:
             self.board.size_pose(pose_packets.size_pose(self.servos))
             self._allow_speed()
             ending = self._played()
         except PumpError as error:
-            ending = Ending("stopped", str(error), "replies", may_retreat=False)
+            ending = StreamResult("stopped", str(error), "replies", may_retreat=False)
         finally:
             ending.standing = self._stand()
         return ending
@@ -165,7 +167,7 @@ class PosePlayer:
         for servo in self.pump.servos:
             self.board.set(servo, registers.MOVING_SPEED, playing_speed(self.fit))
 
-    def _played(self) -> Ending:
+    def _played(self) -> StreamResult:
         clock, looped = self.pump.clock, self.fit.looped
         if self.wish.asked:
             return self._interrupted()
@@ -180,41 +182,45 @@ class PosePlayer:
             clock.sleep(SLICE if looped else min(SLICE, end - clock.now()))
             self.see(clock.now() - self._began)
         if not self.board.is_idle(ANSWER + HANDOVER * len(self.fit.sequence.moves)):
-            return Ending("stopped", "the board does not say that it has ended", "replies")
+            return StreamResult("stopped", "the board does not say that it has ended", "replies")
         self._began = None
         return self._arrived()
 
-    def _interrupted(self) -> Ending:
-        return Ending("interrupted", f"asked to stop ({self.wish.first})")
+    def _interrupted(self) -> StreamResult:
+        return StreamResult("interrupted", f"asked to stop ({self.wish.first})")
 
     def _moments(self) -> np.ndarray:
         """When each move ends, from the start of a round [s]."""
         return np.cumsum([FRAME * frames for frames in self.fit.move_frames])
 
-    def _arrived(self) -> Ending:
+    def _arrived(self) -> StreamResult:
         """Whether the plungers are where the last move ends, and well."""
         last = self.fit.sequence.goals()[-1]
         for servo, goal in zip(sorted(self.pump.servos), last, strict=False):
             state = read_servo(self.board, servo)
             if state.errors:
-                return Ending("stopped", f"servo {servo} reports: {state.complaint}", "servo_alarm")
+                return StreamResult(
+                    "stopped", f"servo {servo} reports: {state.complaint}", "servo_alarm"
+                )
             if abs(state.position - goal) > NEAR:
-                return Ending(
+                return StreamResult(
                     "stopped",
                     f"servo {servo} is at {state.position} counts, not at {goal}: it did not "
                     "follow. The plunger is blocked, or the torque limit too low for the pressure",
                     "following",
                 )
-        return Ending("complete", "played to its end")
+        return StreamResult("complete", "played to its end")
 
-    def _stand(self) -> list[Standing]:
+    def _stand(self) -> list[FinalServoState]:
         """Halt what may be playing, then hold, or drop the torque where a stop was asked twice.
 
         Where the board stays deaf, only that is told.
         """
         if self._began is not None and not self._halted():
             return [
-                Standing(servo, False, "the board still plays or hangs; switch its power off")
+                FinalServoState(
+                    servo, False, "the board still plays or hangs; switch its power off"
+                )
                 for servo in self.pump.servos
             ]
         return self.pump.release() if self.wish.urgent else self.pump.hold()

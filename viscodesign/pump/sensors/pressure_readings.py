@@ -10,7 +10,7 @@ TRIM = 6e3
 """A sensor at rest this close to the ambient shows its own error [Pa]: 1.5 % of its span."""
 
 
-class Gauges:
+class PressureReadings:
     """S inlets, each with what reads its absolute pressure [Pa], or None; and the ambient [Pa]."""
 
     def __init__(

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from viscodesign.pump.play.stream import Shown
+from viscodesign.pump.play.stream import TickReport
 from viscodesign.pump.sessions.outlet import Outlet
 
 REDRAW = 0.1
@@ -35,7 +35,7 @@ class LiveView:
     height: int = 0
     """Lines of the picture on the terminal."""
 
-    def show(self, shown: Shown) -> None:
+    def show(self, shown: TickReport) -> None:
         """Draw one tick, where it is time to."""
         terminal = self.outlet.terminal
         now = self.clock()
@@ -48,7 +48,7 @@ class LiveView:
         else:
             self.outlet.write("; ".join(self.report(shown)) + "\n")
 
-    def picture(self, shown: Shown) -> list[str]:
+    def picture(self, shown: TickReport) -> list[str]:
         """State and, for each inlet, two bars."""
         lines = [" ".join([self._label(), self._state(shown), self._ticks(shown)]).strip()]
         width = max(shutil.get_terminal_size((80, 24)).columns, NARROWEST)
@@ -62,7 +62,7 @@ class LiveView:
                 lines.append(f"{name}{word:<8} {_kpa(value)} {self._bar(value, cells)}")
         return [line[: width - 1] for line in lines]
 
-    def report(self, shown: Shown) -> list[str]:
+    def report(self, shown: TickReport) -> list[str]:
         """The same in words."""
         parts = [" ".join([self._label(), self._state(shown)]).strip()]
         for k, inlet in enumerate(self.inlets):
@@ -74,7 +74,7 @@ class LiveView:
     def _label(self) -> str:
         return "[simulated]" if self.simulated else ""
 
-    def _state(self, shown: Shown) -> str:
+    def _state(self, shown: TickReport) -> str:
         if shown.stop is not None:
             return f"STOP at {shown.time:.1f} s: {shown.stop.rule.replace('_', ' ')}"
         if shown.time < 0.0:
@@ -83,7 +83,7 @@ class LiveView:
             return "drawing back"
         return f"{shown.time:.1f} of {self.duration:.1f} s"
 
-    def _ticks(self, shown: Shown) -> str:
+    def _ticks(self, shown: TickReport) -> str:
         return f"({shown.skipped} ticks skipped)" if shown.skipped else ""
 
     def _bar(self, value: float | None, cells: int) -> str:

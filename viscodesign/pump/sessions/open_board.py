@@ -13,12 +13,12 @@ from viscodesign.pump.bus.clock import Clock, WallClock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.bus.serial_line import SerialLine
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pins import Pins
 from viscodesign.pump.simulated.plant import AMBIENT, ClosedGas, Plant
 from viscodesign.pump.simulated.ros import Ros
-from viscodesign.pump.simulated.servo import VirtualServo
+from viscodesign.pump.simulated.servo import SimulatedServo
 from viscodesign.scene.pump import Pump
 
 MODEL_NUMBERS = {"ax12a": 12, "ax18a": 18}
@@ -88,17 +88,19 @@ def simulated_line(
     return DirectLine(Ros(bench, Pins(bench, ambient)), clock)
 
 
-def simulated_bench(pump: Pump, plant: Plant | None = None, ambient: float = AMBIENT) -> Bench:
+def simulated_bench(
+    pump: Pump, plant: Plant | None = None, ambient: float = AMBIENT
+) -> SimulatedBench:
     """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
     drives = [Drive(pump) for _ in servo_ids(pump)]
     servos = [
-        VirtualServo(servo, MODEL_NUMBERS[pump.servo], pump.home) for servo in servo_ids(pump)
+        SimulatedServo(servo, MODEL_NUMBERS[pump.servo], pump.home) for servo in servo_ids(pump)
     ]
     for servo in servos:
         servo.supply(pump.supply_voltage)
         servo.set(registers.CW_LIMIT, pump.travel[0])
         servo.set(registers.CCW_LIMIT, pump.travel[1])
-    return Bench(servos, drives, plant or ClosedGas(drives, ambient))
+    return SimulatedBench(servos, drives, plant or ClosedGas(drives, ambient))
 
 
 def _check_port(kind: type[Board], port: str | None, baud: int | None) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from viscodesign.pump.bus import registers as table
 from viscodesign.pump.bus.packets import BROADCAST, ErrorBits, Instruction, Packet
-from viscodesign.pump.simulated.servo import HIGHEST, WRITABLE, VirtualServo
+from viscodesign.pump.simulated.servo import HIGHEST, WRITABLE, SimulatedServo
 
 NEEDED_LEVEL: dict[int, int] = {Instruction.PING: 0, Instruction.READ: 1}
 """Status return level from which an instruction is answered; others from 2."""
@@ -13,7 +13,7 @@ NEEDED_LEVEL: dict[int, int] = {Instruction.PING: 0, Instruction.READ: 1}
 class Access:
     """One servo's share in the protocol."""
 
-    def __init__(self, servo: VirtualServo) -> None:
+    def __init__(self, servo: SimulatedServo) -> None:
         self.servo = servo
         self._registered: bytes | None = None
 

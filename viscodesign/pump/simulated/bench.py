@@ -10,21 +10,21 @@ from viscodesign.pump.bus.packets import BROADCAST, Packet
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.simulated.access import Access
 from viscodesign.pump.simulated.plant import Plant
-from viscodesign.pump.simulated.servo import VirtualServo
+from viscodesign.pump.simulated.servo import SimulatedServo
 
 STEP = 2.5e-3
 """Of the servos [s]: a fraction of the time in which one settles at its goal, 16 ms."""
 STEPS_PER_PLANT = 4
 
 
-class Bench:
+class SimulatedBench:
     """P servos with a plunger each.
 
     Time goes in fixed steps, so that what happens does not depend on when it is asked.
     """
 
     def __init__(
-        self, servos: Sequence[VirtualServo], drives: Sequence[Drive], plant: Plant
+        self, servos: Sequence[SimulatedServo], drives: Sequence[Drive], plant: Plant
     ) -> None:
         self.servos = list(servos)
         self.drives = list(drives)

@@ -13,7 +13,7 @@ from collections.abc import Generator
 
 from viscodesign.pump.bus import packets
 from viscodesign.pump.bus.packets import Packet
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device, Outbox
 
 Work = Generator[float, None, None]
@@ -38,7 +38,7 @@ class Firmware(Device):
     checksum_error: int
     """Error byte that answers a wrong checksum."""
 
-    def __init__(self, bench: Bench, latency: float = 1e-3) -> None:
+    def __init__(self, bench: SimulatedBench, latency: float = 1e-3) -> None:
         self.bench = bench
         self.latency = latency
         self.now = 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from viscodesign.pump.sensors.phidget_1140 import HIGHEST_RATIO, LOWEST_RATIO, ratio_of
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.plant import AMBIENT
 from viscodesign.scene.per_inlet import each
 
@@ -17,7 +17,7 @@ SWITCH_DISTANCE = 10
 class Pins:
     """Read by the firmwares: each plunger's sensor and switches, as the spec names them."""
 
-    bench: Bench
+    bench: SimulatedBench
     ambient: float = AMBIENT
     """Absolute [Pa]."""
     broken: dict[str, float] = field(default_factory=dict)

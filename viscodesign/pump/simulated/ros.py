@@ -7,7 +7,7 @@ are left out, and so are its controllers (CONTROL_*), which are acknowledged and
 from __future__ import annotations
 
 from viscodesign.pump.bus.packets import BROADCAST, ErrorBits, Instruction, Packet, Parser
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.firmware import ARBOTIX, Firmware, Work
 from viscodesign.pump.simulated.pins import Pins
 from viscodesign.pump.simulated.pose_engine import PoseEngine
@@ -28,7 +28,9 @@ class Ros(Firmware):
     baud = 115_200
     checksum_error = ErrorBits.CHECKSUM
 
-    def __init__(self, bench: Bench, pins: Pins | None = None, latency: float = 1e-3) -> None:
+    def __init__(
+        self, bench: SimulatedBench, pins: Pins | None = None, latency: float = 1e-3
+    ) -> None:
         self.pins = pins or Pins(bench)
         super().__init__(bench, latency)
 

@@ -72,7 +72,7 @@ WRITABLE = {
 }
 
 
-class VirtualServo:
+class SimulatedServo:
     """One servo; `access.py` is what the bus sees of it."""
 
     def __init__(self, id: int = 1, model: int = 18, position: float = 512.0) -> None:

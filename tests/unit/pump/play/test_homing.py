@@ -14,13 +14,13 @@ from viscodesign.pump.drive import Drive
 from viscodesign.pump.play.homing import BACK_OFF, find_travel
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import Gauges
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pins import SWITCH_DISTANCE, Pins
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.pump.simulated.ros import Ros
-from viscodesign.pump.simulated.servo import VirtualServo
+from viscodesign.pump.simulated.servo import SimulatedServo
 
 
 class Vented(Plant):
@@ -34,9 +34,9 @@ class Bed:
     def __init__(self, normally: str = "closed", **broken: float) -> None:
         switches = {"low": "D1", "high": "D2", "normally": normally}
         spec = settings_of(home=400, travel=(300, 500), limit_switches=switches)
-        self.servo = VirtualServo(1, 18, 400)
+        self.servo = SimulatedServo(1, 18, 400)
         self.servo.supply(11.1)
-        bench = Bench([self.servo], [Drive(spec)], Vented())
+        bench = SimulatedBench([self.servo], [Drive(spec)], Vented())
         self.clock = SteppedClock()
         line = DirectLine(Ros(bench, Pins(bench, broken=dict(broken))), self.clock)
         free = spec.model_copy(update={"travel": (0, 1023)})
@@ -44,7 +44,7 @@ class Bed:
             Simulated(line, [1]),
             free,
             [1],
-            Gauges([None], 0.0),
+            PressureReadings([None], 0.0),
             Switches.of(spec, [1]),
             self.clock,
         )

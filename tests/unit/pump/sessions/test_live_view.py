@@ -8,7 +8,7 @@ import pty
 
 from tests.unit.pump.samples import sample
 from viscodesign.pump.play.safety_rules import Stop
-from viscodesign.pump.play.stream import Shown
+from viscodesign.pump.play.stream import TickReport
 from viscodesign.pump.sessions.live_view import REPORT, LiveView
 from viscodesign.pump.sessions.outlet import Outlet
 
@@ -23,8 +23,8 @@ def view(stream: io.TextIOBase, now: list[float], simulated: bool = False) -> Li
     return LiveView(["inlet"], (-10e3, 20e3), 8.0, simulated, outlet, lambda: now[0])
 
 
-def shown(time: float = 1.0, skipped: int = 0, stop: Stop | None = None) -> Shown:
-    return Shown(time, sample(pressure=10e3, wanted=12.5e3), skipped, stop)
+def shown(time: float = 1.0, skipped: int = 0, stop: Stop | None = None) -> TickReport:
+    return TickReport(time, sample(pressure=10e3, wanted=12.5e3), skipped, stop)
 
 
 def test_a_terminal_shows_numbers_and_bars_redrawn_in_place() -> None:

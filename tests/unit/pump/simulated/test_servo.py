@@ -12,32 +12,32 @@ from viscodesign.pump.bus import packets, registers
 from viscodesign.pump.bus.packets import ErrorBits, Instruction, Packet
 from viscodesign.pump.bus.registers import Register
 from viscodesign.pump.drive import COUNTS_PER_TURN
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.motor import MOTORS
 
 STALL_PRESSURE = 1.8 / 0.0148 / (math.pi * 0.0349**2 / 4)
 """Gauge at which the servo's 1.8 N m just hold the plunger [Pa]."""
 
 
-def ask(bench: Bench, packet: Packet, now: float = 0.0) -> Packet | None:
+def ask(bench: SimulatedBench, packet: Packet, now: float = 0.0) -> Packet | None:
     answered = bench.answer(packet, now)
     return answered[0] if answered else None
 
 
-def get(bench: Bench, register: Register, now: float, servo: int = 1) -> int:
+def get(bench: SimulatedBench, register: Register, now: float, servo: int = 1) -> int:
     reply = ask(bench, packets.read(servo, register.address, register.size), now)
     assert reply is not None
     return register.decode(reply.parameters)
 
 
-def set(bench: Bench, register: Register, value: int, now: float, servo: int = 1) -> int:
+def set(bench: SimulatedBench, register: Register, value: int, now: float, servo: int = 1) -> int:
     data = register.encode(value)
     reply = ask(bench, packets.write(servo, register.address, data), now)
     assert reply is not None
     return reply.code
 
 
-def at_pressure(gauge: float) -> Bench:
+def at_pressure(gauge: float) -> SimulatedBench:
     return bench(1, plant=Weights(np.array([gauge])))
 
 

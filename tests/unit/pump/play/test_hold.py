@@ -8,9 +8,9 @@ from tests.pumps import bench, stepped
 from tests.rig.bus import BusAdapter
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import packets, registers
-from viscodesign.pump.play.stopping import stop_all
+from viscodesign.pump.play.hold import stop_all
 from viscodesign.pump.sessions.open_board import boards
-from viscodesign.pump.simulated.bench import Bench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pypose import LOAD_POSE, LOAD_SEQ, LOOP, SIZE_POSE, PyPose
 from viscodesign.pump.simulated.ros import Ros
@@ -18,7 +18,7 @@ from viscodesign.pump.simulated.ros import Ros
 DEVICES = {"dynamixel": BusAdapter, "arbotix-ros": Ros, "arbotix": PyPose}
 
 
-def moving(pump: Bench) -> None:
+def moving(pump: SimulatedBench) -> None:
     """Servo 1 on its way to 900 at 45 counts/s; servo 2 without torque."""
     servo = pump.servos[0]
     servo.set(registers.MOVING_SPEED, 20)

@@ -8,15 +8,15 @@ import threading
 
 import pytest
 
-from viscodesign.pump.play.interrupt import SIGNALS, noted_signals
+from viscodesign.interrupt import STOP_SIGNALS, stop_on_signals
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
 
 
-@pytest.mark.parametrize("number", SIGNALS)
+@pytest.mark.parametrize("number", STOP_SIGNALS)
 def test_a_signal_is_a_wish_and_a_second_one_is_urgent(number: int) -> None:
     before = signal.getsignal(number)
-    with noted_signals() as wish:
+    with stop_on_signals() as wish:
         assert not wish.asked
         os.kill(os.getpid(), number)
         assert wish.asked
@@ -32,7 +32,7 @@ def test_elsewhere_than_in_the_main_thread_nothing_changes() -> None:
     seen = []
 
     def work() -> None:
-        with noted_signals() as wish:
+        with stop_on_signals() as wish:
             seen.append((wish.asked, signal.getsignal(signal.SIGINT)))
 
     thread = threading.Thread(target=work)

@@ -6,14 +6,19 @@ import pytest
 
 from tests.unit.pump.samples import servo
 from viscodesign.pump.bus.packets import ErrorBits
-from viscodesign.pump.play.strain import LONGEST, Strain
-from viscodesign.pump.play.torque_limit import FULL, NOTABLE, following_limit
+from viscodesign.pump.play.torque_limit import (
+    FULL,
+    LONGEST_SATURATION,
+    NOTABLE,
+    TorqueSaturation,
+    following_limit,
+)
 
 
 def test_who_is_well_may_be_written_to() -> None:
-    strain = Strain()
-    strain.note({1: servo(torque_limit=300), 2: servo(torque_limit=400)}, 1.0)
-    assert strain.writable(1.01) == {1: 300, 2: 400}
+    saturation = TorqueSaturation()
+    saturation.note({1: servo(torque_limit=300), 2: servo(torque_limit=400)}, 1.0)
+    assert saturation.writable(1.01) == {1: 300, 2: 400}
 
 
 @pytest.mark.parametrize(
@@ -26,28 +31,28 @@ def test_who_is_well_may_be_written_to() -> None:
     ],
 )
 def test_who_is_off_is_not(state) -> None:  # type: ignore[no-untyped-def]
-    strain = Strain()
-    strain.note({1: state}, 1.0)
-    assert strain.writable(1.01) == {}
+    saturation = TorqueSaturation()
+    saturation.note({1: state}, 1.0)
+    assert saturation.writable(1.01) == {}
 
 
 @pytest.mark.parametrize("sign", [-1, 1])
 def test_who_strains_for_long_is_not_until_it_gives_less(sign: int) -> None:
-    strain = Strain()
+    saturation = TorqueSaturation()
     full, less = servo(load=sign * 300 / FULL), servo(load=sign * 250 / FULL)
-    for moment in (1.0, 1.0 + LONGEST / 2):
-        strain.note({1: full}, moment)
-        assert strain.writable(moment) == {1: 300}
+    for moment in (1.0, 1.0 + LONGEST_SATURATION / 2):
+        saturation.note({1: full}, moment)
+        assert saturation.writable(moment) == {1: 300}
     # Time goes on between a reading and a writing too.
-    assert strain.writable(1.0 + 1.01 * LONGEST) == {}
-    strain.note({1: full}, 1.0 + 2 * LONGEST)
-    assert strain.writable(1.0 + 2 * LONGEST) == {}
-    strain.note({1: less}, 1.0 + 3 * LONGEST)
-    assert strain.writable(1.0 + 3 * LONGEST) == {1: 300}
+    assert saturation.writable(1.0 + 1.01 * LONGEST_SATURATION) == {}
+    saturation.note({1: full}, 1.0 + 2 * LONGEST_SATURATION)
+    assert saturation.writable(1.0 + 2 * LONGEST_SATURATION) == {}
+    saturation.note({1: less}, 1.0 + 3 * LONGEST_SATURATION)
+    assert saturation.writable(1.0 + 3 * LONGEST_SATURATION) == {1: 300}
 
 
 def test_nothing_read_is_nothing_written() -> None:
-    assert Strain().writable(0.0) == {}
+    assert TorqueSaturation().writable(0.0) == {}
 
 
 @pytest.mark.parametrize(
