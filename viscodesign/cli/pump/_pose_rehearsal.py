@@ -9,11 +9,11 @@ import numpy as np
 from viscodesign.cli.pump._poses import Poses, player_of, pump_with
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
-from viscodesign.pump.boards.arbotix import Arbotix
+from viscodesign.pump.boards.arbotix import HALT, Arbotix
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.packets import Instruction, shown
 from viscodesign.pump.bus.recording_line import RecordingLine
-from viscodesign.pump.poses.packets import ARBOTIX, HALT
+from viscodesign.pump.bus.transactions import ARBOTIX
 from viscodesign.pump.sessions.open_board import simulated_bench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.plant import Plant

@@ -115,7 +115,7 @@ def command(
 
 
 def _check(board: str, rate: float, on_stop: str) -> None:
-    from viscodesign.pump.play.stream import HIGHEST_RATE, LOWEST_RATE
+    from viscodesign.pump.play.link_rate import HIGHEST_RATE, LOWEST_RATE
     from viscodesign.pump.sessions.open_board import board_kind, boards
 
     if not board_kind(board).streams:

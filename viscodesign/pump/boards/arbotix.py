@@ -14,9 +14,10 @@ from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus import packets, registers
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.bus.packets import ErrorBits, Packet, shown
-from viscodesign.pump.bus.transactions import NoReplyError, ServoError, Transactions
-from viscodesign.pump.poses.packets import ARBOTIX, HALT
+from viscodesign.pump.bus.transactions import ARBOTIX, NoReplyError, ServoError, Transactions
 
+HALT = b"H"
+"""Looked for between two moves; not a packet."""
 LONGEST_READ = 26
 """Bytes; a longer read overwrites the sequence."""
 LONGEST_WRITE = 2

@@ -10,7 +10,7 @@ from viscodesign.errors import PumpError, UsageError
 from viscodesign.pump.boards.bus import BusBoard
 from viscodesign.pump.bus import packets, registers
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.bus.transactions import BOARD, NoReplyError
+from viscodesign.pump.bus.transactions import ARBOTIX, NoReplyError
 
 MODEL = 300
 LONGEST_READ = 24
@@ -39,7 +39,7 @@ class ArbotixRos(BusBoard):
         """When each pin was made an input."""
 
     def identify(self) -> str:
-        request = packets.read(BOARD, 0, 3)
+        request = packets.read(ARBOTIX, 0, 3)
         try:
             data = self.wire.ask(request, 3, 0).parameters
         except NoReplyError as error:
@@ -50,7 +50,7 @@ class ArbotixRos(BusBoard):
         if not data:
             raise PumpError("the firmware of PyPose answers here: use --board arbotix")
         if (model := int.from_bytes(data[:2], "little")) != MODEL:
-            raise PumpError(f"model {model} answers with id {BOARD}; an ArbotiX is {MODEL}")
+            raise PumpError(f"model {model} answers with id {ARBOTIX}; an ArbotiX is {MODEL}")
         return f"ArbotiX with the firmware for ROS, version {data[2]}"
 
     def read(self, servo: int, address: int, count: int) -> bytes:
@@ -75,16 +75,16 @@ class ArbotixRos(BusBoard):
     def analog(self, channel: int) -> float:
         if not 0 <= channel <= 7:
             raise UsageError(f"analog channel {channel}; the board has 0 to 7")
-        (value,) = self.wire.read(BOARD, ANALOG_IN + channel, 1)
+        (value,) = self.wire.read(ARBOTIX, ANALOG_IN + channel, 1)
         return (value + 0.5) / 256
 
     def digital(self, pin: str) -> bool:
         number = pin_number(pin)
         now = self.line.clock.now()
         if now - self._set_up.get(number, -math.inf) >= SET_UP_AGAIN:
-            self.wire.write(BOARD, DIGITAL_OUT + number, PULLED_UP)
+            self.wire.write(ARBOTIX, DIGITAL_OUT + number, PULLED_UP)
             self._set_up[number] = now
-        (levels,) = self.wire.read(BOARD, DIGITAL_IN + number // 8, 1)
+        (levels,) = self.wire.read(ARBOTIX, DIGITAL_IN + number // 8, 1)
         return bool(levels >> number % 8 & 1)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from viscodesign.errors import PumpError
 from viscodesign.pump.boards.bus import BusBoard
 from viscodesign.pump.bus import packets, registers
-from viscodesign.pump.bus.transactions import BOARD, NoReplyError
+from viscodesign.pump.bus.transactions import ARBOTIX, NoReplyError
 
 TRIED = range(1, 17)
 """Ids that are asked where nobody said which servos there are."""
@@ -34,7 +34,7 @@ class Dynamixel(BusBoard):
 
     def _refuse_arbotix(self) -> None:
         """Firmwares of the ArbotiX speak to id 253, and a servo should not have it."""
-        request = packets.read(BOARD, registers.MODEL.address, 2)
+        request = packets.read(ARBOTIX, registers.MODEL.address, 2)
         try:
             reply = self.wire.ask(request, 2, 0, tries=1)
         except NoReplyError:

@@ -15,8 +15,8 @@ TRIES = 3
 """Of what may be repeated."""
 SILENCE = 0.1
 """Servos drop a packet whose bytes are this far apart [s] (e-manual, Protocol 1.0)."""
-BOARD = 253
-"""Id by which an ArbotiX speaks for itself."""
+ARBOTIX = 253
+"""Id by which the firmwares of the ArbotiX answer for themselves."""
 BROKEN = ErrorBits.CHECKSUM | ErrorBits.INSTRUCTION
 """Said of a request that came broken (the PyPose firmware answers a wrong checksum by 64)."""
 MOST_BYTES = 4096
@@ -192,7 +192,7 @@ class Transactions:
             pass
         speaker = servo if self._speaker is None else self._speaker
         # A firmware that only acknowledges, before any servo has spoken: silence must do.
-        silent = servo == BOARD and self._speaker is None
+        silent = servo == ARBOTIX and self._speaker is None
         if any(map(self._speaks, {servo, speaker})) or silent:
             self._owed.clear()
             return True

@@ -19,10 +19,6 @@ from viscodesign.pump.play.torque_limit import free_speed
 from viscodesign.pump.profile import Profile
 from viscodesign.scene.pump import Pump as Settings
 
-LOWEST_RATE = 10.0
-"""Slower ticks would take longer than a silence may last [Hz]."""
-HIGHEST_RATE = 100.0
-"""[Hz]"""
 OnStop = Literal["hold", "release", "retract"]
 Status = Literal["complete", "interrupted", "stopped"]
 

@@ -10,6 +10,7 @@ from enum import IntEnum
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.bus.packets import Packet
+from viscodesign.pump.bus.transactions import ARBOTIX
 from viscodesign.pump.poses.engine import (
     LONGEST_MS,
     MOST_MOVES,
@@ -18,10 +19,6 @@ from viscodesign.pump.poses.engine import (
     PoseSequence,
 )
 
-ARBOTIX = 253
-"""Id by which the firmwares of the ArbotiX answer for themselves."""
-HALT = b"H"
-"""Looked for between two moves; no packet."""
 END = 255
 """Pose number behind the last move."""
 

@@ -26,7 +26,6 @@ INBOX = 63
 LONGEST = 144
 """LEN of the longest packet: its parameters and checksum fill `params[143]`."""
 PARAMETERS = 143
-ARBOTIX = 253
 SERVO_TIMEOUT = 1e-3
 """How long it waits for a servo that is not there [s]."""
 

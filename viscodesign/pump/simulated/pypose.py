@@ -8,7 +8,8 @@ reset; and while it plays looks at one byte for each move. Its TEST is left out:
 from __future__ import annotations
 
 from viscodesign.pump.bus.packets import Instruction, Packet
-from viscodesign.pump.simulated.firmware import ARBOTIX, Firmware, Work, hang
+from viscodesign.pump.bus.transactions import ARBOTIX
+from viscodesign.pump.simulated.firmware import Firmware, Work, hang
 from viscodesign.pump.simulated.pose_engine import PoseEngine
 
 SIZE_POSE, LOAD_POSE, LOAD_SEQ, PLAY, LOOP, TEST = 7, 8, 9, 10, 11, 25

@@ -7,8 +7,9 @@ are left out, and so are its controllers (CONTROL_*), which are acknowledged and
 from __future__ import annotations
 
 from viscodesign.pump.bus.packets import BROADCAST, ErrorBits, Instruction, Packet, Parser
+from viscodesign.pump.bus.transactions import ARBOTIX
 from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.firmware import ARBOTIX, Firmware, Work
+from viscodesign.pump.simulated.firmware import Firmware, Work
 from viscodesign.pump.simulated.pins import Pins
 from viscodesign.pump.simulated.pose_engine import PoseEngine
 from viscodesign.pump.simulated.pypose import LOAD_POSE, LOAD_SEQ, LOOP, PLAY, SIZE_POSE
