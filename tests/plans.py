@@ -78,5 +78,5 @@ def made_plan(profile: Profile, lead: float = 0.0, *, feasible: bool = True) -> 
 
 
 def planner(plan: PumpPlan) -> Any:
-    """In the place of `planning.plan.plan`."""
+    """Takes the place of `planning.plan.plan`."""
     return lambda scene, **_: plan

@@ -1,31 +1,35 @@
-"""Nothing moves before somebody said so."""
+"""Nothing moves before somebody agreed."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable
 
 from viscodesign.cli.output import complain
 from viscodesign.errors import UsageError
 
 
-def confirm(lines: Sequence[str], question: str, *, yes: bool) -> None:
-    """Show on standard error what is going to happen, and go on only where it is agreed to.
+def asking(*, yes: bool, quiet: bool = False) -> Callable[[str], bool]:
+    """A function that shows what is about to happen on standard error, and asks.
 
-    Raises `UsageError` where the answer is no, and where nobody is there to be asked: then
-    ``yes`` has to be given beforehand.
+    Its text ends with the question. ``yes``: agreed to beforehand; then ``quiet`` shows
+    nothing. Raises `UsageError` where nobody is there to be asked.
     """
-    if lines:
-        complain("\n".join(lines))
-    if yes:
-        return
-    if not sys.stdin.isatty():
-        raise UsageError(
-            "nobody to ask (standard input is no terminal), so nothing moves; "
-            "read the plan above and add --yes to agree to it beforehand"
-        )
-    if not _agreed(question):
-        raise UsageError("not agreed to; nothing has moved")
+
+    def confirm(text: str) -> bool:
+        plan, _, question = text.rpartition("\n")
+        if plan and not (quiet and yes):
+            complain(plan)
+        if yes:
+            return True
+        if not sys.stdin.isatty():
+            raise UsageError(
+                "not a terminal, cannot ask for confirmation; nothing moved. Read the plan above "
+                "and add --yes to agree beforehand"
+            )
+        return _agreed(question)
+
+    return confirm
 
 
 def _agreed(question: str) -> bool:

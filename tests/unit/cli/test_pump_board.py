@@ -207,7 +207,7 @@ def test_calibrate_asks_for_each(call: Call, port: Port, monkeypatch: pytest.Mon
     monkeypatch.setattr(_confirm, "_agreed", lambda question: next(answers))
     told = call("pump", "calibrate", SPEC, *port.words, "--keep", *ONE)
     assert told.status == 2
-    assert "not agreed to" in told.err
+    assert "aborted; nothing moved" in told.err
     assert port.get(registers.CW_LIMIT) == 100
     assert port.get(registers.CCW_LIMIT) == 1023
 

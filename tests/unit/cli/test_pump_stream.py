@@ -9,6 +9,8 @@ import pandas as pd
 import pytest
 
 from viscodesign.cli import confirm as _confirm
+from viscodesign.pump.play.link_rate import RoundTrip
+from viscodesign.pump.sessions import streaming
 
 from .conftest import CONFIGS, Call
 
@@ -62,7 +64,7 @@ def test_a_no_moves_nothing(call: Call, tmp_path: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(_confirm, "_agreed", lambda question: False)
     told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
     assert told.status == 2
-    assert "nothing has moved" in told.err
+    assert "nothing moved" in told.err
 
 
 def test_a_dry_run_prints_packets_and_leaves_no_file(call: Call, tmp_path: Path) -> None:
@@ -166,14 +168,14 @@ def test_a_real_board_with_an_unguarded_inlet_is_refused(
 
 def test_who_goes_without_a_sensor_at_one_inlet_keeps_the_other_one() -> None:
     from viscodesign import load
-    from viscodesign.cli.pump._sensors import with_sensors
+    from viscodesign.pump.sessions.required_sensors import with_sensors
 
     words = [word for word in PUMP if word != "--set"]
     some = load(TWO, [*words, ONE_SENSOR[1]])
-    assert with_sensors(some, "dynamixel", without=True) is some
+    assert with_sensors(some, simulated=False, without=True) is some
     every = load(TWO, [*words, SENSORS[1]])
-    assert with_sensors(every, "dynamixel", without=False) is every
-    without = with_sensors(every, "dynamixel", without=True).pump
+    assert with_sensors(every, simulated=False, without=False) is every
+    without = with_sensors(every, simulated=False, without=True).pump
     assert without is not None
     assert without.sensor is None
 
@@ -181,9 +183,39 @@ def test_who_goes_without_a_sensor_at_one_inlet_keeps_the_other_one() -> None:
 def test_a_slow_adapter_is_told_before_anything_moves(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from viscodesign.cli.pump._session import Way
+    from viscodesign.pump.sessions.connection import BoardAddress
 
-    monkeypatch.setattr(Way, "hints", ["/dev/x collects bytes for 16 ms"])
+    monkeypatch.setattr(BoardAddress, "hints", ["/dev/x collects bytes for 16 ms"])
     told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
     assert told.status == 2
     assert "/dev/x collects bytes for 16 ms" in told.err
+
+
+# -- slow links -----------------------------------------------------------------------------
+
+
+def slow_link(monkeypatch: pytest.MonkeyPatch, seconds: float) -> None:
+    measured = RoundTrip(seconds, seconds)
+    monkeypatch.setattr(streaming, "measure_round_trip", lambda read, clock: measured)
+
+
+def test_a_slow_link_lowers_the_rate_with_a_notice(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow_link(monkeypatch, 0.04)
+    told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run")
+    assert told.status == 0, told.err
+    assert "rate lowered from 30 to 20 Hz" in told.err
+    assert "s at 20 Hz" in told.err
+    beside = json.loads((tmp_path / "run" / "record.json").read_text())
+    assert beside["ticks"]["rate_hz"] == pytest.approx(20.0)
+
+
+def test_a_link_that_is_too_slow_is_refused_before_anything_moves(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow_link(monkeypatch, 0.1)
+    told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run")
+    assert told.status == 4
+    assert "reading the pump once takes 100 ms" in told.err
+    assert not (tmp_path / "run" / "record.csv").exists()

@@ -39,7 +39,7 @@ def upload(call: Call, leg: Path, monkeypatch: pytest.MonkeyPatch) -> Upload:
 
     def run(*words: object, profile: Profile = SHORT, feasible: bool = True) -> Outcome:
         plan = made_plan(profile, feasible=feasible)
-        monkeypatch.setattr("viscodesign.pump.planning.plan.plan", planner(plan))
+        monkeypatch.setattr("viscodesign.pump.sessions.uploading.plan_pump", planner(plan))
         return call("pump", "upload", leg, "--set", PUMP, *map(str, words))
 
     return run

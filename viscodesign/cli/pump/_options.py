@@ -9,11 +9,10 @@ import typer
 
 Board = Annotated[
     str,
-    typer.Option(
-        "--board",
-        metavar="NAME",
-        help="dynamixel, arbotix, arbotix-ros or simulated.",
-    ),
+    typer.Option("--board", metavar="NAME", help="dynamixel, arbotix, arbotix-ros or simulated."),
+]
+RealBoard = Annotated[
+    str, typer.Option("--board", metavar="NAME", help="dynamixel, arbotix or arbotix-ros.")
 ]
 Port = Annotated[
     str | None,
@@ -21,7 +20,7 @@ Port = Annotated[
 ]
 Baud = Annotated[
     int | None,
-    typer.Option("--baud", metavar="RATE", min=1, help="Bits a second; by default the board's."),
+    typer.Option("--baud", metavar="RATE", min=1, help="Bits per second; by default the board's."),
 ]
 Log = Annotated[
     Path | None,
@@ -36,6 +35,13 @@ Pace = Annotated[
     typer.Option(
         "--pace",
         metavar="FACTOR",
-        help="Speed of the simulated board's time: 1 is real, 10 ten times it, max at once.",
+        help="Speed of the simulated board's time: 1 is real time, max does not wait.",
     ),
 ]
+OptionalSpec = Annotated[
+    Path | None, typer.Argument(metavar="[SPEC]", help="Names servos, sensors and switches.")
+]
+Achievable = Annotated[
+    bool, typer.Option("--achievable", help="Play what the pump can do where it cannot do all.")
+]
+Force = Annotated[bool, typer.Option("--force", help="Overwrite files that exist.")]

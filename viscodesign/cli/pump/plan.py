@@ -76,6 +76,6 @@ def _end(plan: PumpPlan, folder: Path) -> None:
     if not plan.is_feasible:
         names = dict.fromkeys(v.name for v in plan.verdicts if v.severity == "infeasible")
         raise InfeasiblePlanError(
-            f"{plan.name}: the pump cannot do this: {', '.join(names)}\n"
+            f"{plan.name}: the pump cannot reproduce this profile: {', '.join(names)}\n"
             f"the plan, labelled infeasible, is in {folder}"
         )

@@ -18,12 +18,12 @@ Example:
 def command(json: Json = False, quiet: Quiet = False, _debug: Debug = False) -> None:
     """List serial ports, opening none.
 
-    Says too what would make a slow one quick.
+    Also says what would make a slow one faster.
     """
     from viscodesign.cli.output import json_text, say
-    from viscodesign.pump.bus.ports import ports
+    from viscodesign.pump.bus import ports
 
-    found = ports()
+    found = ports.ports()
     if json:
         say(json_text({"ports": [asdict(port) for port in found]}))
     elif not quiet:
@@ -34,6 +34,6 @@ def _lines(found: list[Port]) -> list[str]:
     from viscodesign.cli.texts.layout import table
 
     if not found:
-        return ["no serial ports; plug the board in, and see that its driver knows it (dmesg)"]
-    told = table([(p.name, p.maker, p.serial_number, p.description) for p in found], indent="")
-    return [*told, *(f"{port.name} {port.hint}" for port in found if port.hint)]
+        return ["no serial ports; plug the board in, and check that its driver loads (dmesg)"]
+    rows = table([(p.name, p.maker, p.serial_number, p.description) for p in found], indent="")
+    return [*rows, *(f"{port.name} {port.hint}" for port in found if port.hint)]

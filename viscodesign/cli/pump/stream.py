@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
-from viscodesign.cli.pump._options import Baud, Board, DryRun, Log, Pace, Port, Yes
-from viscodesign.cli.pump._playable import Achievable, refuse_unplayable
-from viscodesign.errors import InterruptedRunError, PumpError, UsageError
+from viscodesign.cli.pump._options import (
+    Achievable,
+    Baud,
+    Board,
+    DryRun,
+    Log,
+    Pace,
+    Port,
+    Yes,
+)
 
-if TYPE_CHECKING:
-    from viscodesign.pump.play.stream import StreamResult
-
-ON_STOP = ("hold", "release", "retract")
 EXAMPLE = """\b
 Examples:
   viscodesign pump stream leg.yaml
@@ -29,7 +32,7 @@ def command(
     port: Port = None,
     baud: Baud = None,
     rate: Annotated[
-        float, typer.Option("--rate", metavar="HZ", help="Set-points a second, 10 to 100.")
+        float, typer.Option("--rate", metavar="HZ", help="Set-points per second, 10 to 100.")
     ] = 30.0,
     on_stop: Annotated[
         str,
@@ -42,8 +45,8 @@ def command(
         bool,
         typer.Option(
             "--without-sensor",
-            help="Go where an inlet has no pressure sensor, or all do without: no cap but the "
-            "torque limit.",
+            help="Move inlets without a pressure sensor (or do without all): only the torque "
+            "limit caps the pressure.",
         ),
     ] = False,
     pace: Pace = "1",
@@ -61,7 +64,7 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Play a spec's pressures, watched at every tick.
+    """Play a spec's pressures, monitored at every tick.
 
     Shows the plan and asks before anything moves. Every tick reads position, load, voltage,
     temperature and pressure, and stops at the first broken rule. Ctrl-C holds the plunger
@@ -69,71 +72,36 @@ def command(
     columns, record.json and log.jsonl (every byte) to one folder.
     """
     from viscodesign import load
-    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.confirm import asking
+    from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.pump._performance import Performance
-    from viscodesign.cli.pump._rehearsal import rehearsed
-    from viscodesign.cli.pump._sensors import with_sensors
-    from viscodesign.cli.pump._session import Way
-    from viscodesign.cli.pump._told import ending_document
     from viscodesign.cli.simulate import folder_name
-    from viscodesign.pump.planning.plan import plan
-    from viscodesign.pump.planning.scene_variants import pump_of
-    from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-    from viscodesign.storage.atomic_files import refused_plainly
+    from viscodesign.cli.texts.live_view import live_view
+    from viscodesign.pump.sessions.connection import BoardAddress
+    from viscodesign.pump.sessions.descriptions import result_lines
+    from viscodesign.pump.sessions.dry_run import rehearse_stream
+    from viscodesign.pump.sessions.streaming import StreamSession
 
-    _check(board, rate, on_stop)
-    scene = with_sensors(load(spec, overrides or ()), board, without_sensor)
-    folder = output or Path("runs") / f"{folder_name(scene.name)}-stream"
-    way = Way(board, port, baud, pace, log or (None if dry_run else folder / "log.jsonl"))
-    clock = way.clock()
+    scene = load(spec, overrides or ())
+    address = BoardAddress(board, port, baud, pace, log)
     with progress(quiet, "planning", "planning") as advance:
-        planned = plan(scene, progress=advance)
-    refuse_unplayable(planned, achievable)
-    performance = Performance(
-        scene=scene,
-        settings=pump_of(scene),
-        plan=planned,
-        way=way,
-        clock=clock,
-        plant=ActuatorPlant(scene) if way.simulated and not dry_run else None,
-        rate=rate,
-        on_stop=on_stop,  # type: ignore[arg-type]  # one of them, as checked
-        table=folder / "record.csv",
-        yes=yes,
-        quiet=quiet,
-    )
-    if dry_run:
-        return say("\n".join(rehearsed(performance)))
-    with refused_plainly(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-    ending = performance.perform()
-    if json:
-        say(json_text({"name": scene.name, **ending_document(ending), **performance.told}))
-    _leave(ending, folder)
-    return None
-
-
-def _check(board: str, rate: float, on_stop: str) -> None:
-    from viscodesign.pump.play.link_rate import HIGHEST_RATE, LOWEST_RATE
-    from viscodesign.pump.sessions.open_board import board_kind, boards
-
-    if not board_kind(board).streams:
-        able = ", ".join(name for name, kind in boards().items() if kind.streams)
-        raise UsageError(
-            f"--board {board} takes no set-points in real time; those that do: {able}. "
-            "`pump upload` gives it a whole profile"
+        session = StreamSession.prepare(
+            scene,
+            address,
+            rate,
+            on_stop,  # type: ignore[arg-type]  # one of them, as `prepare` checks
+            achievable,
+            without_sensor,
+            advance,
         )
-    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-        raise UsageError(f"--rate {rate:g}; give {LOWEST_RATE:g} to {HIGHEST_RATE:g} Hz")
-    if on_stop not in ON_STOP:
-        raise UsageError(f"--on-stop {on_stop}: no such thing; one of {', '.join(ON_STOP)}")
-
-
-def _leave(ending: StreamResult, folder: Path) -> None:
-    """What did not end well is an error, after its files are written."""
-    kept = f"the record up to there is in {folder}"
-    if not ending.sure or ending.status == "stopped":
-        raise PumpError(f"stopped ({ending.rule or 'hold not verified'}); {kept}")
-    if ending.status == "interrupted":
-        raise InterruptedRunError(f"interrupted; {kept}")
+    if dry_run:
+        return say(rehearse_stream(session).text)
+    folder = output or Path("runs") / f"{folder_name(scene.name)}-stream"
+    confirm = asking(yes=yes, quiet=quiet)
+    with live_view(session.plan, session.settings, address.label, quiet) as show:
+        report = session.perform(folder, confirm=confirm, tell=complain, on_tick=show)
+    if report.status == "complete" and not quiet:
+        complain("\n".join(result_lines(report.result)))
+    if json:
+        say(json_text(report.document()))
+    return report.raise_failure()

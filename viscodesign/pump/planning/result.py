@@ -12,6 +12,7 @@ from typing import Literal
 
 import numpy as np
 
+from viscodesign.errors import PumpError
 from viscodesign.pump.profile import Profile
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Status, Trajectory
@@ -137,3 +138,17 @@ class PumpPlan:
     def profile(self, course: PumpCourse) -> Profile:
         """A course as what a board plays."""
         return Profile(self.inlets, self.servos, course.time, course.count, course.pressure)
+
+
+def refuse_infeasible(plan: PumpPlan, achievable: bool) -> None:
+    """Raise `PumpError` with every reason against a plan.
+
+    ``achievable``: the user accepts what the pump can do instead.
+    """
+    if plan.status != "complete":
+        raise PumpError(f"the plan is {plan.status}: {plan.failure}")
+    if plan.is_feasible or achievable:
+        return
+    reasons = [f"  {v.message}" for v in plan.verdicts if v.severity == "infeasible"]
+    remedy = "`pump plan` says what to change; --achievable plays what the pump can do"
+    raise PumpError("\n".join(["the pump cannot reproduce this profile:", *reasons, remedy]))

@@ -7,10 +7,9 @@ import os
 import pty
 
 from tests.unit.pump.samples import sample
+from viscodesign.cli.texts.live_view import REPORT_INTERVAL_S, LiveView, NonblockingText
 from viscodesign.pump.play.safety_rules import Stop
 from viscodesign.pump.play.stream import TickReport
-from viscodesign.pump.sessions.live_view import REPORT, LiveView
-from viscodesign.pump.sessions.outlet import Outlet
 
 
 class Terminal(io.StringIO):
@@ -19,8 +18,10 @@ class Terminal(io.StringIO):
 
 
 def view(stream: io.TextIOBase, now: list[float], simulated: bool = False) -> LiveView:
-    outlet = Outlet(stream)  # type: ignore[arg-type]
-    return LiveView(["inlet"], (-10e3, 20e3), 8.0, simulated, outlet, lambda: now[0])
+    text = NonblockingText(stream)  # type: ignore[arg-type]
+    return LiveView(
+        ["inlet"], (-10e3, 20e3), 8.0, "[simulated]" if simulated else "", text, lambda: now[0]
+    )
 
 
 def shown(time: float = 1.0, skipped: int = 0, stop: Stop | None = None) -> TickReport:
@@ -68,7 +69,7 @@ def test_a_pipe_gets_a_line_every_few_seconds_without_codes() -> None:
         now[0] = 0.1 * k
         picture.show(shown(0.1 * k))
     lines = stream.getvalue().splitlines()
-    assert len(lines) == 10.0 // REPORT
+    assert len(lines) == 10.0 // REPORT_INTERVAL_S
     assert lines[0] == "[simulated] 0.0 of 8.0 s; wanted 12.50 kPa, measured 10.00 kPa"
     assert "\x1b" not in stream.getvalue()
 
@@ -84,7 +85,7 @@ def test_a_stop_is_shown_at_once() -> None:
 def test_where_the_pump_is_on_its_way_is_said() -> None:
     stream, now = io.StringIO(), [0.0]
     view(stream, now).show(shown(-2.5))
-    assert "going to the start, 2.5 s left" in stream.getvalue()
+    assert "moving to the start, 2.5 s left" in stream.getvalue()
 
 
 def test_a_terminal_that_takes_nothing_does_not_stop_the_pump() -> None:
@@ -95,7 +96,7 @@ def test_a_terminal_that_takes_nothing_does_not_stop_the_pump() -> None:
         for _ in range(2000):  # nobody reads: the terminal's buffer is full long before
             now[0] += 1.0
             picture.show(shown())
-        picture.outlet.close()
+        picture.text.close()
         assert os.get_blocking(theirs)  # others share it
         os.close(ours)
 
@@ -106,7 +107,7 @@ def test_a_terminal_that_went_away_is_no_exception() -> None:
         picture = view(stream, [0.0])
         os.close(ours)
         picture.show(shown())
-        picture.outlet.close()
+        picture.text.close()
 
 
 def test_a_pipe_that_nobody_empties_does_not_stop_the_pump() -> None:
@@ -115,6 +116,6 @@ def test_a_pipe_that_nobody_empties_does_not_stop_the_pump() -> None:
         now = [0.0]
         picture = view(stream, now)
         for _ in range(2000):
-            now[0] += REPORT
+            now[0] += REPORT_INTERVAL_S
             picture.show(shown())
         os.close(ours)

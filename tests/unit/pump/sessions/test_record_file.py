@@ -14,7 +14,7 @@ import pytest
 
 from tests.unit.pump.samples import sample, servo
 from viscodesign.errors import UsageError
-from viscodesign.pump.sessions.record import FLUSH, columns, recorded
+from viscodesign.pump.sessions.record_file import FLUSH, columns, recorded
 
 FACTS = {"board": "simulated", "simulated": True}
 
@@ -61,7 +61,7 @@ def test_a_killed_writer_leaves_whole_rows_and_a_partial_label(tmp_path: Path) -
     path = tmp_path / "record.csv"
     program = (
         "import os, signal, sys, pathlib\n"
-        "import viscodesign.pump.sessions.record as r\n"
+        "import viscodesign.pump.sessions.record_file as r\n"
         "from tests.unit.pump.samples import sample\n"
         "r.FLUSH = 0.0\n"
         "with r.recorded(pathlib.Path(sys.argv[1]), ['inlet'], {}) as record:\n"
@@ -69,7 +69,7 @@ def test_a_killed_writer_leaves_whole_rows_and_a_partial_label(tmp_path: Path) -
         "        record.add(0.1 * k, sample())\n"
         "    os.kill(os.getpid(), signal.SIGKILL)\n"
     )
-    root = Path(__file__).resolve().parents[2]
+    root = Path(__file__).resolve().parents[4]
     done = subprocess.run([sys.executable, "-c", program, str(path)], cwd=root, env=_paths(root))
     assert done.returncode == -signal.SIGKILL
     assert len(pd.read_csv(path)) == 100
@@ -91,7 +91,7 @@ def test_a_full_disk_is_one_plain_error(tmp_path: Path) -> None:
 
 def test_rows_are_flushed_once_a_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     now = [0.0]
-    monkeypatch.setattr("viscodesign.pump.sessions.record.time.monotonic", lambda: now[0])
+    monkeypatch.setattr("viscodesign.pump.sessions.record_file.time.monotonic", lambda: now[0])
     path = tmp_path / "record.csv"
     with recorded(path, ["inlet"], FACTS) as record:
         record.add(0.0, sample())

@@ -1,0 +1,98 @@
+"""What the sensors of a pump show, into a file; nothing moves."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from viscodesign.errors import InterruptedRunError, PumpError, UsageError
+from viscodesign.interrupt import stop_on_signals
+from viscodesign.pump.play.listen import listen
+from viscodesign.pump.sessions.connection import (
+    SIMULATED,
+    BoardAddress,
+    PumpSetup,
+    Tell,
+    connected,
+    pressure_gauges,
+    unheard,
+)
+from viscodesign.pump.sessions.record_file import recorded
+from viscodesign.scene.scene import Scene
+
+HIGHEST_RATE_HZ = 100.0
+
+
+@dataclass(frozen=True)
+class RecordReport:
+    """What was recorded, and where it is."""
+
+    status: str
+    """`complete`, or `interrupted` before the stated duration."""
+    rows: int
+    file: Path
+    board: str
+    simulated: bool
+    identity: str
+    """What answered."""
+
+    def document(self) -> dict[str, Any]:
+        """The same for a program."""
+        return {**asdict(self), "file": str(self.file)}
+
+    def raise_failure(self) -> None:
+        """Raise an interruption as an error."""
+        if self.status == "interrupted":
+            raise InterruptedRunError(f"interrupted; what was read so far is in {self.file}")
+
+
+def record(
+    path: str | Path,
+    address: BoardAddress = SIMULATED,
+    scene: Scene | None = None,
+    *,
+    rate: float = 30.0,
+    duration: float | None = None,
+    tell: Tell = unheard,
+) -> RecordReport:
+    """Record pressure, position, load, voltage and temperature to a CSV file; only reads.
+
+    The columns are those of `stream`. ``scene`` names servos and sensors; without one all servos
+    that answer are recorded, and no pressure. ``rate`` [Hz]; ``duration`` [s], by default until
+    Ctrl-C. Beside the table stands a JSON document of the same name.
+    """
+    path = Path(path)
+    _refuse_options(path, address, rate, duration)
+    clock, setup = address.clock(), PumpSetup.of(scene, simulated=address.simulated)
+    with connected(address, clock, setup, None, tell) as (board, log):
+        identity, servos = board.identify(), setup.servos(board)
+        names = setup.inlet_names(servos)
+        facts = {"board": address.board, "simulated": address.simulated, "identity": identity}
+        with (
+            pressure_gauges(board, setup.pump, setup.ambient, names) as gauges,
+            recorded(path, names, facts) as file,
+            stop_on_signals() as request,
+        ):
+            try:
+                ticks = listen(
+                    board, servos, gauges, clock, request, file.add, rate=rate, duration=duration
+                )
+            except PumpError as error:
+                file.state("stopped", reason=str(error))
+                raise
+            # Without a duration there is no other end than the user's.
+            early = request.asked and duration is not None
+            status = "interrupted" if early else "complete"
+            log.event("ended", status=status, **ticks.document())
+            file.state(status, ticks=ticks.document())
+            return RecordReport(status, file.rows, path, address.board, address.simulated, identity)
+
+
+def _refuse_options(path: Path, address: BoardAddress, rate: float, duration: float | None) -> None:
+    if not 0.0 < rate <= HIGHEST_RATE_HZ:
+        raise UsageError(f"--rate must be above 0 and at most {HIGHEST_RATE_HZ:g} Hz; got {rate:g}")
+    if path.suffix == ".json":
+        raise UsageError(f"{path}: its JSON would have the same name; call the table .csv")
+    if address.pace == "max" and duration is None:
+        raise UsageError("--pace max needs --duration: without one it would fill the disk")

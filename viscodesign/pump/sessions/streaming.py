@@ -1,0 +1,323 @@
+"""A profile streamed set-point by set-point, from the open port to the closed record."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, get_args
+
+from viscodesign.errors import InterruptedRunError, PumpError, UsageError
+from viscodesign.interrupt import StopRequest, stop_on_signals
+from viscodesign.pump.boards.base import Board
+from viscodesign.pump.bus.byte_log import ByteLog
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.planning.plan import plan as plan_pump
+from viscodesign.pump.planning.result import PumpPlan, refuse_infeasible
+from viscodesign.pump.planning.scene_variants import pump_of
+from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
+from viscodesign.pump.play.link_rate import (
+    HIGHEST_RATE,
+    LOWEST_RATE,
+    measure_round_trip,
+    sustainable_rate,
+)
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import OnStop, Stream, StreamResult, TickReport
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.sessions.connection import (
+    SIMULATED,
+    BoardAddress,
+    Confirm,
+    PumpSetup,
+    Tell,
+    connected,
+    pressure_gauges,
+    unheard,
+)
+from viscodesign.pump.sessions.descriptions import (
+    aligned,
+    found_lines,
+    plan_rows,
+    result_document,
+    result_lines,
+)
+from viscodesign.pump.sessions.open_board import board_kind, boards
+from viscodesign.pump.sessions.record_file import Record, recorded
+from viscodesign.pump.sessions.required_sensors import with_sensors
+from viscodesign.scene.pump import Pump as Settings
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.solve_once import Progress
+from viscodesign.storage.atomic_files import refused_plainly
+
+OnTick = Callable[[TickReport], None]
+
+
+def stream(
+    scene: Scene,
+    folder: str | Path,
+    address: BoardAddress = SIMULATED,
+    *,
+    rate: float = 30.0,
+    on_stop: OnStop = "hold",
+    achievable: bool = False,
+    without_sensor: bool = False,
+    confirm: Confirm | None = None,
+    tell: Tell = unheard,
+    on_tick: OnTick | None = None,
+    progress: Progress | None = None,
+) -> StreamReport:
+    """Plan a scene's pressures and stream them to a pump, monitored at every tick.
+
+    Writes `record.csv`, `record.json` and `log.jsonl` to ``folder``. ``rate`` [Hz]; ``on_stop``
+    is what the plunger does at any end. ``achievable`` plays what the pump can do where it
+    cannot do all of it; ``without_sensor`` moves inlets whose pressure is not measured.
+    ``confirm`` is given the plan before anything moves and has to return True (a simulated
+    board needs none); ``on_tick`` is given every tick. A stream that a rule or Ctrl-C ended is
+    a report with that status, not an exception; what does not begin raises `UsageError`,
+    `SpecError` or `PumpError`.
+    """
+    session = StreamSession.prepare(
+        scene, address, rate, on_stop, achievable, without_sensor, progress
+    )
+    return session.perform(Path(folder), confirm=confirm, tell=tell, on_tick=on_tick)
+
+
+@dataclass
+class TrackingError:
+    """Measured minus planned pressure, over all samples that have both."""
+
+    samples: int = 0
+    sum_of_squares: float = 0.0
+    largest: float = 0.0
+    """[Pa]"""
+
+    def update(self, shown: TickReport) -> None:
+        pairs = zip(shown.sample.pressure, shown.sample.wanted, strict=True)
+        for measured, wanted in pairs:
+            if measured is not None and wanted is not None:
+                self.samples += 1
+                self.sum_of_squares += (measured - wanted) ** 2
+                self.largest = max(self.largest, abs(measured - wanted))
+
+    def document(self) -> dict[str, Any]:
+        """Under names with units; empty where nothing was measured."""
+        if not self.samples:
+            return {}
+        rms = (self.sum_of_squares / self.samples) ** 0.5
+        return {"largest_pa": self.largest, "rms_pa": rms, "samples": self.samples}
+
+
+@dataclass(frozen=True)
+class StreamReport:
+    """How a stream ended, and where its record is."""
+
+    name: str
+    """Of the scene."""
+    result: StreamResult
+    folder: Path
+    facts: dict[str, Any]
+    """`ticks` and `measured_against_plan`, under names with units."""
+
+    @property
+    def status(self) -> str:
+        """`complete`, `interrupted` or `stopped`."""
+        return self.result.status
+
+    def document(self) -> dict[str, Any]:
+        """All of it for a program."""
+        return {"name": self.name, **result_document(self.result), **self.facts}
+
+    def raise_failure(self) -> None:
+        """Raise what did not end well as an error."""
+        kept = f"the record so far is in {self.folder}"
+        if not self.result.sure or self.status == "stopped":
+            raise PumpError(f"stopped ({self.result.rule or 'hold not verified'}); {kept}")
+        if self.status == "interrupted":
+            raise InterruptedRunError(f"interrupted; {kept}")
+
+
+@dataclass
+class StreamSession:
+    """One profile, planned and ready to be streamed to one board."""
+
+    scene: Scene
+    settings: Settings
+    plan: PumpPlan
+    address: BoardAddress
+    clock: Clock
+    rate: float
+    """[Hz]"""
+    on_stop: OnStop
+    tracking: TrackingError = field(default_factory=TrackingError)
+
+    @classmethod
+    def prepare(
+        cls,
+        scene: Scene,
+        address: BoardAddress = SIMULATED,
+        rate: float = 30.0,
+        on_stop: OnStop = "hold",
+        achievable: bool = False,
+        without_sensor: bool = False,
+        progress: Progress | None = None,
+    ) -> StreamSession:
+        """Check what was asked for, and plan it; opens no port. Arguments as for `stream`."""
+        _refuse_options(address.board, rate, on_stop)
+        scene = with_sensors(scene, simulated=address.simulated, without=without_sensor)
+        clock = address.clock()
+        plan = plan_pump(scene, progress=progress)
+        refuse_infeasible(plan, achievable)
+        return cls(scene, pump_of(scene), plan, address, clock, rate, on_stop)
+
+    def description(self) -> list[str]:
+        """The plan, to be read before it is agreed to."""
+        rows = plan_rows(self.plan, self.settings, self.rate, self.on_stop)
+        return [
+            f"{self.address.label}to be played on the board {self.address.board}",
+            *aligned(rows),
+        ]
+
+    def perform(
+        self,
+        folder: Path,
+        *,
+        confirm: Confirm | None = None,
+        tell: Tell = unheard,
+        on_tick: OnTick | None = None,
+    ) -> StreamReport:
+        """Connect, show, ask, stream, come to rest; raises `PumpError` where it does not begin."""
+        with refused_plainly(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+        address = replace(self.address, log=self.address.log or folder / "log.jsonl")
+        plant = ActuatorPlant(self.scene) if address.simulated else None
+        setup = PumpSetup.of(self.scene)
+        with (
+            connected(address, self.clock, setup, plant, tell) as (board, log),
+            pressure_gauges(board, setup.pump, setup.ambient, self.plan.inlets) as gauges,
+        ):
+            pump = self.pump_on(board, gauges)
+            lines = self._connect(pump)
+            log.event("found", lines=lines, calibration=self._calibration())
+            address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
+            with stop_on_signals() as request, self._record(folder, board, plant) as record:
+                return self._stream(pump, request, record, log, tell, on_tick)
+
+    def pump_on(self, board: Board, gauges: PressureReadings) -> Pump:
+        """The pump behind a board."""
+        switches = Switches.of(self.settings, self.plan.servos)
+        return Pump(board, self.settings, self.plan.servos, gauges, switches, self.clock)
+
+    def stream_on(self, pump: Pump, request: StopRequest, on_tick: OnTick) -> Stream:
+        """The stream of this session, not begun."""
+        course = self.plan.achievable
+        return Stream(
+            pump, self.plan.profile(course), request, on_tick,
+            rate=self.rate, lead=course.lead_s, on_stop=self.on_stop,
+        )  # fmt: skip
+
+    def _connect(self, pump: Pump) -> list[str]:
+        """Identify all that is there, moving nothing; what a user should read of it.
+
+        The rate is lowered to what the link sustains.
+        """
+        servos = pump.connect()
+        trip = measure_round_trip(pump.look, self.clock)
+        self.rate, lowered = sustainable_rate(self.rate, trip)
+        notes = [*([lowered] if lowered else []), *pump.gauges.zero()]
+        notes += _unmonitored(self.plan.inlets, pump.look()[1])
+        return [
+            *self.description(),
+            *found_lines(pump.identity, servos),
+            *notes,
+            *self.address.hints,
+        ]
+
+    def _calibration(self) -> dict[str, Any]:
+        return {"home_counts": self.settings.home, "travel_counts": list(self.settings.travel)}
+
+    def _record(
+        self, folder: Path, board: Board, plant: ActuatorPlant | None
+    ) -> AbstractContextManager[Record]:
+        facts = {
+            "board": self.address.board,
+            "simulated": board.simulated,
+            "name": self.scene.name,
+            "spec_sha256": self.plan.spec_sha256,
+            "calibration": self._calibration(),
+            "ambient_pressure_pa_abs": self.scene.ambient_pressure,
+        }
+        return recorded(folder / "record.csv", self.plan.inlets, facts, _tip_columns(plant))
+
+    def _stream(
+        self,
+        pump: Pump,
+        request: StopRequest,
+        record: Record,
+        log: ByteLog,
+        tell: Tell,
+        on_tick: OnTick | None,
+    ) -> StreamReport:
+        stream = self.stream_on(pump, request, self._observer(record, log, on_tick))
+        facts: dict[str, Any] = {}
+        try:
+            stream.play()
+        finally:
+            # After an exception too: the pump has come to rest, and everybody has to hear how.
+            result = stream.ending
+            facts["standing"] = [str(one) for one in result.standing]
+            facts["ticks"] = stream.ticks.document()
+            facts["measured_against_plan"] = self.tracking.document()
+            told = {"reason": result.reason, "rule": result.rule, "hold_verified": result.sure}
+            log.event("ended", status=result.status, **told, **facts)
+            if result.status != "complete":
+                tell("\n".join(result_lines(result)))
+            record.state(result.status, **told, **facts)
+        return StreamReport(self.scene.name, result, record.path.parent, facts)
+
+    def _observer(self, record: Record, log: ByteLog, on_tick: OnTick | None) -> OnTick:
+        def observe(shown: TickReport) -> None:
+            sample = shown.sample
+            record.add(shown.time, sample)
+            self.tracking.update(shown)
+            log.event(
+                "tick",
+                time_s=shown.time,
+                goals_counts=sample.next_goals,
+                positions_counts={s: state.position for s, state in sample.servos.items()},
+                pressure_pa_gauge=sample.pressure,
+                wanted_pa_gauge=sample.wanted,
+            )
+            if on_tick is not None:
+                on_tick(shown)
+
+        return observe
+
+
+def _refuse_options(board: str, rate: float, on_stop: str) -> None:
+    if not board_kind(board).streams:
+        able = ", ".join(name for name, kind in boards().items() if kind.streams)
+        raise UsageError(
+            f"--board {board} takes no set-points in real time; those that do: {able}. "
+            "`pump upload` gives it a whole profile"
+        )
+    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
+        raise UsageError(f"--rate must be {LOWEST_RATE:g} to {HIGHEST_RATE:g} Hz; got {rate:g}")
+    if on_stop not in get_args(OnStop):
+        allowed = ", ".join(get_args(OnStop))
+        raise UsageError(f"--on-stop must be one of {allowed}; got {on_stop}")
+
+
+def _tip_columns(plant: ActuatorPlant | None) -> dict[str, Callable[[], float]]:
+    """The simulated actuator's tip, where there is one, under the simulator's names."""
+    if plant is None:
+        return {}
+    names = ("tip_x_m", "tip_z_m", "tip_angle_rad")
+    return {name: lambda k=k: float(plant.tip[k]) for k, name in enumerate(names)}  # type: ignore[misc]
+
+
+def _unmonitored(inlets: Sequence[str], pressure: Sequence[float | None]) -> list[str]:
+    blind = [name for name, value in zip(inlets, pressure, strict=True) if value is None]
+    return [f"{name} has no pressure sensor: only the torque limit protects it" for name in blind]

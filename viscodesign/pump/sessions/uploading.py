@@ -1,0 +1,279 @@
+"""A planned profile as poses that an ArbotiX plays by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from viscodesign.errors import InterruptedRunError, PumpError, UsageError
+from viscodesign.interrupt import StopRequest, stop_on_signals
+from viscodesign.pump.boards.arbotix import Arbotix
+from viscodesign.pump.boards.base import Board
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.planning.plan import plan as plan_pump
+from viscodesign.pump.planning.result import PumpCourse, PumpPlan, refuse_infeasible
+from viscodesign.pump.planning.scene_variants import pump_of
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.stream import StreamResult
+from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
+from viscodesign.pump.poses.c_header import poses_h
+from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
+from viscodesign.pump.poses.fit import PoseFit, fit_poses
+from viscodesign.pump.poses.fit_error import FitError, Tolerance, refuse_coarse
+from viscodesign.pump.poses.player import PosePlayer, by_servo, divided, playing_speed
+from viscodesign.pump.profile import Profile
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.sessions.connection import (
+    BoardAddress,
+    Confirm,
+    PumpSetup,
+    Tell,
+    connected,
+    unheard,
+)
+from viscodesign.pump.sessions.descriptions import (
+    aligned,
+    found_lines,
+    result_document,
+    result_lines,
+)
+from viscodesign.pump.sessions.open_board import board_kind
+from viscodesign.scene.pump import Pump as Settings
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.solve_once import Progress
+
+Playback = Literal["none", "once", "loop"]
+"""What the board does with the poses once it has them."""
+
+
+def upload(
+    scene: Scene,
+    address: BoardAddress,
+    *,
+    playback: Playback = "none",
+    tolerance: str = "1 kPa",
+    achievable: bool = False,
+    confirm: Confirm | None = None,
+    tell: Tell = unheard,
+    progress: Progress | None = None,
+) -> UploadReport:
+    """Plan a scene's pressures, fit them to 30 poses and 46 moves, and load these onto a board.
+
+    ``tolerance``: the largest error allowed, like '1 kPa', '0.1 mL' or '2 counts'.
+    ``playback``: only load, play ``once``, or ``loop`` until Ctrl-C; then ``confirm`` is given
+    the plan before anything moves and has to return True. Raises `PumpError` where the fit is
+    too coarse or the board does not answer.
+    """
+    refuse_board(address.board)
+    session = UploadSession.prepare(scene, tolerance, playback, achievable, progress)
+    return session.perform(address, confirm=confirm, tell=tell)
+
+
+def refuse_board(name: str) -> None:
+    """Raise `UsageError` where a board does not play poses."""
+    if not issubclass(board_kind(name), Arbotix):
+        raise UsageError(
+            f"--board {name} takes no poses; those go to --board {Arbotix.name}. "
+            "`pump stream` sends this one set-points in real time"
+        )
+
+
+@dataclass(frozen=True)
+class UploadReport:
+    """What was loaded, and how playing it ended, if it was played."""
+
+    session: UploadSession
+    result: StreamResult | None
+
+    @property
+    def status(self) -> str:
+        """`loaded`, or that of the playback: `complete`, `interrupted` or `stopped`."""
+        return "loaded" if self.result is None else self.result.status
+
+    def document(self) -> dict[str, Any]:
+        """All of it for a program."""
+        played = {} if self.result is None else result_document(self.result)
+        return {**self.session.document(), "status": self.status, **played}
+
+    def raise_failure(self) -> None:
+        """Raise what did not end well as an error."""
+        if self.result is None:
+            return
+        if not self.result.sure or self.status == "stopped":
+            raise PumpError(self.result.reason)
+        if self.status == "interrupted":
+            raise InterruptedRunError(self.result.reason)
+
+
+@dataclass(frozen=True)
+class UploadSession:
+    """One profile, fitted and ready to be loaded."""
+
+    scene: Scene
+    settings: Settings
+    plan: PumpPlan
+    course: PumpCourse
+    lead: Profile
+    """From home to the start."""
+    fit: PoseFit
+    error: FitError
+    tolerance: Tolerance
+    playback: Playback
+
+    @classmethod
+    def prepare(
+        cls,
+        scene: Scene,
+        tolerance: str = "1 kPa",
+        playback: Playback = "none",
+        achievable: bool = False,
+        progress: Progress | None = None,
+    ) -> UploadSession:
+        """Plan and fit; opens no port. `PumpError` where the fit is too coarse."""
+        allowed, settings = Tolerance.of(tolerance), pump_of(scene)
+        plan = plan_pump(scene, progress=progress)
+        refuse_infeasible(plan, achievable)
+        course = plan.wanted if plan.is_feasible else plan.achievable
+        profile = by_servo(plan.profile(course))
+        lead, main = divided(profile, course.lead_s)
+        report = progress or (lambda part: None)
+        fit = fit_poses(main, loop=playback == "loop", travel=settings.travel, progress=report)
+        stiffness = [1e3 * plan.numbers[name]["kpa_per_count_fast"] for name in profile.inlets]
+        volume = plan.numbers[profile.inlets[0]]["volume_per_count_m3"]
+        error = FitError.of(fit, volume, stiffness)
+        refuse_coarse(fit, error, allowed)
+        return cls(scene, settings, plan, course, lead, fit, error, allowed, playback)
+
+    def description(self) -> list[str]:
+        """What is about to be played, each number with its unit."""
+        fit, course, limit = self.fit, self.course, torque_limit(self.settings)
+        volume, pressure = 1e6 * course.volume, course.pressure / 1e3
+        counts = np.array([goal[:-1] for goal in fit.sequence.goals()])
+        low, high = self.settings.travel
+        drift = "; the board's clock may lose up to 1 ms at each move"
+        pace = f"per round, until halted{drift}" if fit.looped else "once"
+        rows = [
+            ("plays", f"{self.scene.name}, {fit.duration:.4g} s {pace}"),
+            (
+                "plunger",
+                f"{counts.min()} to {counts.max()} counts (travel {low} to {high}), "
+                f"{volume.min():.3g} to {volume.max():.3g} mL from home",
+            ),
+            ("pressure", f"{pressure.min():.2f} to {pressure.max():.2f} kPa gauge"),
+            (
+                "torque",
+                f"up to {course.stall_share.max():.0%} of stall; limited to {limit / 1023:.0%}, "
+                f"which holds at most {stalling_pressure(self.settings, limit) / 1e3:.0f} kPa",
+            ),
+            (
+                "fit",
+                f"{len(fit.sequence.moves)} of {MOST_MOVES} moves, {len(fit.sequence.poses)} of "
+                f"{MOST_POSES} poses; off by at most {self.error} (allowed: {self.tolerance.text})",
+            ),
+            (
+                "monitored",
+                "nothing but the time while it plays: this firmware reads no sensor and no "
+                "switch, and a move cannot be interrupted",
+            ),
+        ]
+        return aligned(rows)
+
+    def document(self) -> dict[str, Any]:
+        """The same for a program."""
+        fit, error = self.fit, self.error
+        return {
+            "name": self.scene.name,
+            "spec_sha256": self.plan.spec_sha256,
+            "looped": fit.looped,
+            "duration_s": fit.duration,
+            "wanted_duration_s": fit.wanted_duration,
+            "moves": len(fit.sequence.moves),
+            "poses": len(fit.sequence.poses),
+            "largest_error_counts": error.counts,
+            "largest_error_m3": error.volume,
+            "largest_error_pa": error.pressure,
+            "tolerance": self.tolerance.text,
+        }
+
+    def header(self) -> str:
+        """The text of `poses.h`, for a sketch that needs no computer."""
+        fit = self.fit
+        travel = f"{self.settings.travel[0]} to {self.settings.travel[1]} counts"
+        return poses_h(
+            fit.sequence,
+            title=f"{self.scene.name}: poses for an ArbotiX",
+            facts={
+                "spec sha256": self.plan.spec_sha256,
+                "viscodesign": self.plan.version,
+                "duration": f"{fit.duration:.3f} s" + (" per round" if fit.looped else ""),
+                "largest error": str(self.error),
+                "travel": f"{travel}, home {self.settings.home}",
+            },
+            torque_limit=torque_limit(self.settings),
+            moving_speed=playing_speed(fit),
+            looped=fit.looped,
+        )
+
+    def perform(
+        self,
+        address: BoardAddress,
+        *,
+        confirm: Confirm | None = None,
+        tell: Tell = unheard,
+        on_round: Progress | None = None,
+    ) -> UploadReport:
+        """Connect, ask, load, go to the start, play, come to rest.
+
+        ``on_round`` is given the part of the round that has been played.
+        """
+        clock = address.clock()
+        with connected(address, clock, PumpSetup.of(self.scene), None, tell) as (board, log):
+            pump = self.pump_on(board, clock)
+            servos = pump.connect()
+            lines = [*self.description(), *found_lines(pump.identity, servos)]
+            log.event("found", lines=lines, fit=self.document())
+            if self.playback == "none":
+                tell("\n".join(lines))
+            else:
+                address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
+            with stop_on_signals() as request:
+                result = self._play(pump, request, tell, on_round)
+            if result is not None:
+                log.event("ended", status=result.status, reason=result.reason)
+                if result.status != "complete":
+                    tell("\n".join(result_lines(result)))
+            return UploadReport(self, result)
+
+    def pump_on(self, board: Board, clock: Clock) -> Pump:
+        """The pump behind a board that reads neither sensors nor switches."""
+        servos = self.lead.servos
+        nothing = PressureReadings([None] * len(servos), self.scene.ambient_pressure)
+        return Pump(board, self.settings, servos, nothing, Switches({}), clock)
+
+    def player_on(
+        self, pump: Pump, request: StopRequest, tell: Tell, see: Callable[[float], None]
+    ) -> PosePlayer:
+        """What plays the poses on a connected pump; ``see`` is given the time so far [s]."""
+        board = pump.board
+        assert isinstance(board, Arbotix)  # as `refuse_board` sees to
+        return PosePlayer(pump, board, self.fit, request, tell, see)
+
+    def _play(
+        self, pump: Pump, request: StopRequest, tell: Tell, on_round: Progress | None
+    ) -> StreamResult | None:
+        def see(elapsed: float) -> None:
+            if on_round is not None:
+                on_round(elapsed % self.fit.duration / self.fit.duration)
+
+        player = self.player_on(pump, request, tell, see)
+        player.load()
+        if self.playback == "none":
+            return None
+        if request.asked:
+            raise InterruptedRunError("interrupted before anything moved")
+        result = player.approach(self.lead)
+        return player.play() if result.status == "complete" else result
