@@ -20,6 +20,7 @@ from tip_pair import draw_tips
 from viscodesign import AccuracyStudy, Trajectory, accuracy, load, simulate
 from viscodesign.cli.texts.accuracy_text import seconds
 from viscodesign.report.charts.accuracy import draw_accuracy
+from viscodesign.results.channels import channel_table
 
 DOCS = Path(__file__).parent
 CONFIGS = DOCS.parent / "configs"
@@ -31,6 +32,7 @@ PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
 def main() -> None:
     """Fill all pages."""
     fill(DOCS / "effects.md", {"effects": effects_table()})
+    fill(DOCS / "quantities.md", {"quantities": quantities_table()})
     fill(DOCS / "accuracy.md", {"accuracy": accuracy_block()})
     fill(DOCS / "published_and_called_for.md", comparison_blocks())
 
@@ -48,6 +50,11 @@ def fill(page: Path, blocks: dict[str, str]) -> None:
 def blocks_of(text: str) -> list[tuple[str, str, str]]:
     """Opening mark, name and content of every block of a page."""
     return [(mark, name, content.strip()) for mark, name, content in BLOCK.findall(text)]
+
+
+def quantities_table() -> str:
+    """Every quantity of a run."""
+    return table(("column", "what it is", "unit", "where"), list(channel_table()))
 
 
 # -- the table of effects ----------------------------------------------------------------

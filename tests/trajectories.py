@@ -94,16 +94,19 @@ def made_run(
     found = Trajectory(
         name="leg_made_up",
         status="complete",
-        time=times,
-        tip=np.column_stack((axis[:, -1], angle)),
-        inlet_pressure={"inlet": fed},
-        bellows=names,
-        pressure=np.concatenate([right, left], axis=1),
-        volume=1e-6 + 6.1434e-11 * np.concatenate([right, left], axis=1),
-        tubes=tuple(f"{a}-{b}" for a, b in pairwise(tubes)),
-        flow=-np.diff(chain, axis=1, prepend=fed[:, None]) / 1.7e8,
+        arrays={
+            "time": times,
+            "tip": np.column_stack((axis[:, -1], angle)),
+            "inlet_pressure": fed[:, None],
+            "pressure": np.concatenate([right, left], axis=1),
+            "volume": 1e-6 + 6.1434e-11 * np.concatenate([right, left], axis=1),
+            "flow": -np.diff(chain, axis=1, prepend=fed[:, None]) / 1.7e8,
+            "shape": axis,
+        },
         arc=np.linspace(0.0, LENGTH, axis.shape[1]),
-        shape=axis,
+        inlets=("inlet",),
+        bellows=names,
+        tubes=tuple(f"{a}-{b}" for a, b in pairwise(tubes)),
         length=LENGTH,
         width=WIDTH,
         classification=CLASSIFICATION,
@@ -118,6 +121,13 @@ def made_run(
         settings={"edges_per_section": 2, "tolerance": np.float64(1e-4)},
     )
     return replace(found, **changes)
+
+
+def with_two_inlets(run: Trajectory, factor: float, **changes: Any) -> Trajectory:
+    """The run fed from a left inlet and, by a factor of it, from a right one."""
+    fed = run["inlet_pressure"] * (1.0, factor)
+    fed_twice = run.with_arrays(inlet_pressure=fed)
+    return replace(fed_twice, inlets=("left", "right"), **changes)
 
 
 def verdict(name: str, taken: bool, contribution_m: float = 0.0, mode: str = "auto") -> Verdict:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -28,17 +27,15 @@ SHORT = ("bellows.count=4", "run={duration: 1 s, output_interval: 1 ms}")
 
 
 def arrays(run: Trajectory) -> dict[str, np.ndarray]:
-    found = {f.name: getattr(run, f.name) for f in fields(run)}
-    found |= run.inlet_pressure
-    return {name: value for name, value in found.items() if isinstance(value, np.ndarray)}
+    return {n: v for n, v in {**run.arrays, "arc": run.arc}.items() if v.size}
 
 
 def in_small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Everything on the disk, in blocks that are far smaller than a short run."""
     for place, value in (
-        ("outputs.LARGEST_STRETCH", 0),
-        ("outputs.BLOCK", 1200),
-        ("shelf.Shelf.__init__.__defaults__", (None, 0)),
+        ("postprocess.outputs.LARGEST_STRETCH", 0),
+        ("postprocess.outputs.BLOCK", 1200),
+        ("storage.disk_arrays.Shelf.__init__.__defaults__", (None, 0)),
     ):
         monkeypatch.setattr(f"viscodesign.{place}", value)
 

@@ -11,34 +11,20 @@ from viscodesign.postprocess.conservation import Block, Ledger
 from viscodesign.postprocess.inlet_supply import Given
 from viscodesign.postprocess.outputs import Outputs, read_outputs
 from viscodesign.postprocess.terminations import first_ending
+from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
 from viscodesign.storage.disk_arrays import NoRoomError, Shelf, Table
 
+TOLD = ("inlet_pressure", "pressure", "volume", "junction_pressure")
+"""Outputs that a motion keeps as they are."""
 
-@dataclass(frozen=True)
-class Motion:
-    """T output times, B bellows, Q tubes, K shape points, S sections; all SI."""
 
-    time: np.ndarray
-    tip: np.ndarray
-    inlet_pressure: np.ndarray
-    """(T, inlets) gauge."""
-    inflow: np.ndarray
-    """(T, inlets) given into the network since all was filled at the baseline, unloaded
-    [m3 at ambient density]."""
-    pressure: np.ndarray
-    volume: np.ndarray
-    flow: np.ndarray
-    junction_pressure: np.ndarray
-    """(T, junctions) gauge."""
-    section_stretch: np.ndarray
-    section_turn: np.ndarray
-    arc: np.ndarray
-    shape: np.ndarray
-    """(N, K, 2), at every ``shape_every``-th output and at the last."""
-    shape_every: int
+@dataclass(frozen=True, kw_only=True)
+class Motion(MotionArrays):
+    """What was solved, as arrays, with its balances and what ended it early."""
+
     invariants: Invariants
     failure: SolveError | None
 
@@ -108,17 +94,12 @@ class _Reader:
         schedule = self._problem.schedule
         stop = int(np.searchsorted(schedule.outputs, end))
         keep = schedule.outputs[self.count : stop] - outputs.first
-        shape, angle = outputs.shapes(keep)
         due = (np.arange(self.count, stop) % self._every) == 0
+        shape, angle = outputs.shapes(keep)
         rows = {
-            "time": outputs.time[keep],
+            **_quantities(outputs, keep),
             "tip": np.column_stack((shape[:, -1], angle)),
-            "inlet_pressure": outputs["inlet_pressure"][keep],
             "inflow": self._given.along(outputs, self._solution)[keep],
-            "pressure": outputs["pressure"][keep],
-            "volume": outputs["volume"][keep],
-            "flow": outputs.flows()[keep],
-            "junction_pressure": outputs["junction_pressure"][keep],
             "section_stretch": stretch[keep],
             "section_turn": turn[keep],
             "shape": shape[due],
@@ -163,9 +144,18 @@ class _Reader:
         arrays = {name: table.array() for name, table in self._tables.items()}
         points = arrays["shape"].shape[1]
         return Motion(
-            **arrays,
+            arrays=arrays,
             arc=np.linspace(0.0, self._problem.body.length, points),
             shape_every=self._every,
             invariants=self._ledger.invariants(self._solution.work.steps),
             failure=self.failure,
         )
+
+
+def _quantities(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:
+    """What the outputs hold of the motion at some of their rows (T,), by quantity."""
+    return {
+        "time": outputs.time[rows],
+        "flow": outputs.flows()[rows],
+        **{name: outputs[name][rows] for name in TOLD},
+    }

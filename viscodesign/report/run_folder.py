@@ -12,12 +12,8 @@ import numpy as np
 
 from viscodesign.errors import UsageError
 from viscodesign.interrupt import gentle_interrupt
-from viscodesign.results.trajectory import (
-    Trajectory,
-    shape_columns,
-    summary_document,
-    trajectory_columns,
-)
+from viscodesign.results.channels import shape_columns, trajectory_columns
+from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import refused_plainly, write_all, write_bytes
 from viscodesign.storage.disk_arrays import BLOCK, blocks
 from viscodesign.storage.leftovers import clear_leftovers
@@ -60,7 +56,7 @@ def write_run(
         # What took long to solve may take a while to write: it is not given up for that.
         raise KeyboardInterrupt
     pictures = _draw(trajectory, folder) if plots else []
-    document = json.dumps(summary_document(trajectory), indent=2, ensure_ascii=False)
+    document = json.dumps(trajectory.summary(), indent=2, ensure_ascii=False)
     write_bytes(summary, text_bytes(document + "\n"))
     return [*tables, *pictures, summary]
 
@@ -127,9 +123,7 @@ def trajectory_lines(trajectory: Trajectory) -> Iterator[bytes]:
     """`trajectory.csv`, block by block."""
     names, _ = trajectory_columns(trajectory, slice(0))
     yield csv_head(names)
-    inlets = trajectory.inlet_pressure.values()
-    told = (trajectory.time, trajectory.tip, *inlets, trajectory.pressure, trajectory.flow)
-    for rows in blocks(len(trajectory.time), *told):
+    for rows in blocks(len(trajectory.time), *trajectory.arrays.values()):
         yield csv_rows(trajectory_columns(trajectory, rows)[1])
 
 

@@ -12,6 +12,14 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from viscodesign.results.channels import (
+    TRAJECTORY,
+    Per,
+    channel,
+    channels_of,
+    columns_of,
+    shape_columns,
+)
 from viscodesign.results.findings import (
     Classification,
     EffectAblation,
@@ -24,6 +32,7 @@ from viscodesign.results.findings import (
     plain,
     verdict_documents,
 )
+from viscodesign.results.motion_arrays import MotionArrays
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -70,34 +79,21 @@ class Invariants:
     """Work created by coefficients that are not reciprocal (None without feedback)."""
 
 
-@dataclass(frozen=True)
-class Trajectory:
-    """One run: T times, B bellows, Q tubes, K points along the axis.
+@dataclass(frozen=True, kw_only=True)
+class Trajectory(MotionArrays):
+    """One run: its arrays, whose they are, and all that was found on the way.
 
-    Pressures are gauge, relative to the ambient; lengths in m, times in s.
+    ``run["pressure"]`` is the array of a quantity; `results.channels` lists them. Pressures
+    are gauge, relative to the ambient; lengths in m, times in s.
     """
 
     name: str
     status: Status
-    time: np.ndarray
-    """(T,) [s]"""
-    tip: np.ndarray
-    """(T, 3): x [m], z [m], angle from +z [rad], never wrapped."""
-    inlet_pressure: Mapping[str, np.ndarray]
-    """Inlet name -> (T,) gauge [Pa]."""
+    inlets: tuple[str, ...]
     bellows: tuple[str, ...]
     """R1..RS, then L1..LS."""
-    pressure: np.ndarray
-    """(T, B) gauge [Pa]."""
-    volume: np.ndarray
-    """(T, B) [m3]."""
     tubes: tuple[str, ...]
-    flow: np.ndarray
-    """(T, Q) [m3/s], positive from the tube's first end to its second."""
-    arc: np.ndarray
-    """(K,) reference arc length of the shape's points [m], from the clamp."""
-    shape: np.ndarray
-    """(N, K, 2): x, z of the axis [m], at the rows of `shape_rows`: all, or in a long run some."""
+    junctions: tuple[str, ...] = ()
     length: float
     """Actuator length [m]."""
     width: float
@@ -114,11 +110,6 @@ class Trajectory:
     version: str
     ambient_pressure: float = 101325.0
     """Absolute [Pa]."""
-    inflow: Mapping[str, np.ndarray] = field(default_factory=dict)
-    """Inlet name -> (T,) what it has given to the network since all was filled at the baseline,
-    unloaded [m3 at ambient density]; from what is held, not from flows."""
-    shape_every: int = 1
-    """Rows from one shape to the next."""
     proof: tuple[EffectAblation, ...] = ()
     """What every effect changes, where that was asked for."""
     ladder: tuple[RetryAttempt, ...] = ()
@@ -134,97 +125,64 @@ class Trajectory:
         return len(self.bellows) // 2
 
     @property
-    def shape_rows(self) -> np.ndarray:
-        """Which rows (N,) of ``time`` have a shape: every ``shape_every``-th, and the last."""
-        last = len(self.time) - 1
-        rows = np.arange(0, last + 1, self.shape_every)
-        return rows if last % self.shape_every == 0 or last < 0 else np.append(rows, last)
+    def inlet_pressure(self) -> dict[str, np.ndarray]:
+        """Inlet name -> (T,) gauge [Pa]."""
+        return dict(zip(self.inlets, self["inlet_pressure"].T, strict=True))
+
+    @property
+    def inflow(self) -> dict[str, np.ndarray]:
+        """Inlet name -> (T,) fluid that it has delivered since all was filled at the baseline,
+        unloaded [m3 at ambient density]; from what is stored, not from flows."""
+        return dict(zip(self.inlets, self["inflow"].T, strict=True))
+
+    def members(self, per: Per) -> tuple[str, ...]:
+        """Names of what a quantity has one value of."""
+        return {
+            Per.INLET: self.inlets,
+            Per.BELLOW: self.bellows,
+            Per.TUBE: self.tubes,
+            Per.JUNCTION: self.junctions,
+            Per.SECTION: tuple(str(k + 1) for k in range(self.sections)),
+        }[per]
 
     def summary(self) -> dict[str, Any]:
-        """The run without its arrays, ready for JSON (numbers that are not finite as None)."""
-        return summary_document(self)
+        """The run without its arrays, ready for JSON (numbers that are not finite as None).
 
-    def frame(self) -> pd.DataFrame:
-        """Tip, pressures and flows against time: the columns of `trajectory.csv`."""
-        return trajectory_frame(self)
+        ``proof`` is there where it was asked for.
+        """
+        document = {
+            "name": self.name,
+            "version": self.version,
+            "spec_sha256": self.spec_sha256,
+            "status": self.status,
+            "failure": self.failure,
+            **{
+                key: value
+                for key, value in classification_document(self.classification).items()
+                if key not in ("name", "warnings")
+            },
+            "effects": verdict_documents(self.effects),
+            **({"proof": ablation_documents(self.proof)} if self.proof else {}),
+            "accuracy": asdict(self.accuracy),
+            "cost": asdict(self.cost),
+            "invariants": asdict(self.invariants),
+            "ladder": [plain(asdict(attempt)) for attempt in self.ladder],
+            "settings": dict(self.settings),
+            "warnings": notice_documents(self.warnings),
+        }
+        return dict(plain(document))
+
+    def frame(self, *quantities: str) -> pd.DataFrame:
+        """Quantities against time, by their names; without any, `trajectory.csv`."""
+        import pandas as pd
+
+        chosen = [channel(name) for name in quantities] or channels_of(TRAJECTORY)
+        names, values = columns_of(chosen, self)
+        return pd.DataFrame(values, columns=names)
 
     def shape_frame(self) -> pd.DataFrame:
-        """The axis at the times of its shapes: the columns of `shape.csv`."""
-        return shape_frame(self)
+        """The axis at the times of its shapes: `shape.csv`."""
+        import pandas as pd
 
-
-def summary_document(trajectory: Trajectory) -> dict[str, Any]:
-    """The run without its arrays; ``proof`` is there where it was asked for."""
-    document = {
-        "name": trajectory.name,
-        "version": trajectory.version,
-        "spec_sha256": trajectory.spec_sha256,
-        "status": trajectory.status,
-        "failure": trajectory.failure,
-        **{
-            key: value
-            for key, value in classification_document(trajectory.classification).items()
-            if key not in ("name", "warnings")
-        },
-        "effects": verdict_documents(trajectory.effects),
-        **({"proof": ablation_documents(trajectory.proof)} if trajectory.proof else {}),
-        "accuracy": asdict(trajectory.accuracy),
-        "cost": asdict(trajectory.cost),
-        "invariants": asdict(trajectory.invariants),
-        "ladder": [plain(asdict(rung)) for rung in trajectory.ladder],
-        "settings": dict(trajectory.settings),
-        "warnings": notice_documents(trajectory.warnings),
-    }
-    return dict(plain(document))
-
-
-WHOLE = slice(None)
-
-
-def trajectory_columns(trajectory: Trajectory, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
-    """Names and values (T, columns) of `trajectory.csv`, or of some rows; pressures are gauge."""
-    names = ["time_s", "tip_x_m", "tip_z_m", "tip_angle_rad"]
-    inlets = list(trajectory.inlet_pressure)
-    alone = len(inlets) == 1
-    names += ["inlet_pressure_pa" if alone else f"inlet_pressure_{name}_pa" for name in inlets]
-    names += [f"pressure_{name}_pa" for name in trajectory.bellows]
-    names += [f"flow_{name}_m3_s" for name in trajectory.tubes]
-    inlet_values = [values[rows, None] for values in trajectory.inlet_pressure.values()]
-    values = [
-        trajectory.time[rows, None],
-        trajectory.tip[rows],
-        *inlet_values,
-        trajectory.pressure[rows],
-        trajectory.flow[rows],
-    ]
-    return names, np.concatenate(values, axis=1)
-
-
-def shape_columns(trajectory: Trajectory, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
-    """Names and values (N K, 4) of `shape.csv`, or of some shapes."""
-    time, shape = trajectory.time[trajectory.shape_rows[rows]], trajectory.shape[rows]
-    times, points = shape.shape[:2]
-    values = np.column_stack(
-        (
-            np.repeat(time, points),
-            np.tile(trajectory.arc, times),
-            shape.reshape(-1, 2),
-        )
-    )
-    return ["time_s", "arc_m", "x_m", "z_m"], values
-
-
-def trajectory_frame(trajectory: Trajectory) -> pd.DataFrame:
-    """`trajectory.csv` as a data frame."""
-    import pandas as pd
-
-    names, values = trajectory_columns(trajectory)
-    return pd.DataFrame(values, columns=names)
-
-
-def shape_frame(trajectory: Trajectory) -> pd.DataFrame:
-    """`shape.csv` as a data frame."""
-    import pandas as pd
-
-    names, values = shape_columns(trajectory)
-    return pd.DataFrame(values, columns=names)
+        names, values = shape_columns(self)
+        return pd.DataFrame(values, columns=names)

@@ -132,18 +132,13 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
     return Trajectory(
         name=scene.name,
         status="complete",
-        time=motion.time,
-        tip=motion.tip,
-        inlet_pressure=dict(zip(scene.inputs, motion.inlet_pressure.T, strict=True)),
-        inflow=dict(zip(scene.inputs, motion.inflow.T, strict=True)),
-        bellows=graph.bellows,
-        pressure=motion.pressure,
-        volume=motion.volume,
-        tubes=tuple(t.name for t in graph.tubes),
-        flow=motion.flow,
+        arrays=motion.arrays,
         arc=motion.arc,
-        shape=motion.shape,
         shape_every=motion.shape_every,
+        inlets=tuple(scene.inputs),
+        bellows=graph.bellows,
+        tubes=tuple(t.name for t in graph.tubes),
+        junctions=graph.junctions,
         length=scene.actuator.length,
         width=scene.actuator.height,
         classification=found,
@@ -199,9 +194,7 @@ def _growth(conditions: Conditions, run: Run) -> list[Notice]:
 def _courses(conditions: Conditions, motion: Motion) -> Iterator[Course]:
     """The motion, block by block, for the checks."""
     graph, names = conditions.graph, tuple(conditions.scene.inputs)
-    told = (motion.time, motion.pressure, motion.volume, motion.flow, motion.inlet_pressure)
-    inner = (motion.junction_pressure, motion.section_stretch, motion.section_turn)
-    for rows in blocks(len(motion.time), *told, *inner):
+    for rows in blocks(len(motion.time), *motion.arrays.values()):
         yield Course(
             motion.time[rows],
             graph.bellows,
@@ -210,8 +203,8 @@ def _courses(conditions: Conditions, motion: Motion) -> Iterator[Course]:
             tuple(t.name for t in graph.tubes),
             motion.flow[rows],
             _lower_ends(graph, motion, names, rows),
-            motion.section_stretch[rows],
-            motion.section_turn[rows],
+            motion["section_stretch"][rows],
+            motion["section_turn"][rows],
         )
 
 
@@ -219,8 +212,8 @@ def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...], rows: sli
     """Lower gauge pressure of each tube's ends (T, Q) [Pa]."""
     columns = {
         **dict(zip(graph.bellows, motion.pressure[rows].T, strict=True)),
-        **dict(zip(inlets, motion.inlet_pressure[rows].T, strict=True)),
-        **dict(zip(graph.junctions, motion.junction_pressure[rows].T, strict=True)),
+        **dict(zip(inlets, motion["inlet_pressure"][rows].T, strict=True)),
+        **dict(zip(graph.junctions, motion["junction_pressure"][rows].T, strict=True)),
     }
     lower = [np.minimum(columns[t.start], columns[t.end]) for t in graph.tubes]
     return np.array(lower).T.reshape(len(motion.time[rows]), len(graph.tubes))

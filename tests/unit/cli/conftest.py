@@ -56,11 +56,11 @@ def classification() -> Classification:
 @pytest.fixture
 def trajectory(classification: Classification) -> Trajectory:
     """Two bellows, three times, one warning twice and another once."""
-    return made_run(
+    tip = np.array([[0.0, 0.109, 0.0], [0.02, 0.1, 0.4], [-0.01, 0.105, -0.2]])
+    run = made_run(
         name="leg",
         bellows=2,
         time=np.array([0.0, 0.5, 1.0]),
-        tip=np.array([[0.0, 0.109, 0.0], [0.02, 0.1, 0.4], [-0.01, 0.105, -0.2]]),
         classification=classification,
         effects=(
             Verdict("inertia", "auto", False, 0.0019, "(t_s/t_i)^2", "left out: weight small"),
@@ -74,3 +74,4 @@ def trajectory(classification: Classification) -> Trajectory:
             Notice("reynolds", "turbulent", where="inlet-R1"),
         ),
     )
+    return run.with_arrays(tip=tip)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tests.trajectories import made_run
+from tests.trajectories import made_run, with_two_inlets
 from viscodesign.results.trajectory import Trajectory
 
 
@@ -15,9 +15,7 @@ def _cycles(time: np.ndarray) -> np.ndarray:
 
 
 def _two_inlets() -> Trajectory:
-    run = made_run()
-    fed = run.inlet_pressure["inlet"]
-    return made_run(inlet_pressure={"left": fed, "right": -0.5 * fed}, name="two_inlets")
+    return with_two_inlets(made_run(), -0.5, name="two_inlets")
 
 
 CASES: dict[str, Callable[[], Trajectory]] = {

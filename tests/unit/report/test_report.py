@@ -131,17 +131,8 @@ def test_an_interrupted_write_vanishes(tmp_path: Path) -> None:
 
 def cut(found: Trajectory, count: int, **changes: Any) -> Trajectory:
     """The first times of a run."""
-    return replace(
-        found,
-        time=found.time[:count],
-        tip=found.tip[:count],
-        pressure=found.pressure[:count],
-        volume=found.volume[:count],
-        flow=found.flow[:count],
-        shape=found.shape[:count],
-        inlet_pressure={n: p[:count] for n, p in found.inlet_pressure.items()},
-        **changes,
-    )
+    arrays = {name: values[:count] for name, values in found.arrays.items()}
+    return replace(found, arrays=arrays, **changes)
 
 
 @pytest.mark.parametrize("count", [1, 2, 401])

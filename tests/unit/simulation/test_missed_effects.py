@@ -57,7 +57,7 @@ def test_what_the_spec_forbids_is_not_called_for(fast: Solved) -> None:
 def test_a_rod_that_does_not_move_calls_for_nothing(fast: Solved) -> None:
     conditions, selection, run = fast
     still = np.tile([0.0, conditions.body.length, 0.0], (len(run.motion.tip), 1))
-    unmoved = replace(run, motion=replace(run.motion, tip=still))
+    unmoved = replace(run, motion=run.motion.with_arrays(tip=still))
     assert reselected(conditions, selection, unmoved) is None
 
 
@@ -65,7 +65,7 @@ def test_the_first_instant_does_not_count(fast: Solved) -> None:
     conditions, selection, run = fast
     flow = np.zeros_like(run.motion.flow)
     flow[0] = run.motion.flow.max()
-    burst = replace(run, motion=replace(run.motion, flow=flow))
+    burst = replace(run, motion=run.motion.with_arrays(flow=flow))
     assert reselected(conditions, selection, burst) is None
 
 

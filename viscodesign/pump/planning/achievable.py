@@ -66,7 +66,7 @@ def achieve(asked: Wanted, pump: Pump, progress: Progress | None = None) -> Achi
             share = 1.0 if sweeps <= EASED else 0.5
             paths = [old + share * (new - old) for new, old in zip(again, paths, strict=True)]
     last = followed_and_verified(_driven(goal, demands, paths, before), progress)
-    last = replace(last, time=asked.run.time)
+    last = last.with_arrays(time=asked.run.time)
     found = _demands(goal, pump, Inlets.of(last), demands, paths)
     return Achieved(found, last, _clipped(wanted_demands, found, goal), sweeps, float(apart))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,11 +31,7 @@ class Inlets:
     @classmethod
     def of(cls, run: Trajectory) -> Inlets:
         """Those of a run."""
-        return cls(run.time, _columns(run.inlet_pressure), _columns(run.inflow))
-
-
-def _columns(values: Mapping[str, np.ndarray]) -> np.ndarray:
-    return np.stack(list(values.values()), axis=1)
+        return cls(run.time, run["inlet_pressure"], run["inflow"])
 
 
 def taken_effects(run: Trajectory) -> frozenset[str]:
@@ -54,7 +49,7 @@ def follow(scene: Scene, taken: frozenset[str]) -> Inlets:
         raise KeyboardInterrupt
     if run.motion.failure is not None:
         raise broken_off(str(run.motion.failure), run.motion.time)
-    return Inlets(run.motion.time, run.motion.inlet_pressure, run.motion.inflow)
+    return Inlets(run.motion.time, run.motion["inlet_pressure"], run.motion["inflow"])
 
 
 def followed_and_verified(scene: Scene, progress: Progress | None) -> Trajectory:

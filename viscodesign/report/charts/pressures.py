@@ -23,6 +23,7 @@ from viscodesign.report.layout.style import (
     picture,
     shown,
 )
+from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
 
@@ -55,10 +56,10 @@ def draw_pressures(trajectory: Trajectory, path: Path) -> None:
             _draw_levels(axes, trajectory, limits[1])
             axes.ticklabel_format(axis="y", style="plain", useOffset=False)
             axes.ticklabel_format(axis="x", scilimits=TIME_DIGITS)
-            axes.set(xlim=limits[0], ylim=limits[1], xlabel="time [s]")
+            axes.set(xlim=limits[0], ylim=limits[1], xlabel=channel("time").label)
             last = f" to {side}{trajectory.sections}" if trajectory.sections > 1 else ""
             axes.set_title(f"{title}, {side}1{last}", loc="left", fontsize=9)
-        left.set_ylabel("gauge pressure [kPa]")
+        left.set_ylabel(channel("pressure").label)
         right.tick_params(labelleft=False)
         _draw_legend(made, right)
         _draw_bar(made, trajectory, norm)

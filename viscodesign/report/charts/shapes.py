@@ -15,6 +15,7 @@ from matplotlib.colors import Colormap, ListedColormap, Normalize
 from viscodesign.report.layout.snapshots import clamp_strokes, normals, spread_instants
 from viscodesign.report.layout.strip import Frame, Strip, arrange
 from viscodesign.report.layout.style import DIVERGING, INK, axes_at, head, head_room, picture
+from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
 
@@ -198,6 +199,6 @@ def _draw_bar(made: Figure, mapped: ScalarMappable, occurring: tuple[float, floa
     cax.tick_params(labelsize=7.5, length=2.5, pad=1.5)
     bar.outline.set_visible(False)
     made.text(
-        2.5 / WIDTH, 0.435 / made.get_figheight(), "gauge pressure [kPa]",
+        2.5 / WIDTH, 0.435 / made.get_figheight(), channel("pressure").label,
         ha="right", va="center", fontsize=8,
     )  # fmt: skip

@@ -21,6 +21,7 @@ from viscodesign.report.layout.style import (
     head_room,
     picture,
 )
+from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
 
@@ -52,7 +53,7 @@ def draw_tip(trajectory: Trajectory, path: Path) -> None:
     with picture(path, full, BOTTOM + height + head_room(trajectory, full)) as made:
         axes = axes_at(made, LEFT, BOTTOM, width, height)
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
-        axes.set(xlabel="x [mm]", ylabel="z [mm], down from the clamp")
+        axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
         _draw_clamp(axes, trajectory)
         _draw_bodies(axes, trajectory, instants, bodies)
         lines = draw_path(axes, trajectory, 0.4 if zoomed else 1.0)
@@ -61,7 +62,7 @@ def draw_tip(trajectory: Trajectory, path: Path) -> None:
             _draw_enlarged(axes, trajectory)
         _draw_legend(made, axes, right, BOTTOM + ZOOM + 0.05 if zoomed else 0.07)
         bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, BOTTOM, 0.12, height))
-        bar.set_label("time [s]")
+        bar.set_label(channel("time").label)
         bar.outline.set_visible(False)
         bar.ax.ticklabel_format(axis="y", scilimits=TIME_DIGITS)
         if len(trajectory.time) == 1:
@@ -82,7 +83,7 @@ def _draw_enlarged(axes: Axes, trajectory: Trajectory) -> None:
     axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
     axes.locator_params(nbins=5)
     axes.ticklabel_format(style="plain", useOffset=False)
-    axes.set(xlabel="x [mm]")
+    axes.set(xlabel=channel("x").label)
     axes.set_title("enlarged", loc="left", fontsize=9)
     draw_path(axes, trajectory)
 

@@ -64,7 +64,8 @@ def test_an_error_that_was_not_estimated(trajectory: Trajectory) -> None:
 
 
 def test_a_run_that_never_began(trajectory: Trajectory) -> None:
-    empty = replace(trajectory, status="failed", time=np.empty(0), tip=np.empty((0, 3)))
+    failed = replace(trajectory, status="failed")
+    empty = failed.with_arrays(time=np.empty(0), tip=np.empty((0, 3)))
     assert "failed: 0 s of motion" in _summary(empty)
     assert "nothing computed" in _summary(empty)
 

@@ -8,8 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tests.trajectories import ABLATIONS, CLASSIFICATION, ablated_run
-from tests.unit.report.conftest import Made
+from tests.trajectories import ABLATIONS, CLASSIFICATION, ablated_run, made_run
 from viscodesign.results.findings import (
     Scales,
     Verdict,
@@ -17,48 +16,11 @@ from viscodesign.results.findings import (
     classification_document,
     plain,
 )
-from viscodesign.results.trajectory import (
-    Trajectory,
-    shape_columns,
-    summary_document,
-    trajectory_columns,
-)
 
 
-def test_columns_of_a_run(run: Trajectory) -> None:
-    names, values = trajectory_columns(run)
-    assert names[:5] == ["time_s", "tip_x_m", "tip_z_m", "tip_angle_rad", "inlet_pressure_pa"]
-    assert names[5] == "pressure_R1_pa"
-    assert names[13] == "pressure_L1_pa"
-    assert names[21] == "flow_inlet-R1_m3_s"
-    assert len(names) == 5 + 2 * 16
-    assert values.shape == (401, len(names))
-    assert np.array_equal(values[:, 13], run.pressure[:, 8])
-
-
-def test_several_inlets_are_named(made: Made) -> None:
-    fed = made().inlet_pressure["inlet"]
-    names, _ = trajectory_columns(made(inlet_pressure={"left": fed, "right": -fed}))
-    assert names[4:6] == ["inlet_pressure_left_pa", "inlet_pressure_right_pa"]
-
-
-def test_shape_is_one_row_for_each_time_and_point(run: Trajectory) -> None:
-    names, values = shape_columns(run)
-    assert names == ["time_s", "arc_m", "x_m", "z_m"]
-    points = len(run.arc)
-    assert values.shape == (401 * points, 4)
-    assert np.array_equal(values[points : 2 * points, 1], run.arc)
-    assert np.array_equal(values[-1, 2:], run.shape[-1, -1])
-
-
-def test_frames_are_the_tables(run: Trajectory) -> None:
-    assert list(run.frame().columns) == trajectory_columns(run)[0]
-    assert len(run.shape_frame()) == 401 * len(run.arc)
-
-
-def test_a_summary_has_its_sections_and_no_number_that_json_lacks(run: Trajectory) -> None:
+def test_a_summary_has_its_sections_and_no_number_that_json_lacks() -> None:
     constant = replace(CLASSIFICATION, scales=Scales(0.029, 0.16, math.inf, 1.1))
-    document = summary_document(replace(run, classification=constant))
+    document = replace(made_run(), classification=constant).summary()
     assert json.loads(json.dumps(document, allow_nan=False)) == document
     assert document["scales"]["t_i"] is None
     assert document["ratios"]["ts_over_ti"] == 0.0
@@ -74,9 +36,9 @@ def test_a_summary_has_its_sections_and_no_number_that_json_lacks(run: Trajector
     assert set(document["warnings"][0]) == {"code", "message", "where", "time_s"}
 
 
-def test_a_proof_is_told_only_where_there_is_one(run: Trajectory) -> None:
-    assert "proof" not in summary_document(run)
-    proof = summary_document(ablated_run())["proof"]
+def test_a_proof_is_told_only_where_there_is_one() -> None:
+    assert "proof" not in made_run().summary()
+    proof = ablated_run().summary()["proof"]
     assert [p["name"] for p in proof] == [p.name for p in ABLATIONS]
     assert proof[0] == {
         "name": "fluid_mass", "taken": False, "estimated_m": 4.3e-6, "measured_m": 3.9e-6,

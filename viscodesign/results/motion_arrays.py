@@ -1,0 +1,68 @@
+"""The arrays of a motion, by quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+
+
+@dataclass(frozen=True, kw_only=True)
+class MotionArrays:
+    """T output times, B bellows, Q tubes, K points of the axis; SI, pressures gauge.
+
+    What every array holds says the table in `results.channels`.
+    """
+
+    arrays: Mapping[str, np.ndarray]
+    """Quantity -> (T, ...); ``shape`` has N of these times only."""
+    arc: np.ndarray
+    """(K,) reference arc length of the shape's points [m], from the clamp."""
+    shape_every: int = 1
+    """Rows from one shape to the next."""
+
+    def __getitem__(self, quantity: str) -> np.ndarray:
+        return self.arrays[quantity]
+
+    def with_arrays(self, **arrays: np.ndarray) -> Self:
+        """The same with some quantities replaced or added."""
+        return replace(self, arrays={**self.arrays, **arrays})
+
+    @property
+    def time(self) -> np.ndarray:
+        """(T,) [s]."""
+        return self["time"]
+
+    @property
+    def tip(self) -> np.ndarray:
+        """(T, 3): x [m], z [m], angle from +z [rad], never wrapped."""
+        return self["tip"]
+
+    @property
+    def pressure(self) -> np.ndarray:
+        """(T, B) gauge [Pa]."""
+        return self["pressure"]
+
+    @property
+    def volume(self) -> np.ndarray:
+        """(T, B) [m3]."""
+        return self["volume"]
+
+    @property
+    def flow(self) -> np.ndarray:
+        """(T, Q) [m3/s], positive from the tube's first end to its second."""
+        return self["flow"]
+
+    @property
+    def shape(self) -> np.ndarray:
+        """(N, K, 2): x, z of the axis [m], at the rows of `shape_rows`."""
+        return self["shape"]
+
+    @property
+    def shape_rows(self) -> np.ndarray:
+        """Which rows (N,) of ``time`` have a shape: every ``shape_every``-th, and the last."""
+        last = len(self.time) - 1
+        rows = np.arange(0, last + 1, self.shape_every)
+        return rows if last % self.shape_every == 0 or last < 0 else np.append(rows, last)
