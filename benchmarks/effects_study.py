@@ -89,18 +89,18 @@ def _facts(scene: Any) -> Record:
 def _cost(scene: Any) -> Record:
     """Wall times of choosing, building and solving at the scene's own accuracy [s]."""
     from viscodesign.effects.select import select_effects
-    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.estimate.scene_quantities import SceneQuantities
     from viscodesign.simulation.build_problem import suggest_settings
     from viscodesign.simulation.solve_once import solve
 
     best: Record = {}
     for _ in range(REPEATS):
-        conditions = Conditions(scene)
+        quantities = SceneQuantities(scene)
         began = time.perf_counter()
-        selection = select_effects(conditions)
+        selection = select_effects(quantities)
         chosen = time.perf_counter() - began
-        settings = suggest_settings(conditions, selection.effects)
-        run = solve(conditions, selection.effects, settings)
+        settings = suggest_settings(quantities, selection.effects)
+        run = solve(quantities, selection.effects, settings)
         now = {"choose_s": chosen, "build_s": run.build_s, "solve_s": run.solve_s}
         best = {key: min(value, best.get(key, value)) for key, value in now.items()}
     equations = run.problem.equations

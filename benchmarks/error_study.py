@@ -98,15 +98,15 @@ def run_path(folder: Path, index: int) -> Path:
 def refine(seed: int, index: int, folder: Path, stated_m: float | None) -> Iterator[Record]:
     """Solve with everything on, each time finer, until two solutions in a row agree."""
     from viscodesign.effects.select import select_effects
-    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.estimate.scene_quantities import SceneQuantities
     from viscodesign.simulation.build_problem import suggest_settings
     from viscodesign.simulation.solve_once import solve
 
-    conditions = Conditions(drawn(seed, index, EVERYTHING))
-    selection = select_effects(conditions)
-    requested_m = conditions.accuracy * conditions.body.length
+    quantities = SceneQuantities(drawn(seed, index, EVERYTHING))
+    selection = select_effects(quantities)
+    requested_m = quantities.accuracy * quantities.body.length
     wanted_m = AGREED * requested_m if stated_m is None else CONVERGED * stated_m
-    settings, tip = suggest_settings(conditions, selection.effects), None
+    settings, tip = suggest_settings(quantities, selection.effects), None
     path = reference_path(folder, index)
     if path.exists():
         settings, tip, moved_m = _kept(path)
@@ -114,7 +114,7 @@ def refine(seed: int, index: int, folder: Path, stated_m: float | None) -> Itera
             return
         settings = _finer(settings)
     while settings.tolerance > FINEST:
-        run = solve(conditions, selection.effects, settings)
+        run = solve(quantities, selection.effects, settings)
         moved_m = None if tip is None else distance(tip, run.motion.tip)
         yield {
             "kind": "level",

@@ -146,21 +146,21 @@ def measure(family: str, size: int) -> Record:
 
     from viscodesign import load
     from viscodesign.effects.select import select_effects
-    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.estimate.scene_quantities import SceneQuantities
     from viscodesign.simulation.build_problem import suggest_settings
     from viscodesign.simulation.solve_once import solve
 
     changes, edges = overrides(family, size)
     began = time.perf_counter()
     scene = load(SCENE, changes)
-    conditions = Conditions(scene)
-    effects = select_effects(conditions).effects
+    quantities = SceneQuantities(scene)
+    effects = select_effects(quantities).effects
     chosen = time.perf_counter() - began
-    settings = replace(suggest_settings(conditions, effects), edges_per_section=edges)
-    runs = [solve(conditions, effects, settings)]
+    settings = replace(suggest_settings(quantities, effects), edges_per_section=edges)
+    runs = [solve(quantities, effects, settings)]
     while len(runs) <= WARM_RUNS and (len(runs) == 1 or time.perf_counter() - began < PATIENCE):
         # Another scene of this structure: a scene's own equations are kept along with it.
-        runs.append(solve(Conditions(scene), effects, settings))
+        runs.append(solve(SceneQuantities(scene), effects, settings))
     last, warm = runs[-1], runs[1:]
     equations = last.problem.equations
     return {
@@ -177,7 +177,7 @@ def measure(family: str, size: int) -> Record:
         "solver": settings.solver,
         "tolerance": settings.tolerance,
         "edges_per_section": edges,
-        "t_net_s": conditions.scales.t_net,
+        "t_net_s": quantities.scales.t_net,
     }
 
 

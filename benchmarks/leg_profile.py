@@ -91,7 +91,7 @@ def measure() -> Record:
     with watch("import"):
         from viscodesign import load, simulate
         from viscodesign.effects.select import select_effects
-        from viscodesign.estimate.scene_quantities import Conditions
+        from viscodesign.estimate.scene_quantities import SceneQuantities
         from viscodesign.postprocess.motion import read_motion
         from viscodesign.report.run_folder import write_run
         from viscodesign.simulation.build_problem import build, suggest_settings
@@ -102,11 +102,11 @@ def measure() -> Record:
     with watch("read and validate the spec"):
         scene = load(SCENE)
     with watch("weigh all effects"):
-        conditions = Conditions(scene)
-        selection = select_effects(conditions)
-    settings = suggest_settings(conditions, selection.effects)
+        quantities = SceneQuantities(scene)
+        selection = select_effects(quantities)
+    settings = suggest_settings(quantities, selection.effects)
     with watch("formulas, derivatives"):
-        problem = build(conditions, selection.effects, settings)
+        problem = build(quantities, selection.effects, settings)
     with watch("equilibrium at the start"):
         start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     idas, work = Idas(problem, settings.tolerance), Work()
@@ -116,7 +116,8 @@ def measure() -> Record:
     watch.spent["integrator, its Jacobian"] = work.compile_s
     with watch("steps through time"):
         idas(start, 0, count, Work())
-    stats = idas.integrator(problem.schedule.edges, idas.options).stats()
+    with idas.integrator(problem.schedule.edges, idas.options) as integrator:
+        stats = integrator.stats()
     solution = integrate(problem, start, settings.tolerance)
     with watch("read outputs and balances"):
         read_motion(problem, solution)
@@ -175,22 +176,22 @@ def quasi_static() -> Record:
     """The unloaded leg on arcs: time and true error over its cycles."""
     from viscodesign import load
     from viscodesign.effects.select import select_effects
-    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.estimate.scene_quantities import SceneQuantities
     from viscodesign.simulation.build_problem import Settings, suggest_settings
     from viscodesign.simulation.solve_once import solve, tip_difference
 
     scene = load(SCENE, QUASI_STATIC)
-    conditions = Conditions(scene)
-    effects = select_effects(conditions).effects
-    settings = suggest_settings(conditions, effects)
-    run, watch = solve(conditions, effects, settings), Watch()
-    again = Conditions(scene)
+    quantities = SceneQuantities(scene)
+    effects = select_effects(quantities).effects
+    settings = suggest_settings(quantities, effects)
+    run, watch = solve(quantities, effects, settings), Watch()
+    again = SceneQuantities(scene)
     with watch("all"):
         solve(again, effects, settings)
-    sure = solve(conditions, effects, Settings(settings.edges_per_section, 1e-11))
+    sure = solve(quantities, effects, Settings(settings.edges_per_section, 1e-11))
     return {
         "ms_per_cycle": 1e3 * watch.spent["all"] / CYCLES,
-        "error": tip_difference(run.motion, sure.motion) / conditions.body.length,
+        "error": tip_difference(run.motion, sure.motion) / quantities.body.length,
         "tolerance": settings.tolerance,
     }
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from viscodesign import Scene, load
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import build, suggest_settings
 from viscodesign.solve.problem import Problem
 
@@ -33,9 +33,9 @@ def leg(*overrides: str, config: str = "leg_16_straight_air") -> Scene:
 
 def problem_of(scene: Scene) -> Problem:
     """A scene's equations with the effects and the settings that it calls for."""
-    conditions = Conditions(scene)
-    effects = select_effects(conditions).effects
-    return build(conditions, effects, suggest_settings(conditions, effects))
+    quantities = SceneQuantities(scene)
+    effects = select_effects(quantities).effects
+    return build(quantities, effects, suggest_settings(quantities, effects))
 
 
 def reference(name: str) -> dict[str, Any]:

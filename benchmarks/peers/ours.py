@@ -48,19 +48,20 @@ class Ours(ABC):
     def prepare(self, setting: dict[str, Any]) -> Callable[[], np.ndarray]:
         """Read, choose, and solve once."""
         from viscodesign.effects.select import select_effects
-        from viscodesign.estimate.scene_quantities import Conditions
+        from viscodesign.estimate.scene_quantities import SceneQuantities
         from viscodesign.simulation.build_problem import Settings, suggest_settings
         from viscodesign.simulation.solve_once import solve
 
         asked = setting.get("accuracy")
-        conditions = Conditions(self.scene() if asked is None else self.scene(f"accuracy={asked}"))
-        effects = select_effects(conditions).effects
-        settings = suggest_settings(conditions, effects)
+        changes = [] if asked is None else [f"accuracy={asked}"]
+        quantities = SceneQuantities(self.scene(*changes))
+        effects = select_effects(quantities).effects
+        settings = suggest_settings(quantities, effects)
         if self.solver is not None:
             settings = Settings(**{"edges_per_section": 1} | setting, solver=self.solver)
 
         def run() -> np.ndarray:
-            found = solve(conditions, effects, settings)
+            found = solve(quantities, effects, settings)
             if not found.is_complete:
                 raise RuntimeError(str(found.motion.failure))
             return self.values(found.motion)

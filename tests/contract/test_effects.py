@@ -16,7 +16,7 @@ from viscodesign import Scene, check, effects, simulate
 from viscodesign.cli.main import main
 from viscodesign.effects.base import Effect
 from viscodesign.effects.select import catalogue, select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Verdict
 from viscodesign.simulation.build_problem import Settings, build
@@ -50,19 +50,19 @@ def scene_of(name: str, *overrides: str) -> Scene:
     return leg(*LOADED, *([CURVE] if name == "material_curve" else []), *overrides)
 
 
-def made(name: str) -> tuple[Effect, Conditions]:
-    conditions = Conditions(scene_of(name))
-    return catalogue()[name].of(conditions), conditions
+def made(name: str) -> tuple[Effect, SceneQuantities]:
+    quantities = SceneQuantities(scene_of(name))
+    return catalogue()[name].of(quantities), quantities
 
 
-def joined(name: str, conditions: Conditions) -> list[Effect]:
+def joined(name: str, quantities: SceneQuantities) -> list[Effect]:
     """The effect with what it needs, and inertia, which gives every term something to push."""
     names = {name, "inertia", catalogue()[name].needs}
-    return [kind.of(conditions) for other, kind in catalogue().items() if other in names]
+    return [kind.of(quantities) for other, kind in catalogue().items() if other in names]
 
 
 def problem_with(*chosen: Effect, edges: int = 1) -> Problem:
-    return build(Conditions(leg(*LOADED)), list(chosen), Settings(edges, 1e-6))
+    return build(SceneQuantities(leg(*LOADED)), list(chosen), Settings(edges, 1e-6))
 
 
 def values(problem: Problem, seed: int = 1) -> list[np.ndarray]:
@@ -77,12 +77,12 @@ def values(problem: Problem, seed: int = 1) -> list[np.ndarray]:
 
 @pytest.mark.parametrize("name", EFFECTS)
 def test_weight_is_finite_and_explained(name: str) -> None:
-    effect, conditions = made(name)
-    weight = effect.weight(conditions)
+    effect, quantities = made(name)
+    weight = effect.weight(quantities)
     assert math.isfinite(weight)
     assert weight >= 0
     assert effect.formula
-    assert effect.reason(conditions)
+    assert effect.reason(quantities)
     assert effect.validity
     assert effect.keys
     assert len((type(effect).__doc__ or "").splitlines()[0]) in range(10, 100)
@@ -90,14 +90,14 @@ def test_weight_is_finite_and_explained(name: str) -> None:
 
 @pytest.mark.parametrize("name", EFFECTS)
 def test_a_sketch_shows_it_and_its_contribution_is_told(name: str) -> None:
-    effect, conditions = made(name)
-    changed = effect.sketch(conditions.bare_sketch)
+    effect, quantities = made(name)
+    changed = effect.sketch(quantities.bare_sketch)
     told = {v.name: v for v in check(scene_of(name)).effects}[name]
     if changed is None:
         # Its weight, in actuator lengths, stands for what it may do.
-        guess = effect.weight(conditions) * LEG_LENGTH
+        guess = effect.weight(quantities) * LEG_LENGTH
         assert told.contribution_m == pytest.approx(guess)
-    assert changed != conditions.bare_sketch
+    assert changed != quantities.bare_sketch
     assert math.isfinite(told.contribution_m)
     assert told.contribution_m > 0.0
     assert told.budget_share == pytest.approx(told.contribution_m / (0.005 * LEG_LENGTH))
@@ -115,9 +115,9 @@ def test_verdict_obeys_the_spec(name: str) -> None:
 
 @pytest.mark.parametrize("name", [*EFFECTS, "all"])
 def test_jacobian_equals_differences(name: str) -> None:
-    conditions = Conditions(scene_of(name))
-    chosen = select_effects(conditions).effects if name == "all" else joined(name, conditions)
-    problem = build(conditions, chosen, Settings(1, 1e-6))
+    quantities = SceneQuantities(scene_of(name))
+    chosen = select_effects(quantities).effects if name == "all" else joined(name, quantities)
+    problem = build(quantities, chosen, Settings(1, 1e-6))
     equations = problem.equations
     x, z = equations.states.vector, equations.algebraics.vector
     unknowns = ca.vertcat(x, z)
@@ -147,8 +147,8 @@ def test_jacobian_equals_differences(name: str) -> None:
 def test_no_force_at_rest_but_steady_load(name: str) -> None:
     """Without pressure and load a straight rod stays where it is."""
     still = scene_of(name, "input={kind: constant, value: 0}", "loads=null")
-    conditions = Conditions(still)
-    problem = build(conditions, joined(name, conditions), Settings(1, 1e-6))
+    quantities = SceneQuantities(still)
+    problem = build(quantities, joined(name, quantities), Settings(1, 1e-6))
     equations = problem.equations
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     ode, alg = equations.function.call(
@@ -215,18 +215,20 @@ def _rates(
 def test_vanishes_with_its_parameter(name: str, override: str) -> None:
     key = override.partition("=")[0]
     parts = {"bellows": ["bellows.area_per_force=0", "bellows.area_per_moment=0"]}
-    conditions = Conditions(leg(*LOADED, *parts.get(key, [override])))
-    effect = catalogue()[name].of(conditions)
-    assert effect.weight(conditions) == 0.0
+    quantities = SceneQuantities(leg(*LOADED, *parts.get(key, [override])))
+    effect = catalogue()[name].of(quantities)
+    assert effect.weight(quantities) == 0.0
 
 
 def test_what_is_off_is_absent() -> None:
     """Fewer unknowns, not a multiplied zero."""
 
     def form(*modes: str) -> tuple[RodForm, int]:
-        conditions = Conditions(leg(*LOADED[:3], f"effects={{{', '.join(modes)}, others: off}}"))
-        chosen = select_effects(conditions).effects
-        equations = build(conditions, chosen, Settings(1, 1e-4)).equations
+        quantities = SceneQuantities(
+            leg(*LOADED[:3], f"effects={{{', '.join(modes)}, others: off}}")
+        )
+        chosen = select_effects(quantities).effects
+        equations = build(quantities, chosen, Settings(1, 1e-4)).equations
         return equations.rod_form, equations.states.count + equations.algebraics.count
 
     everything = form("inertia: on", "damping: on", "pressure_distribution: on")
@@ -235,7 +237,7 @@ def test_what_is_off_is_absent() -> None:
     assert everything[0] is RodForm.DYNAMIC
     assert quasi_static[0] is RodForm.STATIC
     assert everything[1] > quasi_static[1] > uniform[1]
-    bare = Conditions(leg("effects={others: off}"))
+    bare = SceneQuantities(leg("effects={others: off}"))
     chosen = select_effects(bare).effects
     equations = build(bare, chosen, Settings(1, 1e-4)).equations
     assert equations.rod_form is RodForm.ARCS
@@ -255,13 +257,13 @@ class TipDrag(Effect):
     keys = ("ambient.density",)
 
     @classmethod
-    def of(cls, conditions):
+    def of(cls, quantities):
         return cls()
 
-    def weight(self, conditions):
+    def weight(self, quantities):
         return 0.125
 
-    def reason(self, conditions):
+    def reason(self, quantities):
         return "for a test"
 
     def join(self, system):

@@ -26,7 +26,7 @@ from viscodesign import Trajectory, load, simulate
 from viscodesign.checks.refusals import refuse_beyond_numbers
 from viscodesign.cli.main import INTERNAL_ERROR, main
 from viscodesign.errors import SpecError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 
 REFUSED, FAILED = 2, 3
 
@@ -73,7 +73,7 @@ def said(words: Sequence[str]) -> Said:
 def has_timescales(file: Path, overrides: Sequence[str] = ()) -> bool:
     """Whether numbers hold its sizes: then it has a place, be it ill posed for a solution."""
     try:
-        refuse_beyond_numbers(Conditions(load(file, overrides)))
+        refuse_beyond_numbers(SceneQuantities(load(file, overrides)))
     except SpecError:
         return False
     return True

@@ -13,7 +13,7 @@ from tests.scenes import leg
 from viscodesign import Scene, Trajectory, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import ViscodesignError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import solve
 
@@ -181,12 +181,12 @@ MOST_CORNERS = 2000
 
 def moved_by_refinement(case: Case, run: Trajectory) -> Finding:
     """How far the tip moves at half the tolerance on half the mesh, against the stated error."""
-    conditions = Conditions(case.scene())
-    selection = select_effects(conditions)
+    quantities = SceneQuantities(case.scene())
+    selection = select_effects(quantities)
     used = run.settings
     finer = Settings(2 * used["edges_per_section"], used["tolerance"] / 2, used["solver"])
     effects = selection.members(frozenset(v.name for v in run.effects if v.taken))
-    again = solve(conditions, effects, finer).motion
+    again = solve(quantities, effects, finer).motion
     both = min(len(again.tip), len(run.tip))
     apart = np.hypot(*(again.tip[:both, :2] - run.tip[:both, :2]).T)
     stated = run.accuracy.estimated_tip_error_m or 0.0

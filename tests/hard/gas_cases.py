@@ -14,7 +14,7 @@ from tests.scenes import leg
 from tests.validation.rc_network import AMBIENT, COMPLIANCE, REST_VOLUME, resistance
 from viscodesign import Trajectory
 from viscodesign.effects.collapse import Collapse
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 
 VISCOSITY = 2e-5
 Law = Callable[[np.ndarray], np.ndarray]
@@ -75,7 +75,7 @@ def linear(p: np.ndarray) -> np.ndarray:
 
 def wall(changes: tuple[str, ...]) -> Law:
     """Volume of a bellow whose walls meet [m3]."""
-    law = Collapse.of(Conditions(leg(*changes)))
+    law = Collapse.of(SceneQuantities(leg(*changes)))
     return lambda p: np.asarray(REST_VOLUME + law.wall(p)[0])
 
 

@@ -12,7 +12,7 @@ from tests.hard.case import EXACT, Case, Finding, Judge, at_most, relative, true
 from tests.scenes import chain_order, leg
 from tests.validation.test_network import exact_step_response, tubes
 from viscodesign import Scene, Trajectory, simulate
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
 CHAIN = chain_order(8)
@@ -157,12 +157,12 @@ def fitted(time: np.ndarray, pressure: np.ndarray, turn: float) -> tuple[float, 
 
 def steady_swing(scene: Scene, turn: float) -> dict[str, complex]:
     """Exact phasors of a chain's bellows under a sine of 50 kPa."""
-    conditions = Conditions(scene)
+    quantities = SceneQuantities(scene)
     (part,) = scene.graph.components()
-    laplacian = conditions.laplacian(part)
+    laplacian = quantities.laplacian(part)
     inlet = np.zeros(len(part.bellows))
-    inlet[part.bellows.index("R1")] = 1 / conditions.resistances["inlet-R1"]
-    storing = 1j * turn * conditions.bellow.compliance * np.eye(len(inlet))
+    inlet[part.bellows.index("R1")] = 1 / quantities.resistances["inlet-R1"]
+    storing = 1j * turn * quantities.bellow.compliance * np.eye(len(inlet))
     return dict(zip(part.bellows, 5e4 * np.linalg.solve(storing + laplacian, inlet), strict=True))
 
 

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import casadi as ca
 import numpy as np
 import pytest
+from casadi import SX
 
 from tests.scenes import leg
+from viscodesign.effects.base import Effect
 from viscodesign.effects.select import catalogue, select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model import formulation
+from viscodesign.model.rod import ChainRod
+from viscodesign.model.system import System
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.simulation.solve_once import Run, solve
+from viscodesign.solve.problem import evaluate
 
 EFFECTS = "effects={pressure_distribution: on, inertia: on, damping: on, feedback: on, others: off}"
 SHORT = "run={duration: 0.3 s, output_interval: 0.05 s}"
+STILL = "input={kind: constant, value: 0}"
+SIDEWAYS = "loads.gravity={tilt: 90 deg}"
 SAME = [
     "fluid=water",
     "actuator.length=150 mm",
@@ -33,8 +41,8 @@ OTHER = [
 
 
 def solved(*overrides: str) -> Run:
-    conditions = Conditions(leg(SHORT, EFFECTS, *overrides))
-    return solve(conditions, select_effects(conditions).effects, Settings(1, 1e-6))
+    quantities = SceneQuantities(leg(SHORT, EFFECTS, *overrides))
+    return solve(quantities, select_effects(quantities).effects, Settings(1, 1e-6))
 
 
 @pytest.fixture(autouse=True)
@@ -76,26 +84,77 @@ def test_no_effect_is_lost_on_the_way(name: str) -> None:
     """With and without it, the structures differ: nothing that joins escapes the comparison."""
     from tests.contract.test_effects import LOADED
 
-    conditions = Conditions(leg(*LOADED))
-    effect = catalogue()[name].of(conditions)
-    if not effect.present(conditions):
+    quantities = SceneQuantities(leg(*LOADED))
+    effect = catalogue()[name].of(quantities)
+    if not effect.present(quantities):
         pytest.skip("the scene has nothing for it")
     base = [
-        catalogue()["pressure_distribution"].of(conditions),
-        catalogue()["gravity"].of(conditions),
+        catalogue()["pressure_distribution"].of(quantities),
+        catalogue()["gravity"].of(quantities),
     ]
-    base += [catalogue()["inertia"].of(conditions)]
+    base += [catalogue()["inertia"].of(quantities)]
     without = [e for e in base if e.name != name]
     order = list(catalogue())
     joined = sorted([*without, effect], key=lambda e: order.index(e.name))
     settings = Settings(1, 1e-4)
-    one = build(conditions, joined, settings).equations
-    other = build(conditions, without, settings).equations
+    one = build(quantities, joined, settings).equations
+    other = build(quantities, without, settings).equations
     assert one.function is not other.function
 
 
 def test_old_structures_make_room() -> None:
     for count in range(2, 2 * (formulation.MOST_KEPT + 3), 2):
-        conditions = Conditions(leg(SHORT, f"bellows.count={count}", "effects={others: off}"))
-        build(conditions, select_effects(conditions).effects, Settings(4, 1e-4))
+        quantities = SceneQuantities(leg(SHORT, f"bellows.count={count}", "effects={others: off}"))
+        build(quantities, select_effects(quantities).effects, Settings(4, 1e-4))
     assert len(formulation._kept) == formulation.MOST_KEPT
+
+
+class _Stiffer(Effect):
+    """A rod four times as stiff: one line, on what no list of sums would have to hold."""
+
+    name = "stiffer"
+    formula = "4"
+
+    @classmethod
+    def of(cls, quantities: SceneQuantities) -> _Stiffer:
+        return cls()
+
+    def weight(self, quantities: SceneQuantities) -> float:
+        return 4.0
+
+    def reason(self, quantities: SceneQuantities) -> str:
+        return "four times as stiff"
+
+    def join(self, system: System) -> None:
+        system.rod.EI = 4 * system.rod.EI
+
+
+def test_an_effect_on_the_rods_stiffness_does_not_answer_by_what_ran_before_it() -> None:
+    quantities = SceneQuantities(leg(SHORT, STILL, "effects={gravity: on, others: off}", SIDEWAYS))
+    plain = select_effects(quantities).effects
+    first = solve(quantities, plain, Settings(1, 1e-6)).motion.tip
+    stiff = solve(quantities, [*plain, _Stiffer()], Settings(1, 1e-6)).motion.tip
+    formulation._kept.clear()
+    alone = solve(quantities, [*plain, _Stiffer()], Settings(1, 1e-6)).motion.tip
+    assert np.array_equal(stiff, alone)
+    assert stiff[0, 0] / first[0, 0] == pytest.approx(0.25, rel=0.02)
+
+
+def test_a_number_that_no_parameter_carries_cannot_reach_formulas(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Formulas are shared by scenes of other numbers: a constant of one would be wrong in the next."""
+
+    def careless(self: ChainRod) -> SX:
+        return SX(self.body.bending_stiffness) * ca.dot(self.elastic_curvature, self.elastic_turns)
+
+    monkeypatch.setattr(ChainRod, "elastic_potential", careless)
+    quantities = SceneQuantities(leg(SHORT, "effects={gravity: on, others: off}", SIDEWAYS))
+    effects = select_effects(quantities).effects
+    problem = build(quantities, effects, Settings(1, 1e-6))
+    values = evaluate(
+        problem.equations.static_function,
+        np.zeros(problem.equations.statics.count),
+        *problem.tail(0.0, problem.schedule.initial_piece),
+    )
+    assert np.isnan(np.array(values[0])).any()

@@ -17,7 +17,7 @@ from tests.scenes import (
 )
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.motion import read_motion
 from viscodesign.postprocess.stability import eigenvalues
 from viscodesign.simulation.build_problem import Settings, build
@@ -31,9 +31,9 @@ REFERENCE_DENSITY = 0.269 / (0.03 * 0.02 * 0.47)
 
 
 def problem_of(edges_per_section: int, *overrides: str) -> Problem:
-    conditions = Conditions(leg(*overrides))
-    effects = select_effects(conditions).effects
-    return build(conditions, effects, Settings(edges_per_section, 1e-8))
+    quantities = SceneQuantities(leg(*overrides))
+    effects = select_effects(quantities).effects
+    return build(quantities, effects, Settings(edges_per_section, 1e-8))
 
 
 def linear_modes(problem: Problem) -> np.ndarray:

@@ -10,7 +10,7 @@ import pytest
 from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model import formulation
 from viscodesign.results.trajectory import Invariants
 from viscodesign.simulation.build_problem import suggest_settings
@@ -83,11 +83,11 @@ CUT = {
 def balance(scene: str) -> Invariants:
     """At the tolerance that a run of the default accuracy ends with."""
     config, changes = SCENES[scene]
-    conditions = Conditions(leg(*changes, config=config))
-    effects = select_effects(conditions).effects
-    settings = suggest_settings(conditions, effects)
+    quantities = SceneQuantities(leg(*changes, config=config))
+    effects = select_effects(quantities).effects
+    settings = suggest_settings(quantities, effects)
     run = solve(
-        conditions, effects, replace(settings, tolerance=settings.tolerance * CUT.get(scene, 0.1))
+        quantities, effects, replace(settings, tolerance=settings.tolerance * CUT.get(scene, 0.1))
     )
     assert run.is_complete, run.motion.failure
     return run.motion.invariants

@@ -8,7 +8,7 @@ import scipy.linalg
 
 from tests.scenes import chain_order, in_order, leg, reference
 from viscodesign import Scene, simulate
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
 FINE = "accuracy=0.001 %"
@@ -17,10 +17,10 @@ SHARE_OF_SWING = 1e-6
 
 def exact_step_response(scene: Scene, times: np.ndarray, step: float) -> np.ndarray:
     """Pressures (T, B) after a step at t = 0 from zero, by the matrix exponential."""
-    conditions = Conditions(scene)
-    graph = conditions.graph
+    quantities = SceneQuantities(scene)
+    graph = quantities.graph
     (component,) = graph.components()
-    laplacian = conditions.laplacian(component)
+    laplacian = quantities.laplacian(component)
     count = len(component.bellows)
     own, cross = laplacian[:count, :count], laplacian[:count, count:]
     inlet = np.zeros(len(laplacian))
@@ -28,7 +28,7 @@ def exact_step_response(scene: Scene, times: np.ndarray, step: float) -> np.ndar
     for tube in graph.tubes:
         for end, other in ((tube.start, tube.end), (tube.end, tube.start)):
             if end in graph.inlets:
-                inlet[nodes.index(other)] += step / conditions.resistances[tube.name]
+                inlet[nodes.index(other)] += step / quantities.resistances[tube.name]
     drive = inlet[:count]
     if component.junctions:
         solved = np.linalg.solve(
@@ -36,7 +36,7 @@ def exact_step_response(scene: Scene, times: np.ndarray, step: float) -> np.ndar
         )
         own = own - cross @ solved[:, :-1]
         drive = drive - cross @ solved[:, -1]
-    rates = own / conditions.bellow.compliance
+    rates = own / quantities.bellow.compliance
     steady = np.linalg.solve(own, drive)
     return np.array([steady - scipy.linalg.expm(-rates * t) @ steady for t in times])
 
@@ -73,7 +73,7 @@ def test_step_response_matches_the_matrix_exponential(graph: str) -> None:
         FINE,
     )
     found = simulate(scene)
-    names = Conditions(scene).graph.components()[0].bellows
+    names = SceneQuantities(scene).graph.components()[0].bellows
     exact = exact_step_response(scene, found.time, STEP)
     error = in_order(found.pressure, found.bellows, list(names)) - exact
     assert found.status == "complete"

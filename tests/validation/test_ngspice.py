@@ -11,7 +11,7 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import Scene, simulate
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 
 SHARE_OF_SWING = 1e-5
 STEP_S = 1e-4
@@ -23,15 +23,15 @@ pytestmark = pytest.mark.skipif(
 
 def netlist(scene: Scene, source: str, times: np.ndarray) -> str:
     """Volts are pascals above the start; a farad is 1e-6 m3/Pa, so numbers stay handy."""
-    conditions = Conditions(scene)
+    quantities = SceneQuantities(scene)
     lines = ["bellows as capacitors, tubes as resistors", f"B1 inlet 0 V={source}"]
-    for k, tube in enumerate(conditions.graph.tubes):
+    for k, tube in enumerate(quantities.graph.tubes):
         lines.append(
-            f"R{k} {tube.start} {tube.end} {float(conditions.resistances[tube.name]) * 1e-6!r}"
+            f"R{k} {tube.start} {tube.end} {float(quantities.resistances[tube.name]) * 1e-6!r}"
         )
-    for k, bellow in enumerate(conditions.graph.bellows):
-        lines.append(f"C{k} {bellow} 0 {conditions.bellow.compliance * 1e6!r} IC=0")
-    shown = " ".join(f"v({name})" for name in conditions.graph.bellows)
+    for k, bellow in enumerate(quantities.graph.bellows):
+        lines.append(f"C{k} {bellow} 0 {quantities.bellow.compliance * 1e6!r} IC=0")
+    shown = " ".join(f"v({name})" for name in quantities.graph.bellows)
     lines += [
         ".options reltol=1e-7 abstol=1e-15 vntol=1e-7 method=gear maxord=4",
         ".control",

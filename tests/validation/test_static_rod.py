@@ -24,7 +24,7 @@ from tests.scenes import (
 from viscodesign import simulate
 from viscodesign.effects.base import Effect
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.system import System
 from viscodesign.results.trajectory import Trajectory
@@ -90,9 +90,9 @@ def elastica(load: float) -> tuple[float, float]:
 def chain_tip(edges_per_section: int, *overrides: str) -> np.ndarray:
     """Tip (x, z)/L of the chain of a given number of edges at rest."""
     # The least error that may be asked for, so that the axis is as stiff as it can be.
-    conditions = Conditions(leg(STILL, STATIC, SHORT, "accuracy=0.00001 %", *overrides))
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, Settings(edges_per_section, 1e-6))
+    quantities = SceneQuantities(leg(STILL, STATIC, SHORT, "accuracy=0.00001 %", *overrides))
+    effects = select_effects(quantities).effects
+    problem = build(quantities, effects, Settings(edges_per_section, 1e-6))
     start: Start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     position = problem.equations.algebraics.physical("position", start.algebraics)
     return np.asarray(position[-2:] / LEG_LENGTH)
@@ -134,13 +134,13 @@ class TipMoment(Effect):
     moment: float
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
+    def of(cls, quantities: SceneQuantities) -> Self:
         return cls(0.0)
 
-    def weight(self, conditions: Conditions) -> float:
+    def weight(self, quantities: SceneQuantities) -> float:
         return 1.0
 
-    def reason(self, conditions: Conditions) -> str:
+    def reason(self, quantities: SceneQuantities) -> str:
         return "for a test"
 
     def join(self, system: System) -> None:
@@ -149,9 +149,9 @@ class TipMoment(Effect):
 
 @pytest.mark.parametrize("turns", [0.25, 1.0, 1.2])
 def test_end_moment_rolls_the_rod_into_a_circle(turns: float) -> None:
-    conditions = Conditions(leg(STILL, STATIC, SHORT))
+    quantities = SceneQuantities(leg(STILL, STATIC, SHORT))
     moment = TipMoment(turns * 2 * np.pi * LEG_EI / LEG_LENGTH)
-    problem = build(conditions, [moment], Settings(1, 1e-6))
+    problem = build(quantities, [moment], Settings(1, 1e-6))
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     position = problem.equations.algebraics.physical("position", start.algebraics)
     angle = turns * 2 * np.pi

@@ -9,7 +9,7 @@ from viscodesign.checks.classify import classification
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.checks.scene_warnings import verdict_notices
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.findings import Classification, Notice, Verdict, check_document
 from viscodesign.scene.scene import Scene
 
@@ -34,18 +34,19 @@ def check(scene: Scene) -> Check:
 
     Raises `SpecError` where the scene has no bounded solution.
     """
-    conditions = Conditions(scene)
-    refuse_beyond_numbers(conditions)
-    verdicts = select_effects(conditions).verdicts
-    refuse_unsolvable(conditions)
-    found = classification(conditions)
+    quantities = SceneQuantities(scene)
+    refuse_beyond_numbers(quantities)
+    selection = select_effects(quantities)
+    verdicts, active = selection.verdicts, selection.taken
+    refuse_unsolvable(quantities, active)
+    found = classification(quantities, active)
     found = replace(found, warnings=(*verdict_notices(verdicts), *found.warnings))
-    return Check(scene.name, found, verdicts, found.warnings, tuple(_facts(conditions)))
+    return Check(scene.name, found, verdicts, found.warnings, tuple(_facts(quantities)))
 
 
-def _facts(conditions: Conditions) -> list[str]:
+def _facts(quantities: SceneQuantities) -> list[str]:
     """The graph in words."""
-    graph = conditions.graph
+    graph = quantities.graph
     facts = [
         f"{len(graph.bellows)} bellows in {graph.sections} sections, {len(graph.tubes)} tubes, "
         f"{len(graph.junctions)} junctions, {len(graph.inlets)} inlets"

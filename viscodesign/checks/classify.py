@@ -7,7 +7,8 @@ from typing import Literal
 
 from viscodesign.checks.refusals import refuse_beyond_numbers
 from viscodesign.checks.scene_warnings import scene_notices
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.effects.select import select_effects
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics.timescales import cutoff_frequency
 from viscodesign.results.findings import Classification, Scales
 from viscodesign.scene.scene import Scene
@@ -27,22 +28,22 @@ def classify(scene: Scene) -> Classification:
 
     Raises `SpecError` where sizes lie beyond what numbers hold.
     """
-    conditions = Conditions(scene)
-    refuse_beyond_numbers(conditions)
-    return classification(conditions)
+    quantities = SceneQuantities(scene)
+    refuse_beyond_numbers(quantities)
+    return classification(quantities, select_effects(quantities).taken)
 
 
-def classification(conditions: Conditions) -> Classification:
-    """The same, where the conditions are at hand."""
-    scales = conditions.scales
+def classification(quantities: SceneQuantities, active: frozenset[str]) -> Classification:
+    """The same, where the scene's quantities and the names of its active effects are at hand."""
+    scales = quantities.scales
     quadrant = find_quadrant(scales)
     return Classification(
-        name=conditions.scene.name,
+        name=quantities.scene.name,
         scales=scales,
         quadrant=quadrant,
         meaning=_meaning(quadrant, scales),
         cutoff_frequency_hz=cutoff_frequency(scales.t_f) if scales.t_f else math.inf,
-        warnings=tuple(scene_notices(conditions)),
+        warnings=tuple(scene_notices(quantities, active)),
     )
 
 

@@ -7,19 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.findings import Notice, Verdict
 from viscodesign.scene.bellows import falls, first_peak
 
 STEEP_RECIPROCITY = 1.05
 
 
-def scene_notices(conditions: Conditions) -> Iterator[Notice]:
-    """What can be said before anything is solved."""
-    yield from _pressure_notices(conditions)
-    yield from _reciprocity_notices(conditions)
-    yield from _network_notices(conditions)
-    yield from _curve_notices(conditions)
+def scene_notices(quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Notice]:
+    """What can be said before anything is solved with these effects."""
+    yield from _pressure_notices(quantities, active)
+    yield from _reciprocity_notices(quantities)
+    yield from _network_notices(quantities)
+    yield from _curve_notices(quantities)
 
 
 def verdict_notices(verdicts: Iterable[Verdict]) -> Iterator[Notice]:
@@ -35,9 +35,9 @@ def verdict_notices(verdicts: Iterable[Verdict]) -> Iterator[Notice]:
             )
 
 
-def _pressure_notices(conditions: Conditions) -> Iterator[Notice]:
-    scene, law = conditions.scene, conditions.bellow
-    low = conditions.lowest_pressure
+def _pressure_notices(quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Notice]:
+    scene, law = quantities.scene, quantities.bellow
+    low = quantities.lowest_pressure
     absolute = scene.ambient_pressure + low
     if absolute <= 0.0:
         yield Notice(
@@ -63,8 +63,8 @@ def _pressure_notices(conditions: Conditions) -> Iterator[Notice]:
         )
     lowest_volume = law.rest_volume + law.compliance * low
     # Where the floor is weighed and left out, no bellow comes near it.
-    forced = conditions.scene.effects.mode("collapse") == "off"
-    follows_law = forced and not conditions.taken & {"collapse", "material_curve"}
+    forced = quantities.scene.effects.mode("collapse") == "off"
+    follows_law = forced and not active & {"collapse", "material_curve"}
     if lowest_volume < law.floor_volume and follows_law:
         empty = -law.rest_volume / law.compliance
         yield Notice(
@@ -77,12 +77,12 @@ def _pressure_notices(conditions: Conditions) -> Iterator[Notice]:
         )
 
 
-def _reciprocity_notices(conditions: Conditions) -> Iterator[Notice]:
+def _reciprocity_notices(quantities: SceneQuantities) -> Iterator[Notice]:
     """Volume per resultant against strain per pressure: equal in a reciprocal coupling."""
-    if conditions.scene.effects.mode("feedback") == "off":
+    if quantities.scene.effects.mode("feedback") == "off":
         return
-    law, b = conditions.bellow, conditions.scene.bellows
-    section = conditions.body.section_length
+    law, b = quantities.bellow, quantities.scene.bellows
+    section = quantities.body.section_length
     for strain, resultant, found in (
         (law.curvature_per_pressure * section, "moment", law.length * b.area_per_moment),
         (law.stretch_per_pressure * section, "force", law.length * b.area_per_force),
@@ -104,10 +104,10 @@ def _reciprocity_notices(conditions: Conditions) -> Iterator[Notice]:
             )
 
 
-def _curve_notices(conditions: Conditions) -> Iterator[Notice]:
-    curve = conditions.scene.bellows.curve
+def _curve_notices(quantities: SceneQuantities) -> Iterator[Notice]:
+    curve = quantities.scene.bellows.curve
     rows = (curve.rows or ()) if curve is not None else ()
-    if falls(rows) and conditions.scene.effects.mode("material_curve") != "off":
+    if falls(rows) and quantities.scene.effects.mode("material_curve") != "off":
         peak = first_peak(rows)
         yield Notice(
             "snapping_curve",
@@ -118,8 +118,8 @@ def _curve_notices(conditions: Conditions) -> Iterator[Notice]:
         )
 
 
-def _network_notices(conditions: Conditions) -> Iterator[Notice]:
-    for component in conditions.graph.components():
+def _network_notices(quantities: SceneQuantities) -> Iterator[Notice]:
+    for component in quantities.graph.components():
         if not component.fed and component.bellows:
             yield Notice(
                 "sealed_island",

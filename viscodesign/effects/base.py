@@ -11,7 +11,7 @@ from viscodesign.estimate.estimate import Sketch
 from viscodesign.model.system import System
 
 if TYPE_CHECKING:
-    from viscodesign.estimate.scene_quantities import Conditions
+    from viscodesign.estimate.scene_quantities import SceneQuantities
 
 
 class Effect(ABC):
@@ -44,25 +44,25 @@ class Effect(ABC):
 
     @classmethod
     @abstractmethod
-    def of(cls, conditions: Conditions) -> Self:
+    def of(cls, quantities: SceneQuantities) -> Self:
         """The effect with the options that a scene gives it."""
 
     @abstractmethod
-    def weight(self, conditions: Conditions) -> float:
+    def weight(self, quantities: SceneQuantities) -> float:
         """Dimensionless size of the term against the term it competes with; >= 0."""
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         """Whether the scene has what the effect acts on; if not, there is nothing to take."""
-        del conditions
+        del quantities
         return True
 
-    def indispensable(self, conditions: Conditions) -> bool:
+    def indispensable(self, quantities: SceneQuantities) -> bool:
         """Whether the scene has no sense without it."""
-        del conditions
+        del quantities
         return False
 
     @abstractmethod
-    def reason(self, conditions: Conditions) -> str:
+    def reason(self, quantities: SceneQuantities) -> str:
         """What the weight says about this scene, in one clause."""
 
     def sketch(self, sketch: Sketch) -> Sketch | None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.bellow_wall import CollapsingWall
 from viscodesign.model.system import System
 from viscodesign.physics import bellow
@@ -40,32 +40,32 @@ class Collapse(Effect):
     measured: bool
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        law, bellows = conditions.bellow, conditions.scene.bellows
-        ambient = conditions.scene.ambient_pressure
+    def of(cls, quantities: SceneQuantities) -> Self:
+        law, bellows = quantities.bellow, quantities.scene.bellows
+        ambient = quantities.scene.ambient_pressure
         own = (law.rest_volume, law.compliance, bellows.collapse_fraction, ambient)
         floor, fade = bellow.collapse_pressures(*own)
         give = bellow.wall_give(*own)
         linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)
         measured = (
-            bellows.curve is not None and conditions.scene.effects.mode("material_curve") != "off"
+            bellows.curve is not None and quantities.scene.effects.mode("material_curve") != "off"
         )
         return cls(floor, fade, give, linear, measured)
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return not self.measured
 
-    def weight(self, conditions: Conditions) -> float:
-        below = self.floor + self.fade - conditions.lowest_pressure
-        law = conditions.bellow
+    def weight(self, quantities: SceneQuantities) -> float:
+        below = self.floor + self.fade - quantities.lowest_pressure
+        law = quantities.bellow
         return max(0.0, below * law.compliance / law.rest_volume)
 
-    def reason(self, conditions: Conditions) -> str:
+    def reason(self, quantities: SceneQuantities) -> str:
         if self.measured:
             return "the measured curve (bellows.curve) shows what an emptied bellow does"
         return (
             f"the walls begin to meet at {(self.floor + self.fade) / 1e3:.3g} kPa gauge, "
-            f"the inlet goes down to {conditions.lowest_pressure / 1e3:.3g} kPa"
+            f"the inlet goes down to {quantities.lowest_pressure / 1e3:.3g} kPa"
         )
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -9,7 +9,7 @@ import casadi as ca
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 
 
@@ -31,17 +31,17 @@ class Damping(Effect):
     damping_time: float
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        return cls(conditions.scene.actuator.damping_time)
+    def of(cls, quantities: SceneQuantities) -> Self:
+        return cls(quantities.scene.actuator.damping_time)
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return self.damping_time > 0.0
 
-    def weight(self, conditions: Conditions) -> float:
-        return self.damping_time / conditions.scales.t_s
+    def weight(self, quantities: SceneQuantities) -> float:
+        return self.damping_time / quantities.scales.t_s
 
-    def reason(self, conditions: Conditions) -> str:
-        if not self.present(conditions):
+    def reason(self, quantities: SceneQuantities) -> str:
+        if not self.present(quantities):
             return "actuator.damping_time is zero"
         return f"the material forgets its strain rate in {self.damping_time:.3g} s"
 

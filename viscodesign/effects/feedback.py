@@ -7,7 +7,7 @@ from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.bellow_law import places
 from viscodesign.model.system import System
 
@@ -29,26 +29,26 @@ class Feedback(Effect):
     """Of a bellow along the stream [m]."""
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        bellows = conditions.scene.bellows
+    def of(cls, quantities: SceneQuantities) -> Self:
+        bellows = quantities.scene.bellows
         return cls(bellows.area_per_force, bellows.area_per_moment, bellows.length)
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return (self.area_per_force, self.area_per_moment) != (0.0, 0.0)
 
-    def weight(self, conditions: Conditions) -> float:
-        force = conditions.load_force
+    def weight(self, quantities: SceneQuantities) -> float:
+        force = quantities.load_force
         area = (
-            abs(self.area_per_force) + abs(self.area_per_moment) * conditions.body.length
+            abs(self.area_per_force) + abs(self.area_per_moment) * quantities.body.length
         ) * force
-        return area / (conditions.scene.bellows.area_per_pressure * conditions.swing)
+        return area / (quantities.scene.bellows.area_per_pressure * quantities.swing)
 
-    def reason(self, conditions: Conditions) -> str:
-        if not self.present(conditions):
+    def reason(self, quantities: SceneQuantities) -> str:
+        if not self.present(quantities):
             return "bellows.area_per_force and area_per_moment are zero"
-        if conditions.load_force == 0.0:
+        if quantities.load_force == 0.0:
             return "nothing loads the rod, so there is nothing to feed back"
-        return f"forces up to about {conditions.load_force:.2g} N act on the sections"
+        return f"forces up to about {quantities.load_force:.2g} N act on the sections"
 
     def sketch(self, sketch: Sketch) -> Sketch:
         return sketch.with_(

@@ -10,7 +10,7 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 from viscodesign.physics import tube
 
@@ -40,27 +40,27 @@ class FlowRegime(Effect):
     loss: float
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        fluid, network = conditions.scene.fluid, conditions.scene.network
+    def of(cls, quantities: SceneQuantities) -> Self:
+        fluid, network = quantities.scene.fluid, quantities.scene.network
         return cls(
             fluid.density,
             fluid.viscosity,
-            {t.name: t.radius for t in conditions.graph.tubes},
-            conditions.resistances,
+            {t.name: t.radius for t in quantities.graph.tubes},
+            quantities.resistances,
             network.entrance_loss + network.exit_loss,
         )
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return bool(self.radii)
 
-    def weight(self, conditions: Conditions) -> float:
-        flow = conditions.slow_flows
+    def weight(self, quantities: SceneQuantities) -> float:
+        flow = quantities.slow_flows
         return float(np.max(self.multiplier(flow), initial=1.0)) - 1.0
 
-    def reason(self, conditions: Conditions) -> str:
+    def reason(self, quantities: SceneQuantities) -> str:
         if not self.radii:
             return "no tube joins anything"
-        reynolds = self._reynolds(conditions.slow_flows)
+        reynolds = self._reynolds(quantities.slow_flows)
         place = list(self.radii)[int(np.argmax(np.max(reynolds, axis=0)))]
         return (
             f"slow laminar flow would reach a Reynolds number of {np.max(reynolds):.3g} in {place}"

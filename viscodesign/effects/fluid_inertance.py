@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 from viscodesign.physics import tube
 
@@ -34,20 +34,20 @@ class FluidInertance(Effect):
     """Inertance over resistance, of all tubes together [s]."""
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        density, tubes = conditions.scene.fluid.density, conditions.graph.tubes
+    def of(cls, quantities: SceneQuantities) -> Self:
+        density, tubes = quantities.scene.fluid.density, quantities.graph.tubes
         found = {t.name: tube.fluid_inertance(density, t.length, t.radius) for t in tubes}
-        resistance = sum(conditions.resistances.values())
+        resistance = sum(quantities.resistances.values())
         return cls(found, sum(found.values()) / resistance if tubes else 0.0)
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return bool(self.inertances)
 
-    def weight(self, conditions: Conditions) -> float:
-        swing = max(conditions.scales.t_i, conditions.scales.t_net * 1e-6)
+    def weight(self, quantities: SceneQuantities) -> float:
+        swing = max(quantities.scales.t_i, quantities.scales.t_net * 1e-6)
         return self.delay / swing if math.isfinite(swing) and swing > 0.0 else 0.0
 
-    def reason(self, conditions: Conditions) -> str:
+    def reason(self, quantities: SceneQuantities) -> str:
         if not self.inertances:
             return "no tube joins anything"
         return f"viscosity stops a flow within {self.delay:.3g} s"

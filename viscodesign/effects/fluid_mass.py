@@ -9,7 +9,7 @@ from casadi import SX
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.bellow_law import places
 from viscodesign.model.system import System
 
@@ -37,15 +37,15 @@ class FluidMass(Effect):
     """Volume at rest of all bellows [m3]."""
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        amount = len(conditions.graph.bellows) * conditions.bellow.rest_volume
-        return cls(conditions.scene.fluid.density, amount)
+    def of(cls, quantities: SceneQuantities) -> Self:
+        amount = len(quantities.graph.bellows) * quantities.bellow.rest_volume
+        return cls(quantities.scene.fluid.density, amount)
 
-    def weight(self, conditions: Conditions) -> float:
-        return self.amount * self.density / conditions.solid_mass
+    def weight(self, quantities: SceneQuantities) -> float:
+        return self.amount * self.density / quantities.solid_mass
 
-    def reason(self, conditions: Conditions) -> str:
-        held, solid = 1e3 * self.amount * self.density, 1e3 * conditions.solid_mass
+    def reason(self, quantities: SceneQuantities) -> str:
+        held, solid = 1e3 * self.amount * self.density, 1e3 * quantities.solid_mass
         return f"the bellows hold {held:.3g} g at rest, the body weighs {solid:.3g} g"
 
     def sketch(self, sketch: Sketch) -> Sketch:

@@ -7,7 +7,7 @@ from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.fluid import Gas
 from viscodesign.model.system import System
 from viscodesign.physics import gas
@@ -39,23 +39,23 @@ class GasCompressibility(Effect):
     exponent: float
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        fluid = conditions.scene.fluid
+    def of(cls, quantities: SceneQuantities) -> Self:
+        fluid = quantities.scene.fluid
         return cls(fluid.is_gas, fluid.polytropic_exponent)
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return self.is_gas
 
-    def weight(self, conditions: Conditions) -> float:
-        law, scene = conditions.bellow, conditions.scene
+    def weight(self, quantities: SceneQuantities) -> float:
+        law, scene = quantities.bellow, quantities.scene
         absolute = scene.ambient_pressure + scene.gauge_pressure
         return gas.gas_compliance(law.rest_volume, absolute, self.exponent) / law.compliance
 
-    def reason(self, conditions: Conditions) -> str:
+    def reason(self, quantities: SceneQuantities) -> str:
         if not self.is_gas:
-            return f"{conditions.scene.fluid.name} is a liquid (no gas constant)"
+            return f"{quantities.scene.fluid.name} is a liquid (no gas constant)"
         return (
-            f"the gas in a bellow stores {100 * self.weight(conditions):.3g} % of what its wall "
+            f"the gas in a bellow stores {100 * self.weight(quantities):.3g} % of what its wall "
             "stores"
         )
 

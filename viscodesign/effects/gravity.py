@@ -10,7 +10,7 @@ import casadi as ca
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 
 
@@ -29,18 +29,18 @@ class Gravity(Effect):
     tilt: float
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        gravity = conditions.scene.loads.gravity
+    def of(cls, quantities: SceneQuantities) -> Self:
+        gravity = quantities.scene.loads.gravity
         return cls(0.0, 0.0) if gravity is None else cls(gravity.acceleration, gravity.tilt)
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return self.acceleration != 0.0
 
-    def weight(self, conditions: Conditions) -> float:
-        return conditions.weight / conditions.bending_force
+    def weight(self, quantities: SceneQuantities) -> float:
+        return quantities.weight / quantities.bending_force
 
-    def reason(self, conditions: Conditions) -> str:
-        if not self.present(conditions):
+    def reason(self, quantities: SceneQuantities) -> str:
+        if not self.present(quantities):
             return "loads.gravity is off"
         return f"the weight acts at {math.degrees(self.tilt):.3g} deg from the clamped axis"
 

@@ -8,7 +8,7 @@ import casadi as ca
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 
 
@@ -25,18 +25,18 @@ class Inertia(Effect):
     keys: ClassVar[tuple[str, ...]] = ("actuator.density", "actuator.solid_fraction")
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
+    def of(cls, quantities: SceneQuantities) -> Self:
         return cls()
 
-    def indispensable(self, conditions: Conditions) -> bool:
-        return conditions.suddenly_loaded
+    def indispensable(self, quantities: SceneQuantities) -> bool:
+        return quantities.suddenly_loaded
 
-    def weight(self, conditions: Conditions) -> float:
-        return conditions.scales.ratios["ts_over_ti"] ** 2
+    def weight(self, quantities: SceneQuantities) -> float:
+        return quantities.scales.ratios["ts_over_ti"] ** 2
 
-    def reason(self, conditions: Conditions) -> str:
-        scales = conditions.scales
-        if conditions.suddenly_loaded:
+    def reason(self, quantities: SceneQuantities) -> str:
+        scales = quantities.scales
+        if quantities.suddenly_loaded:
             return "the loads act at once on a straight rod at rest (run.start: rest)"
         return f"the solid swings in {scales.t_s:.3g} s, the input in {scales.t_i:.3g} s"
 

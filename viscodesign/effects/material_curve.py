@@ -9,7 +9,7 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.bellow_wall import MeasuredWall, SnappingWall
 from viscodesign.model.system import System
 from viscodesign.physics.curves import PiecewiseCubic
@@ -40,29 +40,29 @@ class MaterialCurve(Effect):
     """In their place where the pressure falls."""
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        curve = conditions.scene.bellows.curve
+    def of(cls, quantities: SceneQuantities) -> Self:
+        curve = quantities.scene.bellows.curve
         if curve is None:
             return cls(())
         rows = np.array(curve.rows, dtype=float)
-        section = conditions.body.section_length
+        section = quantities.body.section_length
         if falls(curve.rows or ()):
-            baseline = conditions.scene.gauge_pressure
-            return cls((), SnapCurves.through(rows, conditions.bellow.length, section, baseline))
-        factors = (conditions.bellow.length, 1 / section, 1 / section)
+            baseline = quantities.scene.gauge_pressure
+            return cls((), SnapCurves.through(rows, quantities.bellow.length, section, baseline))
+        factors = (quantities.bellow.length, 1 / section, 1 / section)
         found = tuple(
             PiecewiseCubic.monotone(rows[:, 0], rows[:, k + 1]).zeroed().scaled(factor)
             for k, factor in enumerate(factors)
         )
         return cls(found)
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return bool(self.curves) or self.snap is not None
 
-    def weight(self, conditions: Conditions) -> float:
-        low, high = conditions.lowest_pressure, conditions.highest_pressure
+    def weight(self, quantities: SceneQuantities) -> float:
+        low, high = quantities.lowest_pressure, quantities.highest_pressure
         pressure = np.linspace(min(low, 0.0), max(high, 0.0), 101)
-        law = conditions.bellow
+        law = quantities.bellow
         linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)
         found = []
         for slope, measured in zip(linear, self.wall(pressure), strict=True):
@@ -71,7 +71,7 @@ class MaterialCurve(Effect):
             found.append(float(np.max(np.abs(measured - straight))) / size)
         return max(found)
 
-    def reason(self, conditions: Conditions) -> str:
+    def reason(self, quantities: SceneQuantities) -> str:
         if self.snap is not None:
             return "measured rows stand in the place of the linear coefficients; by them it snaps"
         if not self.curves:

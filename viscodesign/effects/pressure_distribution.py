@@ -7,7 +7,7 @@ from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 from viscodesign.scene.bellows import snaps
 
@@ -26,31 +26,31 @@ class PressureDistribution(Effect):
     resistances: dict[str, float]
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        return cls(conditions.resistances)
+    def of(cls, quantities: SceneQuantities) -> Self:
+        return cls(quantities.resistances)
 
-    def present(self, conditions: Conditions) -> bool:
-        return bool(conditions.graph.tubes)
+    def present(self, quantities: SceneQuantities) -> bool:
+        return bool(quantities.graph.tubes)
 
-    def indispensable(self, conditions: Conditions) -> bool:
+    def indispensable(self, quantities: SceneQuantities) -> bool:
         # Two sources in one network differ by flow alone.
-        if snaps(conditions.scene.bellows):
+        if snaps(quantities.scene.bellows):
             return True
-        inputs = conditions.scene.inputs
-        parts = conditions.graph.components()
+        inputs = quantities.scene.inputs
+        parts = quantities.graph.components()
         return any(sum(inputs[n].gives_pressure for n in part.inlets) > 1 for part in parts)
 
-    def weight(self, conditions: Conditions) -> float:
-        return conditions.scales.ratios["tnet_over_ti"]
+    def weight(self, quantities: SceneQuantities) -> float:
+        return quantities.scales.ratios["tnet_over_ti"]
 
-    def reason(self, conditions: Conditions) -> str:
-        if not conditions.graph.tubes:
+    def reason(self, quantities: SceneQuantities) -> str:
+        if not quantities.graph.tubes:
             return "no tube joins anything"
-        if snaps(conditions.scene.bellows):
+        if snaps(quantities.scene.bellows):
             return "the measured curve snaps, and only flow tells how fast"
-        if self.indispensable(conditions):
+        if self.indispensable(quantities):
             return "two inlets feed one network, and only flow tells their pressures apart"
-        scales = conditions.scales
+        scales = quantities.scales
         return (
             f"the network settles in {scales.t_net:.3g} s, the input swings in {scales.t_i:.3g} s"
         )

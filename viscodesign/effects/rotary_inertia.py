@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 
 
@@ -28,15 +28,15 @@ class RotaryInertia(Effect):
     """Radius of gyration of the cross section [m]."""
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        return cls(conditions.scene.actuator.height / math.sqrt(12))
+    def of(cls, quantities: SceneQuantities) -> Self:
+        return cls(quantities.scene.actuator.height / math.sqrt(12))
 
-    def weight(self, conditions: Conditions) -> float:
-        slender = (self.gyration / conditions.body.length) ** 2
-        return conditions.scales.ratios["ts_over_ti"] ** 2 * slender
+    def weight(self, quantities: SceneQuantities) -> float:
+        slender = (self.gyration / quantities.body.length) ** 2
+        return quantities.scales.ratios["ts_over_ti"] ** 2 * slender
 
-    def reason(self, conditions: Conditions) -> str:
-        ratio = self.gyration / conditions.body.length
+    def reason(self, quantities: SceneQuantities) -> str:
+        ratio = self.gyration / quantities.body.length
         return f"the cross section's radius of gyration is {ratio:.2g} of the length"
 
     def sketch(self, sketch: Sketch) -> Sketch:

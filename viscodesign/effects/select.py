@@ -14,7 +14,7 @@ from functools import cache, cached_property
 from viscodesign import effects
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.plugins import members
 from viscodesign.results.findings import Verdict
 
@@ -46,14 +46,10 @@ def effect_names() -> tuple[str, ...]:
     return tuple(name for name, kind in catalogue().items() if kind.switchable)
 
 
-def select_effects(conditions: Conditions) -> Selection:
-    """The effects to join, and a verdict for every one of the catalogue.
-
-    ``conditions.taken`` is filled with the names of those taken.
-    """
-    choice = _Choice(conditions)
+def select_effects(quantities: SceneQuantities) -> Selection:
+    """The effects to join, and a verdict for every one of the catalogue."""
+    choice = _Choice(quantities)
     taken = choice.taken()
-    conditions.taken.update(taken)
     verdicts = tuple(choice.verdict(name, taken) for name in choice.effects)
     return Selection(choice, taken, verdicts)
 
@@ -142,16 +138,16 @@ class Selection:
 class _Choice:
     """Effects of one scene, and what a sketch says of leaving each of them out."""
 
-    def __init__(self, conditions: Conditions) -> None:
-        self.conditions = conditions
-        self.effects = {name: kind.of(conditions) for name, kind in catalogue().items()}
-        self.present = {n for n, e in self.effects.items() if e.present(conditions)}
-        self.budget = conditions.accuracy * conditions.body.length
+    def __init__(self, quantities: SceneQuantities) -> None:
+        self.quantities = quantities
+        self.effects = {name: kind.of(quantities) for name, kind in catalogue().items()}
+        self.present = {n for n, e in self.effects.items() if e.present(quantities)}
+        self.budget = quantities.accuracy * quantities.body.length
         self._sketches: dict[Names, Sketch] = {}
 
     def mode(self, name: str) -> str:
         """What the spec says."""
-        effect, choice = self.effects[name], self.conditions.scene.effects
+        effect, choice = self.effects[name], self.quantities.scene.effects
         if not effect.switchable:
             return "on"
         needing = [n for n, e in self.effects.items() if e.needs == name]
@@ -221,7 +217,7 @@ class _Choice:
         own = {
             n
             for n in names
-            if self.mode(n) == "on" or self.effects[n].indispensable(self.conditions)
+            if self.mode(n) == "on" or self.effects[n].indispensable(self.quantities)
         }
         return own | {needed for n in own if (needed := self.effects[n].needs) is not None}
 
@@ -229,7 +225,7 @@ class _Choice:
 
     def _sketch(self, names: Names) -> Sketch:
         if names not in self._sketches:
-            sketch = self.conditions.bare_sketch
+            sketch = self.quantities.bare_sketch
             for name in self.effects:
                 if name in names:
                     sketch = self.effects[name].sketch(sketch) or sketch
@@ -243,7 +239,7 @@ class _Choice:
         """
         if one == other:
             return 0.0
-        blank, too_large = self.conditions.bare_sketch, self._is_too_large()
+        blank, too_large = self.quantities.bare_sketch, self._is_too_large()
         unseen = [n for n in one ^ other if too_large or self.effects[n].sketch(blank) is None]
         guess = sum(self._guess(n, one | other) for n in unseen)
         return guess if too_large else self._sketch(one).distance(self._sketch(other)) + guess
@@ -253,11 +249,11 @@ class _Choice:
         leads = [n for n, e in self.effects.items() if e.companion == name]
         if leads and not names & set(leads):
             return 0.0  # alone it has nothing to accompany
-        weight = self.effects[name].weight(self.conditions)
-        return min(weight, 1.0) * self.conditions.body.length
+        weight = self.effects[name].weight(self.quantities)
+        return min(weight, 1.0) * self.quantities.body.length
 
     def _is_too_large(self) -> bool:
-        return len(self.conditions.graph.bellows) > MOST_BELLOWS_SKETCHED
+        return len(self.quantities.graph.bellows) > MOST_BELLOWS_SKETCHED
 
     def taken(self) -> Names:
         """The fewest effects whose omissions fit into the share of the accuracy."""
@@ -315,7 +311,7 @@ class _Choice:
             name=name,
             mode=self.mode(name),  # type: ignore[arg-type]
             taken=name in taken,
-            weight=effect.weight(self.conditions) if present else 0.0,
+            weight=effect.weight(self.quantities) if present else 0.0,
             formula=effect.formula,
             reason=self._sentence(name, taken, contribution),
             contribution_m=contribution,
@@ -324,7 +320,7 @@ class _Choice:
         )
 
     def _sentence(self, name: str, taken: Names, contribution: float) -> str:
-        effect, reason = self.effects[name], self.effects[name].reason(self.conditions)
+        effect, reason = self.effects[name], self.effects[name].reason(self.quantities)
         if name not in self.present:
             return f"absent: {reason}"
         if not self.acts_alone(name, taken):
@@ -335,7 +331,7 @@ class _Choice:
         moves = f"{1e3 * contribution:.3g} mm, {_share(contribution / self.budget)}"
         if name not in taken:
             return f"left out: it moves the tip by about {moves}; {reason}"
-        if effect.indispensable(self.conditions):
+        if effect.indispensable(self.quantities):
             return f"taken, the scene has no sense without it: {reason}"
         if self._is_free(name, taken):
             return f"taken, since it costs nothing beside {effect.free_with}: {moves}; {reason}"

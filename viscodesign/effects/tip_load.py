@@ -7,7 +7,7 @@ from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 
 
@@ -30,24 +30,24 @@ class TipLoad(Effect):
     payload: float
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        loads = conditions.scene.loads
+    def of(cls, quantities: SceneQuantities) -> Self:
+        loads = quantities.scene.loads
         return cls(loads.tip_force.x, loads.tip_force.z, loads.payload)
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return (self.force_x, self.force_z, self.payload) != (0.0, 0.0, 0.0)
 
-    def indispensable(self, conditions: Conditions) -> bool:
+    def indispensable(self, quantities: SceneQuantities) -> bool:
         return True  # a stated load is carried, however small
 
-    def weight(self, conditions: Conditions) -> float:
-        carried = self.payload * conditions.acceleration
-        return (conditions.tip_force + carried) / conditions.bending_force
+    def weight(self, quantities: SceneQuantities) -> float:
+        carried = self.payload * quantities.acceleration
+        return (quantities.tip_force + carried) / quantities.bending_force
 
-    def reason(self, conditions: Conditions) -> str:
-        if not self.present(conditions):
+    def reason(self, quantities: SceneQuantities) -> str:
+        if not self.present(quantities):
             return "the tip is free"
-        return f"{conditions.tip_force:.3g} N and {1000 * self.payload:.3g} g act at the tip"
+        return f"{quantities.tip_force:.3g} N and {1000 * self.payload:.3g} g act at the tip"
 
     def sketch(self, sketch: Sketch) -> Sketch:
         return sketch.with_(tip_force=(self.force_x, self.force_z), payload=self.payload)

@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.fluid import Incompressible
 from viscodesign.model.graph import Tube
 from viscodesign.model.system import System
@@ -42,18 +42,18 @@ class TubeCompliance(Effect):
     """Pressure at which a gas's own compliance is told [Pa]."""
 
     @classmethod
-    def of(cls, conditions: Conditions) -> Self:
-        scene = conditions.scene
+    def of(cls, quantities: SceneQuantities) -> Self:
+        scene = quantities.scene
         yields = scene.fluid.is_gas and scene.effects.mode("gas_compressibility") != "off"
         absolute = scene.ambient_pressure + scene.gauge_pressure
         return cls(
             scene.network.tube_wall,
             yields,
-            conditions.graph.tubes,
+            quantities.graph.tubes,
             absolute * scene.fluid.polytropic_exponent,
         )
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return bool(self.tubes) and (self.wall is not None or self.gas_yields)
 
     def _wall_stores(self, t: Tube) -> float:
@@ -70,14 +70,14 @@ class TubeCompliance(Effect):
         own = tube.inner_volume(t.length, t.radius) / self.absolute if self.gas_yields else 0.0
         return self._wall_stores(t) + own
 
-    def weight(self, conditions: Conditions) -> float:
-        bellows = len(conditions.graph.bellows) * conditions.bellow.compliance
+    def weight(self, quantities: SceneQuantities) -> float:
+        bellows = len(quantities.graph.bellows) * quantities.bellow.compliance
         return sum(self._stores(t) for t in self.tubes) / bellows
 
-    def reason(self, conditions: Conditions) -> str:
-        if not self.present(conditions):
+    def reason(self, quantities: SceneQuantities) -> str:
+        if not self.present(quantities):
             return "the tubes are rigid (no network.tube_wall) and nothing in them yields"
-        return f"the tubes store {100 * self.weight(conditions):.3g} % of what the bellows store"
+        return f"the tubes store {100 * self.weight(quantities):.3g} % of what the bellows store"
 
     def sketch(self, sketch: Sketch) -> Sketch:
         at: defaultdict[str, float] = defaultdict(float)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -18,20 +17,13 @@ from viscodesign.physics import beam, bellow, gas, timescales, tube
 from viscodesign.results.findings import Scales
 from viscodesign.scene.inputs.syringe import Syringe
 from viscodesign.scene.scene import Scene
-from viscodesign.solve.problem import Problem
-from viscodesign.storage.disk_arrays import Shelf
 
 
-@dataclass
-class Conditions:
-    """Stiffnesses, times and loads of a scene, and the effects taken so far."""
+@dataclass(frozen=True, eq=False)
+class SceneQuantities:
+    """Stiffnesses, times and loads of a scene: what follows from it alone, and never changes."""
 
     scene: Scene
-    taken: set[str] = field(default_factory=set)
-    problems: dict[Hashable, Problem] = field(default_factory=dict)
-    """What was built for this scene, for those who solve it again."""
-    shelf: Shelf = field(default_factory=Shelf)
-    """Where what is solved goes when it is large."""
 
     @property
     def accuracy(self) -> float:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import casadi as ca
 
 from viscodesign.model.graph import Graph
+from viscodesign.model.structure import SCENE_NUMBER
 
 SX = ca.SX
 
@@ -15,12 +16,12 @@ SX = ca.SX
 class BellowLaw:
     """The linear laws of one bellow, in SI; all bellows of an actuator are equal."""
 
-    length: float
-    rest_volume: float
-    compliance: float
-    curvature_per_pressure: float
-    stretch_per_pressure: float
-    floor_volume: float
+    length: float = field(metadata=SCENE_NUMBER)
+    rest_volume: float = field(metadata=SCENE_NUMBER)
+    compliance: float = field(metadata=SCENE_NUMBER)
+    curvature_per_pressure: float = field(metadata=SCENE_NUMBER)
+    stretch_per_pressure: float = field(metadata=SCENE_NUMBER)
+    floor_volume: float = field(metadata=SCENE_NUMBER)
 
 
 @dataclass(frozen=True)

@@ -21,8 +21,10 @@ no pressure drops            one pressure per connected network
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, fields
+from typing import Concatenate, ParamSpec
 
 import casadi as ca
 import numpy as np
@@ -31,13 +33,15 @@ from viscodesign.model.boundary_work import Clock, Way, rates_and_ways
 from viscodesign.model.fluid import Incompressible
 from viscodesign.model.graph import Component
 from viscodesign.model.jacobian import jacobian
-from viscodesign.model.lru_cache import Latest
+from viscodesign.model.lru_cache import ONE_AT_A_TIME, LruCache
 from viscodesign.model.network_equations import NetworkEquations, NetworkForm
 from viscodesign.model.rod_equations import RodEquations, RodForm
+from viscodesign.model.structure import structure_of, without_numbers
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes, SizeSymbols, Unknowns, column, substitute
 
 SX = ca.SX
+P = ParamSpec("P")
 
 
 MOST_KEPT = 16
@@ -91,8 +95,27 @@ class Formulas:
     """Nodes besides the bellows that hold fluid."""
     incompressible: bool
     """Whether an amount in a bellow is its volume."""
-    compiled: Latest[ca.Function]
-    """What solvers have compiled of these formulas, by their own keys."""
+    _compiled: LruCache[ca.Function]
+
+    def compiled(
+        self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
+    ) -> ca.Function:
+        """What a function makes of these formulas and hashable arguments, made once.
+
+        It gets the symbols alone and no scene's numbers, and its result is shared by scenes and
+        threads: it must have no state, as integrators have.
+        """
+        return self._compiled.get((make, args), lambda: make(self._symbolic, *args))  # type: ignore[call-arg]
+
+    def lent(
+        self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
+    ) -> AbstractContextManager[ca.Function]:
+        """The same for what has a state: nobody else has it inside of the context."""
+        return self._compiled.lend((make, args), lambda: make(self._symbolic, *args))  # type: ignore[call-arg]
+
+    @property
+    def _symbolic(self) -> Formulas:
+        return self
 
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
@@ -105,6 +128,7 @@ class Formulas:
         names = ("states", "algebraics", "statics")
         return Equations(
             **{**own, **dict(zip(names, sized, strict=True))},
+            formulas=self,
             parameter_values=values,
             sealed_volumes=sealed,
             rest_amounts=rest,
@@ -119,6 +143,8 @@ class Formulas:
 class Equations(Formulas):
     """Formulas with the numbers of one scene: everything that a solver needs to know."""
 
+    formulas: Formulas
+    """The same without numbers."""
     parameter_values: np.ndarray
     sealed_volumes: np.ndarray
     """What each sealed part was filled with [m3 at ambient density]."""
@@ -133,8 +159,12 @@ class Equations(Formulas):
     energy_size: float
     """By which energies are divided in `quadrature` [J]."""
 
+    @property
+    def _symbolic(self) -> Formulas:
+        return self.formulas
 
-_kept: Latest[Formulas] = Latest(MOST_KEPT)
+
+_kept: LruCache[Formulas] = LruCache(MOST_KEPT)
 
 
 def formulate(system: System, sizes: Sizes) -> Equations:
@@ -151,15 +181,11 @@ def formulate(system: System, sizes: Sizes) -> Equations:
         swing=system.parameter("size.swing", sizes.swing),
     )
     system.parameter("length", system.body.length)
-    formulas = _kept.get(_structure(system), lambda: _Formulation(system, symbols).formulas())
+    with ONE_AT_A_TIME:
+        system.settle()
+        key = structure_of(system)
+        formulas = _kept.get(key, lambda: _Formulation(without_numbers(system), symbols).formulas())
     return formulas.with_numbers(system.parameters()[1])
-
-
-def _structure(system: System) -> Hashable:
-    """What two systems share that have the same formulas: all but the parameters' values."""
-    sums = system.sums()
-    function = ca.Function("sums", ca.symvar(ca.veccat(*sums)), sums)
-    return system.shape(), function.serialize()
 
 
 class _Formulation:
@@ -287,7 +313,7 @@ class _Formulation:
             sealed=network.sealed,
             storing=tuple(network.storing),
             incompressible=isinstance(system.fluid, Incompressible),
-            compiled=Latest(MOST_COMPILED),
+            _compiled=LruCache(MOST_COMPILED),
         )
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+
+from viscodesign.model.structure import SCENE_NUMBER
 
 
 @dataclass(frozen=True)
@@ -14,8 +16,8 @@ class Tube:
     name: str
     start: str
     end: str
-    length: float
-    radius: float
+    length: float = field(metadata=SCENE_NUMBER)
+    radius: float = field(metadata=SCENE_NUMBER)
 
 
 @dataclass(frozen=True)

@@ -22,10 +22,12 @@ arcs for any number of edges.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import casadi as ca
 import numpy as np
+
+from viscodesign.model.structure import SCENE_NUMBER
 
 SX = ca.SX
 
@@ -45,11 +47,11 @@ LARGEST_TURN_PER_EDGE = 1.0
 class Body:
     """The actuator as a beam, in SI: everything the rod needs to know."""
 
-    length: float
+    length: float = field(metadata=SCENE_NUMBER)
     sections: int
-    bending_stiffness: float
-    extension_stiffness: float
-    mass_per_length: float
+    bending_stiffness: float = field(metadata=SCENE_NUMBER)
+    extension_stiffness: float = field(metadata=SCENE_NUMBER)
+    mass_per_length: float = field(metadata=SCENE_NUMBER)
 
     @property
     def section_length(self) -> float:

@@ -14,7 +14,7 @@ Amounts of fluid are told as volume at the density of ambient pressure; so are f
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import casadi as ca
@@ -25,20 +25,29 @@ from viscodesign.model.bellow_wall import LinearWall, SnappingWall, Wall
 from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, ChainRod
+from viscodesign.model.structure import PARAMETER_VALUE, SCENE_NUMBER
 
 SX = ca.SX
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number of a scene, and what stands for it in formulas."""
+
+    symbol: SX
+    value: float = field(metadata=PARAMETER_VALUE)
 
 
 @dataclass(frozen=True)
 class Syringe:
     """A closed vessel with a plunger, in the place of a source of pressure."""
 
-    full_volume: float
+    full_volume: float = field(metadata=SCENE_NUMBER)
     """Volume in front of the plunger at its start [m3]."""
-    bulk_modulus: float | None
+    bulk_modulus: float | None = field(metadata=SCENE_NUMBER)
     """Of a liquid [Pa]; None for a gas, which follows ``exponent``."""
     exponent: float = 1.0
-    cushion: float = 0.0
+    cushion: float = field(default=0.0, metadata=SCENE_NUMBER)
     """Gas beside a liquid, of the full volume, at the baseline pressure [m3]."""
 
 
@@ -70,7 +79,7 @@ class System:
         ambient: float,
         edges_per_section: int,
     ) -> None:
-        self._parameters: dict[str, tuple[SX, float]] = {}
+        self._parameters: dict[str, Parameter] = {}
         self._stored: dict[str, SX] = {}
         self.graph = graph
         self.body = body
@@ -132,55 +141,29 @@ class System:
 
     def parameter(self, name: str, value: float) -> SX:
         """A named number of the scene as a symbol, so that one build serves many values."""
-        symbol, _ = self._parameters.setdefault(name, (SX.sym(name), float(value)))
-        return symbol
+        if name not in self._parameters:
+            self._parameters[name] = Parameter(SX.sym(name), float(value))
+        return self._parameters[name].symbol
 
     def parameters(self) -> tuple[SX, np.ndarray]:
         """All parameters' symbols and values, in the order of their first use."""
-        symbols = [symbol for symbol, _ in self._parameters.values()]
-        values = np.array([value for _, value in self._parameters.values()])
+        symbols = [parameter.symbol for parameter in self._parameters.values()]
+        values = np.array([parameter.value for parameter in self._parameters.values()])
         return ca.vertcat(*symbols), values
 
-    def sums(self) -> list[SX]:
-        """Everything that equations are made of: two systems equal in these are one structure."""
-        nodes = [*self.pressure, *self.storing_nodes()]
-        return [
-            self.kinetic_energy,
-            self.load_potential,
-            self.tip_moment,
-            self.dissipation_power,
-            self.tube_energy,
-            self.fluid_energy(),
-            self.intrinsic_curvature,
-            self.intrinsic_stretch,
-            *(self.driving_pressure(tube.start, tube.end) for tube in self.graph.tubes),
-            *(law[name] for law in (self.drop, self.inertance) for name in sorted(law)),
-            *(self.specific_work(name) for name in self.graph.nodes),
-            *(self.carried_energy(name) for name in nodes),
-            *(self.wall_volume(name) for name in nodes),
-            *(self.stored(name) for name in nodes),
-            *(self.plunger_pressure(name) for name in self.syringes),
-            self.swelling_defects(),
-            *self.pushed_value.values(),
-            *self.inlet_pressure.values(),
-        ]
-
-    def shape(self) -> tuple[object, ...]:
-        """Names that go with the sums: what is joined to what, and which law is which."""
-        return (
-            self.graph.sections,
-            self.rod.edges_per_section,
-            self.graph.nodes,
-            tuple((tube.name, tube.start, tube.end) for tube in self.graph.tubes),
-            tuple(self.storing_nodes()),
-            tuple(sorted(self.drop)),
-            tuple(sorted(self.inertance)),
-            tuple(sorted(self.wide)),
-            tuple(self.syringes),
-            type(self.fluid).__name__,
-            tuple(self.swelling),
-            tuple(self._parameters),
-        )
+    def settle(self) -> None:
+        """Work out what depends on all sums, so that each parameter in it has its value."""
+        for tube in self.graph.tubes:
+            self.driving_pressure(tube.start, tube.end)
+        for name in self.graph.nodes:
+            self.specific_work(name)
+        for name in (*self.pressure, *self.storing_nodes()):
+            self.carried_energy(name)
+            self.stored(name)
+        for name in self.syringes:
+            self.plunger_pressure(name)
+        self.swelling_defects()
+        self.fluid_energy()
 
     # -- the network ----------------------------------------------------------
 

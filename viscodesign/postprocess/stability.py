@@ -10,6 +10,7 @@ import casadi as ca
 import numpy as np
 import scipy.linalg
 
+from viscodesign.model.formulation import Formulas
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem, evaluate
@@ -45,17 +46,18 @@ def growth_notices(problem: Problem, start: Start) -> list[Notice]:
 def eigenvalues(problem: Problem, start: Start) -> np.ndarray:
     """Of the motion linearised about a start, pressures of inlets held (nx,) [1/s]."""
     e = problem.equations
-    x, z = e.states.vector, e.algebraics.vector
-    function = e.compiled.get(
-        "linearised",
-        lambda: ca.Function(
-            "linearised",
-            [x, z, e.time, e.pieces, e.parameters],
-            [ca.jacobian(f, v) for f in (e.ode, e.alg) for v in (x, z)],
-        ),
-    )
+    function = e.compiled(_linearised)
     arguments = (start.states, start.algebraics, 0.0, problem.schedule.initial_piece)
     fx, fz, gx, gz = (m.full() for m in evaluate(function, *arguments, problem.numbers()))
     if start.algebraics.size:
         fx = fx - fz @ np.linalg.solve(gz, gx)
     return np.asarray(scipy.linalg.eigvals(fx))
+
+
+def _linearised(e: Formulas) -> ca.Function:
+    """(x, z, t, pieces, parameters) -> Jacobians of both sides in both kinds of unknowns."""
+    x, z = e.states.vector, e.algebraics.vector
+    given = [x, z, e.time, e.pieces, e.parameters]
+    return ca.Function(
+        "linearised", given, [ca.jacobian(f, v) for f in (e.ode, e.alg) for v in (x, z)]
+    )

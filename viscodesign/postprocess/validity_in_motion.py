@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import beam, gas, tube
 from viscodesign.results.findings import Notice
 
@@ -73,8 +73,9 @@ class Largest:
 class Extremes:
     """The worst of a whole run."""
 
-    def __init__(self, conditions: Conditions) -> None:
-        self.conditions = conditions
+    def __init__(self, quantities: SceneQuantities, active: frozenset[str]) -> None:
+        self.quantities = quantities
+        self.active = active
         self.suction = Largest()
         """Gauge pressure below the ambient [Pa]."""
         self.emptiness = Largest()
@@ -103,7 +104,7 @@ class Extremes:
         self.fullness.meet(course.time, course.volume)
         self._meet_flow(course)
         self._meet_strain(course)
-        rows = measured_rows(self.conditions)
+        rows = measured_rows(self.quantities, self.active)
         if rows:
             low, high = measured_range(rows)
             self.above_curve.meet(course.time, course.pressure - high)
@@ -112,28 +113,39 @@ class Extremes:
     def _meet_flow(self, course: Course) -> None:
         if not course.tubes:
             return
-        fluid = self.conditions.scene.fluid
-        radius = np.array([t.radius for t in self.conditions.graph.tubes])
+        fluid = self.quantities.scene.fluid
+        radius = np.array([t.radius for t in self.quantities.graph.tubes])
         reynolds = tube.reynolds_number(course.flow, fluid.density, fluid.viscosity, radius)
         self.reynolds.meet(course.time, reynolds)
         if fluid.speed_of_sound is not None:
-            speed = tube.mean_speed(course.flow, radius) / _density_ratio(self.conditions, course)
+            speed = tube.mean_speed(course.flow, radius) / self._density_ratio(course)
             self.mach.meet(course.time, speed / fluid.speed_of_sound)
+
+    def _density_ratio(self, course: Course) -> np.ndarray:
+        """Density at the thinner end of each tube over that at ambient pressure (T, Q)."""
+        if "gas_compressibility" not in self.active:
+            return np.ones_like(course.flow)
+        scene = self.quantities.scene
+        exponent = scene.fluid.polytropic_exponent
+        pressure = np.maximum(course.tube_pressure, -0.999 * scene.ambient_pressure)
+        return np.asarray(gas.density_ratio(pressure, scene.ambient_pressure, exponent))
 
     def _meet_strain(self, course: Course) -> None:
         self.thinness.meet(course.time, -course.section_stretch)
         self.drawn.meet(course.time, course.section_stretch)
-        length = course.section_stretch * self.conditions.body.section_length
-        height = self.conditions.scene.actuator.height
+        length = course.section_stretch * self.quantities.body.section_length
+        height = self.quantities.scene.actuator.height
         inner = beam.inner_fibre_stretch(length, height, course.section_turn)
         self.inner_fibre.meet(course.time, -inner)
         self.turn.meet(course.time, np.abs(course.section_turn.sum(axis=1))[:, None])
 
 
-def measured_rows(conditions: Conditions) -> Sequence[Sequence[float]] | None:
+def measured_rows(
+    quantities: SceneQuantities, active: frozenset[str]
+) -> Sequence[Sequence[float]] | None:
     """Rows of the curve that a run uses, pressure first; None without one."""
-    curve = conditions.scene.bellows.curve
-    return curve.rows if curve is not None and "material_curve" in conditions.taken else None
+    curve = quantities.scene.bellows.curve
+    return curve.rows if curve is not None and "material_curve" in active else None
 
 
 def measured_range(rows: Sequence[Sequence[float]]) -> tuple[float, float]:
@@ -142,12 +154,14 @@ def measured_range(rows: Sequence[Sequence[float]]) -> tuple[float, float]:
     return min(pressures), max(pressures)
 
 
-def course_notices(conditions: Conditions, courses: Iterable[Course]) -> Iterator[Notice]:
+def course_notices(
+    quantities: SceneQuantities, active: frozenset[str], courses: Iterable[Course]
+) -> Iterator[Notice]:
     """What a run met beyond the model's assumptions, each once, at its worst place.
 
     ``courses``: the run, stretch by stretch.
     """
-    met = Extremes(conditions)
+    met = Extremes(quantities, active)
     for course in courses:
         met.meet(course)
     if met.suction.value == -np.inf:
@@ -160,7 +174,7 @@ def course_notices(conditions: Conditions, courses: Iterable[Course]) -> Iterato
 
 
 def _bellow_extremes(met: Extremes) -> Iterator[Notice]:
-    scene, law, bellows = met.conditions.scene, met.conditions.bellow, met.conditions.graph.bellows
+    scene, law, bellows = met.quantities.scene, met.quantities.bellow, met.quantities.graph.bellows
     name, absolute = bellows[met.suction.which], scene.ambient_pressure - met.suction.value
     vapour = scene.fluid.vapour_pressure or 0.0
     if absolute <= vapour:
@@ -185,11 +199,11 @@ def _bellow_extremes(met: Extremes) -> Iterator[Notice]:
 
 
 def _swelling_notice(met: Extremes) -> Iterator[Notice]:
-    if "material_curve" in met.conditions.taken:
+    if "material_curve" in met.active:
         return  # it was measured, or `extrapolated_curve` says where it was not
-    share = met.fullness.value / met.conditions.bellow.rest_volume
+    share = met.fullness.value / met.quantities.bellow.rest_volume
     if share > LARGE_VOLUME:
-        name = met.conditions.graph.bellows[met.fullness.which]
+        name = met.quantities.graph.bellows[met.fullness.which]
         yield Notice(
             "large_volume",
             f"{name} swells to {share:.3g} times its rest volume: beyond about "
@@ -201,8 +215,8 @@ def _swelling_notice(met: Extremes) -> Iterator[Notice]:
 
 
 def _flow_notices(met: Extremes) -> Iterator[Notice]:
-    taken, fluid = met.conditions.taken, met.conditions.scene.fluid
-    tubes = [t.name for t in met.conditions.graph.tubes]
+    taken, fluid = met.active, met.quantities.scene.fluid
+    tubes = [t.name for t in met.quantities.graph.tubes]
     if met.reynolds.value > LAMINAR_LIMIT and "flow_regime" not in taken:
         count = int(np.sum(met.reynolds.columns > LAMINAR_LIMIT))
         name = tubes[met.reynolds.which]
@@ -227,24 +241,14 @@ def _flow_notices(met: Extremes) -> Iterator[Notice]:
         )
 
 
-def _density_ratio(conditions: Conditions, course: Course) -> np.ndarray:
-    """Density at the thinner end of each tube over that at ambient pressure (T, Q)."""
-    if "gas_compressibility" not in conditions.taken:
-        return np.ones_like(course.flow)
-    scene = conditions.scene
-    exponent = scene.fluid.polytropic_exponent
-    pressure = np.maximum(course.tube_pressure, -0.999 * scene.ambient_pressure)
-    return np.asarray(gas.density_ratio(pressure, scene.ambient_pressure, exponent))
-
-
 def _curve_notice(met: Extremes) -> Iterator[Notice]:
-    rows = measured_rows(met.conditions)
+    rows = measured_rows(met.quantities, met.active)
     is_above = met.above_curve.value >= met.below_curve.value
     beyond = met.above_curve if is_above else met.below_curve
     if not rows or beyond.value <= 0.0:
         return
     low, high = measured_range(rows)
-    name = met.conditions.graph.bellows[beyond.which]
+    name = met.quantities.graph.bellows[beyond.which]
     reached = high + beyond.value if is_above else low - beyond.value
     yield Notice(
         "extrapolated_curve",

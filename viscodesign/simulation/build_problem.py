@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.effects.base import Effect
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES, Body
@@ -39,16 +39,16 @@ class Settings:
     solver: str = DEFAULT_SOLVER
 
 
-def suggest_settings(conditions: Conditions, effects: Sequence[Effect]) -> Settings:
+def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> Settings:
     """Mesh, tolerance and solver that should meet the scene's accuracy with these effects.
 
     A run then measures what they do.
     """
-    accuracy, body = conditions.accuracy, conditions.body
+    accuracy, body = quantities.accuracy, quantities.body
     wanted = max(MINIMUM_EDGES, COARSE_EDGES * max(1.0, COARSE_ACCURACY / accuracy) ** (1 / 3))
     per_section = max(
         math.ceil(wanted / body.sections - 1e-9),
-        math.ceil(conditions.largest_turn / LARGEST_TURN_PER_EDGE),
+        math.ceil(quantities.largest_turn / LARGEST_TURN_PER_EDGE),
         1,
     )
     solver = RINGING_SOLVER if _rings_on(effects) else DEFAULT_SOLVER
@@ -62,38 +62,38 @@ def _rings_on(effects: Sequence[Effect]) -> bool:
     return any(effect.companion and effect.companion not in names for effect in effects)
 
 
-def build(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:
+def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings) -> Problem:
     """Assemble the system, let every effect join it, and formulate its equations."""
-    scene = conditions.scene
+    scene = quantities.scene
     system = System(
-        conditions.graph,
-        _as_stiff_as_can_be_told(conditions),
-        conditions.bellow,
+        quantities.graph,
+        _as_stiff_as_can_be_told(quantities),
+        quantities.bellow,
         {name: _source(scene, name) for name in scene.inputs},
         scene.gauge_pressure,
         scene.ambient_pressure,
         settings.edges_per_section,
     )
-    system.wide = _wide_tubes(conditions)
+    system.wide = _wide_tubes(quantities)
     for effect in effects:
         effect.join(system)
     sizes = Sizes(
-        pressure=conditions.swing,
-        time=conditions.scales.t_s,
-        swing=conditions.swing_time,
+        pressure=quantities.swing,
+        time=quantities.scales.t_s,
+        swing=quantities.swing_time,
     )
     equations = formulate(system, sizes)
     return Problem(
         equations=equations,
-        body=conditions.body,
+        body=quantities.body,
         inlets=tuple(scene.inputs),
-        bellows=conditions.graph.bellows,
-        bellows_along_tubes=conditions.graph.bellows_along_tubes(),
+        bellows=quantities.graph.bellows,
+        bellows_along_tubes=quantities.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
         schedule=with_samples(schedule(scene), equations, scene.run.start == "rest"),
-        floor_volume=_floor(conditions, effects),
+        floor_volume=_floor(quantities, effects),
         most_steps=scene.run.max_steps,
-        flow_shares=_flow_shares(conditions, equations.network_form),
+        flow_shares=_flow_shares(quantities, equations.network_form),
     )
 
 
@@ -105,12 +105,12 @@ MOST_RESIST = 0.75
 """Part of the tubes that bound the flow through the others."""
 
 
-def _wide_tubes(conditions: Conditions) -> frozenset[str]:
+def _wide_tubes(quantities: SceneQuantities) -> frozenset[str]:
     """Tubes whose flow the input's swing, or the other tubes, bound far more than they do."""
-    if not conditions.resistances:
+    if not quantities.resistances:
         return frozenset()
-    filling = conditions.swing_time / conditions.bellow.compliance
-    resistances = conditions.resistances
+    filling = quantities.swing_time / quantities.bellow.compliance
+    resistances = quantities.resistances
     others = np.quantile(list(resistances.values()), MOST_RESIST, method="nearest")
     least = HARDLY_RESISTS * max(filling, float(others))
     return frozenset(name for name, value in resistances.items() if value < least)
@@ -121,20 +121,20 @@ INEXTENSIBLE = 30.0
 only makes its equations harder to solve."""
 
 
-def _as_stiff_as_can_be_told(conditions: Conditions) -> Body:
+def _as_stiff_as_can_be_told(quantities: SceneQuantities) -> Body:
     """The body, its axis made no stiffer than moves the tip by a thirtieth of the accuracy.
 
     A force F stretches a rod by F/EA of its length; forces are told by EI/L2.
     """
-    body, pull = conditions.body, conditions.load_force + conditions.fluid_weight
-    most = INEXTENSIBLE / conditions.accuracy * max(conditions.bending_force, pull)
+    body, pull = quantities.body, quantities.load_force + quantities.fluid_weight
+    most = INEXTENSIBLE / quantities.accuracy * max(quantities.bending_force, pull)
     return replace(body, extension_stiffness=min(body.extension_stiffness, most))
 
 
-def _floor(conditions: Conditions, effects: Sequence[Effect]) -> float | None:
+def _floor(quantities: SceneQuantities, effects: Sequence[Effect]) -> float | None:
     names = {effect.name for effect in effects}
     held = not names & {"collapse", "material_curve"}
-    return conditions.bellow.floor_volume if held and "gas_compressibility" in names else None
+    return quantities.bellow.floor_volume if held and "gas_compressibility" in names else None
 
 
 def _source(scene: Scene, name: str) -> Source:
@@ -150,9 +150,9 @@ def _source(scene: Scene, name: str) -> Source:
     )
 
 
-def _flow_shares(conditions: Conditions, form: NetworkForm) -> np.ndarray:
+def _flow_shares(quantities: SceneQuantities, form: NetworkForm) -> np.ndarray:
     """Tube flows (Q, B) per rate of every bellow's volume, shared by the tubes' resistances."""
-    graph = conditions.graph
+    graph = quantities.graph
     if form is NetworkForm.DISTRIBUTED:
         return np.zeros((len(graph.tubes), len(graph.bellows)))
     tubes = {t.name: k for k, t in enumerate(graph.tubes)}
@@ -161,9 +161,9 @@ def _flow_shares(conditions: Conditions, form: NetworkForm) -> np.ndarray:
     for component in graph.components():
         nodes = (*component.bellows, *component.junctions)
         # Least squares, since a sealed island's pressures are known up to a constant.
-        drop = -np.linalg.pinv(conditions.laplacian(component))
+        drop = -np.linalg.pinv(quantities.laplacian(component))
         for t in component.tubes:
-            conductance = 1 / conditions.resistances[t.name]
+            conductance = 1 / quantities.resistances[t.name]
             for end, sign in ((t.start, 1.0), (t.end, -1.0)):
                 if end in nodes:
                     row = sign * conductance * drop[nodes.index(end)]

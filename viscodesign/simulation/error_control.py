@@ -21,12 +21,13 @@ from dataclasses import dataclass, replace
 
 from viscodesign.effects.base import Effect
 from viscodesign.errors import SolveError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import (
     FlowDifference,
     Progress,
     Run,
+    Workspace,
     flow_difference,
     solve,
     tip_difference,
@@ -76,16 +77,18 @@ class Verifier:
 
     def __init__(
         self,
-        conditions: Conditions,
+        quantities: SceneQuantities,
         effects: Sequence[Effect],
         omitted_m: float,
         progress: Progress | None,
+        workspace: Workspace | None = None,
     ) -> None:
-        self.conditions = conditions
+        self.quantities = quantities
+        self.workspace = workspace or Workspace()
         self.effects = effects
         self.omitted_m = omitted_m
         self.progress = progress
-        self.requested_m = conditions.accuracy * conditions.body.length
+        self.requested_m = quantities.accuracy * quantities.body.length
         self.spent_s = 0.0
         self.solutions = 0
         self.steps = 0
@@ -101,7 +104,7 @@ class Verifier:
 
     def solve(self, settings: Settings) -> Run:
         """Build and solve once."""
-        run = solve(self.conditions, self.effects, settings, self.progress)
+        run = solve(self.quantities, self.effects, settings, self.progress, self.workspace)
         self.spent_s += run.spent_s
         self.solutions += 1
         self.steps += run.solution.work.steps
@@ -148,7 +151,7 @@ class Verifier:
             if in_space:
                 space_m = max(LEFT_BY_SPACE * apart, LEAST * self.requested_m)
             else:
-                floor = max(LEAST * self.requested_m, NOISE * self.conditions.body.length)
+                floor = max(LEAST * self.requested_m, NOISE * self.quantities.body.length)
                 time_m = max(LEFT_BY_TIME * apart, floor)
             if time_m is None or space_m is None:
                 continue

@@ -7,20 +7,21 @@ from dataclasses import replace
 
 from viscodesign.effects.select import Selection
 from viscodesign.errors import ViscodesignError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.findings import EffectAblation, Verdict
 from viscodesign.simulation.build_problem import Settings
-from viscodesign.simulation.solve_once import Run, solve, tip_difference
+from viscodesign.simulation.solve_once import Run, Workspace, solve, tip_difference
 
 FINER = 20
 """By how much the tolerance is cut, so that small changes stand out from the steps' noise."""
 
 
 def measure_effects(
-    conditions: Conditions,
+    quantities: SceneQuantities,
     selection: Selection,
     settings: Settings,
     progress: Callable[[float], None] | None = None,
+    workspace: Workspace | None = None,
 ) -> tuple[EffectAblation, ...]:
     """Switch each effect that a scene has, one at a time, and measure the tip's move.
 
@@ -28,13 +29,14 @@ def measure_effects(
     interrupt ends the list. Raises `SolveError` where the scene itself cannot start.
     """
     finer = replace(settings, tolerance=settings.tolerance / FINER)
-    base = solve(conditions, selection.effects, finer)
+    workspace = workspace or Workspace()
+    base = solve(quantities, selection.effects, finer, workspace=workspace)
     if base.solution.interrupted:
         return ()
     verdicts = [v for v in selection.verdicts if v.name in selection.provable]
     ablations: list[EffectAblation] = []
     for k, verdict in enumerate(verdicts):
-        ablation, run = _switched(conditions, selection, finer, base, verdict)
+        ablation, run = _switched(quantities, selection, finer, base, verdict, workspace)
         if run is not None and run.solution.interrupted:
             break
         ablations.append(ablation)
@@ -44,11 +46,16 @@ def measure_effects(
 
 
 def _switched(
-    conditions: Conditions, selection: Selection, settings: Settings, base: Run, verdict: Verdict
+    quantities: SceneQuantities,
+    selection: Selection,
+    settings: Settings,
+    base: Run,
+    verdict: Verdict,
+    workspace: Workspace,
 ) -> tuple[EffectAblation, Run | None]:
     told = (verdict.name, verdict.taken, verdict.contribution_m)
     try:
-        run = solve(conditions, selection.switched(verdict.name), settings)
+        run = solve(quantities, selection.switched(verdict.name), settings, workspace=workspace)
     except ViscodesignError as error:
         return EffectAblation(*told, None, 0.0, str(error).splitlines()[0]), None
     measured = tip_difference(base.motion, run.motion)

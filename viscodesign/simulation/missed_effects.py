@@ -12,7 +12,7 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.effects.select import SHARE_OF_ACCURACY, Selection
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.motion import Motion
 from viscodesign.results.findings import RetryAttempt
@@ -39,14 +39,14 @@ class Reselection:
         return RetryAttempt(self.time_s, self.tried, solved, self.reason)
 
 
-def reselected(conditions: Conditions, selection: Selection, run: Run) -> Reselection | None:
+def reselected(quantities: SceneQuantities, selection: Selection, run: Run) -> Reselection | None:
     """What a run calls for beyond what was taken; None where it calls for nothing.
 
     Nothing is called for that the spec forbids. Each answer is larger than ``selection``.
     """
     if run.solution.asked_to_stop:
         return None
-    return _in_motion(selection, run) or _with_losses(conditions, selection, run)
+    return _in_motion(selection, run) or _with_losses(quantities, selection, run)
 
 
 def _in_motion(selection: Selection, run: Run) -> Reselection | None:
@@ -64,22 +64,22 @@ def _in_motion(selection: Selection, run: Run) -> Reselection | None:
     return Reselection(moving, IN_MOTION, failure.short, failure.time_s or 0.0)
 
 
-def _with_losses(conditions: Conditions, selection: Selection, run: Run) -> Reselection | None:
+def _with_losses(quantities: SceneQuantities, selection: Selection, run: Run) -> Reselection | None:
     """What takes pressure of the flows, where that could move the tip by more than is granted."""
-    granted = SHARE_OF_ACCURACY * conditions.accuracy * conditions.body.length
+    granted = SHARE_OF_ACCURACY * quantities.accuracy * quantities.body.length
     for effect in selection.spared:
         found = _largest_loss(effect, run.motion)
         if found is None:
             continue
         # As a part of the pressure, of which the tip's whole way is made.
-        moved = min(found.pressure / conditions.swing, 1.0) * _way(
-            run.motion, conditions.body.length
+        moved = min(found.pressure / quantities.swing, 1.0) * _way(
+            run.motion, quantities.body.length
         )
         if moved <= granted:
             continue
         reason = (
             f"the flows that were found would lose {found.pressure:.3g} Pa by it, "
-            f"{found.pressure / conditions.swing:.2g} of the largest pressure"
+            f"{found.pressure / quantities.swing:.2g} of the largest pressure"
         )
         grown = selection.grown(effect.name, reason)
         if grown is not None:

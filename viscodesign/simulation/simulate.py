@@ -15,13 +15,13 @@ from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.checks.scene_warnings import verdict_notices
 from viscodesign.effects.select import OMISSIONS_SURE, Selection, select_effects
 from viscodesign.errors import SolveError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.graph import Graph
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.stability import growth_notices
 from viscodesign.postprocess.terminations import broken_balance, doubted_balance
 from viscodesign.postprocess.validity_in_motion import Course, course_notices
-from viscodesign.results.findings import EffectAblation, Notice, RetryAttempt, Verdict
+from viscodesign.results.findings import EffectAblation, Notice, RetryAttempt
 from viscodesign.results.trajectory import Accuracy, Cost, Status, Trajectory
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.scene import Scene
@@ -29,7 +29,7 @@ from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.error_control import LEFT_BY_SPACE, LEFT_BY_TIME, ErrorParts, Verifier
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import Reselection, reselected
-from viscodesign.simulation.solve_once import Progress, Run
+from viscodesign.simulation.solve_once import Progress, Run, Workspace
 from viscodesign.storage.disk_arrays import Shelf, blocks
 
 
@@ -55,15 +55,16 @@ def simulate(
     `SpecError` for a scene without a bounded solution, `SolveError` where not even a first
     equilibrium exists.
     """
-    conditions = Conditions(scene, shelf=Shelf(scratch))
-    refuse_beyond_numbers(conditions)
-    selection = select_effects(conditions)
-    refuse_unsolvable(conditions)
+    quantities, workspace = SceneQuantities(scene), Workspace(Shelf(scratch))
+    refuse_beyond_numbers(quantities)
+    selection = select_effects(quantities)
+    refuse_unsolvable(quantities, selection.taken)
     ladder: list[RetryAttempt] = []
-    solved = _solve(conditions, selection, tolerance, verify, progress)
+    asked = _Asked(tolerance, verify, progress, workspace)
+    solved = _solve(quantities, selection, asked)
     while (more := solved.called_for) is not None:
         try:
-            again = _solve(conditions, more.selection, tolerance, verify, progress)
+            again = _solve(quantities, more.selection, asked)
         except SolveError as error:  # not even a start: what there was is kept
             ladder.append(more.rung(False))
             solved.verifier.stalled = (
@@ -72,14 +73,13 @@ def simulate(
             break
         ladder.append(more.rung(again.run.is_complete))
         selection, solved = more.selection, again
-    conditions.taken = set(selection.taken)
     verifier, run = solved.verifier, solved.run
     proof: tuple[EffectAblation, ...] = ()
     if prove and run.is_complete and not verifier.interrupted:
-        proof = measure_effects(conditions, selection, run.settings, progress)
+        proof = measure_effects(quantities, selection, run.settings, progress, workspace)
     accuracy = _accuracy(verifier, solved.parts, verify)
     status, failure = _outcome(verifier, run, accuracy, verify)
-    found = _trajectory(conditions, selection.verdicts, run)
+    found = _trajectory(quantities, selection, run)
     return replace(
         found,
         warnings=(*found.warnings, *_uncertain_flows(found, verifier)),
@@ -103,31 +103,38 @@ class _Solved:
     """More effects, with which it is all to be done again."""
 
 
-def _solve(
-    conditions: Conditions,
-    selection: Selection,
-    tolerance: float | None,
-    verify: bool,
-    progress: Progress | None,
-) -> _Solved:
-    settings = suggest_settings(conditions, selection.effects)
-    if tolerance is not None:
-        settings = replace(settings, tolerance=tolerance)
-    verifier = Verifier(conditions, selection.effects, selection.omitted_m, progress)
+@dataclass(frozen=True)
+class _Asked:
+    """How a scene is to be solved."""
+
+    tolerance: float | None
+    verify: bool
+    progress: Progress | None
+    workspace: Workspace
+
+
+def _solve(quantities: SceneQuantities, selection: Selection, asked: _Asked) -> _Solved:
+    settings = suggest_settings(quantities, selection.effects)
+    if asked.tolerance is not None:
+        settings = replace(settings, tolerance=asked.tolerance)
+    verifier = Verifier(
+        quantities, selection.effects, selection.omitted_m, asked.progress, asked.workspace
+    )
     run = verifier.solve(settings)
     parts: ErrorParts | None = None
-    more = reselected(conditions, selection, run)
-    if verify and run.is_complete and more is None:
+    more = reselected(quantities, selection, run)
+    if asked.verify and run.is_complete and more is None:
         run, parts = verifier.verify(run)
-        more = None if verifier.interrupted else reselected(conditions, selection, run)
+        more = None if verifier.interrupted else reselected(quantities, selection, run)
     return _Solved(verifier, run, parts, more)
 
 
-def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run) -> Trajectory:
+def _trajectory(quantities: SceneQuantities, selection: Selection, run: Run) -> Trajectory:
     """The motion with what it met; how it ended and how exact it is come later."""
-    scene, motion, graph = conditions.scene, run.motion, conditions.graph
+    scene, motion, graph = quantities.scene, run.motion, quantities.graph
     text = resolved_yaml(scene)
-    found = classification(conditions)
+    verdicts, active = selection.verdicts, selection.taken
+    found = classification(quantities, active)
     forced = tuple(verdict_notices(verdicts))
     return Trajectory(
         name=scene.name,
@@ -143,13 +150,13 @@ def _trajectory(conditions: Conditions, verdicts: tuple[Verdict, ...], run: Run)
         width=scene.actuator.height,
         classification=found,
         effects=verdicts,
-        accuracy=Accuracy(conditions.accuracy * conditions.body.length, None, NOT_VERIFIED),
+        accuracy=Accuracy(quantities.accuracy * quantities.body.length, None, NOT_VERIFIED),
         cost=_cost(run, 0.0),
         invariants=motion.invariants,
         warnings=_merged(
-            (*forced, *found.warnings, *_growth(conditions, run)),
+            (*forced, *found.warnings, *_growth(quantities, active, run)),
             (
-                *course_notices(conditions, _courses(conditions, motion)),
+                *course_notices(quantities, active, _courses(quantities, motion)),
                 *doubted_balance(motion.invariants),
                 *_thinned(motion),
             ),
@@ -183,17 +190,17 @@ def _uncertain_flows(found: Trajectory, verifier: Verifier) -> Iterator[Notice]:
     )
 
 
-def _growth(conditions: Conditions, run: Run) -> list[Notice]:
+def _growth(quantities: SceneQuantities, active: frozenset[str], run: Run) -> list[Notice]:
     """Whether the start is left by itself, where a coupling could make it so."""
-    free = conditions.tip_force + conditions.weight == 0.0
-    if "feedback" not in conditions.taken or ("damping" in conditions.taken and free):
+    free = quantities.tip_force + quantities.weight == 0.0
+    if "feedback" not in active or ("damping" in active and free):
         return []
     return growth_notices(run.problem, run.solution.beginning)
 
 
-def _courses(conditions: Conditions, motion: Motion) -> Iterator[Course]:
+def _courses(quantities: SceneQuantities, motion: Motion) -> Iterator[Course]:
     """The motion, block by block, for the checks."""
-    graph, names = conditions.graph, tuple(conditions.scene.inputs)
+    graph, names = quantities.graph, tuple(quantities.scene.inputs)
     for rows in blocks(len(motion.time), *motion.arrays.values()):
         yield Course(
             motion.time[rows],

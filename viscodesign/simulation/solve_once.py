@@ -3,22 +3,40 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from viscodesign.effects.base import Effect
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.motion import Motion, read_motion
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium, rest
 from viscodesign.solve.transient import Solution, integrate
-from viscodesign.storage.disk_arrays import blocks
+from viscodesign.storage.disk_arrays import Shelf, blocks
 
 Progress = Callable[[float], None]
+
+
+@dataclass
+class Workspace:
+    """What several solutions of one scene share; never used by two threads at once."""
+
+    store: Shelf = field(default_factory=Shelf)
+    """Where what is solved goes when it is large."""
+    _problems: dict[Hashable, Problem] = field(default_factory=dict)
+
+    def problem(
+        self, quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings
+    ) -> Problem:
+        """The scene's equations, made once for every set of effects and mesh."""
+        key = (quantities, tuple(map(type, effects)), settings.edges_per_section)
+        if key not in self._problems:
+            self._problems[key] = build(quantities, effects, settings)
+        return self._problems[key]
 
 
 @dataclass(frozen=True)
@@ -49,35 +67,32 @@ class Run:
 
 
 def solve(
-    conditions: Conditions,
+    quantities: SceneQuantities,
     effects: Sequence[Effect],
     settings: Settings,
     progress: Progress | None = None,
+    workspace: Workspace | None = None,
 ) -> Run:
-    """Build and solve once. Raises `SolveError` where not even a first equilibrium exists."""
+    """Build and solve once. Raises `SolveError` where not even a first equilibrium exists.
+
+    ``workspace``: that of earlier solutions of this scene, whose problems serve again.
+    """
+    workspace = workspace or Workspace()
     began = clock.perf_counter()
-    problem = _problem(conditions, effects, settings)
+    problem = workspace.problem(quantities, effects, settings)
     built = clock.perf_counter()
     piece = problem.schedule.initial_piece
-    steady = conditions.scene.run.start == "equilibrium"
+    steady = quantities.scene.run.start == "equilibrium"
     start = equilibrium(problem, 0.0, piece) if steady else rest(problem, piece)
     solution = integrate(
-        problem, start, settings.tolerance, progress, settings.solver, conditions.shelf
+        problem, start, settings.tolerance, progress, settings.solver, workspace.store
     )
     solved = clock.perf_counter()
-    motion = read_motion(problem, solution, conditions.shelf, conditions.scene.run.shapes_apart)
+    motion = read_motion(problem, solution, workspace.store, quantities.scene.run.shapes_apart)
     compile_s = solution.work.compile_s
     build_s, solve_s = built - began + compile_s, solved - built - compile_s
     # What was read of the solution is not needed twice.
     return Run(settings, problem, motion, solution.without_columns(), build_s, solve_s)
-
-
-def _problem(conditions: Conditions, effects: Sequence[Effect], settings: Settings) -> Problem:
-    """The scene's equations, made once for every set of effects and mesh."""
-    key = (tuple(effect.name for effect in effects), settings.edges_per_section)
-    if key not in conditions.problems:
-        conditions.problems[key] = build(conditions, effects, settings)
-    return conditions.problems[key]
 
 
 @dataclass(frozen=True)

@@ -62,9 +62,7 @@ def _block(problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: 
     size = np.full(count, np.inf)
     done, lost = np.zeros((2, count), dtype=bool)
     for _ in range(MOST_ROUNDS):
-        defect, slopes = mapped(
-            problem, function, "constraints", rows_along(problem, states, trial, first)
-        )
+        defect, slopes = mapped(problem, function, rows_along(problem, states, trial, first))
         matrix[:, rows, columns], right[:, told, 0] = slopes, defect
         try:
             step = np.linalg.solve(matrix, right)[:, :, 0].T

@@ -15,6 +15,7 @@ from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import splu
 
 from viscodesign.errors import SolveError
+from viscodesign.model.formulation import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import Moment, constraints, followed
@@ -115,10 +116,10 @@ class Rates:
         pieces = schedule.pieces[np.minimum(first + np.arange(count), len(schedule.pieces) - 1)]
         self.algebraics = algebraics
         self.steps = np.diff(times)
-        function = problem.equations.compiled.get("following", lambda: _following(problem))
+        function = problem.equations.compiled(_following)
         numbers = np.tile(problem.numbers(), (count, 1))
         given = [states.T, algebraics.T, times, pieces, numbers]
-        self._push, self.jacobians = mapped(problem, function, "following", given)
+        self._push, self.jacobians = mapped(problem, function, given)
         """Nonzeros of the algebraic equations' Jacobian (m + 1, nnz), column by column."""
         rows, starts = (np.array(k, dtype=np.int32) for k in _columns(function.sparsity_out(1)))
         self._pattern = rows, starts
@@ -141,9 +142,8 @@ def _columns(pattern: ca.Sparsity) -> tuple[list[int], list[int]]:
     return list(pattern.row()), list(pattern.colind())
 
 
-def _following(problem: Problem) -> ca.Function:
+def _following(e: Formulas) -> ca.Function:
     """(x, z, t, pieces, parameters) -> rate at which the constraints are left, d alg/d z."""
-    e = problem.equations
     x, z = e.states.vector, e.algebraics.vector
     push = ca.jtimes(e.alg, x, e.ode) + ca.jtimes(e.alg, e.time, SX(1))
     slopes = jacobian(e.alg, z)

@@ -9,7 +9,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.formulation import Equations
+from viscodesign.model.formulation import Equations, Formulas
 from viscodesign.model.rod import Body
 from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.numerics.rod_stability import Stiffness
@@ -157,7 +157,7 @@ def evaluate_along(
 ) -> dict[str, np.ndarray]:
     """All named outputs (m, n) at m edges from ``first`` on, from unknowns (nx, m) and (nz, m)."""
     output = problem.equations.output_function
-    found = mapped(problem, output, "outputs", rows_along(problem, states, algebraics, first))
+    found = mapped(problem, output, rows_along(problem, states, algebraics, first))
     return dict(zip(output.name_out(), found, strict=True))
 
 
@@ -181,21 +181,23 @@ def rows_along(
     ]
 
 
-def mapped(
-    problem: Problem, function: ca.Function, name: str, rows: Sequence[np.ndarray]
-) -> list[np.ndarray]:
+def mapped(problem: Problem, function: ca.Function, rows: Sequence[np.ndarray]) -> list[np.ndarray]:
     """A function of rows of arguments, each (m, n); of its results what is not zero by structure,
-    column by column (m, n). ``name``: under which its compiled map is kept.
+    column by column (m, n).
     """
     count = len(rows[0])
     found = [np.zeros((count, function.nnz_out(k))) for k in range(function.n_out())]
     call = Bound(
-        problem.equations.compiled.get(("map", name, count), lambda: function.map(count)),
+        problem.equations.compiled(_mapped, function, count),
         [np.ascontiguousarray(row, dtype=float) for row in rows],
         found,
     )
     call()
     return found
+
+
+def _mapped(_: Formulas, function: ca.Function, count: int) -> ca.Function:
+    return function.map(count)
 
 
 def evaluate_at(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.formulation import Equations
+from viscodesign.model.formulation import Formulas
 from viscodesign.solve.problem import Problem
 
 PER_SWING = 2
@@ -50,7 +50,7 @@ class _Block:
         self.edges = problem.schedule.edges[first : first + count + 1]
         self._pieces = problem.schedule.pieces[first : first + count].T
         self._numbers = problem.numbers()
-        self._rates = equations.compiled.get("timed", lambda: _rates(equations))
+        self._rates = equations.compiled(_rates)
         self._spacing = (equations.swing_time or float(self.edges[-1])) / PER_SWING
 
     def integrals(self) -> np.ndarray:
@@ -113,7 +113,7 @@ def _by_owner(values: np.ndarray, owner: np.ndarray, count: int) -> np.ndarray:
     return np.array([np.bincount(owner, row, count) for row in values])
 
 
-def _rates(equations: Equations) -> ca.Function:
+def _rates(equations: Formulas) -> ca.Function:
     """(time, pieces, numbers) -> timed rates over the size of an energy (n,)."""
     arguments = [equations.time, equations.pieces, equations.parameters]
     return ca.Function("timed", arguments, [equations.timed_quadrature])

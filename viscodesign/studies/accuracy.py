@@ -8,7 +8,7 @@ from dataclasses import replace
 from viscodesign._version import __version__
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.effects.select import Selection, select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.model.rod import MINIMUM_EDGES
 from viscodesign.results.accuracy_study import AccuracyStudy, Model, Point, with_dominated
@@ -33,21 +33,21 @@ def accuracy(
     `SpecError` for a scene without a bounded solution, `SolveError` where it cannot be
     solved with all the effects that it allows, or not within the limit.
     """
-    conditions = Conditions(scene)
+    quantities = SceneQuantities(scene)
     with gentle_interrupt() as interrupt:
-        refuse_beyond_numbers(conditions)
-        selection = select_effects(conditions)
-        refuse_unsolvable(conditions)
-        bench = Bench(conditions, selection, limit, interrupt, progress)
+        refuse_beyond_numbers(quantities)
+        selection = select_effects(quantities)
+        refuse_unsolvable(quantities, selection.taken)
+        bench = Bench(quantities, selection, limit, interrupt, progress)
         return _studied(bench)
 
 
 def _studied(bench: Bench) -> AccuracyStudy:
-    conditions, selection = bench.conditions, bench.selection
+    quantities, selection = bench.quantities, bench.selection
     models, notes = models_of(selection)
     study = _empty(bench, models, notes)
     smallest = min(study.errors)
-    least = math.ceil(MINIMUM_EDGES / conditions.body.sections)
+    least = math.ceil(MINIMUM_EDGES / quantities.body.sections)
     try:
         gauge = make_reference(bench, least, smallest)
     except (StudyInterruptedError, KeyboardInterrupt):
@@ -56,7 +56,7 @@ def _studied(bench: Bench) -> AccuracyStudy:
     study = replace(study, reference=gauge.reference)
     start: Point | None = None
     try:
-        suggested = suggest_settings(conditions, selection.effects)
+        suggested = suggest_settings(quantities, selection.effects)
         start = explorer.try_one(_taken(models), suggested)
         explorer.explore(models)
     except (StudyInterruptedError, KeyboardInterrupt):
@@ -72,14 +72,14 @@ def _studied(bench: Bench) -> AccuracyStudy:
 
 
 def _empty(bench: Bench, models: tuple[Model, ...], notes: tuple[str, ...]) -> AccuracyStudy:
-    scene, body = bench.conditions.scene, bench.conditions.body
+    scene, body = bench.quantities.scene, bench.quantities.body
     return AccuracyStudy(
         name=scene.name,
         version=__version__,
         spec_sha256=scene.source.sha256,
         status="complete",
         length=body.length,
-        requested_rel=bench.conditions.accuracy,
+        requested_rel=bench.quantities.accuracy,
         models=models,
         taken=_names(bench.selection),
         reference=None,

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from types import FrameType
 
 from viscodesign.effects.select import Selection
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import StopRequest
 from viscodesign.simulation.build_problem import Settings, build
-from viscodesign.simulation.solve_once import Progress, Run, solve
+from viscodesign.simulation.solve_once import Progress, Run, Workspace, solve
 
 REPEAT_S = 0.1
 """A solve is repeated while all of its repeats together took less [s]."""
@@ -86,17 +86,18 @@ class Bench:
 
     def __init__(
         self,
-        conditions: Conditions,
+        quantities: SceneQuantities,
         selection: Selection,
         limit_s: float,
         interrupt: StopRequest,
         progress: Progress | None = None,
     ) -> None:
-        self.conditions = conditions
+        self.quantities = quantities
         self.selection = selection
         self.limit_s = limit_s
         self.interrupt = interrupt
         self.progress = progress
+        self._workspace = Workspace()
         self.began = clock.perf_counter()
         self._until_s = limit_s
         self._formulas_s: dict[tuple[Names, int], float] = {}
@@ -128,10 +129,10 @@ class Bench:
         effects = self.selection.members(names)
         if (names, settings.edges_per_section) not in self._formulas_s:
             began = clock.perf_counter()
-            build(self.conditions, effects, settings)
+            build(self.quantities, effects, settings)
             self._formulas_s[names, settings.edges_per_section] = clock.perf_counter() - began
             self._check()
-        found = solve(self.conditions, effects, settings, self._watch)
+        found = solve(self.quantities, effects, settings, self._watch, self._workspace)
         if found.solution.interrupted:
             self.interrupt.times += 1
         self._check()

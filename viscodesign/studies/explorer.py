@@ -229,7 +229,7 @@ class Explorer:
             solve_s=timed.solve_s,
             build_s=timed.build_s,
             tip_error_m=error,
-            tip_error_rel=error / self.bench.conditions.body.length,
+            tip_error_rel=error / self.bench.quantities.body.length,
             is_bound=is_bound,
             is_exact_in_space=timed.run.is_exact_in_space,
             is_stepless=timed.run.problem.equations.states.count == 0,

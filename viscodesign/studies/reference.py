@@ -53,7 +53,7 @@ def make_reference(bench: Bench, least_edges: int, smallest_rel: float) -> Gauge
     """
     names = bench.selection.everything
     settings = Settings(2 * least_edges, FIRST_TOLERANCE, _solver(bench, names, least_edges))
-    length = bench.conditions.body.length
+    length = bench.quantities.body.length
     runs: list[Run] = []
     costs: list[float] = []
     apart = math.inf
@@ -141,7 +141,7 @@ def _finer(run: Run) -> Settings:
 
 
 def _described(bench: Bench, run: Run, apart: float, smallest_rel: float) -> Reference:
-    length = bench.conditions.body.length
+    length = bench.quantities.body.length
     return Reference(
         effects=tuple(e.name for e in bench.selection.members(bench.selection.everything)),
         edges=run.settings.edges_per_section,

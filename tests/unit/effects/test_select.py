@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import FrozenInstanceError, fields
 from functools import cache
 from itertools import pairwise
 from typing import ClassVar
@@ -18,7 +19,7 @@ from viscodesign.effects import select
 from viscodesign.effects.gravity import Gravity
 from viscodesign.effects.select import SHARE_OF_ACCURACY, Selection, catalogue, select_effects
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.findings import Verdict
 
 AUTO = "effects=auto"
@@ -39,7 +40,7 @@ ACCURACIES = (0.2, 0.02, 0.005, 1e-4, 1e-7)
 
 
 def selection(*overrides: str) -> Selection:
-    return select_effects(Conditions(leg(*overrides)))
+    return select_effects(SceneQuantities(leg(*overrides)))
 
 
 def verdicts(*overrides: str) -> dict[str, Verdict]:
@@ -50,12 +51,12 @@ def taken(*overrides: str) -> set[str]:
     return {name for name, verdict in verdicts(*overrides).items() if verdict.taken}
 
 
-def sketched(conditions: Conditions, names: Iterable[str]) -> Sketch:
+def sketched(quantities: SceneQuantities, names: Iterable[str]) -> Sketch:
     """The sketch with these effects, in the order of the catalogue."""
-    sketch, own = conditions.bare_sketch, set(names)
+    sketch, own = quantities.bare_sketch, set(names)
     for name, kind in catalogue().items():
         if name in own:
-            sketch = kind.of(conditions).sketch(sketch) or sketch
+            sketch = kind.of(quantities).sketch(sketch) or sketch
     return sketch
 
 
@@ -63,25 +64,26 @@ def sketched(conditions: Conditions, names: Iterable[str]) -> Sketch:
 
 
 @cache
-def ladder(scene: str) -> tuple[tuple[Conditions, Selection], ...]:
+def ladder(scene: str) -> tuple[tuple[SceneQuantities, Selection], ...]:
     """Selections at ever smaller accuracies."""
     several = [
-        Conditions(leg(*SCENES[scene], AUTO, f"accuracy={accuracy}")) for accuracy in ACCURACIES
+        SceneQuantities(leg(*SCENES[scene], AUTO, f"accuracy={accuracy}"))
+        for accuracy in ACCURACIES
     ]
-    return tuple((conditions, select_effects(conditions)) for conditions in several)
+    return tuple((quantities, select_effects(quantities)) for quantities in several)
 
 
-def together(conditions: Conditions, found: Selection) -> float:
+def together(quantities: SceneQuantities, found: Selection) -> float:
     """How far the tip moves by all omissions, over what they may spend."""
-    everything = sketched(conditions, found.present)
-    apart = sketched(conditions, (e.name for e in found.effects)).distance(everything)
-    return apart / (SHARE_OF_ACCURACY * conditions.accuracy * LEG_LENGTH)
+    everything = sketched(quantities, found.present)
+    apart = sketched(quantities, (e.name for e in found.effects)).distance(everything)
+    return apart / (SHARE_OF_ACCURACY * quantities.accuracy * LEG_LENGTH)
 
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_omissions_fit_into_their_share_together(scene: str) -> None:
-    for conditions, found in ladder(scene):
-        assert together(conditions, found) <= 1.0
+    for quantities, found in ladder(scene):
+        assert together(quantities, found) <= 1.0
         names = {e.name for e in found.effects}
         for verdict in found.verdicts:
             needed = catalogue()[verdict.name].needs
@@ -122,11 +124,11 @@ def test_omissions_fit_whatever_the_scene(
     wave = f"input={{kind: sine, amplitude: {amplitude}, frequency: {frequency}}}"
     run = f"run.duration={2 / frequency}"
     interval = f"run.output_interval={0.05 / frequency}"
-    conditions = Conditions(
+    quantities = SceneQuantities(
         leg("bellows.count=4", wave, run, interval, f"loads.gravity.tilt={tilt} deg", AUTO,
             f"accuracy={accuracy}")
     )  # fmt: skip
-    assert together(conditions, select_effects(conditions)) <= 1.0
+    assert together(quantities, select_effects(quantities)) <= 1.0
 
 
 class Push(Gravity):
@@ -134,7 +136,7 @@ class Push(Gravity):
 
     name: ClassVar[str] = "push"
 
-    def present(self, conditions: Conditions) -> bool:
+    def present(self, quantities: SceneQuantities) -> bool:
         return True
 
     def sketch(self, sketch: Sketch) -> Sketch:
@@ -357,9 +359,12 @@ def test_what_is_absent_has_no_weight() -> None:
     assert found.reason.startswith("absent: ")
 
 
-def test_conditions_learn_what_was_taken() -> None:
-    conditions = Conditions(leg(AUTO))
-    assert conditions.taken == {e.name for e in select_effects(conditions).effects}
+def test_choosing_effects_leaves_the_quantities_of_a_scene_as_they_were() -> None:
+    quantities = SceneQuantities(leg(AUTO))
+    assert [f.name for f in fields(quantities)] == ["scene"]
+    select_effects(quantities)
+    with pytest.raises(FrozenInstanceError):
+        quantities.scene = leg()  # type: ignore[misc]
 
 
 def test_the_choice_is_the_same_every_time() -> None:

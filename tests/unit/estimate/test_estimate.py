@@ -13,7 +13,7 @@ from tests.scenes import LEG_EA, LEG_EI, LEG_LENGTH, leg
 from viscodesign import classify, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 
 RAMPS = "input={kind: table, rows: [[0, 1 kPa], [0.25, 5 kPa], [0.25, -2 kPa], [0.875, -2 kPa], [1, 0]]}"
 SHORT = "run={duration: 2 s, output_interval: 0.0625 s}"
@@ -22,7 +22,7 @@ SOFT = "network.tube_wall={youngs_modulus: 100 kPa, thickness: 0.3 mm}"
 
 
 def bare(*overrides: str) -> Sketch:
-    return Conditions(leg(*overrides)).bare_sketch
+    return SceneQuantities(leg(*overrides)).bare_sketch
 
 
 def exact(
@@ -326,7 +326,7 @@ def test_outputs_that_begin_behind_the_sketch_do_not_empty_it() -> None:
         "run={duration: 40 s, output_times: [39.5, 40]}",
         config="leg_4_air_auto",
     )
-    selection = select_effects(Conditions(scene))
+    selection = select_effects(SceneQuantities(scene))
     assert all(np.isfinite(v.contribution_m) for v in selection.verdicts)
 
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.network_equations import _reduce
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
@@ -33,8 +33,8 @@ def network(name: str) -> str:
 
 
 def problem(*overrides: str) -> Problem:
-    conditions = Conditions(leg(*SHORT, *overrides))
-    return build(conditions, select_effects(conditions).effects, Settings(4, 1e-4))
+    quantities = SceneQuantities(leg(*SHORT, *overrides))
+    return build(quantities, select_effects(quantities).effects, Settings(4, 1e-4))
 
 
 @given(nodes=st.integers(2, 8), more=st.integers(0, 6), seed=st.integers(0, 10_000))

@@ -7,7 +7,7 @@ import pytest
 from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.conservation import Block, Ledger
 from viscodesign.postprocess.motion import read_motion
 from viscodesign.postprocess.outputs import read_outputs
@@ -70,10 +70,10 @@ def test_blocks_do_not_matter() -> None:
     """Rows told in blocks of any length, across corners, make the ledger of all at once."""
     pulses = "input={kind: square, low: 0, high: 3 kPa, frequency: 4 Hz}"
     effects = "effects={inertia: on, damping: on, feedback: on, others: off}"
-    conditions = Conditions(leg(*SHORT, pulses, effects))
-    chosen = select_effects(conditions).effects
-    settings = suggest_settings(conditions, chosen)
-    problem = build(conditions, chosen, settings)
+    quantities = SceneQuantities(leg(*SHORT, pulses, effects))
+    chosen = select_effects(quantities).effects
+    settings = suggest_settings(quantities, chosen)
+    problem = build(quantities, chosen, settings)
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     found = integrate(problem, start, settings.tolerance)
     wanted = read_motion(problem, found).invariants

@@ -9,7 +9,7 @@ import pytest
 
 from tests.scenes import LEG_EA, LEG_EI, LEG_LENGTH, STILL, leg
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess import stability
 from viscodesign.postprocess.stability import eigenvalues, growth_notices
 from viscodesign.simulation.build_problem import Settings, build
@@ -26,9 +26,9 @@ ROOTS = np.array([1.8751040687, 4.6940911330, 7.8547574382])
 
 
 def start(*overrides: str, edges: int = 4) -> tuple[Problem, Start]:
-    conditions = Conditions(leg(STILL, DENSITY, *overrides))
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, Settings(edges, 1e-6))
+    quantities = SceneQuantities(leg(STILL, DENSITY, *overrides))
+    effects = select_effects(quantities).effects
+    problem = build(quantities, effects, Settings(edges, 1e-6))
     return problem, equilibrium(problem, 0.0, problem.schedule.initial_piece)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.checks.scene_warnings import scene_notices
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.validity_in_motion import CHOKING_FRACTION, Course, course_notices
 from viscodesign.results.findings import Notice
 
@@ -22,11 +23,18 @@ CURVE = "bellows.curve={rows: [[-20 kPa, -5e-5, -0.1, 0], [0, 0, 0, 0], [30 kPa,
 AIR = ("fluid=air", "temperature=20 degC")
 
 
-def conditions(*overrides: str, taken: tuple[str, ...] = ()) -> Conditions:
-    return Conditions(leg("bellows.count=4", *overrides), set(taken))
+@dataclass(frozen=True, eq=False)
+class Simulated(SceneQuantities):
+    """A scene with the effects that are active in its simulation."""
+
+    active: frozenset[str]
 
 
-def course(scene: Conditions, **changes: Any) -> Course:
+def quantities(*overrides: str, taken: tuple[str, ...] = ()) -> Simulated:
+    return Simulated(leg("bellows.count=4", *overrides), frozenset(taken))
+
+
+def course(scene: SceneQuantities, **changes: Any) -> Course:
     """A run in which nothing happens, but for what is changed."""
     graph, rest = scene.graph, scene.bellow.rest_volume
     shape, flows = (len(TIME), len(graph.bellows)), (len(TIME), len(graph.tubes))
@@ -44,22 +52,22 @@ def course(scene: Conditions, **changes: Any) -> Course:
     return Course(**{**calm, **changes})
 
 
-def at(scene: Conditions, what: str, when: int, place: int, value: float) -> Course:
+def at(scene: SceneQuantities, what: str, when: int, place: int, value: float) -> Course:
     """One number of a calm run changed."""
     values = getattr(course(scene), what).copy()
     values[when, place] = value
     return course(scene, **{what: values})
 
 
-def notices(scene: Conditions, met: Course) -> list[Notice]:
-    return list(course_notices(scene, [met]))
+def notices(scene: Simulated, met: Course) -> list[Notice]:
+    return list(course_notices(scene, scene.active, [met]))
 
 
-def codes(scene: Conditions, met: Course) -> list[str]:
+def codes(scene: Simulated, met: Course) -> list[str]:
     return [notice.code for notice in notices(scene, met)]
 
 
-def flow_at(scene: Conditions, mach: float) -> float:
+def flow_at(scene: SceneQuantities, mach: float) -> float:
     """Flow at which the gas at ambient density has a Mach number in the first tube."""
     sound = scene.scene.fluid.speed_of_sound
     assert sound is not None
@@ -67,18 +75,18 @@ def flow_at(scene: Conditions, mach: float) -> float:
 
 
 def test_a_calm_run_has_nothing_to_tell() -> None:
-    scene = conditions()
+    scene = quantities()
     assert notices(scene, course(scene)) == []
 
 
 def test_a_run_that_ended_before_its_first_output_has_nothing_to_tell() -> None:
-    scene = conditions()
+    scene = quantities()
     nothing = course(scene, time=np.zeros(0), pressure=np.zeros((0, 4)))
     assert notices(scene, nothing) == []
 
 
 def test_a_bellow_that_swells_far_beyond_its_rest_is_told_with_number_and_place() -> None:
-    scene = conditions()
+    scene = quantities()
     rest = scene.bellow.rest_volume
     assert codes(scene, at(scene, "volume", 1, 2, 2.6 * rest)) == []
     (told,) = notices(scene, at(scene, "volume", 1, 2, 5.0 * rest))
@@ -87,7 +95,7 @@ def test_a_bellow_that_swells_far_beyond_its_rest_is_told_with_number_and_place(
 
 
 def test_a_measured_curve_answers_for_large_volumes() -> None:
-    scene = conditions(CURVE, taken=("material_curve",))
+    scene = quantities(CURVE, taken=("material_curve",))
     assert codes(scene, at(scene, "volume", 1, 2, 5.0 * scene.bellow.rest_volume)) == []
 
 
@@ -108,7 +116,7 @@ def test_a_measured_curve_answers_for_large_volumes() -> None:
     ],
 )
 def test_fast_gas(mach: float, taken: tuple[str, ...], expected: list[str]) -> None:
-    scene = conditions(*AIR, taken=("flow_regime", *taken))
+    scene = quantities(*AIR, taken=("flow_regime", *taken))
     met = at(scene, "flow", 1, 2, -flow_at(scene, mach))
     found = notices(scene, met)
     assert [n.code for n in found] == expected
@@ -121,7 +129,7 @@ def test_fast_gas(mach: float, taken: tuple[str, ...], expected: list[str]) -> N
 
 def test_a_thin_gas_goes_faster_for_the_same_mass() -> None:
     """A flow is told at ambient density; where the pressure is a quarter it has four times the speed."""
-    scene = conditions(*AIR, taken=("flow_regime", "gas_compressibility"))
+    scene = quantities(*AIR, taken=("flow_regime", "gas_compressibility"))
     met = at(scene, "flow", 1, 0, flow_at(scene, 0.25))
     assert codes(scene, met) == []
     thin = met.tube_pressure.copy()
@@ -130,13 +138,13 @@ def test_a_thin_gas_goes_faster_for_the_same_mass() -> None:
     assert notice.code == "choking"
     assert "Mach 1 " in notice.message
     # Without compressibility its density stays that of the surroundings.
-    plain = conditions(*AIR, taken=("flow_regime",))
+    plain = quantities(*AIR, taken=("flow_regime",))
     assert codes(plain, course(plain, flow=met.flow, tube_pressure=thin)) == []
 
 
 def test_the_exponent_counts_in_a_thin_gas() -> None:
     words = ("fluid={name: air, polytropic_exponent: 1.4}", "temperature=20 degC")
-    scene = conditions(*words, taken=("flow_regime", "gas_compressibility"))
+    scene = quantities(*words, taken=("flow_regime", "gas_compressibility"))
     met = at(scene, "flow", 1, 0, flow_at(scene, 0.5))
     thin = met.tube_pressure.copy()
     thin[1, 0] = -0.75 * AMBIENT
@@ -145,7 +153,7 @@ def test_the_exponent_counts_in_a_thin_gas() -> None:
 
 
 def test_below_vacuum_a_speed_is_still_finite() -> None:
-    scene = conditions(*AIR, taken=("flow_regime", "gas_compressibility"))
+    scene = quantities(*AIR, taken=("flow_regime", "gas_compressibility"))
     met = at(scene, "flow", 1, 0, flow_at(scene, 0.1))
     found = notices(scene, course(scene, flow=met.flow, tube_pressure=met.tube_pressure - 2e5))
     assert [n.code for n in found] == ["choking"]
@@ -153,10 +161,10 @@ def test_below_vacuum_a_speed_is_still_finite() -> None:
 
 
 def test_a_liquid_is_told_as_fluid_and_one_without_a_speed_of_sound_not_at_all() -> None:
-    water = conditions("fluid=water", "temperature=20 degC", taken=("flow_regime",))
+    water = quantities("fluid=water", "temperature=20 degC", taken=("flow_regime",))
     (notice,) = notices(water, at(water, "flow", 0, 0, flow_at(water, 0.5)))
     assert notice.message.startswith("the fluid reaches Mach 0.5")
-    oil = conditions("fluid={name: oil, viscosity: 0.1, density: 900}", taken=("flow_regime",))
+    oil = quantities("fluid={name: oil, viscosity: 0.1, density: 900}", taken=("flow_regime",))
     assert codes(oil, at(oil, "flow", 0, 0, 1.0)) == []
 
 
@@ -165,7 +173,7 @@ def test_a_liquid_is_told_as_fluid_and_one_without_a_speed_of_sound_not_at_all()
 def test_turbulence_is_warned_of_where_no_term_stands_for_it(
     reynolds: float, taken: tuple[str, ...]
 ) -> None:
-    scene = conditions("fluid={name: oil, viscosity: 0.1, density: 900}", taken=taken)
+    scene = quantities("fluid={name: oil, viscosity: 0.1, density: 900}", taken=taken)
     radius = scene.graph.tubes[1].radius
     met = at(scene, "flow", 2, 1, reynolds * math.pi * 0.1 * radius / (2 * 900))
     found = notices(scene, met)
@@ -178,7 +186,7 @@ def test_turbulence_is_warned_of_where_no_term_stands_for_it(
 
 
 def test_without_tubes_no_flow_is_judged() -> None:
-    scene = conditions()
+    scene = quantities()
     bare = course(scene, tubes=(), flow=np.zeros((3, 0)), tube_pressure=np.zeros((3, 0)))
     assert notices(scene, bare) == []
 
@@ -191,7 +199,7 @@ def test_without_tubes_no_flow_is_judged() -> None:
     [(-30e3, "extrapolated_curve"), (-20e3, ""), (30e3, ""), (45e3, "extrapolated_curve")],
 )
 def test_beyond_the_measured_curve(pressure: float, expected: str) -> None:
-    scene = conditions(CURVE, taken=("material_curve",))
+    scene = quantities(CURVE, taken=("material_curve",))
     found = notices(scene, at(scene, "pressure", 1, 3, pressure))
     assert [n.code for n in found] == ([expected] if expected else [])
     for notice in found:
@@ -202,7 +210,7 @@ def test_beyond_the_measured_curve(pressure: float, expected: str) -> None:
 
 
 def test_a_curve_that_is_off_is_not_left() -> None:
-    scene = conditions(CURVE)
+    scene = quantities(CURVE)
     assert codes(scene, at(scene, "pressure", 1, 3, 45e3)) == []
 
 
@@ -212,7 +220,7 @@ def test_a_curve_that_is_off_is_not_left() -> None:
 )  # fmt: skip
 def test_bellows_below_their_floor(share: float, expected: list[str]) -> None:
     """Loads may take up to 2 % of the floor besides."""
-    scene = conditions()
+    scene = quantities()
     met = at(scene, "volume", 1, 2, share * scene.bellow.rest_volume)
     found = notices(scene, met)
     assert [n.code for n in found] == expected
@@ -224,14 +232,13 @@ def test_bellows_below_their_floor(share: float, expected: list[str]) -> None:
 @pytest.mark.parametrize("taken", ["collapse", "material_curve"])
 def test_a_floor_is_announced_only_where_the_linear_law_rules(taken: str) -> None:
     low = "input={kind: table, rows: [[0, 0], [1, -33 kPa], [2, -34 kPa]]}"
-    told = [n.code for n in scene_notices(conditions(low))]
-    assert "collapse" in told
-    assert "collapse" not in [n.code for n in scene_notices(conditions(low, taken=(taken,)))]
+    scene, active = quantities(low), frozenset({taken})
+    assert "collapse" in [n.code for n in scene_notices(scene, frozenset())]
+    assert "collapse" not in [n.code for n in scene_notices(scene, active)]
     emptied = "input={kind: table, rows: [[0, 0], [1, -36 kPa]]}"
-    assert "negative_volume" in [n.code for n in scene_notices(conditions(emptied))]
-    assert "negative_volume" not in [
-        n.code for n in scene_notices(conditions(emptied, taken=(taken,)))
-    ]
+    scene = quantities(emptied)
+    assert "negative_volume" in [n.code for n in scene_notices(scene, frozenset())]
+    assert "negative_volume" not in [n.code for n in scene_notices(scene, active)]
 
 
 def test_a_run_with_collapse_is_not_warned_of_it() -> None:
@@ -254,7 +261,7 @@ def test_a_run_with_collapse_is_not_warned_of_it() -> None:
     ],
 )
 def test_too_little_pressure(fluid: str, absolute: float, expected: list[str]) -> None:
-    scene = conditions(f"fluid={fluid}", "temperature=20 degC")
+    scene = quantities(f"fluid={fluid}", "temperature=20 degC")
     found = notices(scene, at(scene, "pressure", 2, 1, absolute - AMBIENT))
     assert [n.code for n in found] == expected
     assert all((n.where, n.time_s) == ("R2", 1.0) for n in found)
@@ -264,7 +271,7 @@ def test_too_little_pressure(fluid: str, absolute: float, expected: list[str]) -
 
 
 def test_strains() -> None:
-    scene = conditions()
+    scene = quantities()
     pressed = notices(scene, at(scene, "section_stretch", 1, 1, 0.19))
     assert pressed[0].code == "small_stretch"
     assert pressed[0].where == "section 2"
@@ -309,5 +316,5 @@ def test_with_walls_that_meet_it_goes_on() -> None:
 
 
 def test_the_remedy_is_what_auto_does() -> None:
-    scene = Conditions(leg(*SUCKED, "effects={gas_compressibility: on}"))
+    scene = SceneQuantities(leg(*SUCKED, "effects={gas_compressibility: on}"))
     assert "collapse" in {e.name for e in select_effects(scene).effects}

@@ -12,7 +12,7 @@ from tests.scenes import leg
 from viscodesign import Trajectory, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SolveError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation import error_control as verifying
 from viscodesign.simulation.build_problem import Settings, suggest_settings
@@ -113,9 +113,9 @@ def test_an_accuracy_out_of_reach_ends_with_the_error_reached(
 
 def test_a_coarse_first_solution_is_refined_until_it_serves() -> None:
     scene = leg(*SCENES["dynamic"], "accuracy=0.05 %")
-    conditions = Conditions(scene)
-    selection = select_effects(conditions)
-    verifier = Verifier(conditions, selection.effects, selection.omitted_m, None)
+    quantities = SceneQuantities(scene)
+    selection = select_effects(quantities)
+    verifier = Verifier(quantities, selection.effects, selection.omitted_m, None)
     run = verifier.solve(Settings(1, 1e-2))
     finest, parts = verifier.verify(run)
     assert isinstance(parts, ErrorParts)
@@ -126,10 +126,10 @@ def test_a_coarse_first_solution_is_refined_until_it_serves() -> None:
 
 def test_a_wish_to_stop_in_the_last_moment_is_obeyed() -> None:
     scene = leg(*SCENES["arcs"])
-    conditions = Conditions(scene)
-    effects = select_effects(conditions).effects
-    verifier = Verifier(conditions, effects, 0.0, None)
-    run = verifier.solve(suggest_settings(conditions, effects))
+    quantities = SceneQuantities(scene)
+    effects = select_effects(quantities).effects
+    verifier = Verifier(quantities, effects, 0.0, None)
+    run = verifier.solve(suggest_settings(quantities, effects))
     run.solution.asked_to_stop = True
     kept, parts = verifier.verify(run)
     assert kept is run

@@ -11,10 +11,10 @@ import pytest
 from tests.scenes import leg
 from viscodesign import Trajectory, simulate
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation import measured_effects
 from viscodesign.simulation.build_problem import Settings
-from viscodesign.simulation.solve_once import Run
+from viscodesign.simulation.solve_once import Run, Workspace
 from viscodesign.simulation.solve_once import solve as really_solve
 
 SMALL = ("bellows.count=4", "run={duration: 0.5 s, output_interval: 20 ms}",
@@ -53,7 +53,7 @@ def test_estimates_are_near_measurements_where_they_count(scene: str) -> None:
 def test_everything_that_the_scene_has_is_switched_once(scene: str) -> None:
     found = ablated(scene)
     overrides = (*SMALL, *SCENES[scene])
-    switchable = select_effects(Conditions(leg(*overrides))).provable
+    switchable = select_effects(SceneQuantities(leg(*overrides))).provable
     told = {v.name: v for v in found.effects}
     assert [p.name for p in found.proof] == switchable
     for ablation in found.proof:
@@ -106,12 +106,14 @@ def test_a_switch_that_cannot_be_solved_says_so() -> None:
 def test_a_switch_that_ends_early_is_compared_as_far_as_it_came() -> None:
     ramp = ("input={kind: table, rows: [[0, 0], [1, -100 kPa]]}",
             "run={duration: 1 s, output_interval: 0.125 s}")  # fmt: skip
-    conditions = Conditions(leg(*DEEP, *ramp))
-    found = select_effects(conditions)
+    quantities = SceneQuantities(leg(*DEEP, *ramp))
+    found = select_effects(quantities)
     verdict = next(v for v in found.verdicts if v.name == "collapse")
     settings = Settings(2, 1e-4)
-    base = really_solve(conditions, found.effects, settings)
-    ablation, run = measured_effects._switched(conditions, found, settings, base, verdict)
+    base = really_solve(quantities, found.effects, settings)
+    ablation, run = measured_effects._switched(
+        quantities, found, settings, base, verdict, Workspace()
+    )
     assert run is not None
     assert not run.is_complete
     assert ablation.note == f"compared up to t = {run.motion.time[-1]:.4g} s, where it ended"
@@ -124,8 +126,8 @@ def test_a_switch_that_ends_early_is_compared_as_far_as_it_came() -> None:
 def test_an_interrupt_ends_the_list(monkeypatch: pytest.MonkeyPatch) -> None:
     calls: list[Run] = []
 
-    def interrupted(*given: object) -> Run:
-        run = really_solve(*given)  # type: ignore[arg-type]
+    def interrupted(*given: object, **more: object) -> Run:
+        run = really_solve(*given, **more)  # type: ignore[arg-type]
         calls.append(run)
         stopped = replace(run.solution, interrupted=len(calls) == 4)
         return replace(run, solution=stopped)
@@ -165,9 +167,11 @@ def test_small_changes_stand_out_from_the_steps_noise(monkeypatch: pytest.Monkey
     """The scene itself is solved again, finer; its first solution is what is handed out."""
     settings: list[Settings] = []
 
-    def noted(conditions: Conditions, effects: object, chosen: Settings) -> Run:
+    def noted(
+        quantities: SceneQuantities, effects: object, chosen: Settings, workspace: Workspace
+    ) -> Run:
         settings.append(chosen)
-        return really_solve(conditions, [], chosen)
+        return really_solve(quantities, [], chosen)
 
     monkeypatch.setattr(measured_effects, "solve", noted)
     found = simulate(leg(*SMALL, "effects=off"), verify=False, prove=True)

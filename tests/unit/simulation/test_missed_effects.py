@@ -13,20 +13,20 @@ from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation import simulate as simulating
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.missed_effects import reselected
 from viscodesign.simulation.solve_once import Run, solve
 
-Solved = tuple[Conditions, Selection, Run]
+Solved = tuple[SceneQuantities, Selection, Run]
 
 
 def solved(*overrides: str) -> Solved:
-    conditions = Conditions(leg(*overrides))
-    selection = select_effects(conditions)
-    run = solve(conditions, selection.effects, suggest_settings(conditions, selection.effects))
-    return conditions, selection, run
+    quantities = SceneQuantities(leg(*overrides))
+    selection = select_effects(quantities)
+    run = solve(quantities, selection.effects, suggest_settings(quantities, selection.effects))
+    return quantities, selection, run
 
 
 @pytest.fixture(scope="module")
@@ -35,38 +35,38 @@ def fast() -> Solved:
 
 
 def test_fast_flow_calls_for_its_losses_once(fast: Solved) -> None:
-    conditions, selection, run = fast
+    quantities, selection, run = fast
     assert "flow_regime" not in selection.taken
-    found = reselected(conditions, selection, run)
+    found = reselected(quantities, selection, run)
     assert found is not None
     assert found.selection.taken == selection.taken | {"flow_regime"}
     (verdict,) = (v for v in found.selection.verdicts if v.name == "flow_regime")
     assert verdict.taken
     assert "the flows that were found would lose" in verdict.reason
-    again = solve(conditions, found.selection.effects, run.settings)
-    assert reselected(conditions, found.selection, again) is None
+    again = solve(quantities, found.selection.effects, run.settings)
+    assert reselected(quantities, found.selection, again) is None
 
 
 def test_what_the_spec_forbids_is_not_called_for(fast: Solved) -> None:
     scene = leg(*LEFT_ITS_FLOOR, "effects={others: auto, flow_regime: off}")
-    conditions = Conditions(scene)
-    selection = select_effects(conditions)
-    assert reselected(conditions, selection, fast[2]) is None
+    quantities = SceneQuantities(scene)
+    selection = select_effects(quantities)
+    assert reselected(quantities, selection, fast[2]) is None
 
 
 def test_a_rod_that_does_not_move_calls_for_nothing(fast: Solved) -> None:
-    conditions, selection, run = fast
-    still = np.tile([0.0, conditions.body.length, 0.0], (len(run.motion.tip), 1))
+    quantities, selection, run = fast
+    still = np.tile([0.0, quantities.body.length, 0.0], (len(run.motion.tip), 1))
     unmoved = replace(run, motion=run.motion.with_arrays(tip=still))
-    assert reselected(conditions, selection, unmoved) is None
+    assert reselected(quantities, selection, unmoved) is None
 
 
 def test_the_first_instant_does_not_count(fast: Solved) -> None:
-    conditions, selection, run = fast
+    quantities, selection, run = fast
     flow = np.zeros_like(run.motion.flow)
     flow[0] = run.motion.flow.max()
     burst = replace(run, motion=run.motion.with_arrays(flow=flow))
-    assert reselected(conditions, selection, burst) is None
+    assert reselected(quantities, selection, burst) is None
 
 
 def test_slow_flow_calls_for_nothing() -> None:
@@ -74,10 +74,10 @@ def test_slow_flow_calls_for_nothing() -> None:
 
 
 def test_what_it_needs_and_what_costs_nothing_beside_it_come_along() -> None:
-    conditions = Conditions(
+    quantities = SceneQuantities(
         leg("effects=auto", "accuracy=20 %", "input={kind: constant, value: 1 kPa}")
     )
-    selection = select_effects(conditions)
+    selection = select_effects(quantities)
     assert not selection.taken & {"pressure_distribution", "flow_regime", "fluid_inertance"}
     grown = selection.grown("flow_regime", "it is asked for")
     assert grown is not None

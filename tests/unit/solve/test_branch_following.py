@@ -12,7 +12,7 @@ from tests.scenes import leg
 from tests.validation.rc_network import COMPLIANCE, columns, resistance
 from viscodesign import Trajectory, simulate
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve import branch_jumps as leaps
@@ -29,9 +29,9 @@ BESIDE_A_FLUID = "effects={gravity: on, pressure_distribution: on, others: off}"
 
 
 def made(*overrides: str, edges: int = 2) -> tuple[Problem, Start]:
-    conditions = Conditions(leg(*overrides))
-    effects = select_effects(conditions).effects
-    problem = build(conditions, effects, Settings(edges, 1e-5))
+    quantities = SceneQuantities(leg(*overrides))
+    effects = select_effects(quantities).effects
+    problem = build(quantities, effects, Settings(edges, 1e-5))
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     return problem, consistent(problem, start, 0.0, problem.schedule.pieces[0])
 

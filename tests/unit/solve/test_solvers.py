@@ -7,7 +7,7 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import Settings, build, suggest_settings
 from viscodesign.simulation.solve_once import Run, solve, tip_difference
@@ -27,9 +27,9 @@ SOLVERS = list(solver_catalogue())
 
 
 def solved(scene: Scene, solver: str, tolerance: float) -> Run:
-    conditions = Conditions(scene)
-    effects = select_effects(conditions).effects
-    return solve(conditions, effects, Settings(1, tolerance, solver))
+    quantities = SceneQuantities(scene)
+    effects = select_effects(quantities).effects
+    return solve(quantities, effects, Settings(1, tolerance, solver))
 
 
 def test_the_default_comes_first() -> None:
@@ -83,20 +83,20 @@ UNDAMPED = (
 
 def test_undamped_vibration_costs_no_small_steps() -> None:
     """What BDF needs thousands of steps for: nine periods of a beam that is let go."""
-    conditions = Conditions(leg(*UNDAMPED))
-    effects = select_effects(conditions).effects
-    settings = suggest_settings(conditions, effects)
+    quantities = SceneQuantities(leg(*UNDAMPED))
+    effects = select_effects(quantities).effects
+    settings = suggest_settings(quantities, effects)
     assert settings.solver == RINGING_SOLVER
-    run = solve(conditions, effects, settings)
+    run = solve(quantities, effects, settings)
     assert run.is_complete
     assert run.solution.work.steps <= 400
     assert (run.motion.invariants.energy_imbalance_rel or 0.0) <= 2e-2
 
 
 def test_what_is_damped_keeps_the_default() -> None:
-    conditions = Conditions(leg(*SCENES["damped, two-way"]))
-    effects = select_effects(conditions).effects
-    assert suggest_settings(conditions, effects).solver == DEFAULT_SOLVER
+    quantities = SceneQuantities(leg(*SCENES["damped, two-way"]))
+    effects = select_effects(quantities).effects
+    assert suggest_settings(quantities, effects).solver == DEFAULT_SOLVER
 
 
 TAKEN = {
@@ -117,8 +117,8 @@ TAKEN = {
 @pytest.mark.parametrize("scene", TAKEN)
 def test_a_solver_without_pivoting_takes_what_has_pivots_on_the_diagonal(scene: str) -> None:
     *overrides, takes = TAKEN[scene]
-    conditions = Conditions(leg(*(str(word) for word in overrides)))
-    problem = build(conditions, select_effects(conditions).effects, Settings(1, 1e-6))
+    quantities = SceneQuantities(leg(*(str(word) for word in overrides)))
+    problem = build(quantities, select_effects(quantities).effects, Settings(1, 1e-6))
     assert Rosenbrock.takes(problem) is takes
     assert Idas.takes(problem)
     assert solved(leg(*(str(word) for word in overrides)), "rosenbrock", 1e-5).is_complete

@@ -12,7 +12,7 @@ from tests.scenes import leg
 from viscodesign import Trajectory, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SolveError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import Settings, build, schedule
 from viscodesign.solve import transient
 from viscodesign.solve.problem import Problem
@@ -154,9 +154,9 @@ def _limited(monkeypatch: pytest.MonkeyPatch, limit: float) -> None:
 
 
 def _one_way() -> Problem:
-    conditions = Conditions(leg(ONE_WAY, "run={duration: 4 s, output_interval: 0.1 s}"))
-    effects = select_effects(conditions).effects
-    return build(conditions, effects, Settings(1, 1e-4))
+    quantities = SceneQuantities(leg(ONE_WAY, "run={duration: 4 s, output_interval: 0.1 s}"))
+    effects = select_effects(quantities).effects
+    return build(quantities, effects, Settings(1, 1e-4))
 
 
 def test_a_failing_stretch_keeps_what_came_before(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,7 +10,7 @@ import pytest
 from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.report.run_folder import write_run
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import solve
@@ -40,11 +40,11 @@ def test_a_run_that_ends_before_its_first_output_leaves_whole_files(tmp_path: Pa
 
 @pytest.mark.parametrize("name", ["idas", "radau", "rosenbrock"])
 def test_every_solver_keeps_to_it(name: str) -> None:
-    conditions = Conditions(
+    quantities = SceneQuantities(
         leg(PERIODS, "run={duration: 50 s, output_times: [50], max_steps: 120}")
     )
-    effects = select_effects(conditions).effects
-    run = solve(conditions, effects, Settings(1, 1e-4, name))
+    effects = select_effects(quantities).effects
+    run = solve(quantities, effects, Settings(1, 1e-4, name))
     assert run.motion.failure is not None
     assert run.motion.failure.quantity == "work"
     assert 100 <= run.solution.work.steps < 250

@@ -15,7 +15,7 @@ from tests.scenes import leg
 from viscodesign import AccuracyStudy, accuracy
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run, solve, tip_difference
 from viscodesign.solve.transient import solver_catalogue
@@ -45,21 +45,21 @@ def studied(*overrides: str) -> AccuracyStudy:
     return accuracy(leg(*SMALL, *overrides), limit=60.0)
 
 
-def selected(*overrides: str) -> tuple[Conditions, Selection]:
-    conditions = Conditions(leg(*SMALL, *overrides))
-    return conditions, select_effects(conditions)
+def selected(*overrides: str) -> tuple[SceneQuantities, Selection]:
+    quantities = SceneQuantities(leg(*SMALL, *overrides))
+    return quantities, select_effects(quantities)
 
 
 def test_errors_are_those_of_an_independent_solution() -> None:
     study = studied(PINNED)
     assert study.reference is not None
-    conditions, selection = selected(PINNED)
+    quantities, selection = selected(PINNED)
     names = selection.everything
     # By another solver than the reference's, and finer than most points.
-    fine = solve(conditions, selection.members(names), Settings(16, 1e-8, "idas"))
+    fine = solve(quantities, selection.members(names), Settings(16, 1e-8, "idas"))
     for point in study.points[:6]:
         settings = Settings(point.edges, point.tolerance, point.solver)
-        run = solve(conditions, selection.members(names), settings)
+        run = solve(quantities, selection.members(names), settings)
         assert tip_difference(run.motion, fine.motion) == pytest.approx(
             point.tip_error_m, rel=0.05, abs=3 * study.reference.convergence_m
         )
@@ -69,10 +69,10 @@ def test_the_reference_is_finer_than_it_says() -> None:
     study = studied(PINNED)
     found = study.reference
     assert found is not None
-    conditions, selection = selected(PINNED)
+    quantities, selection = selected(PINNED)
     effects = selection.members(selection.everything)
     same, finer = (
-        solve(conditions, effects, Settings(found.edges * n, found.tolerance / k, found.solver))
+        solve(quantities, effects, Settings(found.edges * n, found.tolerance / k, found.solver))
         for n, k in ((1, 1), (2, 10))
     )
     assert tip_difference(same.motion, finer.motion) <= found.convergence_m
@@ -179,14 +179,14 @@ def test_an_interrupt_during_a_short_solve_is_heard(monkeypatch: pytest.MonkeyPa
 
     def disturbed(*given: object) -> Run:
         calls.append(0)
-        *rest, watch = given
+        *rest, watch, workspace = given
 
         def interrupting(fraction: float) -> None:
             if len(calls) == 3:
                 os.kill(os.getpid(), signal.SIGINT)
             watch(fraction)  # type: ignore[operator]
 
-        return solve(*rest, interrupting)  # type: ignore[arg-type]
+        return solve(*rest, interrupting, workspace)  # type: ignore[arg-type]
 
     monkeypatch.setattr(bench_module, "solve", disturbed)
     before = signal.getsignal(signal.SIGINT)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from viscodesign.effects.tube_compliance import TubeCompliance
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import gas
 from viscodesign.pump.drive import Drive
 from viscodesign.scene.inputs.syringe import Syringe
@@ -35,7 +35,7 @@ def line_at(scene: Scene, inlet: str, taken: frozenset[str]) -> Line:
     if TubeCompliance.name not in taken:
         return Line()
     yields = "gas_compressibility" in taken
-    volume, compliance = TubeCompliance.of(Conditions(scene)).stored_at(inlet, yields)
+    volume, compliance = TubeCompliance.of(SceneQuantities(scene)).stored_at(inlet, yields)
     return Line(volume, compliance, yields)
 
 

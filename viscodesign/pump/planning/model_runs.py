@@ -8,7 +8,7 @@ import numpy as np
 
 from viscodesign.effects.select import catalogue
 from viscodesign.errors import SolveError
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
@@ -41,9 +41,9 @@ def taken_effects(run: Trajectory) -> frozenset[str]:
 
 def follow(scene: Scene, taken: frozenset[str]) -> Inlets:
     """The inlets of a scene with just these effects; `SolveError` where a run breaks off."""
-    conditions = Conditions(scene, set(taken))
-    effects = [kind.of(conditions) for name, kind in catalogue().items() if name in taken]
-    run = solve(conditions, effects, suggest_settings(conditions, effects))
+    quantities = SceneQuantities(scene)
+    effects = [kind.of(quantities) for name, kind in catalogue().items() if name in taken]
+    run = solve(quantities, effects, suggest_settings(quantities, effects))
     if run.solution.asked_to_stop:
         # Asked while it was solved, be it when all was done: a plan has more to do.
         raise KeyboardInterrupt

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.pump import syringe as syringe_pump
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import Barrel, Line
@@ -115,7 +115,7 @@ def lead_in(scene: Scene, pump: Pump, lines: Lines, run: Inlets, taken: frozense
     baseline, start = scene.gauge_pressure, run.pressure[0]
     if scene.run.start == "rest" or np.max(np.abs(start - baseline)) < NO_PRESSURE:
         return no_lead(run)
-    settling = Conditions(scene).scales.t_net
+    settling = SceneQuantities(scene).scales.t_net
     unhurried = _unhurried(scene, pump, lines, start, run.given[0])
     ramp = max(LEAST_RAMP, RAMP_TIMES * settling, unhurried)
     rest = max(LEAST_REST, REST_TIMES * settling)

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from viscodesign.effects.select import catalogue, select_effects
-from viscodesign.estimate.scene_quantities import Conditions
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.outputs import Outputs
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import NEARLY_FULL, Barrel, line_at
@@ -48,7 +48,7 @@ class ActuatorPlant(Plant):
         pump, scene = pump_of(scene), planned(scene)
         drive = Drive(pump)
         self.area, self._longest_way = drive.area, (1 - NEARLY_FULL) * drive.filled_at_home
-        names = select_effects(Conditions(scene)).taken
+        names = select_effects(SceneQuantities(scene)).taken
         self.problem, self.effects = _problem(scene, drive, names)
         self.inlets = tuple(scene.inputs)
         self.time = 0.0
@@ -145,9 +145,9 @@ def _problem(scene: Scene, drive: Drive, names: frozenset[str]) -> tuple[Problem
         name: Barrel.of(scene, drive, line_at(scene, name, names)).syringe(still, 0.0 * still)
         for name in scene.inputs
     }
-    conditions = Conditions(with_inputs(scene, inputs), set(names))
-    effects = [kind.of(conditions) for name, kind in catalogue().items() if name in names]
-    problem = build(conditions, effects, suggest_settings(conditions, effects))
+    quantities = SceneQuantities(with_inputs(scene, inputs))
+    effects = [kind.of(quantities) for name, kind in catalogue().items() if name in names]
+    problem = build(quantities, effects, suggest_settings(quantities, effects))
     return problem, tuple(effect.name for effect in effects)
 
 

@@ -11,12 +11,14 @@ from __future__ import annotations
 import re
 import time as clock
 from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager
 from typing import Any, ClassVar
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.model.formulation import Formulas
 from viscodesign.solve.numerics.linear import direct_solver
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
@@ -62,16 +64,6 @@ class Idas(Solver):
     def __init__(self, problem: Problem, tolerance: float, **changes: Any) -> None:
         super().__init__(problem, tolerance)
         equations = problem.equations
-        self.dae = {
-            "t": equations.time,
-            "x": equations.states.vector,
-            "z": equations.algebraics.vector,
-            "p": equations.parameters,
-            "u": equations.pieces,
-            "ode": equations.ode,
-            "alg": equations.alg,
-            "quad": equations.quadrature,
-        }
         self._stops_at_corners = False
         """Whether every smooth stretch of the input is solved by a call of its own."""
         self.options: dict[str, Any] = {
@@ -179,12 +171,12 @@ class Idas(Solver):
             yield tried, Idas(self.problem, self.tolerance, **changes)
         yield "a hundredth of the tolerance", Idas(self.problem, self.tolerance / 100, **changes)
 
-    def integrator(self, edges: np.ndarray, options: dict[str, Any]) -> ca.Function:
-        """One for these times and options, made once for all scenes of a structure."""
-        key = ("idas", edges.tobytes(), tuple(sorted(options.items())))
-        return self.problem.equations.compiled.get(
-            key,
-            lambda: ca.integrator("motion", "idas", self.dae, edges[0], edges[1:], options),
+    def integrator(
+        self, edges: np.ndarray, options: dict[str, Any]
+    ) -> AbstractContextManager[ca.Function]:
+        """One for these times and options, for no one else inside the context."""
+        return self.problem.equations.lent(
+            _integrator, edges.tobytes(), tuple(sorted(options.items()))
         )
 
     def _solve(
@@ -194,17 +186,34 @@ class Idas(Solver):
         edges, pieces = schedule.edges, schedule.pieces
         there = consistent(self.problem, here, edges[first], pieces[first], self.before(first))
         began = clock.perf_counter()
-        integrator = self.integrator(edges[first : stop + 1], options)
-        work.compile_s += clock.perf_counter() - began
-        with silence():
-            result = integrator(
-                x0=there.states,
-                z0=there.algebraics,
-                p=self.problem.numbers(),
-                u=pieces[first:stop].T,
-            )
-        _count(work, integrator.stats())
+        with self.integrator(edges[first : stop + 1], options) as integrator:
+            work.compile_s += clock.perf_counter() - began
+            with silence():
+                result = integrator(
+                    x0=there.states,
+                    z0=there.algebraics,
+                    p=self.problem.numbers(),
+                    u=pieces[first:stop].T,
+                )
+            _count(work, integrator.stats())
         return np.array(result["xf"]), np.array(result["zf"]), np.array(result["qf"])
+
+
+def _integrator(
+    equations: Formulas, times: bytes, options: tuple[tuple[str, Any], ...]
+) -> ca.Function:
+    edges = np.frombuffer(times)
+    dae = {
+        "t": equations.time,
+        "x": equations.states.vector,
+        "z": equations.algebraics.vector,
+        "p": equations.parameters,
+        "u": equations.pieces,
+        "ode": equations.ode,
+        "alg": equations.alg,
+        "quad": equations.quadrature,
+    }
+    return ca.integrator("motion", "idas", dae, edges[0], edges[1:], dict(options))
 
 
 def _count(work: Work, stats: dict[str, Any]) -> None:

@@ -6,10 +6,10 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.model.formulation import Formulas
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import Earlier
 from viscodesign.solve.numerics.newton import CONVERGED, MAX_ITERATIONS
-from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.solvers.quiet_stderr import silence
 from viscodesign.solve.statics import Start, consistent
@@ -38,7 +38,7 @@ class Algebraic(Solver):
         problem, count = self.problem, stop - first
         if not problem.equations.algebraics.count:
             return np.zeros((0, count))
-        march = problem.equations.compiled.get(("algebraic", count), lambda: _march(problem, count))
+        march = problem.equations.compiled(_march, count)
         schedule = problem.schedule
         try:
             with silence():
@@ -83,9 +83,8 @@ class Algebraic(Solver):
         return np.zeros((0, count)), found, np.zeros((0, count))
 
 
-def _march(problem: Problem, count: int) -> ca.Function:
+def _march(equations: Formulas, count: int) -> ca.Function:
     """(start, times (1, m), pieces (p, m), numbers (n, m)) -> unknowns (nz, m)."""
-    equations = problem.equations
     given = ca.vertcat(equations.time, equations.pieces, equations.parameters)
     system = {"x": equations.algebraics.vector, "p": given, "g": equations.alg}
     options = {"abstol": CONVERGED, "abstolStep": CONVERGED, "max_iter": MAX_ITERATIONS}

@@ -4,28 +4,57 @@ from __future__ import annotations
 
 import os
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 
+class _Sink:
+    """Where standard error goes meanwhile: one for all threads, since a process has but one."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._users = 0
+        self._kept: int | None = None
+
+    def enter(self) -> None:
+        """Turn standard error away, unless another thread has done so."""
+        with self._lock:
+            self._users += 1
+            if self._users > 1:
+                return
+            sys.stderr.flush()
+            try:
+                self._kept = os.dup(2)
+            except OSError:  # no standard error at all
+                return
+            sink = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(sink, 2)
+            os.close(sink)
+
+    def leave(self) -> None:
+        """Turn it back, if nobody else needs it away."""
+        with self._lock:
+            self._users -= 1
+            if self._users or self._kept is None:
+                return
+            os.dup2(self._kept, 2)
+            os.close(self._kept)
+            self._kept = None
+
+
+_SINK = _Sink()
+
+
 @contextmanager
 def silence() -> Iterator[None]:
-    """Let nothing reach standard error inside.
+    """Let nothing reach standard error inside, from any thread.
 
     SUNDIALS tells of every failed step there, also of those that a second try mends;
     what really failed is raised and told in our own words.
     """
-    sys.stderr.flush()
+    _SINK.enter()
     try:
-        kept = os.dup(2)
-        sink = os.open(os.devnull, os.O_WRONLY)
-    except OSError:  # no standard error at all
-        yield
-        return
-    try:
-        os.dup2(sink, 2)
         yield
     finally:
-        os.dup2(kept, 2)
-        os.close(kept)
-        os.close(sink)
+        _SINK.leave()

@@ -13,6 +13,7 @@ import numpy as np
 from scipy.integrate import Radau as ScipyRadau
 
 from viscodesign.errors import SolveError
+from viscodesign.model.formulation import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate
@@ -41,7 +42,7 @@ class Radau(Solver):
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         super().__init__(problem, tolerance)
-        self.function = problem.equations.compiled.get("radau", lambda: _reduced(problem))
+        self.function = problem.equations.compiled(_reduced)
         self.states = problem.equations.states.count
 
     @classmethod
@@ -161,13 +162,12 @@ class _Stretch:
         return found
 
 
-def _reduced(problem: Problem) -> ca.Function:
+def _reduced(e: Formulas) -> ca.Function:
     """(x, z, t, pieces, parameters) -> rates and defects with their four Jacobians.
 
     In the order: rates (states, then integrals), defects, d rates/d z, d defects/d z,
     d rates/d x, d defects/d x.
     """
-    e = problem.equations
     x, z = e.states.vector, e.algebraics.vector
     rates = ca.vertcat(e.ode, e.quadrature)
     results = [rates, e.alg, *(jacobian(f, v) for v in (z, x) for f in (rates, e.alg))]

@@ -14,7 +14,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.model.formulation import Equations
+from viscodesign.model.formulation import Equations, Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.solve.numerics.symbolic_lu import Elimination, has_whole_diagonal
 from viscodesign.solve.problem import Bound, Problem
@@ -220,7 +220,7 @@ class Step:
     """One step as a compiled function, its numbers kept in place between calls."""
 
     def __init__(self, equations: Equations) -> None:
-        function = equations.compiled.get("rosenbrock", lambda: step_function(equations))
+        function = equations.compiled(step_function)
         self._arguments = [np.zeros(function.nnz_in(k)) for k in range(function.n_in())]
         self._after = np.zeros(function.nnz_out(0))
         self._stages = np.zeros(function.nnz_out(1))
@@ -240,7 +240,7 @@ class Step:
         return self._after.copy(), self._stages.reshape(rodas.STAGES, -1).copy()
 
 
-def step_function(equations: Equations) -> ca.Function:
+def step_function(equations: Formulas) -> ca.Function:
     """A whole step: (y, t, h, pieces, parameters) -> (y after it, stages).
 
     y (n,): states, algebraic unknowns, integrals of the rates; stages (STAGES n,).

@@ -1,0 +1,136 @@
+"""What two systems of equal formulas share: everything but the values of their scenes' numbers.
+
+Formulas are made once for a structure and serve every scene that has it. So whatever they are
+made of must be part of the structure. Nobody keeps a list of that: all that can be reached
+from a system is taken in, attribute by attribute, but for fields marked as `SCENE_NUMBER`.
+What formulates is then given a system in which just these are not a number, so that it
+cannot use by mistake what it does not see.
+"""
+
+from __future__ import annotations
+
+import copy
+import math
+from collections.abc import Hashable, Mapping, Set
+from dataclasses import fields, is_dataclass, replace
+from enum import Enum
+from functools import cached_property
+from types import FunctionType, MethodType
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+SX = ca.SX
+SCENE_NUMBER = {"scene number": "may decide what is formulated by being None, zero or infinite"}
+"""Metadata of a dataclass field whose value enters formulas as a parameter, never as a constant."""
+PARAMETER_VALUE = {"scene number": "decides nothing"}
+"""The same of a field that nothing but a solver ever reads."""
+
+
+def structure_of(system: object) -> Hashable:
+    """A key that two systems share just where they have the same formulas."""
+    walk = _Walk()
+    told = walk.tell(system)
+    expressions = SX(ca.veccat(*walk.expressions))
+    function = ca.Function("all", ca.symvar(expressions), [expressions])
+    return told, function.serialize()
+
+
+def without_numbers(thing: Any) -> Any:
+    """A copy in which scene numbers are not a number; what holds none of them stays as it is."""
+    if is_dataclass(thing) and not isinstance(thing, type):
+        numbers = _number_fields(thing)
+        held = {f.name: getattr(thing, f.name) for f in fields(thing) if f.init}
+        changes = {n: _blank(v) if n in numbers else without_numbers(v) for n, v in held.items()}
+        same = all(changes[name] is held[name] for name in held)
+        return thing if same else replace(thing, **changes)
+    if type(thing) in (tuple, list):
+        return type(thing)(without_numbers(item) for item in thing)
+    if type(thing) is dict:
+        return {key: without_numbers(item) for key, item in thing.items()}
+    if type(thing).__module__.partition(".")[0] == __name__.partition(".")[0] and vars(thing):
+        blind = copy.copy(thing)
+        vars(blind).update((name, without_numbers(value)) for name, value in vars(thing).items())
+        return blind
+    return thing
+
+
+def _blank(number: float | None) -> float | None:
+    return math.nan if _counts(number) is None else number
+
+
+def _counts(number: float | None) -> float | str | None:
+    """What of a scene's number is structure: that it is absent, zero or infinite."""
+    if number is None:
+        return "absent"
+    return number if number == 0.0 or not math.isfinite(number) else None
+
+
+class _Walk:
+    """One pass over all that can be reached from an object."""
+
+    def __init__(self) -> None:
+        self.expressions: list[SX] = []
+        self._met: dict[int, int] = {}
+        self._alive: list[object] = []
+
+    def tell(self, value: Any) -> Hashable:
+        """A key for a value; expressions are gathered, and told of by their sparsity."""
+        if value is None or isinstance(value, str | bytes | int | float | Enum | type):
+            return type(value), value
+        if isinstance(value, SX):
+            self.expressions.append(value)
+            return SX, _pattern(value)
+        if isinstance(value, ca.Function):
+            return ca.Function, value.serialize()
+        if isinstance(value, np.ndarray):
+            return np.ndarray, value.dtype.str, value.shape, value.tobytes()
+        if isinstance(value, Mapping):
+            return type(value), tuple((self.tell(k), self.tell(v)) for k, v in value.items())
+        if isinstance(value, Set):
+            return type(value), frozenset(self.tell(item) for item in value)
+        if isinstance(value, list | tuple):
+            return type(value), tuple(self.tell(item) for item in value)
+        if isinstance(value, FunctionType):
+            return value  # by itself: no two functions are known to be equal
+        return self._object(value)
+
+    def _object(self, value: Any) -> Hashable:
+        if id(value) in self._met:
+            return "met", self._met[id(value)]
+        self._met[id(value)] = len(self._met)
+        self._alive.append(value)
+        if isinstance(value, MethodType):
+            return MethodType, value.__func__, self.tell(value.__self__)
+        if isinstance(value, ca.DM):
+            return ca.DM, value.serialize()
+        numbers = _number_fields(value)
+        for name in _derived(type(value)):
+            getattr(value, name)  # or a key would tell what had been asked for before
+        return type(value), tuple(
+            (name, self.tell(own) if name not in numbers else numbers[name] and _counts(own))
+            for name, own in sorted(vars(value).items())
+        )
+
+
+def _pattern(value: SX) -> Hashable:
+    if value.is_dense():
+        return value.shape
+    pattern = value.sparsity()
+    return value.shape, tuple(pattern.row()), tuple(pattern.colind())
+
+
+def _number_fields(value: object) -> dict[str, bool]:
+    """Names of a dataclass' fields of scene numbers, and whether their kind counts."""
+    if not is_dataclass(value):
+        return {}
+    kinds = {f.name: f.metadata for f in fields(value)}
+    marked = (SCENE_NUMBER, PARAMETER_VALUE)
+    return {name: kind == SCENE_NUMBER for name, kind in kinds.items() if kind in marked}
+
+
+def _derived(kind: type) -> list[str]:
+    """Names of the cached properties of a class."""
+    named = {name: value for base in reversed(kind.__mro__) for name, value in vars(base).items()}
+    return sorted(name for name, value in named.items() if isinstance(value, cached_property))
