@@ -35,7 +35,7 @@ def in_small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     for place, value in (
         ("postprocess.outputs.LARGEST_STRETCH", 0),
         ("postprocess.outputs.BLOCK", 1200),
-        ("storage.disk_arrays.Shelf.__init__.__defaults__", (None, 0)),
+        ("storage.disk_arrays.ArrayStore.__init__.__defaults__", (None, 0)),
     ):
         monkeypatch.setattr(f"viscodesign.{place}", value)
 
@@ -96,7 +96,7 @@ def test_a_full_disk_ends_a_run_that_keeps_what_it_has(monkeypatch: pytest.Monke
     )
     run = simulate(scene, verify=False)
     assert run.status == "failed"
-    assert "no room for the run's numbers" in (run.failure or "")
+    assert "no space for the arrays of the run" in (run.failure or "")
     assert 0 < len(run.time) < 1001
     assert len(run.shape) == len(run.time) == len(run.tip) == len(run.pressure)
 

@@ -60,8 +60,8 @@ def command(
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.texts.accuracy_text import price_lines
-    from viscodesign.report.accuracy_folder import accuracy_document, write_study
-    from viscodesign.report.run_folder import prepare_folder
+    from viscodesign.report.accuracy_folder import write_study
+    from viscodesign.report.folder import prepare_folder
 
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
@@ -70,7 +70,7 @@ def command(
         study = accuracy(scene, limit=limit_s, progress=advance)
     files = write_study(study, folder, budget_s=budget_s, plots=not no_plots, force=force)
     if json:
-        document = accuracy_document(study, budget_s)
+        document = study.document(budget_s)
         say(json_text({**document, "files": [str(file) for file in files]}))
     elif not quiet:
         say("\n".join(price_lines(study, budget_s, folder, files)))

@@ -65,7 +65,8 @@ def command(
     from viscodesign.cli.progress import progress
     from viscodesign.cli.texts.ablation_text import ablation_lines
     from viscodesign.cli.texts.run_text import summary_lines
-    from viscodesign.report.run_folder import prepare_folder, write_run
+    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.run_folder import write_run
 
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)

@@ -15,7 +15,7 @@ from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
-from viscodesign.storage.disk_arrays import NoRoomError, Shelf, Table
+from viscodesign.storage.disk_arrays import ArrayStore, GrowingArray, NoRoomError
 
 TOLD = ("inlet_pressure", "pressure", "volume", "junction_pressure")
 """Outputs that a motion keeps as they are."""
@@ -30,15 +30,15 @@ class Motion(MotionArrays):
 
 
 def read_motion(
-    problem: Problem, solution: Solution, shelf: Shelf | None = None, shape_every: int = 1
+    problem: Problem, solution: Solution, store: ArrayStore | None = None, shape_every: int = 1
 ) -> Motion:
     """Evaluate every output and balance over what was solved, stretch by stretch.
 
     A section pressed to nothing ends the motion just before, with its name; so does a
-    disk that has no more room. ``shelf``: for the arrays; ``shape_every``: outputs from
+    disk that has no more room. ``store``: for the arrays; ``shape_every``: outputs from
     one whole shape to the next.
     """
-    reader = _Reader(problem, solution, shelf or Shelf(), shape_every)
+    reader = _Reader(problem, solution, store or ArrayStore(), shape_every)
     for outputs in read_outputs(problem, solution):
         reader.take(outputs)
         if reader.is_over:
@@ -52,7 +52,7 @@ class _Reader:
     """Tables of a motion that grow stretch by stretch, until something ends it."""
 
     def __init__(
-        self, problem: Problem, solution: Solution, shelf: Shelf, shape_every: int
+        self, problem: Problem, solution: Solution, store: ArrayStore, shape_every: int
     ) -> None:
         self.failure: SolveError | None = None
         self.is_over = False
@@ -61,10 +61,10 @@ class _Reader:
         self.count = 0
         """Outputs among them."""
         self._problem, self._solution = problem, solution
-        self._shelf, self._every = shelf, shape_every
+        self._store, self._every = store, shape_every
         self._ledger = Ledger(problem)
         self._given = Given(problem)
-        self._tables: dict[str, Table] = {}
+        self._tables: dict[str, GrowingArray] = {}
         self._last_shape: np.ndarray | None = None
 
     def take(self, outputs: Outputs) -> None:
@@ -106,7 +106,7 @@ class _Reader:
         }
         for name, values in rows.items():
             if name not in self._tables:
-                self._tables[name] = self._shelf.table(*values.shape[1:])
+                self._tables[name] = self._store.growing_array(*values.shape[1:])
             self._tables[name].append(values)
         if end > outputs.begin:
             self._ledger.add(self._block(outputs, end))

@@ -13,7 +13,7 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.algebraic_polish import refined
 from viscodesign.solve.problem import Problem, evaluate_along
 from viscodesign.solve.transient import Solution
-from viscodesign.storage.disk_arrays import BLOCK, let_go
+from viscodesign.storage.disk_arrays import BLOCK, release_pages
 
 SHAPE_POINTS = 64
 """Points of a drawn axis, at least."""
@@ -127,7 +127,7 @@ def read_outputs(
         end = min(begin + most, solution.reached)
         yield _read(problem, solution, begin, end)
         for table in (solution.states, solution.algebraics, solution.integrals):
-            let_go(table)
+            release_pages(table)
 
 
 def _read(problem: Problem, solution: Solution, begin: int, end: int) -> Outputs:

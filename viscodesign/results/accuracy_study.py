@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
+
+from viscodesign.results.findings import plain
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -191,6 +193,58 @@ class AccuracyStudy:
 
         rows = [[asdict(point)[name] for name in COLUMNS] for point in self.points]
         return pd.DataFrame(rows, columns=list(COLUMNS))
+
+    def document(self, budget_s: float | None = None) -> dict[str, Any]:
+        """The study as one document; ``budget`` is there where a time [s] is given."""
+        document = {
+            "name": self.name,
+            "version": self.version,
+            "spec_sha256": self.spec_sha256,
+            "status": self.status,
+            "reference": None if self.reference is None else _reference_document(self.reference),
+            "requested": {"tip_error_m": self.requested_m, "tip_error_rel": self.requested_rel},
+            "models": [
+                {"name": m.name, "also": m.also, "words": m.words, "effects": m.effects}
+                for m in self.models
+            ],
+            "points": [asdict(point) for point in self.points],
+            "recommended": self._recommended_document(),
+            "simulate_starts_with": _point_document(self.start),
+            "table": [
+                {
+                    "tip_error_rel": error,
+                    "tip_error_m": error * self.length,
+                    "cheapest": _point_document(self.cheapest(error)),
+                }
+                for error in self.errors
+            ],
+            **({} if budget_s is None else {"budget": self._budget_document(budget_s)}),
+            "notes": self.notes,
+            "limit_s": self.limit_s,
+            "spent_s": self.spent_s,
+        }
+        return dict(plain(document))
+
+    def _recommended_document(self) -> dict[str, Any] | None:
+        point = self.recommended
+        return None if point is None else {**asdict(point), "set": self.recommended_changes}
+
+    def _budget_document(self, budget_s: float) -> dict[str, Any]:
+        return {
+            "time_s": budget_s,
+            "most_accurate": _point_document(self.most_accurate(budget_s)),
+            "cheapest": _point_document(min(self.points, key=lambda p: p.solve_s, default=None)),
+        }
+
+
+def _reference_document(found: Reference) -> dict[str, Any]:
+    told = asdict(found)
+    names = ("effects", "edges", "tolerance", "solver")
+    return {"settings": {name: told.pop(name) for name in names}, **told}
+
+
+def _point_document(point: Point | None) -> dict[str, Any] | None:
+    return None if point is None else asdict(point)
 
 
 def with_dominated(points: Iterable[Point]) -> tuple[Point, ...]:

@@ -30,7 +30,7 @@ from viscodesign.simulation.error_control import LEFT_BY_SPACE, LEFT_BY_TIME, Er
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import Reselection, reselected
 from viscodesign.simulation.solve_once import Progress, Run, Workspace
-from viscodesign.storage.disk_arrays import Shelf, blocks
+from viscodesign.storage.disk_arrays import ArrayStore, blocks
 
 
 def simulate(
@@ -55,7 +55,7 @@ def simulate(
     `SpecError` for a scene without a bounded solution, `SolveError` where not even a first
     equilibrium exists.
     """
-    quantities, workspace = SceneQuantities(scene), Workspace(Shelf(scratch))
+    quantities, workspace = SceneQuantities(scene), Workspace(ArrayStore(scratch))
     refuse_beyond_numbers(quantities)
     selection = select_effects(quantities)
     refuse_unsolvable(quantities, selection.taken)

@@ -16,7 +16,7 @@ from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium, rest
 from viscodesign.solve.transient import Solution, integrate
-from viscodesign.storage.disk_arrays import Shelf, blocks
+from viscodesign.storage.disk_arrays import ArrayStore, blocks
 
 Progress = Callable[[float], None]
 
@@ -25,7 +25,7 @@ Progress = Callable[[float], None]
 class Workspace:
     """What several solutions of one scene share; never used by two threads at once."""
 
-    store: Shelf = field(default_factory=Shelf)
+    store: ArrayStore = field(default_factory=ArrayStore)
     """Where what is solved goes when it is large."""
     _problems: dict[Hashable, Problem] = field(default_factory=dict)
 

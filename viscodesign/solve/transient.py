@@ -24,7 +24,7 @@ from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.solvers.quasi_static import Algebraic
 from viscodesign.solve.statics import Start, consistent
 from viscodesign.solve.time_only_integrals import timed_integrals
-from viscodesign.storage.disk_arrays import NoRoomError, Shelf
+from viscodesign.storage.disk_arrays import ArrayStore, NoRoomError
 
 CHUNK_SECONDS = 0.4
 """Wall time that one uninterrupted call should take, where each output is solved by itself."""
@@ -79,12 +79,14 @@ class Solution:
 class _Record:
     """Columns gathered chunk by chunk, and the place that they lead to."""
 
-    def __init__(self, here: Start, rates: int, shelf: Shelf) -> None:
+    def __init__(self, here: Start, rates: int, store: ArrayStore) -> None:
         self.here = here
         self.done = 0
         """Edges passed."""
         self._total = np.zeros(rates)
-        self._tables = [shelf.table(n) for n in (len(here.states), len(here.algebraics), rates)]
+        self._tables = [
+            store.growing_array(n) for n in (len(here.states), len(here.algebraics), rates)
+        ]
         self._add(here.states[:, None], here.algebraics[:, None], self._total[:, None])
 
     def keep(self, columns: Columns, problem: Problem) -> SolveError | None:
@@ -134,12 +136,12 @@ def integrate(
     tolerance: float,
     progress: Callable[[float], None] | None = None,
     solver: str = DEFAULT_SOLVER,
-    shelf: Shelf | None = None,
+    store: ArrayStore | None = None,
 ) -> Solution:
     """Follow the motion over all edges of the schedule.
 
     ``start``: states at t = 0; ``tolerance``: relative and absolute, on scaled
-    unknowns; ``solver``: its name in the catalogue; ``shelf``: for what is found. Never
+    unknowns; ``solver``: its name in the catalogue; ``store``: for what is found. Never
     raises for a failure on the way: what was reached is returned, with the failure.
     """
     moves = problem.equations.states.count > 0
@@ -150,7 +152,7 @@ def integrate(
     edges = problem.schedule.edges
     work = Work()
     start = consistent(problem, start, edges[0], problem.schedule.pieces[0])
-    record = _Record(start, len(problem.equations.rates), shelf or Shelf())
+    record = _Record(start, len(problem.equations.rates), store or ArrayStore())
     failure: SolveError | None = None
     length = _first_length(problem)
     with gentle_interrupt() as interrupt:

@@ -1,44 +1,52 @@
-"""Files that are whole or absent."""
+"""Files that are complete or absent.
+
+A writer holds a lock on its hidden temporary file, which the system releases however the
+writer ends: that tells the files of killed writers from those of writers at work.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import errno
+import fcntl
 import os
+import re
+import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import IO
 
 from viscodesign.errors import UsageError
-from viscodesign.storage.leftovers import temporary_beside
 
+TEMPORARY_SUFFIX = r"\.[a-z0-9_]{8}"
+"""How the names of temporary files end."""
 REMEDIES = {
     errno.ENOSPC: "Free some space, or use another folder.",
     errno.EDQUOT: "Free some space, or use another folder.",
-    errno.EROFS: "Use a folder that can be written.",
-    errno.EACCES: "Use a folder that you may write.",
-    errno.EPERM: "Use a folder that you may write.",
-    errno.ENOTDIR: "A part of the path is a file; use another path.",
-    errno.EISDIR: "It is a folder; use another name.",
+    errno.EROFS: "Use a writable folder.",
+    errno.EACCES: "Use a folder that you may write to.",
+    errno.EPERM: "Use a folder that you may write to.",
+    errno.ENOTDIR: "Part of the path is a file; use another path.",
+    errno.EISDIR: "That is a folder; use another name.",
     errno.ENAMETOOLONG: "Use a shorter name.",
-    errno.ENOENT: "Its folder does not exist; make it first.",
+    errno.ENOENT: "The folder does not exist; create it first.",
 }
 
 
 @contextlib.contextmanager
 def replaced(path: Path) -> Iterator[IO[bytes]]:
-    """A binary file that takes its place at the end, or vanishes on any interruption.
+    """A binary file that appears when it is complete, and vanishes on any interruption.
 
     Raises `UsageError` where the folder or the disk refuses it.
     """
-    with refused_plainly(path):
+    with write_errors_as_usage(path):
         temporary: str | None = None
         try:
-            handle, temporary = temporary_beside(path)
+            handle, temporary = _temporary_beside(path)
             with os.fdopen(handle, "wb") as file:
                 yield file
                 file.flush()
-                # Still locked: nobody takes it for a leftover.
+                # Still locked, so that nobody takes it for a leftover.
                 os.chmod(temporary, 0o666 & ~_umask())
                 os.replace(temporary, path)
                 temporary = None
@@ -49,13 +57,13 @@ def replaced(path: Path) -> Iterator[IO[bytes]]:
 
 
 @contextlib.contextmanager
-def refused_plainly(path: Path) -> Iterator[None]:
-    """Turn the system's refusal to write ``path`` into a `UsageError` with a remedy."""
+def write_errors_as_usage(path: Path) -> Iterator[None]:
+    """Turn an `OSError` while writing ``path`` into a `UsageError` with a remedy."""
     try:
         yield
     except OSError as error:
         reason = error.strerror or str(error)
-        remedy = REMEDIES.get(error.errno or 0, "Use another place.")
+        remedy = REMEDIES.get(error.errno or 0, "Use another location.")
         raise UsageError(f"cannot write {path}: {reason}. {remedy}") from error
 
 
@@ -66,7 +74,7 @@ def _umask() -> int:
 
 
 def write_bytes(path: Path, content: bytes) -> None:
-    """Write a file whole or not at all."""
+    """Write a file completely or not at all."""
     with replaced(path) as file:
         file.write(content)
 
@@ -74,15 +82,38 @@ def write_bytes(path: Path, content: bytes) -> None:
 def write_all(
     contents: Mapping[Path, Iterable[bytes]], first: Callable[[], None] = lambda: None
 ) -> None:
-    """Write several files, part by part; none takes its place before all are on the disk.
+    """Write several files, part by part; none appears before all are on the disk.
 
-    ``first`` is called then, right before they do.
+    ``first`` is called right before they do.
     """
     with contextlib.ExitStack() as stack:
-        # A stack is left in reverse order: the first file is to appear first.
+        # The stack unwinds in reverse order, so the first file appears first.
         for path, parts in reversed(list(contents.items())):
             file = stack.enter_context(replaced(path))
             for part in parts:
                 file.write(part)
             file.flush()
         first()
+
+
+def _temporary_beside(path: Path) -> tuple[int, str]:
+    """Open a new hidden file beside a path, locked; returns its handle and its name."""
+    while True:
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
+        # Some file systems have no locks; nothing is ever cleared there.
+        with contextlib.suppress(OSError):
+            fcntl.flock(handle, fcntl.LOCK_EX)
+        if os.path.exists(name):
+            return handle, name
+        # Another process took it for a leftover before it was locked.
+        os.close(handle)
+
+
+def clear_leftovers(folder: Path, names: Iterable[str]) -> None:
+    """Remove the temporary files that killed writers of these names left in a folder."""
+    known = "|".join(re.escape(name) for name in names)
+    for file in folder.iterdir():
+        if re.fullmatch(rf"\.({known}){TEMPORARY_SUFFIX}", file.name):
+            with contextlib.suppress(OSError), file.open("r+b") as opened:
+                fcntl.flock(opened, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                file.unlink()

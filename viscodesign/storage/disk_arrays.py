@@ -1,7 +1,7 @@
-"""Tables that grow row by row: in memory while they are small, on the disk beyond.
+"""Arrays that grow row by row: in memory while they are small, on disk beyond that.
 
-A file of a table has no name: it vanishes with the last array that reads it, however
-the process ends. Its arrays are ordinary ones, read-only, whose pages the system fetches.
+The file of an array has no name: it vanishes with the last view of it, however the process
+ends. What is read is an ordinary numpy array, read-only and memory-mapped.
 """
 
 from __future__ import annotations
@@ -19,39 +19,39 @@ import numpy as np
 from viscodesign.errors import ViscodesignError
 
 IN_MEMORY = 8 * 2**20
-"""Bytes of one table up to which it stays in memory."""
+"""Bytes up to which an array stays in memory."""
 BLOCK = 4096
-"""Rows that are read at once."""
-NUMBER = np.dtype(float)
+"""Rows that are processed at once."""
+FLOAT = np.dtype(float)
 
 
 class NoRoomError(ViscodesignError):
-    """The disk takes no more rows; those that it took are whole."""
+    """The disk is full; the rows written before are complete."""
 
 
-class Shelf:
-    """Where the tables of a run go when they are large.
+class ArrayStore:
+    """Where the arrays of a run are stored.
 
-    ``folder``: for their files, the system's own if not given; ``in_memory``: bytes of
-    one table up to which it needs no file.
+    ``folder``: for their files, the system's temporary folder by default; ``in_memory``:
+    bytes up to which an array needs no file.
     """
 
     def __init__(self, folder: Path | None = None, in_memory: int = IN_MEMORY) -> None:
         self.folder = folder
         self.in_memory = in_memory
 
-    def table(self, *row: int) -> Table:
-        """An empty table whose rows have this shape."""
-        return Table(row, self)
+    def growing_array(self, *row: int) -> GrowingArray:
+        """An empty array whose rows have this shape."""
+        return GrowingArray(row, self)
 
 
-class Table:
-    """Rows (n, *row) of numbers."""
+class GrowingArray:
+    """Rows (n, *row) of floats."""
 
-    def __init__(self, row: tuple[int, ...], shelf: Shelf) -> None:
+    def __init__(self, row: tuple[int, ...], store: ArrayStore) -> None:
         self._row = row
-        self._shelf = shelf
-        self._row_bytes = int(np.prod(row, dtype=int)) * NUMBER.itemsize
+        self._store = store
+        self._row_bytes = int(np.prod(row, dtype=int)) * FLOAT.itemsize
         self._blocks: list[np.ndarray] = []
         self._file: IO[bytes] | None = None
         self._count = 0
@@ -61,13 +61,13 @@ class Table:
 
     @property
     def is_on_disk(self) -> bool:
-        """Whether it has grown beyond what stays in memory."""
+        """Whether it has outgrown the memory it may take."""
         return self._file is not None
 
     def append(self, rows: np.ndarray) -> None:
         """Add rows (m, *row), all or none; raises `NoRoomError` where they do not fit."""
-        block = np.array(rows, dtype=NUMBER, order="C")
-        if self._file is None and self._bytes(len(block)) > self._shelf.in_memory:
+        block = np.array(rows, dtype=FLOAT, order="C")
+        if self._file is None and self._bytes(len(block)) > self._store.in_memory:
             self._move_out()
         if self._file is None:
             self._blocks.append(block)
@@ -76,17 +76,17 @@ class Table:
         self._count += len(block)
 
     def cut(self, count: int) -> None:
-        """Forget all rows behind the first ``count``."""
+        """Drop all rows after the first ``count``."""
         if self._file is None:
             self._blocks = [self._joined()[:count]]
         self._count = min(count, self._count)
 
     def array(self) -> np.ndarray:
-        """All rows (n, *row), read-only where they are on the disk."""
+        """All rows (n, *row); read-only where they are on disk."""
         if self._file is None:
             return self._joined()
         whole = mmap.mmap(self._file.fileno(), self._bytes(), access=mmap.ACCESS_READ)
-        return np.ndarray((self._count, *self._row), NUMBER, buffer=whole)
+        return np.ndarray((self._count, *self._row), FLOAT, buffer=whole)
 
     def _bytes(self, more: int = 0) -> int:
         return (self._count + more) * self._row_bytes
@@ -97,9 +97,9 @@ class Table:
         return self._blocks[0]
 
     def _move_out(self) -> None:
-        """From memory to a file without a name."""
+        """Move the rows from memory to a file without a name."""
         try:
-            file = tempfile.TemporaryFile(dir=self._shelf.folder, buffering=0)  # noqa: SIM115
+            file = tempfile.TemporaryFile(dir=self._store.folder, buffering=0)  # noqa: SIM115
         except OSError as error:
             raise self._no_room(error) from error
         weakref.finalize(self, file.close)
@@ -107,7 +107,7 @@ class Table:
         self._file, self._blocks = file, []
 
     def _write(self, file: IO[bytes], block: np.ndarray) -> None:
-        """Behind the rows that count, whatever an earlier failure left there."""
+        """Write after the valid rows, over whatever an earlier failure left there."""
         try:
             file.seek(self._bytes() if self._file is not None else 0)
             left = block.reshape(-1).view(np.uint8).data
@@ -117,26 +117,26 @@ class Table:
             raise self._no_room(error) from error
 
     def _no_room(self, error: OSError) -> NoRoomError:
-        folder = self._shelf.folder or tempfile.gettempdir()
+        folder = self._store.folder or tempfile.gettempdir()
         return NoRoomError(
-            f"no room for the run's numbers in {folder}: {error.strerror or error}. Free some "
-            "space, use another folder, or write down fewer outputs (run.output_interval)."
+            f"no space for the arrays of the run in {folder}: {error.strerror or error}. Free some "
+            "space, use another folder, or use a larger run.output_interval."
         )
 
 
 def blocks(count: int, *arrays: np.ndarray, rows: int = BLOCK) -> Iterator[slice]:
     """Consecutive slices of up to ``rows`` of ``count`` rows.
 
-    What a step read of these arrays leaves the memory behind it, where it is on the disk.
+    Pages of ``arrays`` on disk that a step has read are released after it.
     """
     for first in range(0, count, rows):
         yield slice(first, min(first + rows, count))
         for array in arrays:
-            let_go(array)
+            release_pages(array)
 
 
-def let_go(array: np.ndarray) -> None:
-    """Drop the pages of a table on the disk that were read; they come again when asked for."""
+def release_pages(array: np.ndarray) -> None:
+    """Release the memory of an array on disk; its pages are read again when they are needed."""
     base = array.base
     while isinstance(base, np.ndarray):
         base = base.base
@@ -144,8 +144,8 @@ def let_go(array: np.ndarray) -> None:
         base.madvise(mmap.MADV_DONTNEED)
 
 
-def picked(array: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Some rows of a table: wherever they lie, their pages leave the memory again."""
+def rows_at(array: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Copy scattered rows of an array, releasing the pages of one that is on disk."""
     parts = []
     for some in blocks(len(rows), array, rows=SCATTERED):
         parts.append(array[rows[some]])
@@ -153,11 +153,11 @@ def picked(array: np.ndarray, rows: np.ndarray) -> np.ndarray:
 
 
 SCATTERED = 256
-"""Rows apart from each other that are read at once: each comes with all that is near it."""
+"""Scattered rows that are read at once; each one brings its neighbours into memory."""
 
 
 def extremes(array: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Smallest and largest of every column of rows (n, ...), n > 0."""
+    """Smallest and largest value of every column of rows (n, ...), n > 0."""
     found = [
         (part.min(axis=0), part.max(axis=0))
         for part in (array[rows] for rows in blocks(len(array), array))

@@ -11,8 +11,9 @@ import pytest
 from tests.studies import made_study
 from tests.trajectories import made_run
 from viscodesign.errors import UsageError
-from viscodesign.report.accuracy_folder import accuracy_document, write_study
-from viscodesign.report.run_folder import STUDY_FILES, write_run
+from viscodesign.report.accuracy_folder import write_study
+from viscodesign.report.folder import STUDY_FILES
+from viscodesign.report.run_folder import write_run
 
 COLUMNS = "model,edges,tolerance,solver,solve_s,build_s,tip_error_m,tip_error_rel,dominated"
 
@@ -23,8 +24,8 @@ def names(folder: Path) -> set[str]:
 
 def test_all_files_are_written_and_returned_in_order(tmp_path: Path) -> None:
     written = write_study(made_study(), tmp_path / "deep" / "study")
-    assert tuple(file.name for file in written) == STUDY_FILES
-    assert names(tmp_path / "deep" / "study") == set(STUDY_FILES)
+    assert tuple(file.name for file in written) == STUDY_FILES.names
+    assert names(tmp_path / "deep" / "study") == set(STUDY_FILES.names)
     assert written[2].read_bytes().startswith(b"\x89PNG")
 
 
@@ -42,7 +43,7 @@ def test_the_table_has_exactly_its_columns_and_every_digit(tmp_path: Path) -> No
 
 def test_the_document_tells_all_that_is_known() -> None:
     study = made_study()
-    told = accuracy_document(study, 0.02)
+    told = study.document(0.02)
     assert set(told) >= {
         "name", "version", "spec_sha256", "status", "reference", "requested", "points",
         "recommended", "table", "notes",
@@ -56,7 +57,7 @@ def test_the_document_tells_all_that_is_known() -> None:
     assert told["recommended"]["set"] == []
     assert [row["tip_error_rel"] for row in told["table"]] == [0.01, 0.005, 0.001, 0.0001]
     assert told["budget"]["most_accurate"]["solve_s"] == 0.020
-    assert "budget" not in accuracy_document(study)
+    assert "budget" not in study.document()
     json.dumps(told, allow_nan=False)
 
 
@@ -77,11 +78,11 @@ def test_a_run_and_a_study_share_a_folder(tmp_path: Path) -> None:
     write_run(run, tmp_path, plots=False)
     before = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
     write_study(made_study(), tmp_path)
-    assert names(tmp_path) == set(before) | set(STUDY_FILES)
+    assert names(tmp_path) == set(before) | set(STUDY_FILES.names)
     assert {name: (tmp_path / name).read_bytes() for name in before} == before
-    studied = {name: (tmp_path / name).read_bytes() for name in STUDY_FILES}
+    studied = {name: (tmp_path / name).read_bytes() for name in STUDY_FILES.names}
     write_run(run, tmp_path, plots=False)
-    assert {name: (tmp_path / name).read_bytes() for name in STUDY_FILES} == studied
+    assert {name: (tmp_path / name).read_bytes() for name in STUDY_FILES.names} == studied
 
 
 def test_a_run_goes_where_a_study_was(tmp_path: Path) -> None:

@@ -22,11 +22,12 @@ from tests.scenes import CONFIGS
 from tests.trajectories import made_run
 from viscodesign import load
 from viscodesign.report import run_folder as files
-from viscodesign.report.run_folder import PICTURES, TABLES, prepare_folder, write_run
+from viscodesign.report.folder import RUN_PICTURES, RUN_TABLES, prepare_folder
+from viscodesign.report.run_folder import write_run
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import replaced, write_bytes
 
-EVERY = {*TABLES, *PICTURES, "summary.json"}
+EVERY = {*RUN_TABLES, *RUN_PICTURES, "summary.json"}
 MOMENTS = 12
 
 
@@ -92,9 +93,9 @@ def test_a_writer_killed_between_any_two_steps_leaves_whole_files(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def sketch(_: Trajectory, folder: Path) -> list[Path]:
-        for name in PICTURES:
+        for name in RUN_PICTURES:
             write_bytes(folder / name, b"a picture")
-        return [folder / name for name in PICTURES]
+        return [folder / name for name in RUN_PICTURES]
 
     def is_sketch(content: bytes) -> None:
         assert content == b"a picture"
@@ -104,7 +105,7 @@ def test_a_writer_killed_between_any_two_steps_leaves_whole_files(
     moment = 0
     while killed_at(moment, run, tmp_path):
         assert_whole(tmp_path, 21, is_sketch)
-        assert len(hidden(tmp_path)) <= len(TABLES)  # of this writer; those before are cleared
+        assert len(hidden(tmp_path)) <= len(RUN_TABLES)  # of this writer; those before are cleared
         moment += 1
     assert moment > 20
     assert {file.name for file in tmp_path.iterdir()} == EVERY

@@ -21,15 +21,9 @@ from tests.trajectories import ablated_run
 from tests.unit.report.conftest import Made
 from viscodesign.errors import UsageError
 from viscodesign.report import run_folder as files
-from viscodesign.report.run_folder import (
-    PICTURES,
-    PROOF_PICTURE,
-    TABLES,
-    csv_rows,
-    csv_text,
-    prepare_folder,
-    write_run,
-)
+from viscodesign.report.csv_text import csv_rows, csv_table
+from viscodesign.report.folder import EFFECTS_PICTURE, RUN_PICTURES, RUN_TABLES, prepare_folder
+from viscodesign.report.run_folder import write_run
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import write_bytes
 
@@ -71,17 +65,17 @@ def sketched(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pictures that cost no time."""
 
     def sketch(_: Trajectory, folder: Path) -> list[Path]:
-        for name in PICTURES:
+        for name in RUN_PICTURES:
             write_bytes(folder / name, b"a picture")
-        return [folder / name for name in PICTURES]
+        return [folder / name for name in RUN_PICTURES]
 
     monkeypatch.setattr(files, "_draw", sketch)
 
 
 def test_all_files_are_written_and_returned_in_order(run: Trajectory, tmp_path: Path) -> None:
     written = write_run(run, tmp_path / "deep" / "run")
-    assert [file.name for file in written] == [*TABLES, *PICTURES, "summary.json"]
-    assert names(tmp_path / "deep" / "run") == {*TABLES, *PICTURES, "summary.json"}
+    assert [file.name for file in written] == [*RUN_TABLES, *RUN_PICTURES, "summary.json"]
+    assert names(tmp_path / "deep" / "run") == {*RUN_TABLES, *RUN_PICTURES, "summary.json"}
     assert (written[2]).read_text() == run.spec_text
     assert json.loads(written[-1].read_text())["name"] == run.name
 
@@ -92,7 +86,7 @@ def test_files_may_be_read_by_those_who_may_read_new_files(run: Trajectory, tmp_
         assert file.stat().st_mode == (tmp_path / "plain").stat().st_mode
 
 
-@pytest.mark.parametrize("name", [*TABLES, *PICTURES, "summary.json"])
+@pytest.mark.parametrize("name", [*RUN_TABLES, *RUN_PICTURES, "summary.json"])
 @pytest.mark.usefixtures("sketched")
 def test_a_full_disk_leaves_whole_files_alone(
     run: Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
@@ -100,12 +94,12 @@ def test_a_full_disk_leaves_whole_files_alone(
     fill_disk(monkeypatch, name)
     with pytest.raises(UsageError, match=rf"{name}: No space.*Free some space"):
         write_run(run, tmp_path)
-    order = [*PICTURES, "summary.json"]
-    expected = {*TABLES, *order[: order.index(name)]} if name in order else set()
+    order = [*RUN_PICTURES, "summary.json"]
+    expected = {*RUN_TABLES, *order[: order.index(name)]} if name in order else set()
     assert names(tmp_path) == expected
 
 
-@pytest.mark.parametrize("name", TABLES)
+@pytest.mark.parametrize("name", RUN_TABLES)
 def test_an_old_run_survives_tables_that_do_not_fit(
     made: Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
@@ -129,7 +123,7 @@ def test_an_interrupt_while_drawing_keeps_the_tables_but_no_summary(
     monkeypatch.setattr(files, "_draw", stop)
     with pytest.raises(KeyboardInterrupt):
         write_run(run, tmp_path)
-    assert names(tmp_path) == set(TABLES)
+    assert names(tmp_path) == set(RUN_TABLES)
     assert write_run(run, tmp_path, plots=False)
 
 
@@ -144,7 +138,7 @@ def test_an_interrupt_while_tables_are_written_waits_for_them(
     monkeypatch.setattr(files, "csv_rows", interrupted)
     with pytest.raises(KeyboardInterrupt):
         write_run(run, tmp_path)
-    assert names(tmp_path) == set(TABLES)
+    assert names(tmp_path) == set(RUN_TABLES)
     assert len((tmp_path / "trajectory.csv").read_text().splitlines()) == len(run.time) + 1
 
 
@@ -153,25 +147,30 @@ def test_old_pictures_go_when_none_are_drawn(run: Trajectory, tmp_path: Path) ->
     write_run(run, tmp_path)
     (tmp_path / "notes.txt").write_text("kept beside a run")
     write_run(run, tmp_path, plots=False)
-    assert names(tmp_path) == {*TABLES, "summary.json", "notes.txt"}
+    assert names(tmp_path) == {*RUN_TABLES, "summary.json", "notes.txt"}
 
 
 def test_effects_are_drawn_only_where_they_were_measured(run: Trajectory, tmp_path: Path) -> None:
     written = write_run(ablated_run(), tmp_path)
-    assert [file.name for file in written] == [*TABLES, *PICTURES, PROOF_PICTURE, "summary.json"]
-    assert (tmp_path / PROOF_PICTURE).read_bytes().startswith(b"\x89PNG")
-    assert PROOF_PICTURE not in {file.name for file in write_run(run, tmp_path)}
-    assert names(tmp_path) == {*TABLES, *PICTURES, "summary.json"}
+    assert [file.name for file in written] == [
+        *RUN_TABLES,
+        *RUN_PICTURES,
+        EFFECTS_PICTURE,
+        "summary.json",
+    ]
+    assert (tmp_path / EFFECTS_PICTURE).read_bytes().startswith(b"\x89PNG")
+    assert EFFECTS_PICTURE not in {file.name for file in write_run(run, tmp_path)}
+    assert names(tmp_path) == {*RUN_TABLES, *RUN_PICTURES, "summary.json"}
 
 
 def test_an_old_picture_of_effects_goes_when_none_are_drawn(tmp_path: Path) -> None:
     write_run(ablated_run(), tmp_path)
     write_run(ablated_run(), tmp_path, plots=False)
-    assert names(tmp_path) == {*TABLES, "summary.json"}
+    assert names(tmp_path) == {*RUN_TABLES, "summary.json"}
 
 
 def test_a_picture_of_effects_alone_is_no_stranger(tmp_path: Path) -> None:
-    (tmp_path / PROOF_PICTURE).write_bytes(b"a picture")
+    (tmp_path / EFFECTS_PICTURE).write_bytes(b"a picture")
     assert prepare_folder(tmp_path) == tmp_path
 
 
@@ -189,7 +188,7 @@ def test_a_place_that_cannot_be_a_folder_is_refused(tmp_path: Path) -> None:
     (tmp_path / "run").write_text("")
     with pytest.raises(UsageError, match=r"is a file; the run needs a folder\. Use -o DIR"):
         prepare_folder(tmp_path / "run")
-    with pytest.raises(UsageError, match="A part of the path is a file"):
+    with pytest.raises(UsageError, match="Part of the path is a file"):
         prepare_folder(tmp_path / "run" / "below")
     with pytest.raises(UsageError, match="shorter name"):
         prepare_folder(tmp_path / ("x" * 300))
@@ -202,13 +201,13 @@ def test_a_folder_that_is_read_only_is_refused(
         raise OSError(errno.EROFS, "Read-only file system")
 
     monkeypatch.setattr(tempfile, "mkstemp", refuse)
-    with pytest.raises(UsageError, match=r"Read-only file system\. Use a folder that can"):
+    with pytest.raises(UsageError, match=r"Read-only file system\. Use a writable folder"):
         prepare_folder(tmp_path)
 
 
 def test_a_table_is_read_back_to_the_last_digit(run: Trajectory) -> None:
     values = np.array([[0.1 + 0.2, 1e-300], [-0.0, 1 / 3]])
-    lines = csv_text(["plain", 'a "quoted", name'], values).decode().splitlines()
+    lines = (csv_table(["plain", 'a "quoted", name'], []) + csv_rows(values)).decode().splitlines()
     rows = list(csv.reader(lines))
     assert rows[0] == ["plain", 'a "quoted", name']
     assert np.array_equal(np.array(rows[1:], dtype=float), values)

@@ -10,14 +10,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-from viscodesign.storage.disk_arrays import NoRoomError, Shelf, Table, blocks, extremes, let_go
+from viscodesign.storage.disk_arrays import (
+    ArrayStore,
+    GrowingArray,
+    NoRoomError,
+    blocks,
+    extremes,
+    release_pages,
+)
 
 ROWS = np.arange(60.0).reshape(20, 3)
 
 
-def filled(shelf: Shelf, *sizes: int) -> Table:
+def filled(store: ArrayStore, *sizes: int) -> GrowingArray:
     """A table of the rows above, appended in pieces."""
-    table = shelf.table(3)
+    table = store.growing_array(3)
     for part in np.split(ROWS, np.cumsum(sizes)):
         table.append(part)
     return table
@@ -26,35 +33,35 @@ def filled(shelf: Shelf, *sizes: int) -> Table:
 @pytest.mark.parametrize("in_memory", [0, 100, 10_000])
 @pytest.mark.parametrize("sizes", [(), (1,), (5, 5, 9), (0, 20)])
 def test_rows_come_back_as_they_were(in_memory: int, sizes: tuple[int, ...]) -> None:
-    table = filled(Shelf(in_memory=in_memory), *sizes)
+    table = filled(ArrayStore(in_memory=in_memory), *sizes)
     assert table.is_on_disk == (in_memory < ROWS.nbytes)
     assert len(table) == 20
     assert np.array_equal(table.array(), ROWS)
 
 
 def test_what_is_appended_may_change_afterwards() -> None:
-    table, rows = Shelf().table(3), ROWS.copy()
+    table, rows = ArrayStore().growing_array(3), ROWS.copy()
     table.append(rows)
     rows[:] = 0.0
     assert np.array_equal(table.array(), ROWS)
 
 
 def test_rows_without_columns_need_no_disk() -> None:
-    table = Shelf(in_memory=0).table(0)
+    table = ArrayStore(in_memory=0).growing_array(0)
     table.append(np.zeros((5, 0)))
     assert table.array().shape == (5, 0)
 
 
 @pytest.mark.parametrize("in_memory", [0, 10_000])
 def test_a_table_that_is_cut_grows_on(in_memory: int) -> None:
-    table = filled(Shelf(in_memory=in_memory))
+    table = filled(ArrayStore(in_memory=in_memory))
     table.cut(7)
     table.append(ROWS[:2])
     assert np.array_equal(table.array(), np.concatenate([ROWS[:7], ROWS[:2]]))
 
 
 def test_nothing_is_seen_of_it_in_its_folder(tmp_path: Path) -> None:
-    table = filled(Shelf(tmp_path, in_memory=0))
+    table = filled(ArrayStore(tmp_path, in_memory=0))
     found = table.array()
     del table
     assert not list(tmp_path.iterdir())
@@ -64,10 +71,10 @@ def test_nothing_is_seen_of_it_in_its_folder(tmp_path: Path) -> None:
 
 
 def test_pages_that_were_let_go_come_again() -> None:
-    found = filled(Shelf(in_memory=0)).array()
+    found = filled(ArrayStore(in_memory=0)).array()
     for array in (found, found[3:].T, ROWS):
         before = array.copy()
-        let_go(array)
+        release_pages(array)
         assert np.array_equal(array, before)
 
 
@@ -111,7 +118,7 @@ class Full:
 
 def test_a_full_disk_keeps_the_rows_before(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("viscodesign.storage.disk_arrays.tempfile.TemporaryFile", Full(300))
-    table = Shelf(Path("somewhere"), in_memory=0).table(3)
+    table = ArrayStore(Path("somewhere"), in_memory=0).growing_array(3)
     table.append(ROWS[:10])
     with pytest.raises(NoRoomError, match=r"in somewhere: No space left.*Free some space"):
         table.append(ROWS[10:])

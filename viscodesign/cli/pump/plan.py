@@ -53,7 +53,7 @@ def command(
     from viscodesign.cli.texts.plan_text import plan_lines
     from viscodesign.pump.planning.scene_variants import pump_of
     from viscodesign.pump.report.plan_folder import plan_document, write_plan
-    from viscodesign.report.run_folder import prepare_folder
+    from viscodesign.report.folder import prepare_folder
 
     scene = load(spec, overrides or ())
     pump_of(scene)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -10,11 +9,9 @@ from typing import Any
 import numpy as np
 
 from viscodesign.pump.planning.result import PumpPlan
-from viscodesign.report.run_folder import PLAN_FILES, prepare_folder, text_bytes
+from viscodesign.report.csv_text import csv_table
+from viscodesign.report.folder import PLAN_FILES
 from viscodesign.results.findings import notice_documents, plain
-from viscodesign.storage.atomic_files import refused_plainly, write_all
-
-TABLE, DOCUMENT, PICTURE = PLAN_FILES
 
 QUANTITIES = {
     "pressure_pa": "pressure",
@@ -33,31 +30,16 @@ QUANTITIES = {
 def write_plan(
     plan: PumpPlan, directory: str | Path, *, plots: bool = True, force: bool = False
 ) -> list[Path]:
-    """Write a plan's files and return them; those of an earlier one are replaced.
+    """Write a plan's files and return them; see `FileSet.write`."""
 
-    No other file is touched. Table and document come first, both or none. Raises
-    `UsageError` where the folder cannot be written, or holds other files (without ``force``).
-    """
-    folder = prepare_folder(directory, force=force)
-    document = json.dumps(plan_document(plan), indent=2, ensure_ascii=False)
-    contents = {
-        folder / TABLE: [plan_csv(plan)],
-        folder / DOCUMENT: [text_bytes(document + "\n")],
-    }
-    picture = folder / PICTURE
-    write_all(contents, first=lambda: _remove(picture))
-    if not plots:
-        return list(contents)
-    # Drawing is slow to import, and a plan without a picture does not need it.
-    from viscodesign.pump.report.plan_chart import draw_plan
+    def draw(picture: Path) -> None:
+        # Drawing is slow to import, and a plan without a picture does not need it.
+        from viscodesign.pump.report.plan_chart import draw_plan
 
-    draw_plan(plan, picture)
-    return [*contents, picture]
+        draw_plan(plan, picture)
 
-
-def _remove(file: Path) -> None:
-    with refused_plainly(file):
-        file.unlink(missing_ok=True)
+    drawer = draw if plots else None
+    return PLAN_FILES.write(directory, plan_csv(plan), plan_document(plan), drawer, force=force)
 
 
 def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
@@ -84,9 +66,7 @@ def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
 def plan_csv(plan: PumpPlan) -> bytes:
     """Every digit; what is not known is an empty cell."""
     names, values = plan_columns(plan)
-    lines = [",".join(names)]
-    lines += [",".join("" if v != v else repr(v) for v in row) for row in values.tolist()]
-    return text_bytes("\n".join(lines) + "\n")
+    return csv_table(names, values.tolist())
 
 
 def plan_document(plan: PumpPlan) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from typing import Any
 
 from viscodesign._version import __version__
 from viscodesign.pump.play.servo_state import Sample, ServoState
-from viscodesign.storage.atomic_files import refused_plainly, write_bytes
+from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
 FLUSH = 1.0
 """Rows are on the disk this long after they were read, at the latest [s]."""
@@ -82,7 +82,7 @@ class Record:
         """All waiting rows, or none: a full disk leaves no half a row behind."""
         self._flushed = time.monotonic()
         left = bytes(self._waiting)
-        with refused_plainly(self.path):
+        with write_errors_as_usage(self.path):
             try:
                 while left:
                     left = left[self._table.write(left) :]
@@ -107,7 +107,7 @@ def recorded(
     ``facts`` go into the JSON: board, whether simulated, spec, plan. ``more`` are columns
     behind the time, each with what gives its value.
     """
-    with refused_plainly(path):
+    with write_errors_as_usage(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         table = FileIO(path, "w")
     with contextlib.closing(table):

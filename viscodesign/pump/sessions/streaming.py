@@ -50,7 +50,7 @@ from viscodesign.pump.sessions.required_sensors import with_sensors
 from viscodesign.scene.pump import Pump as Settings
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
-from viscodesign.storage.atomic_files import refused_plainly
+from viscodesign.storage.atomic_files import write_errors_as_usage
 
 OnTick = Callable[[TickReport], None]
 
@@ -189,7 +189,7 @@ class StreamSession:
         on_tick: OnTick | None = None,
     ) -> StreamReport:
         """Connect, show, ask, stream, come to rest; raises `PumpError` where it does not begin."""
-        with refused_plainly(folder):
+        with write_errors_as_usage(folder):
             folder.mkdir(parents=True, exist_ok=True)
         address = replace(self.address, log=self.address.log or folder / "log.jsonl")
         plant = ActuatorPlant(self.scene) if address.simulated else None

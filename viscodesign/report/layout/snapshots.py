@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.storage.disk_arrays import extremes, picked
+from viscodesign.storage.disk_arrays import extremes, rows_at
 
 DISTINCT = 0.01
 """Smallest difference worth a drawing of its own: of length, of the pressures' range."""
@@ -50,7 +50,7 @@ def _compared(shapes: int) -> np.ndarray:
 def _configurations(trajectory: Trajectory, compared: np.ndarray, pressures: bool) -> np.ndarray:
     """One row for each shape; rows at distance 1 differ by a length, or all pressures' range."""
     points = trajectory.shape.shape[1]
-    shape: np.ndarray = picked(trajectory.shape, compared).reshape(len(compared), -1)
+    shape: np.ndarray = rows_at(trajectory.shape, compared).reshape(len(compared), -1)
     shape = shape / (trajectory.length * np.sqrt(points))
     low, high = extremes(trajectory.pressure)
     span, largest = float(high.max() - low.min()), float(max(high.max(), -low.min()))
@@ -58,7 +58,7 @@ def _configurations(trajectory: Trajectory, compared: np.ndarray, pressures: boo
     if not pressures or span <= 1e-6 * largest:
         return shape
     rows = trajectory.shape_rows[compared]
-    scaled = picked(trajectory.pressure, rows) / (span * np.sqrt(trajectory.pressure.shape[1]))
+    scaled = rows_at(trajectory.pressure, rows) / (span * np.sqrt(trajectory.pressure.shape[1]))
     # What moves is seen better than what changes its colour.
     return np.concatenate([shape, 0.5 * scaled], axis=1)
 

@@ -1,0 +1,127 @@
+"""The folder that holds a run, and what other commands add to it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from viscodesign.errors import UsageError
+from viscodesign.storage.atomic_files import (
+    clear_leftovers,
+    write_all,
+    write_bytes,
+    write_errors_as_usage,
+)
+
+PROBE = ".write-test"
+
+
+@dataclass(frozen=True)
+class FileSet:
+    """A table, the document about it and its picture, side by side with a run's files."""
+
+    table: str
+    document: str
+    picture: str
+
+    @property
+    def names(self) -> tuple[str, str, str]:
+        """Of all its files."""
+        return self.table, self.document, self.picture
+
+    def write(
+        self,
+        directory: str | Path,
+        table: bytes,
+        document: Mapping[str, Any],
+        draw: Callable[[Path], None] | None,
+        *,
+        force: bool = False,
+    ) -> list[Path]:
+        """Write the files and return them; those of an earlier set are replaced.
+
+        No other file is touched. Table and document come first, both or none, so that a
+        failing picture cannot lose them; ``draw`` is None where there is no picture. Raises
+        `UsageError` where the folder cannot be written, or (without ``force``) holds files
+        that are not ours.
+        """
+        folder = prepare_folder(directory, force=force)
+        contents = {folder / self.table: [table], folder / self.document: [json_bytes(document)]}
+        picture = folder / self.picture
+        write_all(contents, first=lambda: remove_files([picture]))
+        if draw is None:
+            return list(contents)
+        draw(picture)
+        return [*contents, picture]
+
+
+RUN_TABLES = ("trajectory.csv", "shape.csv", "spec.yaml")
+RUN_PICTURES = ("tip.png", "pressures.png", "shapes.png")
+EFFECTS_PICTURE = "effects.png"
+"""Drawn where a run measured its effects."""
+SUMMARY = "summary.json"
+STUDY_FILES = FileSet("accuracy.csv", "accuracy.json", "accuracy.png")
+PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
+OUR_FILES = {
+    *RUN_TABLES,
+    *RUN_PICTURES,
+    EFFECTS_PICTURE,
+    SUMMARY,
+    *STUDY_FILES.names,
+    *PLAN_FILES.names,
+}
+DOCUMENTS = {SUMMARY, STUDY_FILES.document, PLAN_FILES.document}
+"""At least one of these is in every complete folder of ours."""
+
+
+def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
+    """Make the folder, and refuse one that holds files of somebody else.
+
+    A command calls it before it computes, so that an unusable folder costs no time.
+    """
+    folder = Path(directory)
+    with write_errors_as_usage(folder):
+        if folder.exists() and not folder.is_dir():
+            raise UsageError(f"{folder} is a file; the run needs a folder. Use -o DIR")
+        folder.mkdir(parents=True, exist_ok=True)
+        names = sorted(file.name for file in folder.iterdir())
+    others = [name for name in names if not _is_ours(name)]
+    if others and not force and not DOCUMENTS & set(names):
+        shown = ", ".join(others[:3]) + (", ..." if len(others) > 3 else "")
+        raise UsageError(
+            f"{folder} holds other files ({shown}); nothing was written. "
+            "Use another folder with -o DIR, or --force"
+        )
+    _try_writing(folder)
+    clear_leftovers(folder, [*OUR_FILES, PROBE])
+    return folder
+
+
+def _try_writing(folder: Path) -> None:
+    probe = folder / PROBE
+    write_bytes(probe, b"")
+    remove_files([probe])
+
+
+def _is_ours(name: str) -> bool:
+    return name in OUR_FILES or name.startswith(".")
+
+
+def remove_files(files: Sequence[Path]) -> None:
+    """Remove those of the files that exist."""
+    for file in files:
+        with write_errors_as_usage(file):
+            file.unlink(missing_ok=True)
+
+
+def json_bytes(document: Mapping[str, Any]) -> bytes:
+    """A document as the text of a file."""
+    return text_bytes(json.dumps(document, indent=2, ensure_ascii=False) + "\n")
+
+
+def text_bytes(text: str) -> bytes:
+    """UTF-8; a lone surrogate, which has no code there, as its escape."""
+    return text.encode("utf-8", errors="backslashreplace")
