@@ -12,8 +12,8 @@ import pytest
 from tests.scenes import CONFIGS, leg
 from viscodesign import PumpPlan, Scene, plan, simulate
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import Barrel, line_at
-from viscodesign.pump.planning.model_runs import taken_effects
+from viscodesign.pump.planning.barrel import Barrel, feed_line_at
+from viscodesign.pump.planning.model_runs import active_effects
 from viscodesign.pump.planning.scene_variants import planned, with_effects_of, with_inputs
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.report.plan_folder import plan_columns, write_plan
@@ -123,8 +123,8 @@ def test_the_plunger_makes_the_pressure_that_was_wanted(
     wanted = simulate(scene)
     settled = with_effects_of(scene, wanted)
     assert scene.pump is not None
-    line = line_at(settled, "inlet", taken_effects(wanted))
-    barrel = Barrel.of(settled, Drive(scene.pump), line)
+    line = feed_line_at(settled, "inlet", active_effects(wanted))
+    barrel = Barrel(settled, Drive(scene.pump), line)
     pressure, given = wanted.inlet_pressure["inlet"], wanted.inflow["inlet"]
     place = barrel.position(pressure, given)
     driven = with_inputs(settled, {"inlet": barrel.syringe(wanted.time, place)})
@@ -252,7 +252,7 @@ def test_the_live_actuator_is_the_simulated_one() -> None:
     assert plant.steps <= 4 * len(places)
     time = tick * np.arange(len(places) + 1)
     fine = planned(scene)
-    barrel = Barrel.of(fine, Drive(scene.pump), line_at(fine, "inlet", frozenset()))
+    barrel = Barrel(fine, Drive(scene.pump), feed_line_at(fine, "inlet", frozenset()))
     driven = with_inputs(fine, {"inlet": barrel.syringe(time, np.array([0.0, *places]))})
     run = driven.run.model_copy(
         update={"duration": float(time[-1]), "output_times": tuple(time.tolist())}

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from viscodesign.cli.texts.check_text import notice_lines
 from viscodesign.cli.texts.layout import number, table, wrap
-from viscodesign.pump.planning.result import Change, PumpPlan, PumpVerdict
+from viscodesign.pump.planning.result import PumpPlan, PumpVerdict, SuggestedChange
 
 MARKS = {"ok": "ok", "advice": "ADVICE", "infeasible": "FAILS"}
 
@@ -90,14 +90,14 @@ def _changes(plan: PumpPlan) -> Iterator[str]:
     yield ""
 
 
-def _words(change: Change) -> str:
+def _words(change: SuggestedChange) -> str:
     left = (
         f"; then fails: {', '.join(change.leaves)}" if change.leaves else "; then all is feasible"
     )
     return _settings(change) + left
 
 
-def _settings(change: Change) -> str:
+def _settings(change: SuggestedChange) -> str:
     told = " ".join(f"--set '{setting}'" for setting in change.settings)
     return f"{change.words} ({told})" if told else change.words
 

@@ -14,64 +14,52 @@ from viscodesign.pump.drive import Drive
 from viscodesign.scene.inputs.syringe import Syringe
 from viscodesign.scene.scene import Scene
 
-NEARLY_FULL = 1e-6
+KEPT_FREE = 1e-6
 """Part of the filled length that a plunger in a spec must leave."""
 
 
 @dataclass(frozen=True)
-class Line:
-    """What the tubes at an inlet hold there: with given pressure no model asks for it."""
+class FeedLine:
+    """What the tubes at an inlet hold there: with a given pressure no model asks for it."""
 
     volume: float = 0.0
     """[m3]"""
     compliance: float = 0.0
     """[m3/Pa]"""
-    yields: bool = False
+    compressible: bool = False
     """Whether its fluid has a density of its own, like that of the whole network."""
 
 
-def line_at(scene: Scene, inlet: str, taken: frozenset[str]) -> Line:
-    """The line of an inlet in a model that has taken these effects."""
-    if TubeCompliance.name not in taken:
-        return Line()
-    yields = "gas_compressibility" in taken
-    volume, compliance = TubeCompliance.of(SceneQuantities(scene)).stored_at(inlet, yields)
-    return Line(volume, compliance, yields)
+def feed_line_at(scene: Scene, inlet: str, active: frozenset[str]) -> FeedLine:
+    """The line of an inlet in a model with these effects."""
+    if TubeCompliance.name not in active:
+        return FeedLine()
+    compressible = "gas_compressibility" in active
+    volume, compliance = TubeCompliance.of(SceneQuantities(scene)).stored_at(inlet, compressible)
+    return FeedLine(volume, compliance, compressible)
 
 
 @dataclass(frozen=True)
 class Barrel:
-    """Everything between the plunger and the network, filled at the baseline, plunger at home.
+    """Everything between plunger and network, filled at the baseline with the plunger at home.
 
     A gas fills barrel and dead volume alike. Beside a liquid the dead volume is a cushion of
-    gas, which keeps its temperature.
+    gas at constant temperature.
     """
 
+    scene: Scene
     drive: Drive
-    ambient: float
-    """Absolute [Pa]."""
-    baseline: float
-    """Gauge [Pa]."""
-    exponent: float
-    """Polytropic, of a gas."""
-    bulk_modulus: float | None
-    """Of a liquid [Pa]."""
-    is_gas: bool
-    line: Line
+    line: FeedLine
 
-    @classmethod
-    def of(cls, scene: Scene, drive: Drive, line: Line) -> Barrel:
-        """The barrel of a scene's pump."""
-        fluid = scene.fluid
-        return cls(
-            drive,
-            scene.ambient_pressure,
-            scene.gauge_pressure,
-            fluid.polytropic_exponent,
-            fluid.bulk_modulus,
-            fluid.is_gas,
-            line,
-        )
+    @property
+    def ambient(self) -> float:
+        """Absolute [Pa]."""
+        return self.scene.ambient_pressure
+
+    @property
+    def baseline(self) -> float:
+        """Gauge [Pa]."""
+        return self.scene.gauge_pressure
 
     @property
     def full_volume(self) -> float:
@@ -80,24 +68,25 @@ class Barrel:
 
     def density(self, pressure: Any) -> Any:
         """Of the fluid, over that at ambient pressure [1]."""
-        if self.is_gas:
-            return gas.density_ratio(pressure, self.ambient, self.exponent)
-        return 1 + pressure / self.bulk_modulus if self.bulk_modulus else 1 + 0 * pressure
+        fluid = self.scene.fluid
+        if fluid.is_gas:
+            return gas.density_ratio(pressure, self.ambient, fluid.polytropic_exponent)
+        return 1 + pressure / fluid.bulk_modulus if fluid.bulk_modulus else 1 + 0 * pressure
 
     def cushion(self, pressure: Any) -> Any:
         """Volume of the gas beside a liquid [m3]."""
-        if self.is_gas:
+        if self.scene.fluid.is_gas:
             return 0.0 * pressure
-        thin = gas.density_ratio(self.baseline, self.ambient, 1.0)
-        return self.drive.pump.dead_volume * thin / gas.density_ratio(pressure, self.ambient, 1.0)
+        filled = gas.density_ratio(self.baseline, self.ambient, 1.0)
+        return self.drive.pump.dead_volume * filled / gas.density_ratio(pressure, self.ambient, 1.0)
 
     def _line(self, pressure: Any) -> Any:
         """What the line holds [m3 at ambient density]."""
         volume = self.line.volume + self.line.compliance * pressure
-        return volume * self.density(pressure) if self.line.yields else volume
+        return volume * self.density(pressure) if self.line.compressible else volume
 
     def held(self, pressure: Any, position: Any) -> Any:
-        """Fluid in barrel and line with the plunger at a place [m3 at ambient density]."""
+        """Fluid in barrel and line with the plunger at a position [m3 at ambient density]."""
         space = self.full_volume - self.drive.area * position - self.cushion(pressure)
         return space * self.density(pressure) + self._line(pressure)
 
@@ -112,20 +101,21 @@ class Barrel:
         return (self.full_volume - self.cushion(pressure) - space) / self.drive.area
 
     def compliance(self, pressure: float, position: float) -> float:
-        """Volume of the plunger for a pressure, nothing given [m3/Pa]: by what the barrel holds."""
+        """Volume of the plunger per pressure, nothing given [m3/Pa]: by what the barrel holds."""
         step = 1e-4 * self.ambient
         held = [self.held(pressure + sign * step, position) for sign in (-1.0, 1.0)]
         return float((held[1] - held[0]) / (2 * step) / self.density(pressure))
 
     def syringe(self, time: np.ndarray, position: np.ndarray) -> Syringe:
-        """The plunger's course as an input of a scene; positions are kept within the barrel."""
+        """The plunger's motion as an input of a scene, kept within the barrel."""
         drive, pump = self.drive, self.drive.pump
-        kept = np.minimum(position, (1 - NEARLY_FULL) * drive.filled_at_home)
+        is_gas = self.scene.fluid.is_gas
+        kept = np.minimum(position, (1 - KEPT_FREE) * drive.filled_at_home)
         return Syringe(
             kind="syringe",
             diameter=pump.syringe_diameter,
             start=drive.filled_at_home,
-            dead_volume=pump.dead_volume if self.is_gas else 0.0,
-            cushion=0.0 if self.is_gas else pump.dead_volume,
+            dead_volume=pump.dead_volume if is_gas else 0.0,
+            cushion=0.0 if is_gas else pump.dead_volume,
             rows=tuple(zip(time.tolist(), kept.tolist(), strict=True)),
         )

@@ -1,43 +1,46 @@
-"""What a course of pressure asks of one pump: where its plunger is, how fast, against what."""
+"""What a profile of pressure asks of one pump: where its plunger is, how fast, at what load."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from viscodesign.pump import syringe as syringe_pump
+from viscodesign.pump import syringe
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import Barrel, Line
+from viscodesign.pump.planning.barrel import Barrel, FeedLine
 from viscodesign.pump.planning.result import PumpCourse
 from viscodesign.pump.servo_motor import SERVOS, Servo
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.scene import Scene
 
-STANDS = 0.05
-"""Speed below which a plunger counts as standing [counts/s]: of round-off and drift."""
-AROUND = 5
-"""Times to both sides of one at which its direction is told: by more than a count."""
+STILL_COUNTS_PER_S = 0.05
+"""Speed below which a plunger counts as at rest: round-off and drift."""
+DIRECTION_SAMPLES = 5
+"""Times on both sides of one over which its direction is found: by more than a count."""
 
 
 @dataclass(frozen=True)
-class Demand:
+class PumpDemand:
     """One inlet's pump over T times; arrays (T,) or, between the times, (T - 1,)."""
 
     scene: Scene
     pump: Pump
     inlet: str
-    line: Line
+    line: FeedLine
     time: np.ndarray
+    """From the start of the lead-in [s]."""
     lead_s: float
     pressure: np.ndarray
+    """Gauge [Pa]."""
     given: np.ndarray
+    """To the network since it was filled [m3 at ambient density]."""
     stated_position: np.ndarray | None = None
-    """Where the motion is known; else it follows from pressure and what is given."""
+    """Where the motion is known; otherwise it follows from pressure and what is given."""
 
-    def with_pump(self, pump: Pump) -> Demand:
+    def with_pump(self, pump: Pump) -> PumpDemand:
         """The same pressures asked of another pump."""
         return replace(self, pump=pump)
 
@@ -48,24 +51,24 @@ class Demand:
 
     @cached_property
     def servo(self) -> Servo:
-        """The servo's numbers."""
+        """The servo's data."""
         return SERVOS[self.pump.servo]
 
     @cached_property
     def barrel(self) -> Barrel:
         """What is in front of the plunger."""
-        return Barrel.of(self.scene, self.drive, self.line)
+        return Barrel(self.scene, self.drive, self.line)
 
     @property
     def stall_torque(self) -> float:
-        """At the battery's voltage [N m]."""
-        return syringe_pump.stall_torque(self.servo, self.pump.supply_voltage)
+        """At the supply voltage [N m]."""
+        return syringe.stall_torque(self.servo, self.pump.supply_voltage)
 
     @property
     def stall_pressure(self) -> float:
-        """At the battery's voltage, gauge [Pa]."""
+        """At the supply voltage, gauge [Pa]."""
         pump = self.pump
-        return syringe_pump.stall_pressure(
+        return syringe.stall_pressure(
             self.servo, pump.supply_voltage, pump.syringe_diameter, pump.pinion_diameter
         )
 
@@ -77,10 +80,11 @@ class Demand:
         return np.asarray(self.barrel.position(self.pressure, self.given))
 
     @property
-    def extremes(self) -> tuple[tuple[float, float], ...]:
-        """Pressure and position where the barrel is emptiest, fullest and pressed hardest."""
+    def least_compliance(self) -> float:
+        """Of the barrel where it is emptiest, fullest or pressed hardest [m3/Pa]."""
         places = (np.argmax(self.position), np.argmin(self.position), np.argmax(self.pressure))
-        return tuple((float(self.pressure[k]), float(self.position[k])) for k in places)
+        pairs = [(float(self.pressure[k]), float(self.position[k])) for k in places]
+        return min(self.barrel.compliance(*pair) for pair in pairs)
 
     @cached_property
     def count(self) -> np.ndarray:
@@ -95,31 +99,34 @@ class Demand:
 
     @cached_property
     def direction(self) -> np.ndarray:
-        """1 where it moves in, -1 where out, 0 where it stands; between the times."""
-        still = STANDS * self.drive.advance_per_count
+        """1 where it moves in, -1 where out, 0 where it is at rest; between the times."""
+        still = STILL_COUNTS_PER_S * self.drive.advance_per_count
         return np.where(np.abs(self.velocity) > still, np.sign(self.velocity), 0.0)
 
-    def _torque(self, pressure: np.ndarray, direction: np.ndarray) -> np.ndarray:
+    def torque_at(self, pressure: np.ndarray, direction: np.ndarray | float) -> np.ndarray:
+        """At the pinion, against a pressure [Pa gauge] and the plunger's friction [N m]."""
         pump = self.pump
         friction = pump.plunger_friction * direction
-        return np.asarray(
-            syringe_pump.shaft_torque(
-                pressure, pump.syringe_diameter, pump.pinion_diameter, friction
-            )
+        torque = syringe.shaft_torque(
+            pressure, pump.syringe_diameter, pump.pinion_diameter, friction
         )
+        return np.asarray(torque)
+
+    def speed_left_at(self, torque: np.ndarray) -> np.ndarray:
+        """Speed of the plunger that the servo still has against a torque [m/s]."""
+        left = syringe.speed_left(self.servo, self.pump.supply_voltage, torque)
+        return np.asarray(left * self.pump.pinion_diameter / 2)
 
     @cached_property
     def end_torques(self) -> np.ndarray:
         """Torque at both ends of each interval (2, T - 1) [N m]."""
         ends = np.stack((self.pressure[:-1], self.pressure[1:]))
-        return self._torque(ends, self.direction)
+        return self.torque_at(ends, self.direction)
 
     @cached_property
     def speed_left(self) -> np.ndarray:
         """Speed of the plunger that the servo has left in each interval [m/s]."""
-        against = np.max(self.end_torques * self.direction, axis=0)
-        left = syringe_pump.speed_left(self.servo, self.pump.supply_voltage, against)
-        return np.asarray(left * self.pump.pinion_diameter / 2)
+        return self.speed_left_at(np.max(self.end_torques * self.direction, axis=0))
 
     @cached_property
     def speed_share(self) -> np.ndarray:
@@ -131,32 +138,38 @@ class Demand:
     @cached_property
     def torque(self) -> np.ndarray:
         """At the times [N m]; friction by the motion around them, which steps of a count hide."""
-        near = np.minimum(AROUND, len(self.time) - 1)
+        near = np.minimum(DIRECTION_SAMPLES, len(self.time) - 1)
         later = np.append(self.position[near:], np.full(near, self.position[-1]))
         before = np.append(np.full(near, self.position[0]), self.position[: len(later) - near])
         way = (later - before) / self.drive.advance_per_count
-        return self._torque(self.pressure, np.where(np.abs(way) > 1.0, np.sign(way), 0.0))
+        return self.torque_at(self.pressure, np.where(np.abs(way) > 1.0, np.sign(way), 0.0))
+
+    @property
+    def mean_current(self) -> float:
+        """Of the servo over the whole motion [A]."""
+        current = syringe.servo_current(self.servo, self.torque)
+        return float(np.trapezoid(current, self.time)) / float(np.ptp(self.time))
 
 
-def course(demands: Sequence[Demand]) -> PumpCourse:
+def course_of(demands: Sequence[PumpDemand]) -> PumpCourse:
     """All inlets' demands as one course."""
 
-    def columns(values: Sequence[np.ndarray]) -> np.ndarray:
-        return np.stack(values, axis=1)
+    def columns(value: Callable[[PumpDemand], np.ndarray]) -> np.ndarray:
+        return np.stack([value(d) for d in demands], axis=1)
 
     first = demands[0]
-    volume = columns([d.drive.area * d.position for d in demands])
+    volume = columns(lambda d: d.drive.area * d.position)
     flow = np.diff(volume, axis=0) / np.diff(first.time)[:, None]
     return PumpCourse(
         time=first.time,
         lead_s=first.lead_s,
-        pressure=columns([d.pressure for d in demands]),
-        given=columns([d.given for d in demands]),
-        position=columns([d.position for d in demands]),
+        pressure=columns(lambda d: d.pressure),
+        given=columns(lambda d: d.given),
+        position=columns(lambda d: d.position),
         volume=volume,
-        count=columns([d.count for d in demands]),
+        count=columns(lambda d: d.count),
         flow=np.concatenate([flow, np.zeros((1, len(demands)))]),
-        torque=columns([d.torque for d in demands]),
-        stall_share=columns([np.abs(d.torque) / d.stall_torque for d in demands]),
-        speed_share=columns([np.append(d.speed_share, 0.0) for d in demands]),
+        torque=columns(lambda d: d.torque),
+        stall_share=columns(lambda d: np.abs(d.torque) / d.stall_torque),
+        speed_share=columns(lambda d: np.append(d.speed_share, 0.0)),
     )

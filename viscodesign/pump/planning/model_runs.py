@@ -1,4 +1,4 @@
-"""A scene followed for a plan: for its inlets alone, or as a run with its error."""
+"""A scene run for a plan: for its inlets alone, or as a simulation with its error."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from viscodesign.simulation.solve_once import Progress, solve
 
 
 @dataclass(frozen=True)
-class Inlets:
+class InletHistory:
     """What happens at P inlets at T times."""
 
     time: np.ndarray
@@ -29,44 +29,43 @@ class Inlets:
     """(T, P) to the network since it was filled [m3 at ambient density]."""
 
     @classmethod
-    def of(cls, run: Trajectory) -> Inlets:
-        """Those of a run."""
+    def of(cls, run: Trajectory) -> InletHistory:
+        """That of a run."""
         return cls(run.time, run["inlet_pressure"], run["inflow"])
 
 
-def taken_effects(run: Trajectory) -> frozenset[str]:
-    """Names of the effects that a run took."""
+def active_effects(run: Trajectory) -> frozenset[str]:
+    """Names of the effects that a run took in."""
     return frozenset(v.name for v in run.effects if v.taken)
 
 
-def follow(scene: Scene, taken: frozenset[str]) -> Inlets:
-    """The inlets of a scene with just these effects; `SolveError` where a run breaks off."""
+def run_model(scene: Scene, active: frozenset[str]) -> InletHistory:
+    """The inlets of a scene with just these effects; `SolveError` where the run breaks off."""
     quantities = SceneQuantities(scene)
-    effects = [kind.of(quantities) for name, kind in catalogue().items() if name in taken]
+    effects = [kind.of(quantities) for name, kind in catalogue().items() if name in active]
     run = solve(quantities, effects, suggest_settings(quantities, effects))
     if run.solution.asked_to_stop:
-        # Asked while it was solved, be it when all was done: a plan has more to do.
+        # Even where it had just been solved: a plan has more to do.
         raise KeyboardInterrupt
     if run.motion.failure is not None:
-        raise broken_off(str(run.motion.failure), run.motion.time)
-    return Inlets(run.motion.time, run.motion["inlet_pressure"], run.motion["inflow"])
+        raise _broken_off(str(run.motion.failure), run.motion.time)
+    return InletHistory(run.motion.time, run.motion["inlet_pressure"], run.motion["inflow"])
 
 
-def followed_and_verified(scene: Scene, progress: Progress | None) -> Trajectory:
-    """A run to its end with its error; `SolveError` in its own words where it broke off."""
+def run_verified(scene: Scene, progress: Progress | None) -> Trajectory:
+    """A whole run with its error; `SolveError` in its own words where it broke off."""
     with gentle_interrupt() as interrupt:
         run = simulate(scene, progress=progress)
     if interrupt.asked or run.status == "interrupted":
         raise KeyboardInterrupt
     if run.status == "failed" and run.accuracy.estimated_tip_error_m is None:
-        raise broken_off(run.failure or "no reason given", run.time)
+        raise _broken_off(run.failure or "no reason given", run.time)
     return run
 
 
-def broken_off(reason: str, times: np.ndarray) -> SolveError:
-    """The failure of a plan whose model did not come to the end."""
+def _broken_off(reason: str, times: np.ndarray) -> SolveError:
     return SolveError(
-        f"the coupled model could not be followed: {reason}",
+        f"the plan's simulation failed: {reason}",
         quantity="motion",
         where="plan",
         time_s=float(times[-1]) if times.size else 0.0,

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.physics import gas
-from viscodesign.pump import syringe as syringe_pump
-from viscodesign.pump.planning.achievable import Achieved, achieve
-from viscodesign.pump.planning.barrel import line_at
-from viscodesign.pump.planning.demand import Demand, course
-from viscodesign.pump.planning.fixes import changes_for, together
+from viscodesign.pump import syringe
+from viscodesign.pump.planning.achievable import SWEEPS, AchievableMotion, achievable_motion
+from viscodesign.pump.planning.barrel import feed_line_at
+from viscodesign.pump.planning.demand import PumpDemand, course_of
+from viscodesign.pump.planning.fixes import combined_fix, fixes_for
 from viscodesign.pump.planning.limits import verdicts
-from viscodesign.pump.planning.model_runs import Inlets, followed_and_verified, taken_effects
-from viscodesign.pump.planning.requested import Wanted, lead_in, shares_a_network
+from viscodesign.pump.planning.model_runs import InletHistory, active_effects, run_verified
+from viscodesign.pump.planning.requested import RequestedMotion, lead_in, shares_a_network
 from viscodesign.pump.planning.result import PumpPlan, PumpVerdict
 from viscodesign.pump.planning.scene_variants import planned, pump_of, servo_ids, with_effects_of
 from viscodesign.pump.planning.trials import Trials
@@ -25,27 +26,31 @@ from viscodesign.results.trajectory import Status, Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
+CAP_REL_TOL = 0.01
+"""Part of the cap by which it may be passed without a word."""
+
 
 def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
-    """Plan a pump's motion for the pressures that a scene wants.
+    """Plan a pump's motion for the pressures that a scene asks for.
 
-    The scene is followed through its own coupled model, which tells what every inlet gives;
-    barrel and dead volume tell where its plunger is then. That is held against what the pump
-    can do at each pressure, and what the pump does instead is followed through the model
-    again. ``progress`` is told the part that is done. Raises `SpecError` where the scene has
-    no pump or no pressures to plan for, `SolveError` where a run breaks off.
+    The scene is simulated with its own coupled model, which says what every inlet gives; barrel
+    and dead volume say where its plunger is then. That is held against what the pump can do at
+    each pressure, and what the pump does instead is simulated again. ``progress`` is given the
+    part that is done. Raises `SpecError` where the scene has no pump or no pressures to plan
+    for, `SolveError` where a run breaks off.
     """
     pump = pump_of(scene)
     first = planned(scene)
-    run = followed_and_verified(first, progress)
-    settled, taken, inlets = with_effects_of(first, run), taken_effects(run), Inlets.of(run)
-    lines = {name: line_at(settled, name, taken) for name in scene.inputs}
-    lead = lead_in(settled, pump, lines, inlets, taken)
-    asked = Wanted(settled, inlets, taken, lines, lead)
-    demands = asked.demands(pump)
-    trials = Trials(settled, asked, pump)
+    run = run_verified(first, progress)
+    settled, active = with_effects_of(first, run), active_effects(run)
+    inlets = InletHistory.of(run)
+    lines = {name: feed_line_at(settled, name, active) for name in scene.inputs}
+    lead = lead_in(settled, pump, lines, inlets, active)
+    requested = RequestedMotion(settled, inlets, active, lines, lead)
+    demands = requested.demands(pump)
+    trials = Trials(settled, requested, pump)
     found = tuple(_with_changes(trials, v) for d in demands for v in verdicts(d))
-    achieved = achieve(asked, pump, progress)
+    achieved = achievable_motion(requested, pump, progress)
     status, failure = _status(run, achieved.run)
     return PumpPlan(
         name=scene.name,
@@ -56,8 +61,8 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         inlets=tuple(scene.inputs),
         servos=servo_ids(scene, pump),
         servo=demands[0].servo.title,
-        wanted=course(demands),
-        achievable=course(achieved.demands),
+        wanted=course_of(demands),
+        achievable=course_of(achieved.demands),
         wanted_run=run,
         achievable_run=achieved.run,
         deviation=_deviation(run, achieved.run),
@@ -65,7 +70,7 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         sweeps=achieved.sweeps,
         unsettled_counts=achieved.unsettled_counts,
         verdicts=found,
-        together=together(trials, found),
+        together=combined_fix(trials, found),
         numbers={d.inlet: _numbers(d) for d in demands},
         limits=_limits(demands),
         warnings=(*_notices(settled, demands, achieved), *run.warnings),
@@ -75,14 +80,12 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
 def _with_changes(trials: Trials, verdict: PumpVerdict) -> PumpVerdict:
     if verdict.severity == "ok":
         return verdict
-    return replace(verdict, changes=changes_for(trials, verdict))
+    return replace(verdict, changes=fixes_for(trials, verdict))
 
 
 def _status(*runs: Trajectory) -> tuple[Status, str | None]:
-    for run in runs:
-        if run.status != "complete":
-            return run.status, run.failure
-    return "complete", None
+    bad = (run for run in runs if run.status != "complete")
+    return next(((run.status, run.failure) for run in bad), ("complete", None))
 
 
 def _deviation(run: Trajectory, other: Trajectory) -> np.ndarray:
@@ -92,60 +95,52 @@ def _deviation(run: Trajectory, other: Trajectory) -> np.ndarray:
     return np.asarray(np.hypot(apart[:, 0], apart[:, 1]))
 
 
-def _limits(demands: tuple[Demand, ...]) -> dict[str, float]:
+def _limits(demands: tuple[PumpDemand, ...]) -> dict[str, float]:
     """What holds for the pumps of all inlets."""
     first, pump = demands[0], demands[0].pump
-    current = sum(_mean_current(d) for d in demands)
+    current = sum(d.mean_current for d in demands)
     return {
         "fifth_nm": STEADY_SHARE * first.stall_torque,
         "stall_nm": first.stall_torque,
         "travel_low_counts": float(pump.travel[0]),
         "travel_high_counts": float(pump.travel[1]),
         "cap_pa_gauge": pump.max_pressure,
-        "battery_life_s": syringe_pump.battery_life(pump.battery_capacity, current),
+        "battery_life_s": syringe.battery_life(pump.battery_capacity, current),
     }
 
 
-def _mean_current(demand: Demand) -> float:
-    """Of one servo over the course [A]."""
-    current = syringe_pump.servo_current(demand.servo, demand.torque)
-    return float(np.trapezoid(current, demand.time)) / float(np.ptp(demand.time))
-
-
-def _numbers(demand: Demand) -> dict[str, float]:
+def _numbers(demand: PumpDemand) -> dict[str, float]:
     """What the drive of an inlet is, and what the plan takes of it."""
-    pump, drive = demand.pump, demand.drive
-    barrel = demand.barrel
-    fast = min(barrel.compliance(p, x) for p, x in demand.extremes)
+    pump, drive, barrel = demand.pump, demand.drive, demand.barrel
     slow = barrel.compliance(barrel.baseline, 0.0) + _network_compliance(demand)
     shape = (pump.syringe_diameter, pump.pinion_diameter)
-    current = syringe_pump.servo_current(demand.servo, demand.torque)
-    free = float(syringe_pump.speed_left(demand.servo, pump.supply_voltage, 0.0))
+    per_pressure = syringe.counts_per_pressure(demand.least_compliance, *shape)
+    free = float(syringe.speed_left(demand.servo, pump.supply_voltage, 0.0))
     low, high = pump.travel
-    fastest = float(np.max(np.abs(demand.velocity))) * 2 / pump.pinion_diameter
+    speed, torque = (float(np.max(np.abs(v))) for v in (demand.velocity, demand.torque))
     return {
         "stall_pressure_pa_gauge": demand.stall_pressure,
         "steady_pressure_pa_gauge": STEADY_SHARE * demand.stall_pressure,
-        "no_load_flow_m3_s": float(syringe_pump.flow_rate(free, *shape)),
+        "no_load_flow_m3_s": float(syringe.flow_rate(free, *shape)),
         "travel_volume_m3": (high - low) * drive.volume_per_count,
         "volume_per_count_m3": drive.volume_per_count,
-        "counts_per_ml": 1e-6 * syringe_pump.counts_per_volume(*shape),
-        "counts_per_kpa_fast": 1e3 * syringe_pump.counts_per_pressure(fast, *shape),
-        "counts_per_kpa_slow": 1e3 * syringe_pump.counts_per_pressure(slow, *shape),
-        "kpa_per_count_fast": 1e-3 / syringe_pump.counts_per_pressure(fast, *shape),
+        "counts_per_ml": 1e-6 * syringe.counts_per_volume(*shape),
+        "counts_per_kpa_fast": 1e3 * per_pressure,
+        "counts_per_kpa_slow": 1e3 * syringe.counts_per_pressure(slow, *shape),
+        "kpa_per_count_fast": 1e-3 / per_pressure,
         "filled_length_m": drive.filled_at_home,
         "highest_pressure_pa_gauge": float(demand.pressure.max()),
         "lowest_pressure_pa_gauge": float(demand.pressure.min()),
-        "largest_torque_nm": float(np.max(np.abs(demand.torque))),
-        "largest_flow_m3_s": float(np.max(np.abs(demand.velocity))) * drive.area,
-        "largest_current_a": float(np.max(current)),
-        "mean_current_a": _mean_current(demand),
-        "fastest_speed_register": float(syringe_pump.speed_register(fastest)),
+        "largest_torque_nm": torque,
+        "largest_flow_m3_s": speed * drive.area,
+        "largest_current_a": float(np.max(syringe.servo_current(demand.servo, demand.torque))),
+        "mean_current_a": demand.mean_current,
+        "fastest_speed_register": float(syringe.speed_register(speed * 2 / pump.pinion_diameter)),
         "lead_in_s": demand.lead_s,
     }
 
 
-def _network_compliance(demand: Demand) -> float:
+def _network_compliance(demand: PumpDemand) -> float:
     """Of all bellows that an inlet feeds, wall and gas, by the linear law [m3/Pa]."""
     scene = demand.scene
     part = next(c for c in scene.graph.components() if demand.inlet in c.inlets)
@@ -157,52 +152,39 @@ def _network_compliance(demand: Demand) -> float:
     return len(part.bellows) * one / len(part.inlets)
 
 
-AGREED_COUNTS = 0.5
-NEAR_CAP = 0.01
-"""Part of the cap by which it may be passed without a word."""
-
-
-def _notices(scene: Scene, demands: tuple[Demand, ...], achieved: Achieved) -> list[Notice]:
+def _notices(
+    scene: Scene, demands: tuple[PumpDemand, ...], achieved: AchievableMotion
+) -> Iterator[Notice]:
     """What a reader of the plan should hear beside its verdicts."""
-    told = []
     if scene.fluid.is_gas and scene.effects.mode("gas_compressibility") != "on":
         rest = scene.bellows.height * scene.bellows.width * scene.bellows.length
         swing = max(float(np.ptp(d.pressure)) for d in demands)
         missing = len(scene.graph.bellows) * rest * swing / scene.ambient_pressure
-        told.append(
-            Notice(
-                "gas_not_counted",
-                "effects.gas_compressibility is off: the gas in the bellows is taken as "
-                f"incompressible, and up to {1e6 * missing:.3g} mL that the plunger would have to "
-                "move for it are not counted",
-            )
+        yield Notice(
+            "gas_not_counted",
+            "effects.gas_compressibility is off, so the gas in the bellows counts as "
+            f"incompressible: up to {1e6 * missing:.3g} mL that the plunger would have to move "
+            "for its compression are left out",
         )
     if shares_a_network(scene) and demands[0].lead_s > 0.0:
-        told.append(
-            Notice(
-                "shared_start",
-                "several inlets feed one network: what flows from one to the other before t = 0 is "
-                f"that of a lead-in of {demands[0].lead_s:.4g} s",
-            )
+        yield Notice(
+            "shared_start",
+            "several inlets feed one network: the flow between them before t = 0 is that of a "
+            f"lead-in of {demands[0].lead_s:.4g} s",
         )
     for demand in achieved.demands:
         over = float(demand.pressure.max()) - demand.pump.max_pressure
-        if over > NEAR_CAP * demand.pump.max_pressure:
-            told.append(
-                Notice(
-                    "cap_passed",
-                    f"whole counts bring the pressure {over / 1e3:.3g} kPa above the cap for "
-                    "moments: a pump that watches it would stop there",
-                    demand.inlet,
-                    float(demand.time[int(np.argmax(demand.pressure))]),
-                )
+        if over > CAP_REL_TOL * demand.pump.max_pressure:
+            yield Notice(
+                "cap_passed",
+                f"whole counts bring the pressure {over / 1e3:.3g} kPa above the cap for "
+                "moments: a pump that monitors it would stop there",
+                demand.inlet,
+                float(demand.time[int(np.argmax(demand.pressure))]),
             )
-    if achieved.unsettled_counts > AGREED_COUNTS:
-        told.append(
-            Notice(
-                "unsettled",
-                f"after {achieved.sweeps} solutions the achievable motion still changes by "
-                f"{achieved.unsettled_counts:.3g} counts",
-            )
+    if achieved.unsettled_counts > SWEEPS.agreement_counts:
+        yield Notice(
+            "unsettled",
+            f"after {achieved.sweeps} solutions the achievable motion still changes by "
+            f"{achieved.unsettled_counts:.3g} counts",
         )
-    return told

@@ -1,4 +1,4 @@
-"""The pressures that a scene wants, through its own model, as what its pumps are asked."""
+"""The pressures that a scene asks for, through its own model, as what its pumps have to do."""
 
 from __future__ import annotations
 
@@ -9,31 +9,40 @@ from dataclasses import dataclass
 import numpy as np
 
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.pump import syringe as syringe_pump
-from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import Barrel, Line
-from viscodesign.pump.planning.demand import Demand
-from viscodesign.pump.planning.model_runs import Inlets, follow
+from viscodesign.pump.planning.barrel import FeedLine
+from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.model_runs import InletHistory, run_model
 from viscodesign.pump.planning.scene_variants import with_pressures
-from viscodesign.pump.servo_motor import SERVOS
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.scene import Scene
 
-UNHURRIED = 0.5
-"""Part of the speed that is left which a lead-in takes."""
-LEAST_RAMP, LEAST_REST = 1.0, 0.5
-"""Shortest ramp and rest of a lead-in [s]."""
-RAMP_TIMES, REST_TIMES = 2.0, 10.0
-"""The same, in times in which the network settles."""
-NO_PRESSURE = 1.0
-"""Pressure beyond the baseline that needs no lead-in [Pa]."""
-LEAD_SAMPLES = 100
-
-Lines = Mapping[str, Line]
+FeedLines = Mapping[str, FeedLine]
 
 
 @dataclass(frozen=True)
-class Lead:
+class LeadInNumbers:
+    """How gently a pump goes from home to the pressures of the start."""
+
+    speed_share: float = 0.5
+    """Of the speed that is left."""
+    shortest_ramp: float = 1.0
+    """[s]"""
+    shortest_rest: float = 0.5
+    """[s]"""
+    ramp_settling_times: float = 2.0
+    """Ramp over the time in which the network settles."""
+    rest_settling_times: float = 10.0
+    """Rest over the same."""
+    no_pressure: float = 1.0
+    """Pressure beyond the baseline that needs no lead-in [Pa]."""
+    samples: int = 100
+
+
+LEAD_IN = LeadInNumbers()
+
+
+@dataclass(frozen=True)
+class LeadIn:
     """From home to the pressures of the start; L times before the run's own 0."""
 
     time: np.ndarray
@@ -42,25 +51,31 @@ class Lead:
     """(L, P) gauge [Pa]."""
     given: np.ndarray
     """(L, P) [m3 at ambient density]."""
-    lasts: float
+    duration: float
     """Until the run's own 0 [s]."""
+
+    @classmethod
+    def none(cls, run: InletHistory) -> LeadIn:
+        """Nothing before a run."""
+        empty = np.zeros((0, run.pressure.shape[1]))
+        return cls(np.zeros(0), empty, empty, 0.0)
 
 
 @dataclass(frozen=True)
-class Wanted:
+class RequestedMotion:
     """A run of given pressures, with the lead-in before it."""
 
     scene: Scene
-    run: Inlets
-    taken: frozenset[str]
+    run: InletHistory
+    active: frozenset[str]
     """Effects of the model."""
-    lines: Lines
-    lead: Lead
+    lines: FeedLines
+    lead: LeadIn
 
     @property
     def time(self) -> np.ndarray:
         """(T,) from the start of the lead-in [s]."""
-        return np.concatenate([self.lead.time, self.lead.lasts + self.run.time])
+        return np.concatenate([self.lead.time, self.lead.duration + self.run.time])
 
     @property
     def pressure(self) -> np.ndarray:
@@ -84,12 +99,12 @@ class Wanted:
             values[0] = at_home
         return values
 
-    def demands(self, pump: Pump) -> tuple[Demand, ...]:
+    def demands(self, pump: Pump) -> tuple[PumpDemand, ...]:
         """What is asked of a pump at every inlet."""
-        pressure, given = self.pressure, self.given
+        time, pressure, given = self.time, self.pressure, self.given
         return tuple(
-            Demand(
-                self.scene, pump, name, self.lines[name], self.time, self.lead.lasts,
+            PumpDemand(
+                self.scene, pump, name, self.lines[name], time, self.lead.duration,
                 pressure[:, k], given[:, k],
             )
             for k, name in enumerate(self.scene.inputs)
@@ -101,47 +116,37 @@ def shares_a_network(scene: Scene) -> bool:
     return any(len(c.inlets) > 1 for c in scene.graph.components())
 
 
-def no_lead(run: Inlets) -> Lead:
-    """Nothing before a run."""
-    none = np.zeros((0, run.pressure.shape[1]))
-    return Lead(np.zeros(0), none, none, 0.0)
-
-
-def lead_in(scene: Scene, pump: Pump, lines: Lines, run: Inlets, taken: frozenset[str]) -> Lead:
+def lead_in(
+    scene: Scene, pump: Pump, lines: FeedLines, run: InletHistory, active: frozenset[str]
+) -> LeadIn:
     """A ramp of pressure to a run's first, and a rest in which the network settles.
 
     Nothing where the start is the baseline, or where a run starts at rest.
     """
     baseline, start = scene.gauge_pressure, run.pressure[0]
-    if scene.run.start == "rest" or np.max(np.abs(start - baseline)) < NO_PRESSURE:
-        return no_lead(run)
+    if scene.run.start == "rest" or np.max(np.abs(start - baseline)) < LEAD_IN.no_pressure:
+        return LeadIn.none(run)
     settling = SceneQuantities(scene).scales.t_net
-    unhurried = _unhurried(scene, pump, lines, start, run.given[0])
-    ramp = max(LEAST_RAMP, RAMP_TIMES * settling, unhurried)
-    rest = max(LEAST_REST, REST_TIMES * settling)
+    unhurried = _unhurried(scene, pump, lines, run)
+    ramp = max(LEAD_IN.shortest_ramp, LEAD_IN.ramp_settling_times * settling, unhurried)
+    rest = max(LEAD_IN.shortest_rest, LEAD_IN.rest_settling_times * settling)
     ramp, rest = (math.ceil(10 * t) / 10 for t in (ramp, rest))
-    times = np.unique(
-        np.concatenate(
-            [np.linspace(0.0, ramp, LEAD_SAMPLES), np.linspace(ramp, ramp + rest, LEAD_SAMPLES)]
-        )
-    )
+    spans = ((0.0, ramp), (ramp, ramp + rest))
+    times = np.unique(np.concatenate([np.linspace(*span, LEAD_IN.samples) for span in spans]))
     reached = np.minimum(times / ramp, 1.0)[:, None]
-    first = follow(with_pressures(scene, times, baseline + reached * (start - baseline)), taken)
-    return Lead(times[:-1], first.pressure[:-1], first.given[:-1], ramp + rest)
+    ramped = with_pressures(scene, times, baseline + reached * (start - baseline))
+    first = run_model(ramped, active)
+    return LeadIn(times[:-1], first.pressure[:-1], first.given[:-1], ramp + rest)
 
 
-def _unhurried(
-    scene: Scene, pump: Pump, lines: Lines, start: np.ndarray, given: np.ndarray
-) -> float:
+def _unhurried(scene: Scene, pump: Pump, lines: FeedLines, run: InletHistory) -> float:
     """Time for the way from home at a part of the speed that the start's pressure leaves [s]."""
-    servo, drive = SERVOS[pump.servo], Drive(pump)
     longest = 0.0
-    for k, line in enumerate(lines.values()):
-        way = abs(float(Barrel.of(scene, drive, line).position(start[k], given[k])))
-        torque = syringe_pump.shaft_torque(
-            abs(start[k]), pump.syringe_diameter, pump.pinion_diameter, pump.plunger_friction
-        )
-        left = float(syringe_pump.speed_left(servo, pump.supply_voltage, torque))
+    for k, (name, line) in enumerate(lines.items()):
+        start, given = run.pressure[:1, k], run.given[:1, k]
+        demand = PumpDemand(scene, pump, name, line, run.time[:1], 0.0, start, given)
+        left = float(demand.speed_left_at(demand.torque_at(np.abs(start), 1.0))[0])
         if left > 0.0:
-            longest = max(longest, way / (UNHURRIED * left * pump.pinion_diameter / 2))
+            way = abs(float(demand.position[0]))
+            longest = max(longest, way / (LEAD_IN.speed_share * left))
     return longest

@@ -1,4 +1,4 @@
-"""What a plan of a pump's motion leaves behind: courses, verdicts, changes, and two runs.
+"""What a plan of a pump's motion holds: courses, verdicts, changes, and two runs.
 
 Plain data, like a trajectory. Times of the courses begin with the lead-in, those of the
 runs behind it.
@@ -21,13 +21,13 @@ Severity = Literal["ok", "advice", "infeasible"]
 
 
 @dataclass(frozen=True)
-class Change:
+class SuggestedChange:
     """One change that makes a verdict pass, as was tried, and what is left to do after it."""
 
     key: str
     """What it changes: a key of the spec, or "pressure" or "time"."""
     words: str
-    """As in '0.62 times every pressure of the input'."""
+    """As in 'every pressure of the input times 0.62'."""
     settings: tuple[str, ...]
     """For `--set`; none where a table of the spec holds the numbers."""
     leaves: tuple[str, ...]
@@ -38,7 +38,7 @@ class Change:
 
 @dataclass(frozen=True)
 class PumpVerdict:
-    """One limit of a pump, held against what a course asks."""
+    """One limit of a pump, held against what a motion asks."""
 
     name: str
     inlet: str
@@ -52,7 +52,7 @@ class PumpVerdict:
     time_s: float
     """The worst time, lead-in included [s]."""
     message: str
-    changes: tuple[Change, ...] = ()
+    changes: tuple[SuggestedChange, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class PumpCourse:
 
 @dataclass(frozen=True)
 class PumpPlan:
-    """A scene's pressures as plunger motion, what speaks against it, and what would come."""
+    """A scene's pressures as plunger motion, its limits, and what the pump would do instead."""
 
     name: str
     version: str
@@ -108,8 +108,8 @@ class PumpPlan:
     unsettled_counts: float
     """By how much the last two of them differed [counts]."""
     verdicts: tuple[PumpVerdict, ...]
-    together: tuple[Change, ...]
-    """Few changes that make everything feasible, one upon the other; none where there are none."""
+    together: tuple[SuggestedChange, ...]
+    """Few changes that make everything feasible, one upon the other; empty where none do."""
     numbers: Mapping[str, Mapping[str, float]]
     """Inlet -> what the drive is, by names with units."""
     limits: Mapping[str, float]

@@ -15,7 +15,7 @@ from viscodesign.effects.select import catalogue, select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.outputs import Outputs
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import NEARLY_FULL, Barrel, line_at
+from viscodesign.pump.planning.barrel import KEPT_FREE, Barrel, feed_line_at
 from viscodesign.pump.planning.scene_variants import planned, pump_of, with_inputs
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.scene import Scene
@@ -47,7 +47,7 @@ class ActuatorPlant(Plant):
     def __init__(self, scene: Scene) -> None:
         pump, scene = pump_of(scene), planned(scene)
         drive = Drive(pump)
-        self.area, self._longest_way = drive.area, (1 - NEARLY_FULL) * drive.filled_at_home
+        self.area, self._longest_way = drive.area, (1 - KEPT_FREE) * drive.filled_at_home
         names = select_effects(SceneQuantities(scene)).taken
         self.problem, self.effects = _problem(scene, drive, names)
         self.inlets = tuple(scene.inputs)
@@ -142,7 +142,7 @@ def _problem(scene: Scene, drive: Drive, names: frozenset[str]) -> tuple[Problem
     """The scene's equations with plungers at its inlets, at home."""
     still = np.array([0.0, 1.0])
     inputs = {
-        name: Barrel.of(scene, drive, line_at(scene, name, names)).syringe(still, 0.0 * still)
+        name: Barrel(scene, drive, feed_line_at(scene, name, names)).syringe(still, 0.0 * still)
         for name in scene.inputs
     }
     quantities = SceneQuantities(with_inputs(scene, inputs))

@@ -5,17 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from viscodesign.errors import SolveError
-from viscodesign.pump.planning.demand import Demand
-from viscodesign.pump.planning.limits import infeasible, is_passed
-from viscodesign.pump.planning.model_runs import follow
-from viscodesign.pump.planning.requested import Wanted, lead_in, no_lead, shares_a_network
+from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.limits import infeasible, verdict
+from viscodesign.pump.planning.model_runs import run_model
+from viscodesign.pump.planning.requested import (
+    LeadIn,
+    RequestedMotion,
+    lead_in,
+    shares_a_network,
+)
 from viscodesign.pump.planning.scene_variants import ramped, scaled
 from viscodesign.scene.pump import Pump
 from viscodesign.scene.scene import Scene
 
 
 @dataclass(frozen=True)
-class Case:
+class Variation:
     """A scene and its pump, as they are or changed."""
 
     pressure: float = 1.0
@@ -35,49 +40,55 @@ class Aim:
     inlet: str | None
     names: tuple[str, ...]
 
-    def is_met(self, demands: tuple[Demand, ...]) -> bool:
-        """Whether they do."""
+    def is_met(self, demands: tuple[PumpDemand, ...] | None) -> bool:
+        """Whether they do; never where the model could not be run."""
+        if demands is None:
+            return False
         own = [d for d in demands if self.inlet in (None, d.inlet)]
-        return all(is_passed(d, name) for d in own for name in self.names)
+        return all(verdict(d, name).severity == "ok" for d in own for name in self.names)
 
 
 @dataclass
 class Trials:
-    """What was tried of one scene, so that nothing is followed twice."""
+    """What was tried of one scene, so that no model runs twice."""
 
     scene: Scene
-    """As it is followed, with its effects settled."""
-    asked: Wanted
+    """As it is run, with its effects settled."""
+    requested: RequestedMotion
     pump: Pump
-    _followed: dict[tuple[float, ...], Wanted | None] = field(default_factory=dict)
+    _known: dict[tuple[float, ...], RequestedMotion | None] = field(default_factory=dict)
 
-    def demands(self, case: Case) -> tuple[Demand, ...] | None:
-        """What a case asks, through the coupled model; None where it cannot be followed."""
-        pump = case.pump or self.pump
+    def pump_of(self, case: Variation) -> Pump:
+        """The pump of a variation."""
+        return case.pump or self.pump
+
+    def demands(self, case: Variation) -> tuple[PumpDemand, ...] | None:
+        """What a variation asks, through the coupled model; None where that fails."""
         key = (case.pressure, case.time, case.ramp)
         if key == (1.0, 1.0, 0.0):
-            return self.asked.demands(pump)
-        if key not in self._followed:
-            self._followed[key] = self._follow(case, pump)
-        found = self._followed[key]
-        return None if found is None else found.demands(pump)
+            return self.requested.demands(self.pump_of(case))
+        if key not in self._known:
+            self._known[key] = self._run(case)
+        found = self._known[key]
+        return None if found is None else found.demands(self.pump_of(case))
 
-    def _follow(self, case: Case, pump: Pump) -> Wanted | None:
-        scene, taken = scaled(self.scene, pressure=case.pressure, time=case.time), self.asked.taken
+    def _run(self, case: Variation) -> RequestedMotion | None:
+        scene = scaled(self.scene, pressure=case.pressure, time=case.time)
+        active, lines = self.requested.active, self.requested.lines
         if case.ramp:
             scene = ramped(scene, case.ramp)
         try:
-            run = follow(scene, taken)
+            run = run_model(scene, active)
             # A lead-in never hurries; it matters where it tells which inlet gave how much.
-            lead = no_lead(run)
+            lead = LeadIn.none(run)
             if shares_a_network(scene):
-                lead = lead_in(scene, pump, self.asked.lines, run, taken)
+                lead = lead_in(scene, self.pump_of(case), lines, run, active)
         except SolveError:
             return None
-        return Wanted(scene, run, taken, self.asked.lines, lead)
+        return RequestedMotion(scene, run, active, lines, lead)
 
-    def foreseen(self, case: Case) -> tuple[Demand, ...]:
-        """The same without following it: what is taken goes with the pressure."""
+    def estimated(self, case: Variation) -> tuple[PumpDemand, ...]:
+        """The same without a run: what is given goes with the pressure."""
         base = self.scene.gauge_pressure
         return tuple(
             replace(
@@ -86,10 +97,10 @@ class Trials:
                 given=case.pressure * d.given,
                 time=case.time * d.time,
             )
-            for d in self.asked.demands(case.pump or self.pump)
+            for d in self.requested.demands(self.pump_of(case))
         )
 
 
-def left(demands: tuple[Demand, ...]) -> tuple[str, ...]:
-    """Names of all limits that forbid a case."""
-    return tuple(dict.fromkeys(name for d in demands for name in infeasible(d)))
+def remaining(demands: tuple[PumpDemand, ...] | None) -> tuple[str, ...]:
+    """Names of all limits that forbid a variation."""
+    return tuple(dict.fromkeys(name for d in demands or () for name in infeasible(d)))

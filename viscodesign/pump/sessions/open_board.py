@@ -25,6 +25,10 @@ MODEL_NUMBERS = {"ax12a": 12, "ax18a": 18}
 """Of the servos that `pump.servo` names."""
 
 
+HIGHEST_REPORTED_V = 25.5
+"""What the servo's one byte of voltage can say [V]."""
+
+
 def boards() -> dict[str, type[Board]]:
     """Kinds of boards by the word after `--board`."""
     return members("viscodesign.pump.boards", Board)  # type: ignore[type-abstract]
@@ -97,7 +101,7 @@ def simulated_bench(
         SimulatedServo(servo, MODEL_NUMBERS[pump.servo], pump.home) for servo in servo_ids(pump)
     ]
     for servo in servos:
-        servo.supply(pump.supply_voltage)
+        servo.supply(min(pump.supply_voltage, HIGHEST_REPORTED_V))
         servo.set(registers.CW_LIMIT, pump.travel[0])
         servo.set(registers.CCW_LIMIT, pump.travel[1])
     return SimulatedBench(servos, drives, plant or ClosedGas(drives, ambient))

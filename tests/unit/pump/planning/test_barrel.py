@@ -7,16 +7,16 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import Barrel, Line, line_at
+from viscodesign.pump.planning.barrel import Barrel, FeedLine, feed_line_at
 
 AMBIENT = 101325.0
 
 
-def barrel(*words: str, line: Line | None = None, fluid: str = "fluid=air") -> Barrel:
+def barrel(*words: str, line: FeedLine | None = None, fluid: str = "fluid=air") -> Barrel:
     own = ", ".join(("syringe_diameter: 34.9 mm", *words))
     scene = leg(f"pump={{{own}}}", fluid, "temperature=20 degC")
     assert scene.pump is not None
-    return Barrel.of(scene, Drive(scene.pump), line or Line())
+    return Barrel(scene, Drive(scene.pump), line or FeedLine())
 
 
 def test_a_closed_gas_keeps_its_temperature() -> None:
@@ -53,8 +53,8 @@ def test_a_cushion_beside_a_liquid_keeps_its_temperature() -> None:
 
 
 @pytest.mark.parametrize("fluid", ["fluid=air", "fluid=water"])
-@pytest.mark.parametrize("line", [Line(), Line(2e-6, 3e-12, True)])
-def test_position_and_content_are_inverse(fluid: str, line: Line) -> None:
+@pytest.mark.parametrize("line", [FeedLine(), FeedLine(2e-6, 3e-12, True)])
+def test_position_and_content_are_inverse(fluid: str, line: FeedLine) -> None:
     found = barrel("dead_volume: 5 mL", "home: 400", fluid=fluid, line=line)
     pressure, given = np.array([-2e4, 1e4, 4e4]), np.array([-2e-6, 0.0, 8e-6])
     place = found.position(pressure, given)
@@ -73,6 +73,6 @@ def test_the_line_at_an_inlet_is_half_a_tube_of_gas() -> None:
     scene = leg(
         "network.feed_line={length: 1 m, radius: 1.5 mm}", config="leg_16_straight_air_auto"
     )
-    line = line_at(scene, "inlet", frozenset({"gas_compressibility", "tube_compliance"}))
+    line = feed_line_at(scene, "inlet", frozenset({"gas_compressibility", "tube_compliance"}))
     assert line.volume == pytest.approx(np.pi * 1.5e-3**2 / 2)
-    assert line_at(scene, "inlet", frozenset()) == Line()
+    assert feed_line_at(scene, "inlet", frozenset()) == FeedLine()

@@ -6,20 +6,21 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign.pump.planning.barrel import Line
-from viscodesign.pump.planning.demand import Demand
-from viscodesign.pump.planning.limits import JUDGE_OF, infeasible, verdicts
+from viscodesign.pump.planning.barrel import FeedLine
+from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.limits import LIMITS, infeasible, verdicts
+from viscodesign.pump.planning.limits import verdict as held_against
 from viscodesign.pump.planning.result import PumpVerdict
 
 AMBIENT = 101325.0
 
 
-def demand(pressure: list[float], *words: str, seconds: float = 1.0) -> Demand:
+def demand(pressure: list[float], *words: str, seconds: float = 1.0) -> PumpDemand:
     """A pump on nothing but its own barrel: what it asks is in closed form."""
     own = ", ".join(
         (
             "syringe_diameter: 34.9 mm",
-            "supply_voltage: 12 V",
+            *(() if "supply_voltage" in str(words) else ("supply_voltage: 12 V",)),
             *words,
             *(() if "home" in str(words) else ("home: 500",)),
         )
@@ -28,11 +29,11 @@ def demand(pressure: list[float], *words: str, seconds: float = 1.0) -> Demand:
     assert scene.pump is not None
     values = np.array(pressure)
     time = seconds * np.arange(len(values))
-    return Demand(scene, scene.pump, "inlet", Line(), time, 0.0, values, 0 * values)
+    return PumpDemand(scene, scene.pump, "inlet", FeedLine(), time, 0.0, values, 0 * values)
 
 
 def verdict(name: str, *given: object, **more: float) -> PumpVerdict:
-    return JUDGE_OF[name](demand(*given, **more))  # type: ignore[arg-type]
+    return held_against(demand(*given, **more), name)  # type: ignore[arg-type]
 
 
 def test_140_kpa_gauge_takes_more_than_the_stall() -> None:
@@ -118,6 +119,18 @@ def test_counts_may_fall_as_the_plunger_goes_in() -> None:
 
 def test_every_limit_has_a_name_and_a_sentence() -> None:
     found = verdicts(demand([0, 10e3, 0]))
-    assert [v.name for v in found] == list(JUDGE_OF)
+    assert [v.name for v in found] == list(LIMITS)
     assert all(v.message and np.isfinite(v.ratio) for v in found)
     assert not infeasible(demand([0, 10e3, 0]))
+
+
+@pytest.mark.parametrize("volts", ["8.9 V", "12.1 V", "25.6 V", "230 V"])
+def test_a_supply_outside_the_servos_range_is_infeasible(volts: str) -> None:
+    found = held_against(demand([0, 10e3], f"supply_voltage: {volts}"), "voltage")
+    assert found.severity == "infeasible"
+    assert "AX-18A is made for 9 to 12 V" in found.message
+
+
+def test_a_battery_that_does_not_last_to_the_end_is_infeasible() -> None:
+    found = held_against(demand([0, 10e3, 10e3], "battery_capacity: 1e-6 A*h"), "battery")
+    assert found.severity == "infeasible"

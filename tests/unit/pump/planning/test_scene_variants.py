@@ -84,3 +84,9 @@ def test_what_cannot_be_planned(config: str, words: tuple[str, ...], message: st
     with pytest.raises(SpecError) as refused:
         pump_of(leg(*words, config=config))
     assert re.search(message, str(refused.value), re.DOTALL)
+
+
+@pytest.mark.parametrize("part", ["syringe_stroke: 30 mm", "pinion_diameter: 120 mm"])
+def test_a_travel_that_empties_the_barrel_is_refused_with_what_to_do(part: str) -> None:
+    with pytest.raises(SpecError, match=r"pump.syringe_stroke: .* draws the plunger out by"):
+        pump_of(leg(f"pump={{syringe_diameter: 34.9 mm, home: 500, {part}}}"))

@@ -63,3 +63,9 @@ def test_a_board_on_a_port(tmp_path: Path) -> None:
     text = (tmp_path / "log.jsonl").read_text()
     assert '"kind": "opened"' in text
     assert "ff ff 01 04 02 00 03" in text
+
+
+def test_a_supply_that_no_servo_could_report_is_no_crash() -> None:
+    board = open_board("simulated", None, None, NO_LOG, stepped(), pump(supply_voltage=230.0))
+    assert board.identify().startswith("simulated")
+    board.line.close()
