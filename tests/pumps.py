@@ -10,14 +10,14 @@ from viscodesign.pump.drive import Drive
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.plant import ClosedGas, Plant
 from viscodesign.pump.simulated.servo import SimulatedServo
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 
 HOME = 200
 
 
-def pump(**settings: Any) -> Pump:
+def pump(**settings: Any) -> PumpSpec:
     given = {"syringe_diameter": 0.0349, "home": HOME, "sensor": {"channel": 0}}
-    return Pump.model_validate(given | settings)
+    return PumpSpec.model_validate(given | settings)
 
 
 def bench(*ids: int, plant: Plant | None = None, **settings: Any) -> SimulatedBench:

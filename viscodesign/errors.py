@@ -1,20 +1,22 @@
-"""What can go wrong, each with its exit code; a message says where, what and what to do."""
+"""Errors with their exit codes; a message says where, what was given and what to do."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import difflib
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 
 class ViscodesignError(Exception):
-    """Base of every error that a user is told of."""
+    """Base of every error that is reported to the user."""
 
     exit_code = 1
 
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing wrong with a spec."""
+    """One error in a spec, and where it is."""
 
     message: str
     key: str = ""
@@ -28,19 +30,19 @@ class Fault:
         return ": ".join(_abridged(part) for part in (place, self.key, self.message) if part)
 
 
-LONGEST = 600
-"""Characters of a place, a key or a message: whatever a spec holds, a message can be read."""
+MAX_PART_LENGTH = 600
+"""Characters of a file name, key or message that are printed: any spec gives a readable message."""
 
 
 def _abridged(text: str) -> str:
-    """A text without its middle, where that makes it too long to read."""
-    if len(text) <= LONGEST:
+    """A text without its middle if it is too long to read."""
+    if len(text) <= MAX_PART_LENGTH:
         return text
-    return f"{text[: LONGEST // 2]} [...] {text[-LONGEST // 4 :]}"
+    return f"{text[: MAX_PART_LENGTH // 2]} [...] {text[-MAX_PART_LENGTH // 4 :]}"
 
 
-MOST_TOLD = 60
-"""Faults that a message lists; what has more is no slip but another file."""
+MAX_LISTED_FAULTS = 60
+"""Faults that a message lists; a file with more is not a spec with typos."""
 
 
 class SpecError(ViscodesignError):
@@ -50,25 +52,25 @@ class SpecError(ViscodesignError):
 
     def __init__(self, faults: Sequence[Fault]) -> None:
         self.faults = list(faults)
-        told = [str(fault) for fault in self.faults[:MOST_TOLD]]
-        if len(self.faults) > MOST_TOLD:
-            told.append(f"and {len(self.faults) - MOST_TOLD} faults more")
-        super().__init__("\n".join(told))
+        lines = [str(fault) for fault in self.faults[:MAX_LISTED_FAULTS]]
+        if len(self.faults) > MAX_LISTED_FAULTS:
+            lines.append(f"and {len(self.faults) - MAX_LISTED_FAULTS} more errors")
+        super().__init__("\n".join(lines))
 
     @classmethod
     def plain(cls, message: str) -> SpecError:
-        """A fault of the scene as a whole, found after its file was read."""
+        """An error of the scene as a whole, found after its file was read."""
         return cls([Fault(message)])
 
 
 class UsageError(ViscodesignError):
-    """A command asked for something that cannot be done, such as writing into a file."""
+    """A command cannot be carried out as given, such as writing into an existing file."""
 
     exit_code = 2
 
 
 class SolveError(ViscodesignError):
-    """The solver cannot go on: which quantity, where, when, and what to change."""
+    """The solver cannot continue: which quantity, where, when, and what to change."""
 
     exit_code = 3
 
@@ -91,12 +93,38 @@ class SolveError(ViscodesignError):
 
 
 class PumpError(ViscodesignError):
-    """The pump or its port."""
+    """The pump or its serial port failed."""
 
     exit_code = 4
 
 
 class InterruptedRunError(ViscodesignError):
-    """The user stopped the work; what was computed is kept."""
+    """The user interrupted; partial results are kept."""
 
     exit_code = 130
+
+
+def described(given: Any) -> str:
+    """A given value in words, short enough for a message."""
+    if given is None:
+        return "nothing"
+    if isinstance(given, bool):
+        return "on (or true)" if given else "off (or false)"
+    if isinstance(given, dict):
+        return "a mapping"
+    if isinstance(given, (list, tuple)):
+        return "a list"
+    text = repr(given)
+    return text if len(text) < 60 else text[:57] + "..."
+
+
+def did_you_mean(word: Any, known: Iterable[str]) -> str:
+    """'; did you mean 'x'?' for the closest known word, or nothing."""
+    close = difflib.get_close_matches(str(word), list(known), n=1, cutoff=0.6)
+    return f"; did you mean '{close[0]}'?" if close else ""
+
+
+def not_among(given: Any, known: Iterable[str]) -> str:
+    """The message for a value that is none of the known words."""
+    words = list(known)
+    return f"must be one of {', '.join(words)}; got {described(given)}{did_you_mean(given, words)}"

@@ -28,7 +28,7 @@ from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.open_board import simulated_bench
 from viscodesign.pump.simulated.direct_line import DirectLine
-from viscodesign.scene.pump import Pump as Settings
+from viscodesign.scene.pump import PumpSpec as Settings
 
 CAP = 25e3
 """Gauge [Pa]."""

@@ -75,7 +75,7 @@ def _dump_any(whole: Any) -> bytes:
 
 
 class _Plain(yaml.SafeDumper):
-    """Writes a thing that stands twice twice."""
+    """Writes a thing that duplicate key, first defined on line twice."""
 
     def ignore_aliases(self, data: Any) -> bool:
         return True

@@ -15,7 +15,7 @@ from viscodesign import Trajectory, simulate
 from viscodesign.errors import SpecError
 from viscodesign.postprocess.outputs import MARGIN, read_outputs
 from viscodesign.report.run_folder import write_run
-from viscodesign.scene.run import MOST_SHAPES
+from viscodesign.scene.run import MAX_SHAPES
 
 ONE_WAY = "effects={pressure_distribution: on, others: off}"
 UNIFORM = "effects=off"
@@ -115,9 +115,9 @@ def test_shapes_of_a_long_run_are_thinned_and_that_is_told() -> None:
 
 
 def test_the_usual_run_keeps_every_shape() -> None:
-    assert leg("run={duration: 400 s}").run.shapes_apart == 1
-    assert leg("run={duration: 1e5 s}").run.shapes_apart == 5_000_000 // MOST_SHAPES
-    assert leg("run={duration: 1e5 s, shape_every: 1}").run.shapes_apart == 1
+    assert leg("run={duration: 400 s}").run.shape_stride == 1
+    assert leg("run={duration: 1e5 s}").run.shape_stride == 5_000_000 // MAX_SHAPES
+    assert leg("run={duration: 1e5 s, shape_every: 1}").run.shape_stride == 1
 
 
 def test_more_corners_than_steps_are_refused_before_anything_is_solved() -> None:

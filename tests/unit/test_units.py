@@ -14,7 +14,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from tests.scenes import CONFIGS, ROOT
 from viscodesign import units
-from viscodesign.units import Kind, every_unit, registry
+from viscodesign.units import QuantityKind, all_units_registry, common_units_registry
 
 LENGTH = TypeAdapter(units.Length)
 
@@ -57,16 +57,16 @@ def test_reads_to_the_last_digit(kind: object, text: object, expected: float) ->
      float("inf"), "5 degC", "1e400 mm", "__import__('os')", "5 mm; 3", "(" * 500],
 )  # fmt: skip
 def test_refuses_what_is_no_length(text: object) -> None:
-    with pytest.raises(ValidationError, match="length is wanted"):
+    with pytest.raises(ValidationError, match="expected a length"):
         LENGTH.validate_python(text)
 
 
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("37.5 kg", "'37.5 kg' is a mass; a length is wanted, like '37.5 mm'"),
-        ("3 furlongz", "no unit is called 'furlongz'"),
-        ("1 dB", "'1 dB' is in a unit that is not read here; a length is wanted"),
+        ("37.5 kg", "'37.5 kg' is a mass; expected a length, such as '37.5 mm'"),
+        ("3 furlongz", "unknown unit 'furlongz'"),
+        ("1 dB", "'1 dB' has an unsupported unit; expected a length"),
         ("mm", "has no number"),
         ("yes", "has no number"),
         ("0,325 mm", "not a number with a unit"),
@@ -80,7 +80,7 @@ def test_says_what_was_given_and_what_is_wanted(text: object, words: str) -> Non
     assert words in str(caught.value)
 
 
-def kinds() -> dict[str, Kind]:
+def kinds() -> dict[str, QuantityKind]:
     found = {name: getattr(alias, "__metadata__", ()) for name, alias in vars(units).items()}
     return {name: notes[0] for name, notes in found.items() if notes and name[0].isupper()}
 
@@ -106,10 +106,10 @@ def test_the_common_units_are_those_of_the_whole_list() -> None:
     compared = 0
     for text in (prefix + name for prefix in prefixes for name in names):
         try:
-            common = registry().Quantity(1, text).to_root_units()
+            common = common_units_registry().Quantity(1, text).to_root_units()
         except (pint.UndefinedUnitError, pint.OffsetUnitCalculusError):
             continue  # then the whole list is asked, or refuses as well
-        whole = every_unit().Quantity(1, text).to_root_units()
+        whole = all_units_registry().Quantity(1, text).to_root_units()
         assert str(common.units) == str(whole.units), text
         assert float(common.magnitude) == pytest.approx(float(whole.magnitude), rel=1e-15), text
         compared += 1
@@ -129,7 +129,7 @@ def test_reading_a_spec_loads_nothing_heavy() -> None:
         "heavy = {'pint', 'casadi', 'scipy', 'pandas', 'matplotlib', 'chemicals', 'CoolProp'}\n"
         "assert not heavy & set(sys.modules), heavy & set(sys.modules)\n"
         f"load.load_scene({str(CONFIGS / 'leg_16_straight_air.yaml')!r})\n"
-        "from viscodesign.units import every_unit\n"
-        "assert not every_unit.cache_info().currsize, 'the slow registry was built'\n"
+        "from viscodesign.units import all_units_registry\n"
+        "assert not all_units_registry.cache_info().currsize, 'the slow common_units_registry was built'\n"
     )
     subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)

@@ -81,10 +81,10 @@ def _time(option: str, text: str) -> float:
     """A time [s] that is given to an option, above zero."""
     from pydantic_core import PydanticCustomError
 
-    from viscodesign.units import Kind
+    from viscodesign.units import QuantityKind
 
     try:
-        value = Kind("time", "s", "20 ms").parse(text)
+        value = QuantityKind("time", "s", "20 ms").parse(text)
     except PydanticCustomError as error:
         raise UsageError(f"{option}: {error.message()}") from error
     if value <= 0.0:

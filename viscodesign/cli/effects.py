@@ -49,8 +49,7 @@ def command(
 
 
 def _found(name: str, known: Mapping[str, type[Effect]]) -> type[Effect]:
-    from viscodesign.errors import UsageError
-    from viscodesign.scene.section import did_you_mean
+    from viscodesign.errors import UsageError, did_you_mean
 
     if name not in known:
         hint = did_you_mean(name, known) or "."

@@ -15,7 +15,7 @@ from viscodesign.model.graph import Component, Graph
 from viscodesign.model.rod import Body
 from viscodesign.physics import beam, bellow, gas, timescales, tube
 from viscodesign.results.findings import Scales
-from viscodesign.scene.inputs.syringe import Syringe
+from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 
 
@@ -152,10 +152,10 @@ class SceneQuantities:
         return 1 / (barrels + len(part.bellows) * self.bellow.compliance)
 
     @cached_property
-    def barrels(self) -> dict[str, Syringe]:
+    def barrels(self) -> dict[str, SyringeInput]:
         """Inlets that a plunger drives."""
         inputs = self.scene.inputs.items()
-        return {name: source for name, source in inputs if isinstance(source, Syringe)}
+        return {name: source for name, source in inputs if isinstance(source, SyringeInput)}
 
     def barrel_compliance(self, name: str) -> float:
         """Volume per pressure of the fluid in a barrel at its start [m3/Pa]."""

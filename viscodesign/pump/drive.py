@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 
 COUNTS_PER_TURN = 1024 * 360.0 / 300.0
 """The servo's 1024 counts span 300 degrees (e-manual of AX-12A and AX-18A, Goal Position)."""
@@ -15,7 +15,7 @@ COUNTS_PER_TURN = 1024 * 360.0 / 300.0
 class Drive:
     """One plunger; positions are pushed in from home, positive towards the outlet."""
 
-    pump: Pump
+    pump: PumpSpec
 
     @property
     def area(self) -> float:

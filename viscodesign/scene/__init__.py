@@ -1,1 +1,1 @@
-"""The scene: what a spec says, validated, in SI."""
+"""The scene: a validated spec in SI units."""

@@ -1,7 +1,6 @@
-"""Faults that no part of a spec shows alone: where its parts do not agree.
+"""Faults between parts of a spec that are valid by themselves.
 
-Each check takes what it compares; a part that is at fault itself is absent, and what
-needs it waits until it is put right.
+Each check takes the fields that it compares; checks of an invalid field are left out.
 """
 
 from __future__ import annotations
@@ -12,33 +11,34 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
+from viscodesign.errors import did_you_mean
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import Network
-from viscodesign.scene.pump import Pump
-from viscodesign.scene.section import Complaint, complaints_of, did_you_mean
+from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.spec_part import KeyFault, faults_of
 
-MOST_PERIODS = 250_000
+MAX_PERIODS = 250_000
 SINGLE_INLET = "inlet"
 PUMP_PARTS = {
     "servo_id": "servo",
     "sensor": "pressure sensor",
     "limit_switches": "limit switches",
 }
-"""Keys of the pump that may be given by inlet."""
+"""Keys of the pump that may be given per inlet, and what they describe."""
 
 Fields = Mapping[tuple[str, str | None], Any]
-"""Valid fields by the names of their class and of themselves."""
+"""Valid fields by (class name, field name)."""
 
 
-def disagreements(valid: Fields) -> Iterator[Complaint]:
-    """What is wrong between the fields that are right by themselves."""
+def cross_check(valid: Fields) -> Iterator[KeyFault]:
+    """All faults between the valid fields."""
     yield from _fluid(valid)
     yield from _inputs(valid)
 
 
-def _inputs(valid: Fields) -> Iterator[Complaint]:
-    """What hangs on the inlets: their names and periods, the network, the servos."""
+def _inputs(valid: Fields) -> Iterator[KeyFault]:
+    """Everything that depends on the inlets: names, periods, network, servos."""
     if ("Scene", "input") not in valid or ("Scene", "several_inputs") not in valid:
         return
     single, several = valid["Scene", "input"], valid["Scene", "several_inputs"]
@@ -47,18 +47,18 @@ def _inputs(valid: Fields) -> Iterator[Complaint]:
         return
     inputs: Mapping[str, Input] = several if several is not None else {SINGLE_INLET: single}
     yield from _inlet_names(inputs)
-    if ("Run", "duration") in valid:
-        yield from _periods(inputs, valid["Run", "duration"], several is None)
+    if ("RunSettings", "duration") in valid:
+        yield from _periods(inputs, valid["RunSettings", "duration"], several is None)
     if ("Scene", "network") in valid and ("Bellows", "count") in valid:
         yield from _graph(valid["Scene", "network"], valid["Bellows", "count"], inputs)
     if ("Scene", "fluid_choice") in valid:
-        yield from _barrels(valid["Scene", "fluid_choice"], inputs, several is None)
+        yield from _syringe_fluids(valid["Scene", "fluid_choice"], inputs, several is None)
     if ("Scene", "pump") in valid:
         yield from _pump_parts(valid["Scene", "pump"], inputs)
 
 
-def _fluid(valid: Fields) -> Iterator[Complaint]:
-    """A named fluid whose properties are not known at the scene's temperature and pressure."""
+def _fluid(valid: Fields) -> Iterator[KeyFault]:
+    """A named fluid whose properties are unknown at the scene's temperature and pressure."""
     names = ("fluid_choice", "temperature", "ambient_pressure")
     if any(("Scene", name) not in valid for name in names):
         return
@@ -66,66 +66,72 @@ def _fluid(valid: Fields) -> Iterator[Complaint]:
     try:
         fluid.properties(valid["Scene", "temperature"], valid["Scene", "ambient_pressure"])
     except PydanticCustomError as error:
-        for found in complaints_of(error):
+        for found in faults_of(error):
             is_own = found.path != ("temperature",)
             yield found._replace(path=("fluid", *found.path)) if is_own else found
 
 
-def _choice_of_inputs(single: Any, several: Any) -> Iterator[Complaint]:
+def _choice_of_inputs(single: Any, several: Any) -> Iterator[KeyFault]:
     if single is not None and several is not None:
-        yield Complaint(("input",), "given together with 'inputs'; give one of them")
+        yield KeyFault(("input",), "given together with 'inputs'; give only one of them")
     if single is None and several is None:
-        yield Complaint(("input",), "missing; give 'input', or 'inputs' for several inlets")
+        yield KeyFault(("input",), "missing; give 'input', or 'inputs' for several inlets")
     if several is not None and not several:
-        yield Complaint(("inputs",), "empty; at least one inlet needs an input")
+        yield KeyFault(("inputs",), "empty; at least one inlet needs an input")
 
 
-def _inlet_names(inputs: Mapping[str, Input]) -> Iterator[Complaint]:
+def _inlet_names(inputs: Mapping[str, Input]) -> Iterator[KeyFault]:
     for name in inputs:
         if re.fullmatch(r"[RLrl]\d+", name):
-            yield Complaint(("inputs", name), "an inlet cannot be called like a bellow")
+            yield KeyFault(("inputs", name), "an inlet cannot have the name of a bellow")
         elif not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name):
-            yield Complaint(
+            yield KeyFault(
                 ("inputs", name),
-                "no name for an inlet; use letters, digits and '_', a letter first",
+                "not a valid inlet name; use letters, digits and '_', starting with a letter",
             )
 
 
-def _periods(inputs: Mapping[str, Input], duration: float, is_single: bool) -> Iterator[Complaint]:
+def _periods(inputs: Mapping[str, Input], duration: float, is_single: bool) -> Iterator[KeyFault]:
     for name, source in inputs.items():
-        if source.period is not None and duration / source.period > MOST_PERIODS:
-            yield Complaint(
+        if source.period is not None and duration / source.period > MAX_PERIODS:
+            yield KeyFault(
                 ("input",) if is_single else ("inputs", name),
                 f"{duration / source.period:.3g} periods in {duration:g} s; at most "
-                f"{MOST_PERIODS} are allowed. Use a run.duration of "
-                f"{MOST_PERIODS * source.period:.3g} s or less; a cycle that repeats itself is "
-                "known long before",
+                f"{MAX_PERIODS} are allowed. Use a run.duration of "
+                f"{MAX_PERIODS * source.period:.3g} s or less; the response is periodic long "
+                "before that",
             )
 
 
-def _graph(network: Network, count: int, inputs: Mapping[str, Input]) -> Iterator[Complaint]:
+def _graph(network: Network, count: int, inputs: Mapping[str, Input]) -> Iterator[KeyFault]:
     try:
         network.graph(count, tuple(inputs))
     except PydanticCustomError as error:
-        yield from (c._replace(path=("network", *c.path)) for c in complaints_of(error))
+        yield from (c._replace(path=("network", *c.path)) for c in faults_of(error))
 
 
-def _barrels(fluid: Fluid, inputs: Mapping[str, Input], is_single: bool) -> Iterator[Complaint]:
-    """A plunger needs a fluid that yields: its stiffness makes the pressure."""
-    yields = fluid.gas_constant or fluid.bulk_modulus
+def _syringe_fluids(
+    fluid: Fluid, inputs: Mapping[str, Input], is_single: bool
+) -> Iterator[KeyFault]:
+    """A syringe needs a compressible fluid, whose stiffness determines the pressure."""
+    is_compressible = fluid.gas_constant or fluid.bulk_modulus
     own = fluid.viscosity is not None
     for name, source in inputs.items():
-        if not source.gives_pressure and not yields and (own or not fluid.library_knows_stiffness):
-            yield Complaint(
+        if (
+            not source.gives_pressure
+            and not is_compressible
+            and (own or not fluid.library_knows_stiffness)
+        ):
+            yield KeyFault(
                 ("input",) if is_single else ("inputs", name),
-                f"a syringe drives {fluid.name}, whose stiffness is not known; state viscosity, "
-                "density and gas_constant or bulk_modulus under fluid",
+                f"a syringe needs the stiffness of {fluid.name}, which is unknown; give viscosity, "
+                "density and gas_constant or bulk_modulus under 'fluid'",
             )
 
 
-def _pump_parts(pump: Pump | None, inputs: Mapping[str, Input]) -> Iterator[Complaint]:
-    """What the pump has for each inlet: for every one, and for no other."""
-    for key, what in PUMP_PARTS.items():
+def _pump_parts(pump: PumpSpec | None, inputs: Mapping[str, Input]) -> Iterator[KeyFault]:
+    """Parts of the pump per inlet: one for each inlet and no others."""
+    for key, description in PUMP_PARTS.items():
         parts = getattr(pump, key, None)
         if not isinstance(parts, Mapping):
             continue
@@ -133,7 +139,7 @@ def _pump_parts(pump: Pump | None, inputs: Mapping[str, Input]) -> Iterator[Comp
         for name in parts:
             if name not in inputs:
                 message = f"no such inlet{did_you_mean(name, inputs)}; the inlets are {known}"
-                yield Complaint(("pump", key, name), message)
+                yield KeyFault(("pump", key, name), message)
         for name in inputs:
             if name not in parts:
-                yield Complaint(("pump", key), f"the inlet '{name}' has no {what}")
+                yield KeyFault(("pump", key), f"the inlet '{name}' has no {description}")

@@ -1,4 +1,4 @@
-"""`input:` one of the kinds in `inputs/`, told by `kind`."""
+"""`input:` one of the kinds in `inputs/`, chosen by `kind`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`loads:` what acts on the rod from outside."""
+"""`loads:` external loads on the rod."""
 
 from __future__ import annotations
 
@@ -6,43 +6,44 @@ from typing import Any
 
 from pydantic import Field, field_validator
 
-from viscodesign.scene.section import Part, did_you_mean, refuse, switch
+from viscodesign.errors import not_among
+from viscodesign.scene.spec_part import SpecPart, invalid, switch
 from viscodesign.units import Acceleration, Angle, Force, Mass
 
 STANDARD_GRAVITY = 9.80665
 
 
-class Gravity(Part):
-    """Gravity in the plane of motion; `tilt` turns it from +z towards +x."""
+class GravityLoad(SpecPart):
+    """Gravity in the plane of motion; `tilt` rotates it from +z towards +x."""
 
-    acceleration: Acceleration = Field(STANDARD_GRAVITY, ge=0, description="Its size")
+    acceleration: Acceleration = Field(
+        STANDARD_GRAVITY, ge=0, description="Gravitational acceleration"
+    )
     tilt: Angle = Field(
-        0.0, description="From the clamped axis: 0 hangs, 90 deg is a horizontal actuator"
+        0.0,
+        description="Angle to the clamped axis: 0 for a hanging, 90 deg for a horizontal actuator",
     )
 
 
-class TipForce(Part):
+class TipForce(SpecPart):
     """A dead force on the tip."""
 
     x: Force = Field(0.0, description="To the right")
     z: Force = Field(0.0, description="Away from the clamp")
 
 
-class Loads(Part):
-    """Gravity, a force on the tip, and a mass carried there."""
+class Loads(SpecPart):
+    """Gravity, a force on the tip and a payload."""
 
-    gravity: Gravity | None = Field(None, description="off, on, or {acceleration, tilt}")
+    gravity: GravityLoad | None = Field(None, description="off, on, or {acceleration, tilt}")
     tip_force: TipForce = Field(default_factory=TipForce)
-    payload: Mass = Field(0.0, ge=0, description="Mass carried at the tip")
+    payload: Mass = Field(0.0, ge=0, description="Mass at the tip")
 
     @field_validator("gravity", mode="before")
     @classmethod
     def _switch(cls, given: Any) -> Any:
-        if isinstance(given, (dict, Gravity)) or given is None:
+        if isinstance(given, (dict, GravityLoad)) or given is None:
             return given
         if isinstance(switched := switch(given), bool):
             return {} if switched else None
-        raise refuse(
-            f"{given!r} is given; allowed are off, on or a mapping of acceleration, tilt"
-            + (did_you_mean(given, ("off", "on")) if isinstance(given, str) else "")
-        )
+        raise invalid(not_among(given, ("off", "on")) + "; or give a mapping of acceleration, tilt")

@@ -1,4 +1,4 @@
-"""`network:` which bellow is joined to which, and by what tube."""
+"""`network:` the tubes that connect the bellows."""
 
 from __future__ import annotations
 
@@ -17,105 +17,110 @@ from viscodesign.scene.network_faults import (
     island_faults,
     node_faults,
 )
-from viscodesign.scene.section import Complaint, Part, refuse, refuse_any, refuse_at
+from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
 from viscodesign.units import Fraction, Length, Pressure
 
-MOST_TUBES = 20_000
+MAX_TUBES = 20_000
 
 
-class TubeChange(Part):
-    """What is different about one tube of a named layout."""
+class TubeChange(SpecPart):
+    """Changed dimensions of one tube of a named layout."""
 
     length: Length | None = Field(None, gt=0)
     radius: Length | None = Field(None, gt=0)
 
 
-class TubeEntry(Part):
+class TubeEntry(SpecPart):
     """One tube of a custom layout."""
 
     start: str = Field(alias="from", min_length=1, description="Node at its first end")
     end: str = Field(alias="to", min_length=1, description="Node at its second end")
-    length: Length | None = Field(None, gt=0, description="Else network.tube_length")
-    radius: Length | None = Field(None, gt=0, description="Else network.tube_radius")
+    length: Length | None = Field(None, gt=0, description="Default: network.tube_length")
+    radius: Length | None = Field(None, gt=0, description="Default: network.tube_radius")
 
 
-class TubeWall(Part):
-    """The wall of all tubes, where it is soft enough to give way."""
+class TubeWall(SpecPart):
+    """The elastic wall of all tubes."""
 
     youngs_modulus: Pressure = Field(gt=0, description="Young's modulus of the tubes")
-    thickness: Length = Field(gt=0, description="Thickness of their wall")
+    thickness: Length = Field(gt=0, description="Wall thickness")
     poissons_ratio: Fraction = Field(0.5, ge=0, le=0.5, description="Poisson's ratio")
 
 
-class FeedLine(Part):
-    """One more tube between each inlet and the network: from the pump to the actuator."""
+class FeedLine(SpecPart):
+    """A tube from the pump to each inlet of the actuator."""
 
     length: Length = Field(gt=0, description="Length of the line")
     radius: Length = Field(gt=0, description="Inner radius of the line")
 
 
-class Network(Part):
-    """A named chain with single changes, or any graph."""
+class Network(SpecPart):
+    """A named chain with changes to single tubes, or any graph."""
 
     layout: Literal["straight", "crossed", "custom"]
     tube_radius: Length | None = Field(None, gt=0, description="Inner radius of the tubes")
     tube_length: Length | None = Field(None, gt=0, description="Length of each tube")
     changes: dict[str, TubeChange] = Field(
-        default_factory=dict, description="Single tubes of a named layout, as 'R1-R2'"
+        default_factory=dict, description="Changed tubes of a named layout, such as 'R1-R2'"
     )
     tubes: tuple[TubeEntry, ...] | None = Field(None, description="All tubes of a custom layout")
-    feed_line: FeedLine | None = Field(None, description="From the pump to the actuator")
-    tube_wall: TubeWall | None = Field(None, description="Soft wall of the tubes")
+    feed_line: FeedLine | None = Field(None, description="Tube from the pump to each inlet")
+    tube_wall: TubeWall | None = Field(None, description="Elastic wall of the tubes")
     entrance_loss: Fraction = Field(
-        0.5, ge=0, le=10, description="Loss at a tube's entrance, in dynamic pressures"
+        0.5, ge=0, le=10, description="Entrance loss of a tube, in dynamic pressures"
     )
     exit_loss: Fraction = Field(
-        1.0, ge=0, le=10, description="Loss at a tube's exit, in dynamic pressures"
+        1.0, ge=0, le=10, description="Exit loss of a tube, in dynamic pressures"
     )
 
     @model_validator(mode="after")
-    def _layout_has_what_it_needs(self) -> Network:
-        refuse_any(self._custom_faults() if self.layout == "custom" else self._chain_faults())
+    def _check_layout(self) -> Network:
+        raise_faults(self._custom_faults() if self.layout == "custom" else self._chain_faults())
         return self
 
-    def _custom_faults(self) -> Iterator[Complaint]:
+    def _custom_faults(self) -> Iterator[KeyFault]:
         if self.tubes is None:
-            yield Complaint(("tubes",), "missing; a custom layout lists its tubes")
+            yield KeyFault(("tubes",), "missing; a custom layout needs a list of tubes")
         if self.changes:
-            yield Complaint(("changes",), "given, but only named layouts have changes")
-        if len(self.tubes or ()) > MOST_TUBES:
+            yield KeyFault(
+                ("changes",), "given, but a custom layout has no changes; edit its tubes"
+            )
+        if len(self.tubes or ()) > MAX_TUBES:
             count = len(self.tubes or ())
-            yield Complaint(("tubes",), f"{count} tubes; at most {MOST_TUBES} are allowed")
+            yield KeyFault(("tubes",), f"{count} tubes; at most {MAX_TUBES} are allowed")
         for k, tube in enumerate(self.tubes or ()):
             for own, shared in (("length", "tube_length"), ("radius", "tube_radius")):
                 if getattr(tube, own) is None and getattr(self, shared) is None:
-                    yield Complaint(
+                    yield KeyFault(
                         ("tubes", str(k), own),
-                        f"missing, and there is no network.{shared} to fall back on; "
-                        "a length is wanted, like '37.5 mm'",
+                        f"missing, and network.{shared} is not given either; "
+                        "expected a length, such as '37.5 mm'",
                     )
 
-    def _chain_faults(self) -> Iterator[Complaint]:
+    def _chain_faults(self) -> Iterator[KeyFault]:
         if self.tubes is not None:
-            yield Complaint(
-                ("tubes",), f"given, but the layout is {self.layout}; use 'custom' or 'changes'"
+            yield KeyFault(
+                ("tubes",),
+                f"given, but the layout is {self.layout}; use layout 'custom' or 'changes'",
             )
         for key in ("tube_radius", "tube_length"):
             if getattr(self, key) is None:
-                yield Complaint((key,), "missing; a length is wanted, like '37.5 mm'")
+                yield KeyFault((key,), "missing; expected a length, such as '37.5 mm'")
 
     def graph(self, count: int, inlets: tuple[str, ...]) -> Graph:
-        """The network of ``count`` bellows; faults name their nodes and tubes."""
+        """The network of ``count`` bellows; raises faults by node and tube."""
         make = _custom_graph if self.layout == "custom" else _chain_graph
         graph = make(self, count // 2, inlets)
         return graph if self.feed_line is None else _with_feed_lines(graph, self.feed_line)
 
 
 def _with_feed_lines(graph: Graph, line: FeedLine) -> Graph:
-    """A junction behind every inlet, to which the inlet's tubes move."""
+    """The graph with a feed line and a junction between each inlet and its tubes."""
     joints = {name: "feed" if len(graph.inlets) == 1 else f"feed_{name}" for name in graph.inlets}
     if taken := sorted(set(joints.values()) & set(graph.nodes)):
-        raise refuse_at("feed_line", f"the network has a node {taken[0]} already; rename it")
+        raise invalid_at(
+            "feed_line", f"the network already has a node named '{taken[0]}'; rename it"
+        )
     moved = [
         replace(t, start=joints.get(t.start, t.start), end=joints.get(t.end, t.end))
         for t in graph.tubes
@@ -129,10 +134,10 @@ def _with_feed_lines(graph: Graph, line: FeedLine) -> Graph:
 
 
 def _chain_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> Graph:
-    refuse_any(chain_faults(network.layout, sections, inlets))
+    raise_faults(chain_faults(network.layout, sections, inlets))
     order = straight_order if network.layout == "straight" else crossed_order
     nodes = [inlets[0], *order(sections)]
-    refuse_any(change_faults(network.layout, network.changes, nodes))
+    raise_faults(change_faults(network.layout, network.changes, nodes))
     tubes = tuple(
         _tube(network, f"{a}-{b}", a, b, _change(network, a, b))
         for a, b in itertools.pairwise(nodes)
@@ -150,14 +155,14 @@ def _tube(
     length = own.length if own is not None and own.length is not None else network.tube_length
     radius = own.radius if own is not None and own.radius is not None else network.tube_radius
     if length is None or radius is None:
-        raise refuse(f"tube {name} has no length or no radius")
+        raise invalid(f"tube {name} has no length or no radius")
     return Tube(name, start, end, length, radius)
 
 
 def _custom_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> Graph:
     entries = network.tubes or ()
     ends = [(tube.start, tube.end) for tube in entries]
-    refuse_any(node_faults(ends, sections, inlets))
+    raise_faults(node_faults(ends, sections, inlets))
     bellows = bellow_names(sections)
     known = {*bellows, *inlets}
     junctions = tuple(dict.fromkeys(end for pair in ends for end in pair if end not in known))
@@ -169,5 +174,5 @@ def _custom_graph(network: Network, sections: int, inlets: tuple[str, ...]) -> G
         full = name if seen[name] == 1 else f"{name}#{seen[name]}"
         tubes.append(_tube(network, full, entry.start, entry.end, entry))
     graph = Graph(sections, inlets, bellows, junctions, tuple(tubes))
-    refuse_any(island_faults(graph))
+    raise_faults(island_faults(graph))
     return graph

@@ -1,4 +1,4 @@
-"""`pump:` the drive, for the `pump` commands."""
+"""`pump:` the syringe pump, for the `pump` commands."""
 
 from __future__ import annotations
 
@@ -9,49 +9,50 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from viscodesign.scene.per_inlet import ByInlet, in_order, named
-from viscodesign.scene.section import Complaint, Part, refuse, refuse_any, refuse_at
+from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
 from viscodesign.units import (
     Charge,
-    CountedPressure,
     Force,
+    GaugeOrAbsolutePressure,
     Length,
-    StatedPressure,
+    ReferencedPressure,
     Voltage,
     Volume,
 )
 
-SERVO_COUNTS = 1023
-HIGHEST_ID = 253
-"""Of the Dynamixel protocol; 254 speaks to all servos."""
+MAX_SERVO_COUNTS = 1023
+MAX_SERVO_ID = 253
+"""Of the Dynamixel protocol, where 254 is the broadcast id."""
 
 
 def _ids(given: Any) -> Any:
-    """Servo ids, one or by inlet; said here since a union would tell of both its sides."""
+    """Servo ids, one or per inlet; checked here, as a union would report both of its members."""
     ids = named(given)
-    refuse_any(
-        Complaint(
+    raise_faults(
+        KeyFault(
             (name,) if name else (),
-            f"{value!r} is given; a servo id is a whole number from 0 to {HIGHEST_ID}",
+            f"a servo id must be an integer from 0 to {MAX_SERVO_ID}; got {value!r}",
         )
         for name, value in ids.items()
-        if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= HIGHEST_ID
+        if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= MAX_SERVO_ID
     )
     if not ids or len(set(ids.values())) < len(ids):
-        raise refuse("the servos of several inlets need an id each, all different")
+        raise invalid("each inlet needs a servo id of its own, all different")
     return given
 
 
-class Sensor(Part):
+class SensorSpec(SpecPart):
     """The pressure sensor's analog channel."""
 
     channel: int = Field(ge=0, le=7)
     on: Literal["auto", "board", "phidget"] = Field(
-        "auto", description="Where it hangs; auto: on the board, or on a kit where that has no pins"
+        "auto",
+        description="Where it is connected; auto: the board, or a kit if the board has no pins",
     )
 
 
-class LimitSwitches(Part):
-    """Digital inputs that stop the plunger at its ends."""
+class LimitSwitchSpec(SpecPart):
+    """Digital inputs that stop the plunger at the ends of its travel."""
 
     low: str
     high: str
@@ -59,106 +60,117 @@ class LimitSwitches(Part):
 
 
 def _own_channels(given: Any) -> Any:
-    """Sensors of several inlets, each on a channel of its own."""
-    refuse_any(_shared_channels(named(given or {})))
+    """Sensors of several inlets, each on its own channel."""
+    raise_faults(_shared_channels(named(given or {})))
     return given
 
 
-def _shared_channels(sensors: dict[str, Sensor]) -> Iterator[Complaint]:
+def _shared_channels(sensors: dict[str, SensorSpec]) -> Iterator[KeyFault]:
     taken: dict[tuple[int, str], str] = {}
     for name, sensor in sensors.items():
-        # `auto` may turn out as either.
+        # `auto` may become either.
         places = [(sensor.channel, on) for on in ("board", "phidget") if sensor.on in ("auto", on)]
         if owner := next((taken[place] for place in places if place in taken), None):
-            message = f"{sensor.channel} is the channel of the inlet '{owner}' already"
-            yield Complaint((name, "channel"), message)
+            message = f"channel {sensor.channel} is already used by the inlet '{owner}'"
+            yield KeyFault((name, "channel"), message)
         taken |= dict.fromkeys(places, name)
 
 
 def _own_pins(given: Any) -> Any:
-    """Switches, each on a pin of its own."""
-    refuse_any(_shared_pins(named(given or {})))
+    """Switches, each on its own pin."""
+    raise_faults(_shared_pins(named(given or {})))
     return given
 
 
-def _shared_pins(switches: dict[str, LimitSwitches]) -> Iterator[Complaint]:
+def _shared_pins(switches: dict[str, LimitSwitchSpec]) -> Iterator[KeyFault]:
     taken: dict[str, str] = {}
     for name, pair in switches.items():
         for end, pin in (("low", pair.low), ("high", pair.high)):
             path = (name, end) if name else (end,)
             same = re.sub(r"(?<=^D)0+(?=\d)", "", pin)  # D01 is D1
             if same in taken:
-                yield Complaint(path, f"{pin!r} is the pin of {taken[same]} already")
+                yield KeyFault(path, f"pin {pin!r} is already used by {taken[same]}")
             taken[same] = ".".join(path)
 
 
-class Pump(Part):
-    """A syringe moved by a servo with rack and pinion."""
+class PumpSpec(SpecPart):
+    """A syringe driven by a servo with rack and pinion."""
 
     syringe_diameter: Length = Field(gt=0, description="Inner diameter of the barrel")
     syringe_stroke: Length = Field(0.1045, gt=0)
     pinion_diameter: Length = Field(0.0296, gt=0, description="Pitch diameter")
     servo: Literal["ax12a", "ax18a"] = "ax18a"
     servo_id: Annotated[int | dict[str, int], BeforeValidator(_ids)] = Field(
-        1, description="One id, or one for each inlet by its name"
+        1, description="One id, or one per inlet by name"
     )
     supply_voltage: Voltage = Field(11.1, gt=0)
     dead_volume: Volume = Field(5e-6, ge=0)
-    battery_capacity: Charge = Field(450e-3 * 3600, gt=0, description="Of all servos together")
-    plunger_friction: Force = Field(5.0, ge=0, description="Of a moving plunger; an assumption")
-    gear_play: float = Field(2.0, ge=0, description="Counts lost when the plunger turns back")
-    max_pressure: CountedPressure = Field(
-        25e3,
-        description="Software cap, like '25 kPa gauge' or '140 kPa abs'; gauge once it is read",
+    battery_capacity: Charge = Field(
+        450e-3 * 3600, gt=0, description="Battery capacity, shared by all servos"
     )
-    home: int = Field(200, ge=0, le=SERVO_COUNTS, description="Counts, plunger at its start")
+    plunger_friction: Force = Field(
+        5.0, ge=0, description="Kinetic friction of the plunger (assumed)"
+    )
+    gear_play: float = Field(2.0, ge=0, description="Backlash of the gears in servo counts")
+    max_pressure: GaugeOrAbsolutePressure = Field(
+        25e3,
+        description="Software limit, such as '25 kPa gauge' or '140 kPa abs'",
+    )
+    home: int = Field(
+        200, ge=0, le=MAX_SERVO_COUNTS, description="Servo counts with the plunger at its start"
+    )
     travel: tuple[int, int] = (100, 1000)
     push: Literal["up", "down"] = Field(
-        "up", description="Whether counts rise or fall as the plunger is pushed in"
+        "up", description="Direction of the servo counts as the plunger is pushed in"
     )
     filled_length: Length | None = Field(
         None,
         gt=0,
-        description="Of the barrel, plunger at home; else the drawn-out end of travel is full",
+        description="Filled barrel length at home; default: the withdrawn end of travel is full",
     )
-    sensor: Annotated[ByInlet[Sensor] | None, AfterValidator(_own_channels)] = Field(
-        None, description="One, of the first inlet; or one for each inlet by its name"
+    sensor: Annotated[ByInlet[SensorSpec] | None, AfterValidator(_own_channels)] = Field(
+        None, description="One for the first inlet, or one per inlet by name"
     )
-    limit_switches: Annotated[ByInlet[LimitSwitches] | None, AfterValidator(_own_pins)] = Field(
-        None, description="One pair, of the first inlet; or one for each inlet by its name"
+    limit_switches: Annotated[ByInlet[LimitSwitchSpec] | None, AfterValidator(_own_pins)] = Field(
+        None, description="One pair for the first inlet, or one pair per inlet by name"
     )
 
-    def above(self, ambient: float) -> Pump:
-        """The same with its pressures above the ambient [Pa]; a fault where that is not clear."""
-        stated = self.max_pressure
-        if not isinstance(stated, StatedPressure):
+    def with_gauge_pressures(self, ambient: float) -> PumpSpec:
+        """The pump with its pressures as gauge [Pa]; a fault if the reference is ambiguous."""
+        limit = self.max_pressure
+        if not isinstance(limit, ReferencedPressure):
             return self
-        if not stated.counted and stated > ambient:
-            kpa, above = f"{stated / 1e3:g} kPa", f"{(stated - ambient) / 1e3:.4g} kPa"
-            raise refuse_at(
+        if not limit.reference and limit > ambient:
+            kpa, above = f"{limit / 1e3:g} kPa", f"{(limit - ambient) / 1e3:.4g} kPa"
+            raise invalid_at(
                 "max_pressure",
-                f"{kpa} is above the ambient of {ambient / 1e3:g} kPa and could be meant either "
-                f"way; write '{kpa} gauge', or '{kpa} abs' ({above} gauge)",
+                f"{kpa} exceeds the ambient pressure of {ambient / 1e3:g} kPa: it may be gauge or "
+                f"absolute; write '{kpa} gauge', or '{kpa} abs' ({above} gauge)",
             )
-        gauge = stated.gauge(ambient)
+        gauge = limit.gauge(ambient)
         if gauge <= 0.0:
-            kind = "abs" if stated.counted == "abs" else "gauge"
-            least = f"the ambient of {ambient / 1e3:g} kPa" if kind == "abs" else "0 kPa gauge"
-            raise refuse_at("max_pressure", f"{stated / 1e3:g} kPa {kind} is not above {least}")
+            kind = "abs" if limit.reference == "abs" else "gauge"
+            least = (
+                f"the ambient pressure of {ambient / 1e3:g} kPa" if kind == "abs" else "0 kPa gauge"
+            )
+            raise invalid_at(
+                "max_pressure", f"must be above {least}; got {limit / 1e3:g} kPa {kind}"
+            )
         return self.model_copy(update={"max_pressure": gauge})
 
-    def in_order_of(self, inlets: tuple[str, ...]) -> Pump:
-        """The same with all that it says by inlet in the order of the inlets."""
+    def in_order_of(self, inlets: tuple[str, ...]) -> PumpSpec:
+        """The pump with its parts per inlet in the order of the inlets."""
         names = ("servo_id", "sensor", "limit_switches")
         return self.model_copy(update={n: in_order(getattr(self, n), inlets) for n in names})
 
     @model_validator(mode="after")
-    def _travel_fits(self) -> Pump:
+    def _check_travel(self) -> PumpSpec:
         low, high = self.travel
-        if not 0 <= low < high <= SERVO_COUNTS:
-            raise refuse_at(
-                "travel", f"[{low}, {high}]; allowed are 0 <= low < high <= {SERVO_COUNTS} counts"
+        if not 0 <= low < high <= MAX_SERVO_COUNTS:
+            raise invalid_at(
+                "travel",
+                f"must satisfy 0 <= low < high <= {MAX_SERVO_COUNTS} counts; got [{low}, {high}]",
             )
         if not low <= self.home <= high:
-            raise refuse_at("home", f"{self.home} lies outside of travel, {low} to {high}")
+            raise invalid_at("home", f"must be within travel, {low} to {high}; got {self.home}")
         return self

@@ -1,4 +1,4 @@
-"""`run:` how long, what to write down, and how it starts."""
+"""`run:` duration, outputs and initial state."""
 
 from __future__ import annotations
 
@@ -8,98 +8,98 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from viscodesign.scene.section import Part, refuse_at
+from viscodesign.scene.spec_part import SpecPart, invalid_at
 from viscodesign.units import Time
 
-MOST_OUTPUTS = 10_000_000
-MOST_LISTED = 1_000_000
-MOST_SHAPES = 20_000
-"""Whole shapes after the first that are written down if the spec does not say how many."""
-USUAL_INTERVAL = 0.02
+MAX_OUTPUTS = 10_000_000
+MAX_OUTPUT_TIMES = 1_000_000
+MAX_SHAPES = 20_000
+"""Shapes after the first that are written unless `shape_every` is given."""
+DEFAULT_OUTPUT_INTERVAL = 0.02
 """[s]"""
 
 
-def _usual_interval(given: dict[str, Any]) -> float:
-    return min(USUAL_INTERVAL, float(given["duration"]))
+def _default_interval(given: dict[str, Any]) -> float:
+    return min(DEFAULT_OUTPUT_INTERVAL, float(given["duration"]))
 
 
-class Run(Part):
-    """Duration, output times and start of a simulation."""
+class RunSettings(SpecPart):
+    """Duration, output times and initial state of a simulation."""
 
     duration: Time = Field(gt=0, description="Simulated time")
     output_interval: Time = Field(
-        default_factory=_usual_interval,
+        default_factory=_default_interval,
         gt=0,
-        description="Time between two outputs; 20 ms if not given, or the duration if shorter",
+        description="Time between outputs; default: 20 ms, or the duration if shorter",
     )
     output_times: tuple[Time, ...] | None = Field(
-        None, description="Instead of an interval: the output times, ascending"
+        None, description="Instead of an interval: increasing output times"
     )
     max_steps: int = Field(
         1_000_000,
         ge=100,
-        description="Steps after which a run is given up, those of its verification included",
+        description="Maximum number of time steps of a run, including its verification",
     )
     shape_every: int | None = Field(
         None,
         ge=1,
-        description="Outputs from one whole shape in shape.csv to the next; if not given 1, or "
-        f"what makes at most {MOST_SHAPES} of them",
+        description="Number of outputs from one shape in shape.csv to the next; default: 1, or "
+        f"more for at most {MAX_SHAPES} shapes",
     )
     start: Literal["equilibrium", "rest"] = Field(
         "equilibrium",
-        description="equilibrium under the first pressures and loads, or straight and at rest",
+        description="equilibrium under the initial pressures and loads, or straight and at rest",
     )
 
     @model_validator(mode="after")
-    def _times_fit(self) -> Run:
+    def _check_outputs(self) -> RunSettings:
         if self.output_times is not None:
             self._check_times(self.output_times)
         elif self.output_interval > self.duration:
-            raise refuse_at(
+            raise invalid_at(
                 "output_interval",
-                f"{self.output_interval:g} s is longer than the duration of {self.duration:g} s",
+                f"must be at most the duration {self.duration:g} s; got {self.output_interval:g} s",
             )
-        elif self.duration / self.output_interval > MOST_OUTPUTS:
-            raise refuse_at(
+        elif self.duration / self.output_interval > MAX_OUTPUTS:
+            raise invalid_at(
                 "output_interval",
-                f"{self.duration / self.output_interval:.3g} outputs; at most {MOST_OUTPUTS} are "
-                f"allowed. Use an interval of {self.duration / MOST_OUTPUTS:.3g} s or more",
+                f"{self.duration / self.output_interval:.3g} outputs; at most {MAX_OUTPUTS} are "
+                f"allowed. Use an interval of {self.duration / MAX_OUTPUTS:.3g} s or more",
             )
         return self
 
     def _check_times(self, times: tuple[float, ...]) -> None:
         if not times:
-            raise refuse_at("output_times", "the list is empty; at least one time is needed")
-        if len(times) > MOST_LISTED:
-            raise refuse_at(
+            raise invalid_at("output_times", "the list is empty; give at least one time")
+        if len(times) > MAX_OUTPUT_TIMES:
+            raise invalid_at(
                 "output_times",
-                f"{len(times)} times; at most {MOST_LISTED}. Use output_interval for more",
+                f"{len(times)} times; at most {MAX_OUTPUT_TIMES} are allowed. Use output_interval",
             )
         for k, (before, after) in enumerate(itertools.pairwise(times)):
             if after <= before:
-                raise refuse_at(
+                raise invalid_at(
                     "output_times",
-                    f"time {k + 2} ({after:g} s) does not follow {before:g} s; times must ascend",
+                    f"times must increase; time {k + 2} is {after:g} s after {before:g} s",
                 )
         if times[0] < 0 or times[-1] > self.duration:
-            raise refuse_at(
+            raise invalid_at(
                 "output_times",
-                f"{times[0]:g} s to {times[-1]:g} s; allowed are times from 0 to the duration of "
-                f"{self.duration:g} s",
+                f"must be from 0 to the duration of {self.duration:g} s; got {times[0]:g} s to "
+                f"{times[-1]:g} s",
             )
 
     @property
     def outputs(self) -> int:
-        """How many output times there are, or one more."""
+        """Number of output times, or one more."""
         if self.output_times is not None:
             return len(self.output_times)
         return int(self.duration / self.output_interval * (1 + 1e-12)) + 1
 
     @property
-    def shapes_apart(self) -> int:
-        """Outputs from one whole shape to the next."""
-        return self.shape_every or max(1, -(-(self.outputs - 1) // MOST_SHAPES))
+    def shape_stride(self) -> int:
+        """Number of outputs from one shape to the next."""
+        return self.shape_every or max(1, -(-(self.outputs - 1) // MAX_SHAPES))
 
     def output_times_array(self) -> np.ndarray:
         """Output times (T,) [s]; by interval they start at 0 and end at the duration."""

@@ -13,7 +13,7 @@ from pydantic import Field, PrivateAttr, ValidationInfo, field_validator, model_
 from viscodesign.model.graph import Graph
 from viscodesign.scene.actuator import Actuator
 from viscodesign.scene.bellows import Bellows
-from viscodesign.scene.cross_checks import SINGLE_INLET, disagreements
+from viscodesign.scene.cross_checks import SINGLE_INLET, cross_check
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
@@ -21,65 +21,69 @@ from viscodesign.scene.input import AnyInput
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import Network
-from viscodesign.scene.pump import Pump
-from viscodesign.scene.run import Run
-from viscodesign.scene.section import Part, refuse, refuse_any
+from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.run import RunSettings
+from viscodesign.scene.spec_part import SpecPart, invalid, raise_faults
 from viscodesign.units import Fraction, Pressure, Temperature
 
 
 @dataclass(frozen=True)
 class Provenance:
-    """Where a scene came from."""
+    """The file that a scene was read from."""
 
     file: str = ""
     sha256: str = ""
 
 
-class Scene(Part):
-    """A scene, validated; every number in SI. Keys are those of the YAML spec."""
+class Scene(SpecPart):
+    """A validated scene in SI units; the keys are those of the YAML spec."""
 
-    name: str = Field(min_length=1, max_length=100, description="Names the run and its folder")
+    name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
     actuator: Actuator = Field(description="The elastomer body: size, stiffness, mass")
-    bellows: Bellows = Field(description="Their number, size and measured coefficients")
-    network: Network = Field(description="Which bellow is joined to which, and by what tube")
+    bellows: Bellows = Field(description="Number, size and measured coefficients of the bellows")
+    network: Network = Field(description="The tubes that connect the bellows")
     fluid_choice: Fluid = Field(
         alias="fluid", description="air, water, or a mapping of name, viscosity, density"
     )
-    temperature: Temperature = Field(293.15, gt=0, description="Of fluid and surroundings")
-    gauge_pressure: Pressure = Field(0.0, description="Baseline about which the input cycles")
-    ambient_pressure: Pressure = Field(101325.0, gt=0, description="Absolute")
+    temperature: Temperature = Field(
+        293.15, gt=0, description="Temperature of fluid and surroundings"
+    )
+    gauge_pressure: Pressure = Field(
+        0.0, description="Baseline gauge pressure, to which the input adds"
+    )
+    ambient_pressure: Pressure = Field(101325.0, gt=0, description="Absolute ambient pressure")
     input: AnyInput | None = Field(None, description="The input of a single inlet")
     several_inputs: dict[str, AnyInput] | None = Field(
-        None, alias="inputs", description="Inlet name: input"
+        None, alias="inputs", description="One input per inlet, by name"
     )
-    loads: Loads = Field(default_factory=Loads, description="Gravity and what the tip carries")
+    loads: Loads = Field(default_factory=Loads, description="Gravity, tip force and payload")
     effects: EffectsChoice = Field(
         default_factory=EffectsChoice, description="auto, or effect: auto | on | off"
     )
     accuracy: Fraction = Field(
-        0.005, ge=1e-7, le=0.2, description="Tip error allowed, of the actuator's length"
+        0.005, ge=1e-7, le=0.2, description="Allowed tip error relative to the actuator length"
     )
-    run: Run = Field(description="How long, what to write down, and how it starts")
-    pump: Pump | None = Field(None, description="Only for the pump commands")
+    run: RunSettings = Field(description="Duration, outputs and initial state")
+    pump: PumpSpec | None = Field(None, description="The syringe pump, for the pump commands")
 
     _source: Provenance = PrivateAttr(default_factory=Provenance)
 
     @field_validator("name")
     @classmethod
-    def _fit_for_a_folder(cls, name: str) -> str:
+    def _usable_as_folder(cls, name: str) -> str:
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._+-]*( [A-Za-z0-9._+-]+)*", name):
-            raise refuse(f"'{name}': use letters, digits, '_', '-', '.', '+'")
+            raise invalid(f"'{name}' cannot name a folder; use letters, digits, '_', '-', '.', '+'")
         return name
 
     @field_validator("pump")
     @classmethod
-    def _settled(cls, pump: Pump | None, info: ValidationInfo) -> Pump | None:
-        """Its inlets in order, its pressures as gauge; what is at fault itself is waited for."""
+    def _resolved(cls, pump: PumpSpec | None, info: ValidationInfo) -> PumpSpec | None:
+        """Its inlets in order and its pressures as gauge, as far as these are valid."""
         if pump is None:
             return None
         pump = pump.in_order_of(tuple(info.data.get("several_inputs") or ()))
         ambient = info.data.get("ambient_pressure")
-        return pump if ambient is None else pump.above(ambient)
+        return pump if ambient is None else pump.with_gauge_pressures(ambient)
 
     @field_validator("loads", mode="before")
     @classmethod
@@ -92,8 +96,8 @@ class Scene(Part):
         return {"name": given} if isinstance(given, str) else given
 
     @model_validator(mode="after")
-    def _parts_agree(self) -> Scene:
-        refuse_any(disagreements(self._fields()))
+    def _cross_check(self) -> Scene:
+        raise_faults(cross_check(self._fields()))
         return self
 
     def _fields(self) -> dict[tuple[str, str | None], Any]:
@@ -102,13 +106,13 @@ class Scene(Part):
         }
         return {
             **parts,
-            ("Run", "duration"): self.run.duration,
+            ("RunSettings", "duration"): self.run.duration,
             ("Bellows", "count"): self.bellows.count,
         }
 
     @property
     def inputs(self) -> Mapping[str, Input]:
-        """Every inlet's input by the inlet's name."""
+        """Input of each inlet by its name."""
         if self.several_inputs is not None:
             return self.several_inputs
         return {SINGLE_INLET: self.input} if self.input is not None else {}
@@ -125,11 +129,11 @@ class Scene(Part):
 
     @property
     def source(self) -> Provenance:
-        """The file that it was read from."""
+        """The file that the scene was read from."""
         return self._source
 
     def with_source(self, source: Provenance) -> Scene:
-        """The same scene, knowing its file."""
+        """The same scene with its provenance."""
         copy = self.model_copy()
         copy._source = source
         return copy

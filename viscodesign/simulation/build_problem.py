@@ -17,7 +17,7 @@ from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES, Body
 from viscodesign.model.system import Source, Syringe, System
 from viscodesign.model.unknowns import Sizes
 from viscodesign.postprocess.sample_times import with_samples
-from viscodesign.scene.inputs.syringe import Syringe as SyringeInput
+from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Pieces, Problem, Schedule
 from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue

@@ -88,7 +88,7 @@ def solve(
         problem, start, settings.tolerance, progress, settings.solver, workspace.store
     )
     solved = clock.perf_counter()
-    motion = read_motion(problem, solution, workspace.store, quantities.scene.run.shapes_apart)
+    motion = read_motion(problem, solution, workspace.store, quantities.scene.run.shape_stride)
     compile_s = solution.work.compile_s
     build_s, solve_s = built - began + compile_s, solved - built - compile_s
     # What was read of the solution is not needed twice.

@@ -129,8 +129,8 @@ def test_a_budget_names_the_most_accurate_setting(
 @pytest.mark.parametrize(
     ("time", "words"),
     [
-        ("20 mm", "'20 mm' is a length; a time is wanted, like '20 ms'"),
-        ("soon", "a time is wanted, like '20 ms'"),
+        ("20 mm", "'20 mm' is a length; expected a time, such as '20 ms'"),
+        ("soon", "expected a time, such as '20 ms'"),
         ("0 s", "'0 s' is not above zero"),
         ("-1", "'-1' is not above zero"),
     ],

@@ -10,7 +10,7 @@ import pytest
 from viscodesign.pump import syringe as pump
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.servo_motor import SERVOS, SPEED_UNIT, STEADY_SHARE
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 
 AX18A, AX12A = SERVOS["ax18a"], SERVOS["ax12a"]
 PINION = 29.6e-3
@@ -70,7 +70,7 @@ def test_largest_flow_and_finest_step() -> None:
 
 
 def test_counts_are_those_of_the_drive() -> None:
-    drive = Drive(Pump(syringe_diameter=GLASS["BD"]))
+    drive = Drive(PumpSpec(syringe_diameter=GLASS["BD"]))
     assert drive.advance_per_count == pytest.approx(pump.advance_per_count(PINION))
     assert 1 / drive.volume_per_count == pytest.approx(pump.counts_per_volume(GLASS["BD"], PINION))
 

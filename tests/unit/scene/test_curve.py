@@ -10,7 +10,7 @@ from tests.scenes import CONFIGS, leg
 from tests.unit.scene.coming_back import comes_back
 from viscodesign import load
 from viscodesign.errors import SpecError
-from viscodesign.scene.bellows import CURVE_COLUMNS, MOST_CURVE_ROWS
+from viscodesign.scene.bellows import CURVE_COLUMNS, MAX_CURVE_ROWS
 
 GOOD = (CONFIGS / "leg_16_straight_air.yaml").read_text()
 ROWS = "[[-20 kPa, -50 mm^2, -0.1, -0.3 mm], [0, 0, 0, 0], [30 kPa, 200 mm^2, 0.3, 2 mm]]"
@@ -60,22 +60,22 @@ def many(count: int) -> str:
 @pytest.mark.parametrize(
     ("curve", "words"),
     [
-        ("{rows: [[0, 0, 0, 0], [0, 1e-4, 0, 0]]}", "bellows.curve.rows.1: row 2: pressure 0 Pa is that of the row before it"),
-        ("{rows: [[-1, 0, 0, 0], [3, 1e-4, 0, 0], [2, 2e-4, 0, 0]]}", "the pressure must rise with the area at both ends"),
-        ("{rows: [[-1, 0, 0, 0], [0, 1e-4, 0, 0], [1, 1e-4, 0, 0]]}", "row 3: the area must rise with the pressure"),
-        ("{rows: [[-1, 0, 0, 0], [1, -1e-4, 0, 0]]}", "row 2: the area must rise with the pressure"),
-        ("{rows: [[-1, 0, 0, 0], [-2, 1e-4, 0, 0], [3, 2e-4, 0, 0]]}", "the pressure must rise with the area at both ends"),
-        ("{rows: [[-2, 0, 0, 0], [-1, 1e-4, 0, 0], [-2, 2e-4, 0, 0], [5, 3e-4, 0, 0]]}", "the pressures must reach across zero gauge"),
+        ("{rows: [[0, 0, 0, 0], [0, 1e-4, 0, 0]]}", "bellows.curve.rows.1: row 2: the pressure 0 Pa is that of the row before"),
+        ("{rows: [[-1, 0, 0, 0], [3, 1e-4, 0, 0], [2, 2e-4, 0, 0]]}", "the pressure must increase with the area at both ends"),
+        ("{rows: [[-1, 0, 0, 0], [0, 1e-4, 0, 0], [1, 1e-4, 0, 0]]}", "row 3: the area must increase from row to row"),
+        ("{rows: [[-1, 0, 0, 0], [1, -1e-4, 0, 0]]}", "row 2: the area must increase from row to row"),
+        ("{rows: [[-1, 0, 0, 0], [-2, 1e-4, 0, 0], [3, 2e-4, 0, 0]]}", "the pressure must increase with the area at both ends"),
+        ("{rows: [[-2, 0, 0, 0], [-1, 1e-4, 0, 0], [-2, 2e-4, 0, 0], [5, 3e-4, 0, 0]]}", "the first rising part must include zero gauge pressure"),
         ("{rows: [[-2, 0, 0, 0], [2, 1e-4, 0, 0], [1, 1.00001e-4, 0, 0], [5, 3e-4, 0, 0]]}", "rows 2 and 3 are closer than 3e-08 m2"),
-        ("{rows: [[1, 0, 0, 0], [2, 1e-4, 0, 0]]}", "bellows.curve.rows: the pressures must reach across zero gauge"),
-        ("{rows: [[-2, 0, 0, 0], [-1, 1e-4, 0, 0]]}", "the pressures must reach across zero gauge"),
-        ("{rows: [[0, 0, 0, 0]]}", "1 rows; a table needs at least two"),
-        ("{rows: []}", "0 rows; a table needs at least two"),
-        (many(MOST_CURVE_ROWS + 1), f"{MOST_CURVE_ROWS + 1} rows; at most {MOST_CURVE_ROWS} are allowed"),
+        ("{rows: [[1, 0, 0, 0], [2, 1e-4, 0, 0]]}", "bellows.curve.rows: the first rising part must include zero gauge pressure"),
+        ("{rows: [[-2, 0, 0, 0], [-1, 1e-4, 0, 0]]}", "the first rising part must include zero gauge pressure"),
+        ("{rows: [[0, 0, 0, 0]]}", "must have from 2 to 50000 rows; got 1"),
+        ("{rows: []}", "must have from 2 to 50000 rows; got 0"),
+        (many(MAX_CURVE_ROWS + 1), f"{MAX_CURVE_ROWS + 1} rows; at most {MAX_CURVE_ROWS} are allowed"),
         ("{rows: [[0, 0, 0], [1, 1, 0]]}", "bellows.curve.rows.0"),
-        ("{rows: [[0, 0, 0, 1 kPa], [1, 1e-4, 0, 0]]}", "a length is wanted"),
-        ("{}", "a curve needs one of 'file' and 'rows'"),
-        ("{file: a.csv, rows: [[0, 0, 0, 0], [1, 1, 0, 0]]}", "a curve needs one of 'file' and 'rows'"),
+        ("{rows: [[0, 0, 0, 1 kPa], [1, 1e-4, 0, 0]]}", "expected a length"),
+        ("{}", "a curve needs exactly one of 'file' and 'rows'"),
+        ("{file: a.csv, rows: [[0, 0, 0, 0], [1, 1, 0, 0]]}", "a curve needs exactly one of 'file' and 'rows'"),
         ("{file: nowhere.csv}", "nowhere.csv cannot be read"),
         ("3", "bellows.curve"),
     ],
@@ -84,7 +84,7 @@ def test_faults_of_rows(curve: str, words: str) -> None:
     assert words in message(curve)
 
 
-@pytest.mark.parametrize("count", [2, MOST_CURVE_ROWS])
+@pytest.mark.parametrize("count", [2, MAX_CURVE_ROWS])
 def test_as_many_rows_as_allowed_are_taken(count: int) -> None:
     found = leg(f"bellows.curve={many(count)}").bellows.curve
     assert found is not None
@@ -99,16 +99,16 @@ def test_zero_may_be_the_first_or_the_last_row() -> None:
 @pytest.mark.parametrize(
     ("table", "words"),
     [
-        (f"{HEADER}\n-1,0,0,0\n\n0,1e-4,0,0\n0,2e-4,0,0\n", "curve.csv, line 5: pressure 0 Pa is that of the row before it"),
-        (f"{HEADER}\n-1,0,0,0\n0,1e-4,0\n", "curve.csv, line 3: 3 values; 4 are wanted"),
+        (f"{HEADER}\n-1,0,0,0\n\n0,1e-4,0,0\n0,2e-4,0,0\n", "curve.csv, line 5: the pressure 0 Pa is that of the row before"),
+        (f"{HEADER}\n-1,0,0,0\n0,1e-4,0\n", "curve.csv, line 3: expected 4 values, got 3"),
         (f"{HEADER}\n-1,0,0,0\n0,x,0,0\n", "line 3: area_m2 is 'x', not a number"),
         (f"{HEADER}\n-1,0,0,0\n0,1e-4,,0\n", "line 3: angle_rad is empty"),
         (f"{HEADER}\n-1,0,0,0\n0,inf,0,0\n", "line 3: area_m2 is inf, not finite"),
         ("pressure_pa,area_m2,angle,extension_m\n0,0,0,0\n", "did you mean 'angle_rad'"),
-        ("time_s,pressure_pa\n0,0\n1,1\n", f"'{HEADER}' is wanted"),
-        (f"{HEADER}\n0,0,0,0\n", "1 rows; a table needs at least two"),
-        (f"{HEADER}\n-1,1e-4,0,0\n1,0,0,0\n", "row 2: the area must rise with the pressure"),
-        (f"{HEADER}\n1,1e-4,0,0\n2,2e-4,0,0\n", "the pressures must reach across zero gauge"),
+        ("time_s,pressure_pa\n0,0\n1,1\n", f"expected '{HEADER}', got 'time_s,pressure_pa'"),
+        (f"{HEADER}\n0,0,0,0\n", "must have from 2 to 50000 rows; got 1"),
+        (f"{HEADER}\n-1,1e-4,0,0\n1,0,0,0\n", "row 2: the area must increase from row to row"),
+        (f"{HEADER}\n1,1e-4,0,0\n2,2e-4,0,0\n", "the first rising part must include zero gauge pressure"),
     ],
 )  # fmt: skip
 def test_faults_of_files_name_the_line(tmp_path: Path, table: str, words: str) -> None:

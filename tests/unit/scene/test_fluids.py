@@ -30,11 +30,11 @@ def test_air_at_20_degrees() -> None:
 @pytest.mark.parametrize(
     ("overrides", "words"),
     [
-        (["fluid=honey"], "not a known fluid"),
-        (["fluid={name: honey, viscosity: 10}"], "needs viscosity and density"),
-        (["fluid=water", "temperature=-5 degC"], "are known from"),
+        (["fluid=honey"], "unknown fluid"),
+        (["fluid={name: honey, viscosity: 10}"], "needs both viscosity and density"),
+        (["fluid=water", "temperature=-5 degC"], "properties of .* are known; got"),
         (["fluid=water", "temperature=120 degC"], "water boils"),
-        (["fluid={name: x, viscosity: 1, density: 1, gas_constant: 1, bulk_modulus: 1}"], "gas or liquid"),
+        (["fluid={name: x, viscosity: 1, density: 1, gas_constant: 1, bulk_modulus: 1}"], "either a gas or a liquid"),
     ],
 )  # fmt: skip
 def test_refusals(overrides: list[str], words: str) -> None:

@@ -59,21 +59,21 @@ def test_it_is_a_liquid_of_unknown_stiffness() -> None:
 @pytest.mark.parametrize(
     ("overrides", "words"),
     [
-        (["fluid={name: glycerol-water}"], "fluid.fraction: missing; glycerol-water needs a mass fraction, like '50 %'"),
+        (["fluid={name: glycerol-water}"], "fluid.fraction: missing; glycerol-water needs a mass fraction, such as '50 %'"),
         (["fluid=glycerol-water"], "needs a mass fraction"),
-        (["fluid={name: glycerol-water, fraction: 61 %}"], "fluid.fraction: 61 % is given; the properties of glycerol-water are known up to 60 %"),
+        (["fluid={name: glycerol-water, fraction: 61 %}"], "fluid.fraction: must be at most 60 % glycerol by mass, the range of known properties; got 61 %"),
         (["fluid={name: glycerol-water, fraction: 110 %}"], "fluid.fraction"),
         (["fluid={name: glycerol-water, fraction: -1 %}"], "fluid.fraction"),
         (["fluid={name: glycerol-water, fraction: 50}"], "a percentage needs its sign"),
-        (["fluid={name: glycerol-water, fraction: 50 %}", "temperature=50 degC"], "are known from 253.15 K to 313.15 K"),
-        (["fluid={name: water, fraction: 10 %}"], "fluid.fraction: given, but water is no mixture"),
-        (["fluid={name: air, fraction: 10 %}"], "given, but air is no mixture"),
-        (["fluid={name: honey, viscosity: 10, density: 1400, fraction: 10 %}"], "given, but only a named mixture has one"),
-        (["fluid={name: water, polytropic_exponent: 1.4}"], "fluid.polytropic_exponent: given, but water is no gas"),
-        (["fluid={name: honey, viscosity: 10, density: 1400, polytropic_exponent: 1.2}"], "given, but honey is no gas"),
+        (["fluid={name: glycerol-water, fraction: 50 %}", "temperature=50 degC"], "must be from 253.15 K to 313.15 K, where the properties of glycerol-water are known"),
+        (["fluid={name: water, fraction: 10 %}"], "fluid.fraction: given, but water is not a mixture"),
+        (["fluid={name: air, fraction: 10 %}"], "given, but air is not a mixture"),
+        (["fluid={name: honey, viscosity: 10, density: 1400, fraction: 10 %}"], "given, but the fluid is not a named mixture"),
+        (["fluid={name: water, polytropic_exponent: 1.4}"], "fluid.polytropic_exponent: given, but water is not a gas"),
+        (["fluid={name: honey, viscosity: 10, density: 1400, polytropic_exponent: 1.2}"], "given, but honey is not a gas"),
         (["fluid={name: air, polytropic_exponent: 0.9}"], "fluid.polytropic_exponent"),
         (["fluid={name: air, polytropic_exponent: 1.7}"], "fluid.polytropic_exponent"),
-        (["fluid={name: water, bulk_modulus: 1 GPa}"], "state viscosity and density as well"),
+        (["fluid={name: water, bulk_modulus: 1 GPa}"], "give viscosity and density as well"),
     ],
 )  # fmt: skip
 def test_faults(overrides: list[str], words: str) -> None:
@@ -92,7 +92,7 @@ def test_a_frozen_solution_says_so() -> None:
 def test_a_syringe_needs_the_stiffness_of_a_mixture_stated() -> None:
     pytest.importorskip("CoolProp")
     push = "input={kind: syringe, diameter: 2 cm, start: 4 cm, rows: [[0, 0], [1, 1 mm]]}"
-    with pytest.raises(SpecError, match=r"input: a syringe drives glycerol-water, whose stiffness"):
+    with pytest.raises(SpecError, match=r"input: a syringe needs the stiffness of glycerol-water"):
         leg(push, "fluid={name: glycerol-water, fraction: 50 %}", "temperature=20 degC")
     stated = "fluid={name: glycerol-water, viscosity: 6e-3, density: 1126, bulk_modulus: 3 GPa}"
     assert leg(push, stated).fluid.bulk_modulus == 3e9

@@ -10,12 +10,12 @@ from tests.scenes import CONFIGS, leg
 from viscodesign.errors import SpecError
 from viscodesign.loading import schema
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.reading.write import resolved_yaml
 
 
-def pump(words: str, *others: str) -> Pump:
+def pump(words: str, *others: str) -> PumpSpec:
     found = leg(f"pump={{syringe_diameter: 34.9 mm, {words}}}", *others).pump
     assert found is not None
     return found
@@ -49,16 +49,16 @@ def test_a_cap_above_the_ambient_says_from_where_it_counts(given: str) -> None:
 
 def test_what_is_ambiguous_depends_on_the_scenes_ambient() -> None:
     assert pump("max_pressure: 140 kPa", "ambient_pressure=150 kPa").max_pressure == 140e3
-    with pytest.raises(SpecError, match="could be meant either way"):
+    with pytest.raises(SpecError, match="may be gauge or absolute"):
         pump("max_pressure: 70 kPa", "ambient_pressure=60 kPa")
 
 
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ("20 kPa abs", "not above the ambient"),
-        ("-3 kPa", "not above 0 kPa gauge"),
-        ("25 mm", "is a length; a pressure is wanted"),
+        ("20 kPa abs", "must be above the ambient"),
+        ("-3 kPa", "must be above 0 kPa gauge"),
+        ("25 mm", "is a length; expected a pressure"),
         ("gauge", "has no number"),
     ],
 )
@@ -90,7 +90,7 @@ def test_a_pump_comes_back_from_the_resolved_spec(given: str) -> None:
 # -- several inlets -------------------------------------------------------------------------
 
 
-def two_inlets(words: str) -> Pump:
+def two_inlets(words: str) -> PumpSpec:
     ids = "servo_id: {right: 2, left: 1}"
     found = leg(
         f"pump={{syringe_diameter: 34.9 mm, {ids}, {words}}}", config="antagonistic_two_inlets"
@@ -142,17 +142,17 @@ def test_parts_by_inlet_come_back_from_the_resolved_spec_and_fit_the_schema() ->
         (
             "sensor: {left: {channel: 0}, right: {channel: 0}}",
             "sensor.right.channel",
-            "the channel of the inlet 'left' already",
+            "channel 0 is already used by the inlet 'left'",
         ),
         (
             "sensor: {left: {channel: 0, on: board}, right: {channel: 0}}",
             "sensor.right.channel",
-            "the channel of the inlet 'left' already",
+            "channel 0 is already used by the inlet 'left'",
         ),
         ("sensor: {left: {channel: 0}, right: {channel: 9}}", "sensor.right.channel", "at most 7"),
-        ("sensor: {left: {channel: 0}, right: 3}", "sensor.right", "a mapping is wanted"),
+        ("sensor: {left: {channel: 0}, right: 3}", "sensor.right", "expected a mapping"),
         ("sensor: {}", "sensor.channel", "missing"),
-        ("sensor: 3", "sensor", "a mapping is wanted"),
+        ("sensor: 3", "sensor", "expected a mapping"),
         ("sensor: {left: {channel: 0}, right: {chanel: 1}}", "sensor.right.chanel", "'channel'"),
         (
             "limit_switches: {left: {low: D1, high: D2}}",
@@ -162,9 +162,9 @@ def test_parts_by_inlet_come_back_from_the_resolved_spec_and_fit_the_schema() ->
         (
             "limit_switches: {left: {low: D1, high: D2}, right: {low: D02, high: D4}}",
             "limit_switches.right.low",
-            "the pin of left.high already",
+            "already used by left.high",
         ),
-        ("limit_switches: {low: D1, high: D1}", "limit_switches.high", "the pin of low already"),
+        ("limit_switches: {low: D1, high: D1}", "limit_switches.high", "already used by low"),
         (
             "limit_switches: {left: {low: D1, high: D2}, right: {low: D3}}",
             "limit_switches.right.high",

@@ -45,10 +45,13 @@ def test_the_usual_interval() -> None:
 @pytest.mark.parametrize(
     ("run", "faults"),
     [
-        ("output_times: []", ["run.duration: missing; simulated time, like '20 ms'"]),
-        ("duration: 0", ["run.duration: 0 is given; allowed are values above 0 s"]),
+        ("output_times: []", ["run.duration: missing; simulated time, such as '20 ms'"]),
+        ("duration: 0", ["run.duration: must be above 0 s; got 0"]),
         ("duration: 1, output_times: []", ["run.output_times: the list is empty"]),
-        ("duration: 1, output_interval: 2", ["run.output_interval: 2 s is longer than"]),
+        (
+            "duration: 1, output_interval: 2",
+            ["run.output_interval: must be at most the duration 1 s; got 2 s"],
+        ),
         ("duration: 1e6 s", ["run.output_interval: 5e+07 outputs; at most 10000000"]),
     ],
 )

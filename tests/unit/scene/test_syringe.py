@@ -12,7 +12,7 @@ from tests.scenes import CONFIGS, leg
 from tests.unit.scene.coming_back import comes_back
 from viscodesign import load
 from viscodesign.errors import SpecError
-from viscodesign.scene.inputs.syringe import Syringe
+from viscodesign.scene.inputs.syringe import SyringeInput
 
 GOOD = (CONFIGS / "leg_16_straight_air.yaml").read_text()
 BARREL = "kind: syringe, diameter: 20 mm, start: 40 mm"
@@ -21,9 +21,9 @@ ROWS = "rows: [[0.5, 1 mm], [1, 3 mm], [2, -1 mm]]"
 SPEEDS = "speeds: [[0.5, 2 mm/s], [1, 0 mm/s], [1.5, -4 mm/s]]"
 
 
-def made(words: str, *overrides: str) -> Syringe:
+def made(words: str, *overrides: str) -> SyringeInput:
     source = leg(f"input={{{BARREL}, {words}}}", *overrides).inputs["inlet"]
-    assert isinstance(source, Syringe)
+    assert isinstance(source, SyringeInput)
     return source
 
 
@@ -108,23 +108,23 @@ def test_a_file_gives_the_same_as_its_rows(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        ("rows: [[0, 0], [1, 40 mm]]", "input.rows: pushed in by 40 mm at 1 s, but only 40 mm"),
-        ("rows: [[0, 50 mm], [1, 0]]", "input.rows: pushed in by 50 mm at 0 s"),
-        ("speeds: [[0, 50 mm/s], [1, 0 m/s]]", "input.speeds: pushed in by 50 mm at 1 s, but only"),
-        ("speeds: [[0, 1], [0, 2]]", "input.speeds: times must rise, from 0 s on"),
-        ("speeds: [[2, 0], [1, 0]]", "input.speeds: times must rise, from 0 s on"),
-        ("speeds: [[-2, 0], [1, 0]]", "input.speeds: times must rise, from 0 s on"),
-        ("rows: [[1, 0], [0.5, 0]]", "row 2: time runs back from 1 s to 0.5 s"),
+        ("rows: [[0, 0], [1, 40 mm]]", "input.rows: position 40 mm at 1 s exceeds the filled length of 40 mm"),
+        ("rows: [[0, 50 mm], [1, 0]]", "input.rows: position 50 mm at 0 s"),
+        ("speeds: [[0, 50 mm/s], [1, 0 m/s]]", "input.speeds: position 50 mm at 1 s exceeds the filled length"),
+        ("speeds: [[0, 1], [0, 2]]", "input.speeds: times must increase, starting at 0 s or later"),
+        ("speeds: [[2, 0], [1, 0]]", "input.speeds: times must increase, starting at 0 s or later"),
+        ("speeds: [[-2, 0], [1, 0]]", "input.speeds: times must increase, starting at 0 s or later"),
+        ("rows: [[1, 0], [0.5, 0]]", "row 2: time decreases from 1 s to 0.5 s"),
         ("rows: [[-1, 0], [0.5, 0]]", "before the start at 0"),
-        ("rows: [[0, 0], [1, 0], [1, 0], [1, 0]]", "stands a third time"),
-        ("rows: [[0, 0]]", "input.rows: 1 rows; a table needs at least two"),
-        ("rows: [[0, 1 s], [1, 0]]", "a length is wanted"),
-        ("speeds: [[0, 1 mm], [1, 0]]", "a speed is wanted"),
-        (f"{ROWS}, {SPEEDS}", "a syringe needs one of 'file', 'rows' and 'speeds'"),
-        (f"{ROWS}, file: a.csv", "a syringe needs one of 'file', 'rows' and 'speeds'"),
-        ("dead_volume: 1 mL", "a syringe needs one of 'file', 'rows' and 'speeds'"),
-        ("file: 3", "input.file: the name of a CSV file is wanted"),
-        (f"dead_volume: -1 mL, {ROWS}", "input.dead_volume: '-1 mL' is given"),
+        ("rows: [[0, 0], [1, 0], [1, 0], [1, 0]]", "third row at 1 s"),
+        ("rows: [[0, 0]]", "input.rows: must have from 2 to 50000 rows; got 1"),
+        ("rows: [[0, 1 s], [1, 0]]", "expected a length"),
+        ("speeds: [[0, 1 mm], [1, 0]]", "expected a speed"),
+        (f"{ROWS}, {SPEEDS}", "a syringe needs exactly one of 'file', 'rows' and 'speeds'"),
+        (f"{ROWS}, file: a.csv", "a syringe needs exactly one of 'file', 'rows' and 'speeds'"),
+        ("dead_volume: 1 mL", "a syringe needs exactly one of 'file', 'rows' and 'speeds'"),
+        ("file: 3", "input.file: expected the name of a CSV file"),
+        (f"dead_volume: -1 mL, {ROWS}", "input.dead_volume: must be at least 0 m^3; got '-1 mL'"),
         (f"{ROWS}, value: 3", "input.value: no such key"),
     ],
 )  # fmt: skip
@@ -137,8 +137,11 @@ def test_faults(words: str, expected: str) -> None:
 @pytest.mark.parametrize(
     ("barrel", "expected"),
     [
-        ("kind: syringe, diameter: 0 mm, start: 40 mm", "input.diameter: '0 mm' is given"),
-        ("kind: syringe, diameter: 20 mm, start: 0", "input.start: 0 is given"),
+        (
+            "kind: syringe, diameter: 0 mm, start: 40 mm",
+            "input.diameter: must be above 0 m; got '0 mm'",
+        ),
+        ("kind: syringe, diameter: 20 mm, start: 0", "input.start: must be above 0 m; got 0"),
         ("kind: syringe, start: 40 mm", "input.diameter: missing"),
     ],
 )
@@ -151,12 +154,15 @@ def test_a_barrel_needs_a_size(barrel: str, expected: str) -> None:
     [
         (
             "time_s,position_m\n0,0\n2,1e-3\n1,0\n",
-            "push.csv, line 4: time runs back from 2 s to 1 s",
+            "push.csv, line 4: time decreases from 2 s to 1 s",
         ),
         ("time_s,position\n0,0\n1,0\n", "did you mean 'position_m'"),
-        ("time_s,pressure_pa\n0,0\n1,0\n", "'time_s,position_m' is wanted"),
+        (
+            "time_s,pressure_pa\n0,0\n1,0\n",
+            "expected 'time_s,position_m', got 'time_s,pressure_pa'",
+        ),
         ("time_s,position_m\n0,0\n1,1 mm\n", "line 3: position_m is '1 mm', not a number"),
-        ("time_s,position_m\n0,0\n1,0.04\n", "pushed in by 40 mm at 1 s"),
+        ("time_s,position_m\n0,0\n1,0.04\n", "position 40 mm at 1 s"),
     ],
 )
 def test_broken_files_name_the_line(tmp_path: Path, table: str, words: str) -> None:
@@ -173,8 +179,8 @@ def test_broken_files_name_the_line(tmp_path: Path, table: str, words: str) -> N
 @pytest.mark.parametrize(
     ("fluid", "words"),
     [
-        ("{name: oil, viscosity: 0.1, density: 900}", "a syringe drives oil, whose stiffness is not known"),
-        ("{name: water, viscosity: 1e-3, density: 998}", "a syringe drives water, whose stiffness"),
+        ("{name: oil, viscosity: 0.1, density: 900}", "a syringe needs the stiffness of oil, which is unknown"),
+        ("{name: water, viscosity: 1e-3, density: 998}", "a syringe needs the stiffness of water"),
     ],
 )  # fmt: skip
 def test_a_fluid_without_stiffness_is_refused(fluid: str, words: str) -> None:

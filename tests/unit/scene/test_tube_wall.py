@@ -59,14 +59,14 @@ def test_a_node_of_the_line_s_name_is_refused(clash: str) -> None:
             custom(tubes, "feed_line: {length: 1 m, radius: 2 mm}"))  # fmt: skip
     (fault,) = caught.value.faults
     assert fault.key == "network.feed_line"
-    assert fault.message == f"the network has a node {clash} already; rename it"
+    assert fault.message == f"the network already has a node named '{clash}'; rename it"
 
 
 def test_the_name_is_free_where_there_is_one_inlet() -> None:
     tubes = "{from: inlet, to: feed_inlet}, {from: feed_inlet, to: R1}, {from: feed_inlet, to: L1}"
     graph = leg("bellows.count=2", custom(tubes, "feed_line: {length: 1 m, radius: 2 mm}")).graph
     assert graph.junctions == ("feed", "feed_inlet")
-    with pytest.raises(SpecError, match="a node feed already"):
+    with pytest.raises(SpecError, match="already has a node named 'feed'"):
         leg("bellows.count=2", custom(tubes.replace("feed_inlet", "feed"),
                                       "feed_line: {length: 1 m, radius: 2 mm}"))  # fmt: skip
 

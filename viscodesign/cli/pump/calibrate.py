@@ -54,7 +54,7 @@ def command(
     from viscodesign.cli.output import complain, say
     from viscodesign.pump.sessions.calibrating import calibrate, calibration_steps
     from viscodesign.pump.sessions.connection import BoardAddress
-    from viscodesign.scene.reading.edit import spec_lines, write_spec
+    from viscodesign.scene.reading.edit import write_values
 
     scene, ids = load(spec, overrides or ()), _ids(rename)
     if dry_run:
@@ -69,12 +69,12 @@ def command(
         rename=ids,
         tell=complain,
     )
+    values = {"home": str(found.home), "travel": str(list(found.travel))}
     if write:
-        write_spec(spec, found.home, found.travel)
+        write_values(spec, "pump", values)
         complain(f"written to {spec}")
     if not quiet:
-        lines = spec_lines(found.home, found.travel)
-        say("\n".join(["pump:", *(f"  {line}" for line in lines)]))
+        say("\n".join(["pump:", *(f"  {key}: {value}" for key, value in values.items())]))
     return None
 
 

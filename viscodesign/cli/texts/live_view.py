@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, TextIO
 if TYPE_CHECKING:
     from viscodesign.pump.planning.result import PumpPlan
     from viscodesign.pump.play.stream import TickReport
-    from viscodesign.scene.pump import Pump
+    from viscodesign.scene.pump import PumpSpec
 
 REDRAW_INTERVAL_S = 0.1
 """On a terminal."""
@@ -28,7 +28,7 @@ BAR_CELLS = (10, 40)
 
 @contextlib.contextmanager
 def live_view(
-    plan: PumpPlan, pump: Pump, label: str, quiet: bool
+    plan: PumpPlan, pump: PumpSpec, label: str, quiet: bool
 ) -> Iterator[Callable[[TickReport], None] | None]:
     """What draws the ticks of a stream on standard error; nothing where that is not wanted."""
     if quiet:

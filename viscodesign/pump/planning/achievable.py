@@ -24,7 +24,7 @@ from viscodesign.pump.planning.requested import (
 )
 from viscodesign.pump.planning.scene_variants import with_inputs, with_outputs, with_pressures
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -57,7 +57,7 @@ class AchievableMotion:
 
 
 def achievable_motion(
-    requested: RequestedMotion, pump: Pump, progress: Progress | None = None
+    requested: RequestedMotion, pump: PumpSpec, progress: Progress | None = None
 ) -> AchievableMotion:
     """Let the pumps do what they can, and the coupled model what follows from it."""
     goal = _within_bounds(requested, pump)
@@ -84,7 +84,7 @@ def achievable_motion(
     return AchievableMotion(found, last, clipped, sweeps, float(apart))
 
 
-def _within_bounds(requested: RequestedMotion, pump: Pump) -> RequestedMotion:
+def _within_bounds(requested: RequestedMotion, pump: PumpSpec) -> RequestedMotion:
     """The requested motion, its pressures between the pump's lowest and highest."""
     low, high = bounds(requested.demands(pump)[0])
     lead = requested.lead
@@ -150,7 +150,7 @@ def _with_lead(goal: RequestedMotion, run: InletHistory) -> list[np.ndarray]:
 
 def _demands(
     goal: RequestedMotion,
-    pump: Pump,
+    pump: PumpSpec,
     run: InletHistory,
     demands: Sequence[PumpDemand],
     paths: Sequence[np.ndarray],

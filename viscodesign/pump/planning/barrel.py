@@ -11,7 +11,7 @@ from viscodesign.effects.tube_compliance import TubeCompliance
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import gas
 from viscodesign.pump.drive import Drive
-from viscodesign.scene.inputs.syringe import Syringe
+from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 
 KEPT_FREE = 1e-6
@@ -106,12 +106,12 @@ class Barrel:
         held = [self.held(pressure + sign * step, position) for sign in (-1.0, 1.0)]
         return float((held[1] - held[0]) / (2 * step) / self.density(pressure))
 
-    def syringe(self, time: np.ndarray, position: np.ndarray) -> Syringe:
+    def syringe(self, time: np.ndarray, position: np.ndarray) -> SyringeInput:
         """The plunger's motion as an input of a scene, kept within the barrel."""
         drive, pump = self.drive, self.drive.pump
         is_gas = self.scene.fluid.is_gas
         kept = np.minimum(position, (1 - KEPT_FREE) * drive.filled_at_home)
-        return Syringe(
+        return SyringeInput(
             kind="syringe",
             diameter=pump.syringe_diameter,
             start=drive.filled_at_home,

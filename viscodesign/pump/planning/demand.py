@@ -13,7 +13,7 @@ from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import Barrel, FeedLine
 from viscodesign.pump.planning.result import PumpCourse
 from viscodesign.pump.servo_motor import SERVOS, Servo
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 
 STILL_COUNTS_PER_S = 0.05
@@ -27,7 +27,7 @@ class PumpDemand:
     """One inlet's pump over T times; arrays (T,) or, between the times, (T - 1,)."""
 
     scene: Scene
-    pump: Pump
+    pump: PumpSpec
     inlet: str
     line: FeedLine
     time: np.ndarray
@@ -40,7 +40,7 @@ class PumpDemand:
     stated_position: np.ndarray | None = None
     """Where the motion is known; otherwise it follows from pressure and what is given."""
 
-    def with_pump(self, pump: Pump) -> PumpDemand:
+    def with_pump(self, pump: PumpSpec) -> PumpDemand:
         """The same pressures asked of another pump."""
         return replace(self, pump=pump)
 

@@ -14,7 +14,7 @@ from viscodesign.pump.planning.factor_search import confirmed, nearest, rounded
 from viscodesign.pump.planning.result import SuggestedChange
 from viscodesign.pump.planning.scene_variants import jumps, scaled_fields
 from viscodesign.pump.planning.trials import Aim, Trials, Variation, remaining
-from viscodesign.scene.inputs.table import Table
+from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
 
@@ -78,7 +78,7 @@ def _scaled(
 
 def _settings(scene: Scene, case: Variation) -> Iterator[str]:
     """What to set in the spec for a variation; nothing where a table holds the numbers."""
-    if any(isinstance(source, Table) for source in scene.inputs.values()):
+    if any(isinstance(source, TableInput) for source in scene.inputs.values()):
         return
     for name, source in scene.inputs.items():
         prefix = "input" if scene.several_inputs is None else f"inputs.{name}"

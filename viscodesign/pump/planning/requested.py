@@ -13,7 +13,7 @@ from viscodesign.pump.planning.barrel import FeedLine
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.model_runs import InletHistory, run_model
 from viscodesign.pump.planning.scene_variants import with_pressures
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 
 FeedLines = Mapping[str, FeedLine]
@@ -99,7 +99,7 @@ class RequestedMotion:
             values[0] = at_home
         return values
 
-    def demands(self, pump: Pump) -> tuple[PumpDemand, ...]:
+    def demands(self, pump: PumpSpec) -> tuple[PumpDemand, ...]:
         """What is asked of a pump at every inlet."""
         time, pressure, given = self.time, self.pressure, self.given
         return tuple(
@@ -117,7 +117,7 @@ def shares_a_network(scene: Scene) -> bool:
 
 
 def lead_in(
-    scene: Scene, pump: Pump, lines: FeedLines, run: InletHistory, active: frozenset[str]
+    scene: Scene, pump: PumpSpec, lines: FeedLines, run: InletHistory, active: frozenset[str]
 ) -> LeadIn:
     """A ramp of pressure to a run's first, and a rest in which the network settles.
 
@@ -139,7 +139,7 @@ def lead_in(
     return LeadIn(times[:-1], first.pressure[:-1], first.given[:-1], ramp + rest)
 
 
-def _unhurried(scene: Scene, pump: Pump, lines: FeedLines, run: InletHistory) -> float:
+def _unhurried(scene: Scene, pump: PumpSpec, lines: FeedLines, run: InletHistory) -> float:
     """Time for the way from home at a part of the speed that the start's pressure leaves [s]."""
     longest = 0.0
     for k, (name, line) in enumerate(lines.items()):

@@ -13,8 +13,8 @@ from viscodesign.errors import Fault, SpecError
 from viscodesign.pump.drive import Drive
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.inputs.base import Input
-from viscodesign.scene.inputs.table import Table
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.inputs.table import TableInput
+from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
 
@@ -41,7 +41,7 @@ class PlanGrid:
 GRID = PlanGrid()
 
 
-def pump_of(scene: Scene) -> Pump:
+def pump_of(scene: Scene) -> PumpSpec:
     """The scene's pump; raises `SpecError` with what to add or correct where it has none."""
     pump = scene.pump
     if pump is None:
@@ -98,7 +98,7 @@ def _fault(scene: Scene, key: str, message: str) -> SpecError:
     return SpecError([Fault(message, key, scene.source.file)])
 
 
-def servo_ids(scene: Scene, pump: Pump) -> tuple[int, ...]:
+def servo_ids(scene: Scene, pump: PumpSpec) -> tuple[int, ...]:
     """Id of each inlet's servo, in the order of the inlets."""
     ids = pump.servo_id
     return tuple(ids if isinstance(ids, int) else ids[name] for name in scene.inputs)
@@ -156,7 +156,7 @@ def with_pressures(scene: Scene, time: np.ndarray, pressure: np.ndarray) -> Scen
     """The scene driven by tables of gauge pressure (T, P) [Pa]; its outputs at their times."""
     above = pressure - scene.gauge_pressure
     tables = {
-        name: Table(kind="table", rows=tuple(zip(time.tolist(), column.tolist(), strict=True)))
+        name: TableInput(kind="table", rows=tuple(zip(time.tolist(), column.tolist(), strict=True)))
         for name, column in zip(scene.inputs, above.T, strict=True)
     }
     return with_inputs(with_outputs(scene, time), tables)
@@ -225,6 +225,6 @@ def scaled_fields(source: Input, *, pressure: float = 1.0, time: float = 1.0) ->
         value, kind = getattr(source, name), quantity_of(field)
         if isinstance(value, float) and kind is not None and factors.get(kind.name, 1.0) != 1.0:
             found[name] = value * factors[kind.name]
-    if isinstance(source, Table) and source.rows is not None:
+    if isinstance(source, TableInput) and source.rows is not None:
         found["rows"] = tuple((time * t, pressure * p) for t, p in source.rows)
     return found

@@ -15,7 +15,7 @@ from viscodesign.pump.planning.requested import (
     shares_a_network,
 )
 from viscodesign.pump.planning.scene_variants import ramped, scaled
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 
 
@@ -29,7 +29,7 @@ class Variation:
     """Factor of every time."""
     ramp: float = 0.0
     """Time over which every jump is spread [s]."""
-    pump: Pump | None = None
+    pump: PumpSpec | None = None
     """Instead of the scene's own."""
 
 
@@ -55,10 +55,10 @@ class Trials:
     scene: Scene
     """As it is run, with its effects settled."""
     requested: RequestedMotion
-    pump: Pump
+    pump: PumpSpec
     _known: dict[tuple[float, ...], RequestedMotion | None] = field(default_factory=dict)
 
-    def pump_of(self, case: Variation) -> Pump:
+    def pump_of(self, case: Variation) -> PumpSpec:
         """The pump of a variation."""
         return case.pump or self.pump
 

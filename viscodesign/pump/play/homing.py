@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection
 from viscodesign.errors import InterruptedRunError, PumpError
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.ticks import Ticks
-from viscodesign.scene.pump import SERVO_COUNTS
+from viscodesign.scene.pump import MAX_SERVO_COUNTS
 
 SPEED = 20.0
 """[counts/s]: 1.5 mm/s."""
@@ -76,7 +76,7 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
 
 
 def _refuse(goal: int, position: int) -> None:
-    if not 0 <= goal <= SERVO_COUNTS:
+    if not 0 <= goal <= MAX_SERVO_COUNTS:
         raise PumpError("the servo is at the end of its counts and no switch was pressed")
     if abs(goal - position) > BLOCKED:
         raise PumpError(

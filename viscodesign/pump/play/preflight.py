@@ -9,7 +9,7 @@ from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.play.safety_rules import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE
 from viscodesign.pump.play.servo_state import ServoState, read_anyway, read_servo
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 
 IDENTITY = registers.STATUS_LEVEL.address + 1
 """Bytes from address 0 on that tell what a servo is."""
@@ -53,12 +53,12 @@ def identify(board: Board, servo: int) -> FoundServo:
     )
 
 
-def blocking_faults(servo: FoundServo, pump: Pump) -> list[str]:
+def blocking_faults(servo: FoundServo, pump: PumpSpec) -> list[str]:
     """Why it must not be moved, each with what to do."""
     return [f"servo {servo.id}: {reason}" for reason in _reasons(servo, pump)]
 
 
-def _reasons(servo: FoundServo, pump: Pump) -> Iterator[str]:
+def _reasons(servo: FoundServo, pump: PumpSpec) -> Iterator[str]:
     state, (low, high) = servo.state, pump.travel
     if servo.model != NAMES[pump.servo]:
         wanted = registers.MODELS[NAMES[pump.servo]]

@@ -22,7 +22,7 @@ from viscodesign.pump.play.torque_limit import (
 )
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.scene.pump import Pump as Settings
+from viscodesign.scene.pump import PumpSpec as Settings
 
 SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
 """Counts per second of one unit of the speed register."""

@@ -13,7 +13,7 @@ from typing import ClassVar
 
 from viscodesign.pump.play.servo_state import Sample
 from viscodesign.pump.sensors.base import SensorError, Stillness
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 
 IN_SUCCESSION = 2
 """Samples that must agree where one alone may be noise."""
@@ -311,12 +311,12 @@ class Watch:
                 yield Stop(guard.rule, reason, guard.trusted, guard.may_retreat)
 
 
-def stream_rules(pump: Pump, reach: int) -> list[Guard]:
+def stream_rules(pump: PumpSpec, reach: int) -> list[Guard]:
     """What a profile is watched by; ``reach`` is one tick's travel [counts]."""
     return [PressureCap(pump.max_pressure), SensorFrozen(), *retreat_rules(pump, reach)]
 
 
-def retreat_rules(pump: Pump, reach: int) -> list[Guard]:
+def retreat_rules(pump: PumpSpec, reach: int) -> list[Guard]:
     """What remains while the plunger is drawn back, which makes room for the pressure."""
     low, high = pump.travel
     return [

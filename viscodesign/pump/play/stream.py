@@ -17,7 +17,7 @@ from viscodesign.pump.play.setpoints import SetPoints
 from viscodesign.pump.play.ticks import Ticks
 from viscodesign.pump.play.torque_limit import free_speed
 from viscodesign.pump.profile import Profile
-from viscodesign.scene.pump import Pump as Settings
+from viscodesign.scene.pump import PumpSpec as Settings
 
 OnStop = Literal["hold", "release", "retract"]
 Status = Literal["complete", "interrupted", "stopped"]

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from viscodesign.pump.play.servo_state import ServoState
 from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
 from viscodesign.pump.syringe import shaft_torque, stall_pressure, stall_torque
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 
 ABOVE_CAP = 1.2
 """So that the cap in software acts first."""
@@ -23,7 +23,7 @@ SATURATION_MARGIN = 2
 """An output this close to its limit is at it [1/1023 of stall]."""
 
 
-def torque_limit(pump: Pump, speed: float = 0.0) -> int:
+def torque_limit(pump: PumpSpec, speed: float = 0.0) -> int:
     """Torque limit register [1/1023 of stall] for the pressure cap, friction and a speed.
 
     It limits the output of the servo's controller, and along the straight line of a motor a
@@ -46,13 +46,13 @@ def following_limit(held: int, needed: int) -> int:
     return min(needed + NOTABLE // 4, FULL)
 
 
-def free_speed(pump: Pump) -> float:
+def free_speed(pump: PumpSpec) -> float:
     """Of a servo without load, at the spec's supply voltage [counts/s]."""
     servo = SERVOS[pump.servo]
     return servo.no_load_speed * pump.supply_voltage / servo.rated_voltage / COUNT_ANGLE
 
 
-def stalling_pressure(pump: Pump, limit: int) -> float:
+def stalling_pressure(pump: PumpSpec, limit: int) -> float:
     """Gauge pressure that a torque limit can hold against without friction [Pa]."""
     servo, shape = SERVOS[pump.servo], (pump.syringe_diameter, pump.pinion_diameter)
     return limit / FULL * stall_pressure(servo, pump.supply_voltage, *shape)

@@ -10,10 +10,10 @@ from pydantic_core import PydanticCustomError
 
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.pump.poses.fit import PoseFit
-from viscodesign.units import Kind
+from viscodesign.units import QuantityKind
 
-_PRESSURE = Kind("pressure", "Pa", "1 kPa")
-_VOLUME = Kind("volume", "m^3", "0.1 mL")
+_PRESSURE = QuantityKind("pressure", "Pa", "1 kPa")
+_VOLUME = QuantityKind("volume", "m^3", "0.1 mL")
 
 
 @dataclass(frozen=True)

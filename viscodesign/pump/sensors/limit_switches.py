@@ -7,17 +7,17 @@ from collections.abc import Mapping, Sequence
 from viscodesign.errors import PumpError
 from viscodesign.pump.boards.base import Board
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pump import LimitSwitches, Pump
+from viscodesign.scene.pump import LimitSwitchSpec, PumpSpec
 
 
 class Switches:
     """Of each servo that has some: two, at the ends of its plunger's travel."""
 
-    def __init__(self, settings: Mapping[int, LimitSwitches]) -> None:
+    def __init__(self, settings: Mapping[int, LimitSwitchSpec]) -> None:
         self._settings = dict(settings)
 
     @classmethod
-    def of(cls, pump: Pump, servos: Sequence[int]) -> Switches:
+    def of(cls, pump: PumpSpec, servos: Sequence[int]) -> Switches:
         """A spec's, for servos in the order of their inlets."""
         pairs = zip(servos, each(pump.limit_switches, len(servos)), strict=True)
         return cls({servo: switches for servo, switches in pairs if switches is not None})
@@ -30,7 +30,7 @@ class Switches:
         return {servo: _pressed_ends(board, pair) for servo, pair in self._settings.items()}
 
 
-def _pressed_ends(board: Board, switches: LimitSwitches) -> frozenset[str]:
+def _pressed_ends(board: Board, switches: LimitSwitchSpec) -> frozenset[str]:
     # Pins are pulled up: an open circuit reads high.
     pressed_level = switches.normally == "closed"
     pins = {"low": switches.low, "high": switches.high}

@@ -29,7 +29,7 @@ from viscodesign.pump.sessions.connection import (
     connected,
     unheard,
 )
-from viscodesign.scene.pump import SERVO_COUNTS, Pump
+from viscodesign.scene.pump import MAX_SERVO_COUNTS, PumpSpec
 from viscodesign.scene.scene import Scene
 
 HIGHEST_ID = 252
@@ -103,7 +103,7 @@ def calibration_steps(scene: Scene, keep: bool, rename: tuple[int, int] | None) 
 class _CalibrationSteps:
     board: Board
     clock: Clock
-    pump: Pump
+    pump: PumpSpec
     confirm: Confirm
     vented: Confirm
     by_hand: ShowPosition | None
@@ -128,7 +128,7 @@ class _CalibrationSteps:
             "the plunger moves slowly to both ends, until their switches are pressed; vent it "
             "first\nMove the plunger?",
         )
-        free = self.pump.model_copy(update={"travel": (0, SERVO_COUNTS)})
+        free = self.pump.model_copy(update={"travel": (0, MAX_SERVO_COUNTS)})
         switches = Switches.of(self.pump, [servo])
         moved = ConnectedPump(
             self.board, free, [servo], PressureReadings([None], 0.0), switches, self.clock

@@ -20,7 +20,7 @@ from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.open_board import board_kind, open_board, servo_ids
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pump import Pump, Sensor
+from viscodesign.scene.pump import PumpSpec, SensorSpec
 from viscodesign.scene.scene import Scene
 
 STANDARD_AMBIENT_PA = 101_325.0
@@ -105,7 +105,7 @@ SIMULATED = BoardAddress()
 class PumpSetup:
     """The drive, where it is known, and the air around it."""
 
-    pump: Pump | None
+    pump: PumpSpec | None
     ambient: float = STANDARD_AMBIENT_PA
     """Absolute [Pa]."""
     inlets: tuple[str, ...] = ()
@@ -119,7 +119,7 @@ class PumpSetup:
         if not simulated:
             return cls(None)
         default = {"syringe_diameter": "34.9 mm", "sensor": {"channel": 0}}
-        return cls(Pump.model_validate(default), inlets=("inlet",))
+        return cls(PumpSpec.model_validate(default), inlets=("inlet",))
 
     def servos(self, board: Board) -> list[int]:
         """Ids of the spec's servos; without a spec, of all that answer."""
@@ -162,7 +162,7 @@ def connected(
 
 @contextlib.contextmanager
 def pressure_gauges(
-    board: Board, pump: Pump | None, ambient: float, inlets: Sequence[str]
+    board: Board, pump: PumpSpec | None, ambient: float, inlets: Sequence[str]
 ) -> Iterator[PressureReadings]:
     """The inlets' pressure sensors, each on the board or on a Phidgets interface kit.
 
@@ -179,7 +179,7 @@ def pressure_gauges(
         yield PressureReadings(reads, ambient, inlets)
 
 
-def _source(board: Board, sensor: Sensor) -> PressureSource:
+def _source(board: Board, sensor: SensorSpec) -> PressureSource:
     where = sensor.on
     if where == "auto":
         where = "board" if board.has_pins else "phidget"

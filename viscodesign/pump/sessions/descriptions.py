@@ -10,7 +10,7 @@ from viscodesign.pump.play.path import top_speed
 from viscodesign.pump.play.preflight import FoundServo
 from viscodesign.pump.play.stream import StreamResult
 from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 
 STATUS_WORDS = {
     "complete": "played to its end",
@@ -28,7 +28,7 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     ]
 
 
-def plan_rows(plan: PumpPlan, pump: Pump, rate: float, on_stop: str) -> list[tuple[str, str]]:
+def plan_rows(plan: PumpPlan, pump: PumpSpec, rate: float, on_stop: str) -> list[tuple[str, str]]:
     """What is about to be streamed, each number with its unit."""
     course = plan.achievable
     slow, fast = (torque_limit(pump, speed) for speed in (0.0, top_speed(plan.profile(course))))

@@ -19,7 +19,7 @@ from viscodesign.pump.simulated.pins import Pins
 from viscodesign.pump.simulated.plant import AMBIENT, ClosedGas, Plant
 from viscodesign.pump.simulated.ros import Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
-from viscodesign.scene.pump import Pump
+from viscodesign.scene.pump import PumpSpec
 
 MODEL_NUMBERS = {"ax12a": 12, "ax18a": 18}
 """Of the servos that `pump.servo` names."""
@@ -50,7 +50,7 @@ def open_board(
     baud: int | None,
     log: ByteLog,
     clock: Clock | None = None,
-    pump: Pump | None = None,
+    pump: PumpSpec | None = None,
     plant: Plant | None = None,
     ambient: float = AMBIENT,
 ) -> Board:
@@ -77,7 +77,7 @@ def open_board(
     return board
 
 
-def servo_ids(pump: Pump | None) -> list[int]:
+def servo_ids(pump: PumpSpec | None) -> list[int]:
     """Of the servos that a pump names, in the order of its inlets."""
     if pump is None:
         return []
@@ -85,7 +85,7 @@ def servo_ids(pump: Pump | None) -> list[int]:
 
 
 def simulated_line(
-    pump: Pump, clock: Clock, plant: Plant | None = None, ambient: float = AMBIENT
+    pump: PumpSpec, clock: Clock, plant: Plant | None = None, ambient: float = AMBIENT
 ) -> Line:
     """A line into a computed ArbotiX with the firmware for ROS, and a pump behind it."""
     bench = simulated_bench(pump, plant, ambient)
@@ -93,7 +93,7 @@ def simulated_line(
 
 
 def simulated_bench(
-    pump: Pump, plant: Plant | None = None, ambient: float = AMBIENT
+    pump: PumpSpec, plant: Plant | None = None, ambient: float = AMBIENT
 ) -> SimulatedBench:
     """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
     drives = [Drive(pump) for _ in servo_ids(pump)]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from viscodesign.errors import UsageError
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pump import Sensor
+from viscodesign.scene.pump import SensorSpec
 from viscodesign.scene.scene import Scene
 
 BOARD_CHANNELS = 8
@@ -33,16 +33,16 @@ def with_sensors(scene: Scene, *, simulated: bool, without: bool) -> Scene:
     return _with(scene, _invented(sensors, inlets))
 
 
-def _with(scene: Scene, sensors: dict[str, Sensor] | None) -> Scene:
+def _with(scene: Scene, sensors: dict[str, SensorSpec] | None) -> Scene:
     pump = pump_of(scene).model_copy(update={"sensor": sensors})
     return scene.model_copy(update={"pump": pump})
 
 
-def _invented(sensors: Sequence[Sensor | None], inlets: Sequence[str]) -> dict[str, Sensor]:
+def _invented(sensors: Sequence[SensorSpec | None], inlets: Sequence[str]) -> dict[str, SensorSpec]:
     """The first inlet's own sensor if there is one, the others on free channels."""
     own = [sensor for sensor in sensors if sensor is not None]
     used = {sensor.channel for sensor in own}
-    others = [Sensor(channel=c) for c in range(BOARD_CHANNELS) if c not in used]
+    others = [SensorSpec(channel=c) for c in range(BOARD_CHANNELS) if c not in used]
     return dict(zip(inlets, [*own, *others], strict=False))
 
 

@@ -47,7 +47,7 @@ from viscodesign.pump.sessions.descriptions import (
 from viscodesign.pump.sessions.open_board import board_kind, boards
 from viscodesign.pump.sessions.record_file import Record, recorded
 from viscodesign.pump.sessions.required_sensors import with_sensors
-from viscodesign.scene.pump import Pump as Settings
+from viscodesign.scene.pump import PumpSpec as Settings
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 from viscodesign.storage.atomic_files import write_errors_as_usage

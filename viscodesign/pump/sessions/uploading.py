@@ -42,7 +42,7 @@ from viscodesign.pump.sessions.descriptions import (
     result_lines,
 )
 from viscodesign.pump.sessions.open_board import board_kind
-from viscodesign.scene.pump import Pump as Settings
+from viscodesign.scene.pump import PumpSpec as Settings
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 

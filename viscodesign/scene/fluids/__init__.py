@@ -1,1 +1,1 @@
-"""Fluids known by name, one file each."""
+"""Named fluids, one file each."""

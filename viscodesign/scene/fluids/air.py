@@ -18,8 +18,8 @@ class Air(NamedFluid):
     """
 
     name: ClassVar[str] = "air"
-    coldest: ClassVar[float] = 132.7
-    hottest: ClassVar[float] = 1000.0
+    min_temperature: ClassVar[float] = 132.7
+    max_temperature: ClassVar[float] = 1000.0
 
     @classmethod
     def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:

@@ -1,4 +1,4 @@
-"""What a fluid is, and what a named one must offer."""
+"""Properties of a fluid, and the base of named fluids."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
-from viscodesign.scene.section import refuse_at
+from viscodesign.scene.spec_part import invalid_at
 
 
 @dataclass(frozen=True)
@@ -23,52 +23,54 @@ class FluidProperties:
     bulk_modulus: float | None = None
     """Isothermal [Pa], of a liquid."""
     vapour_pressure: float | None = None
-    """Absolute [Pa], of a liquid where it is known."""
+    """Absolute [Pa], of a liquid if known."""
     speed_of_sound: float | None = None
     """[m/s]"""
     polytropic_exponent: float = 1.0
-    """Of a gas in its bellows: 1 keeps its temperature."""
+    """Of a gas in the bellows; 1 is isothermal."""
 
     @property
     def is_gas(self) -> bool:
-        """Whether a gas law holds for it."""
+        """Whether the fluid is a gas."""
         return self.gas_constant is not None
 
 
 class NamedFluid(ABC):
-    """A fluid whose properties a library knows; a member is a file with one subclass."""
+    """A fluid whose properties come from a library; a fluid is a file with one subclass."""
 
     name: ClassVar[str]
-    coldest: ClassVar[float]
+    min_temperature: ClassVar[float]
     """Lowest temperature of the correlations [K]."""
-    hottest: ClassVar[float]
+    max_temperature: ClassVar[float]
     """Highest temperature of the correlations [K]."""
-    stiffness_known: ClassVar[bool] = True
-    """Whether a gas law or a bulk modulus comes with it."""
-    mixture: ClassVar[bool] = False
+    has_stiffness: ClassVar[bool] = True
+    """Whether a gas constant or a bulk modulus is known."""
+    is_mixture: ClassVar[bool] = False
     """Whether its properties depend on the mass fraction of a solute."""
 
     @classmethod
     def at(
         cls, temperature: float, pressure: float, fraction: float | None = None
     ) -> FluidProperties:
-        """Properties at ``temperature`` [K] and absolute ``pressure`` [Pa]; a fault outside.
+        """Properties at ``temperature`` [K] and absolute ``pressure`` [Pa]; a fault out of range.
 
         ``fraction`` is the mass fraction of a mixture's solute [1].
         """
-        if cls.mixture and fraction is None:
-            raise refuse_at("fraction", f"missing; {cls.name} needs a mass fraction, like '50 %'")
-        if fraction is not None and not cls.mixture:
-            raise refuse_at("fraction", f"given, but {cls.name} is no mixture")
-        if not cls.coldest <= temperature <= cls.hottest:
-            raise refuse_at(
+        if cls.is_mixture and fraction is None:
+            raise invalid_at(
+                "fraction", f"missing; {cls.name} needs a mass fraction, such as '50 %'"
+            )
+        if fraction is not None and not cls.is_mixture:
+            raise invalid_at("fraction", f"given, but {cls.name} is not a mixture")
+        if not cls.min_temperature <= temperature <= cls.max_temperature:
+            raise invalid_at(
                 "temperature",
-                f"{temperature:g} K is given; the properties of {cls.name} are known from "
-                f"{cls.coldest:g} K to {cls.hottest:g} K",
+                f"must be from {cls.min_temperature:g} K to {cls.max_temperature:g} K, where the "
+                f"properties of {cls.name} are known; got {temperature:g} K",
             )
         return cls.properties(temperature, pressure, fraction or 0.0)
 
     @classmethod
     @abstractmethod
     def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:
-        """The same, inside of the range of temperatures."""
+        """Properties within the range of temperatures."""

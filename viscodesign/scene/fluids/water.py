@@ -6,10 +6,10 @@ import math
 from typing import ClassVar
 
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
-from viscodesign.scene.section import refuse_at
+from viscodesign.scene.spec_part import invalid_at
 
-SMALL_COMPRESSION = 1e6
-"""Pressure step [Pa] over which the bulk modulus is taken."""
+BULK_MODULUS_STEP = 1e6
+"""Pressure increment for the bulk modulus [Pa]."""
 
 
 class Water(NamedFluid):
@@ -20,8 +20,8 @@ class Water(NamedFluid):
     """
 
     name: ClassVar[str] = "water"
-    coldest: ClassVar[float] = 273.16
-    hottest: ClassVar[float] = 640.0
+    min_temperature: ClassVar[float] = 273.16
+    max_temperature: ClassVar[float] = 640.0
 
     @classmethod
     def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:
@@ -31,13 +31,13 @@ class Water(NamedFluid):
 
         vapour_pressure = float(iapws95_Psat(temperature))
         if pressure <= vapour_pressure:
-            raise refuse_at(
+            raise invalid_at(
                 "temperature",
                 f"water boils at {temperature:g} K and {pressure:g} Pa absolute",
             )
         density = float(iapws95_rho(temperature, pressure))
-        denser = float(iapws95_rho(temperature, pressure + SMALL_COMPRESSION))
-        bulk_modulus = density * SMALL_COMPRESSION / (denser - density)
+        denser = float(iapws95_rho(temperature, pressure + BULK_MODULUS_STEP))
+        bulk_modulus = density * BULK_MODULUS_STEP / (denser - density)
         return FluidProperties(
             name=cls.name,
             viscosity=float(mu_IAPWS(temperature, density)),

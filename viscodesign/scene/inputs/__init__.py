@@ -1,1 +1,1 @@
-"""Input kinds, one file each; `base` says what a kind must offer."""
+"""Input kinds, one file each; `base` defines what a kind must provide."""

@@ -1,7 +1,6 @@
-"""What an input is: a value against time, smooth between corners.
+"""Base of all input kinds: a function of time that is smooth between corners.
 
-The value is a pressure above the baseline [Pa]; of a syringe, the volume that its
-plunger has pushed out [m3].
+Its value is a pressure above the baseline [Pa]; of a syringe, the displaced volume [m3].
 """
 
 from __future__ import annotations
@@ -14,35 +13,35 @@ from typing import Any, ClassVar
 import numpy as np
 from pydantic import Field
 
-from viscodesign.scene.section import Part
+from viscodesign.scene.spec_part import SpecPart
 from viscodesign.units import Time
 
-SMALL_SWING = 0.01
-"""Swings below this part of the whole range do not count for t_i."""
-FIRST, LAST = 0.01, 0.99
-"""Parts of a swing between which its time is taken."""
+MIN_SWING_REL = 0.01
+"""Swings below this fraction of the range are ignored for t_i."""
+SWING_START, SWING_END = 0.01, 0.99
+"""Fractions of a swing between which its time is measured."""
 
 
-class Input(Part):
-    """The drive of one inlet; a kind is a file with one subclass."""
+class Input(SpecPart):
+    """The input of one inlet; a kind is a file with one subclass."""
 
     name: ClassVar[str]
     coefficients: ClassVar[int]
-    """Numbers that tell one interval between corners from another."""
+    """Number of coefficients of an interval between corners."""
     gives_pressure: ClassVar[bool] = True
-    """Whether its value is a pressure; if not, it is the volume that a plunger pushes out."""
+    """Whether its value is a pressure; otherwise it is the volume displaced by a plunger."""
 
     transient_time: Time | None = Field(
-        None, gt=0, description="t_i, where it is known better than from the profile"
+        None, gt=0, description="Transient time t_i, to replace that of the profile"
     )
 
     @abstractmethod
     def expression(self, t: Any, piece: Any, functions: Any) -> Any:
-        """Value inside an interval, from numpy's or CasADi's functions."""
+        """Value inside an interval; ``functions`` is numpy or casadi."""
 
     @abstractmethod
     def corners(self, duration: float) -> list[float]:
-        """Times in (0, duration) at which a solver must start afresh, ascending."""
+        """Times in (0, duration) at which a solver must restart, increasing."""
 
     @abstractmethod
     def pieces(self, edges: np.ndarray) -> np.ndarray:
@@ -54,23 +53,23 @@ class Input(Part):
 
     @abstractmethod
     def values(self, t: np.ndarray) -> np.ndarray:
-        """Value at times (n,); after a jump its new one."""
+        """Values (n,) at times (n,); at a jump the value after it."""
 
     @abstractmethod
     def extremes(self, duration: float) -> tuple[float, float]:
-        """Lowest and highest value that a run of this duration meets: exact, never sampled."""
+        """Exact minimum and maximum over a run of this duration."""
 
     @abstractmethod
     def swing_time(self) -> float:
-        """Shortest monotone swing of the profile, 1 % to 99 % [s]; infinite without one."""
+        """Time of the shortest monotone swing of the profile, 1 % to 99 % [s]; inf without one."""
 
     @property
     def period(self) -> float | None:
-        """Length of a cycle [s] of a profile that repeats itself."""
+        """Period [s] of a periodic profile."""
         return None
 
     def transient(self) -> float:
-        """t_i: as the spec states it, else from the profile."""
+        """Transient time t_i: as given in the spec, else from the profile."""
         return self.swing_time() if self.transient_time is None else self.transient_time
 
 
@@ -81,7 +80,7 @@ class PiecewiseLinear(Input):
 
     @abstractmethod
     def vertices(self, duration: float) -> np.ndarray:
-        """(n, 2): time and value from 0 on, to the duration or the last change."""
+        """Times and values (n, 2) from 0 to the duration or the last change."""
 
     @abstractmethod
     def initial(self) -> float:
@@ -89,7 +88,7 @@ class PiecewiseLinear(Input):
 
     @abstractmethod
     def profile(self) -> list[tuple[float, float]]:
-        """Vertices that show every swing once."""
+        """Vertices that contain every swing once."""
 
     def expression(self, t: Any, piece: Any, functions: Any) -> Any:
         del functions
@@ -118,7 +117,7 @@ class PiecewiseLinear(Input):
         return np.asarray(values[index] + slopes[index] * (times - starts[index]))
 
     def extremes(self, duration: float) -> tuple[float, float]:
-        """Of the vertices before the end, and of the line that leads up to it."""
+        """Of the vertices before the end, and of the last line up to it."""
         points = self.vertices(duration)
         met = points[points[:, 0] < duration, 1]
         starts, values, slopes = self._lines(duration)
@@ -127,7 +126,7 @@ class PiecewiseLinear(Input):
         return float(np.min(met, initial=end)), float(np.max(met, initial=end))
 
     def _lines(self, duration: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Start, value there and slope of every line; the last runs on level."""
+        """Start, value there and slope of every line; the last line is level."""
         points = self.vertices(duration)
         time, value = points[:, 0], points[:, 1]
         step = np.diff(time)
@@ -151,11 +150,11 @@ def points_of(vertices: np.ndarray) -> list[tuple[float, float]]:
 def shortest_swing(profile: list[tuple[float, float]]) -> float:
     """Time of the shortest monotone swing between vertices, 1 % to 99 % of it [s].
 
-    What turns back by less than `SMALL_SWING` of the whole range is noise upon a swing.
-    A hold parts two swings, unless they are as small.
+    Reversals of less than `MIN_SWING_REL` of the range are treated as noise. A hold separates
+    two swings, unless they are as small.
     """
     values = [p for _, p in profile]
-    smallest = SMALL_SWING * (max(values) - min(values))
+    smallest = MIN_SWING_REL * (max(values) - min(values))
     times = [
         _swing_time(part, smallest)
         for swing in _between_turns(profile, smallest)
@@ -168,7 +167,7 @@ Profile = list[tuple[float, float]]
 
 
 def _between_turns(profile: Profile, smallest: float) -> list[Profile]:
-    """Parts from one turning point to the next, which lies more than ``smallest`` away."""
+    """Parts between turning points that differ by more than ``smallest``."""
     parts: list[Profile] = []
     start = extreme = 0
     for k, (_, value) in enumerate(profile):
@@ -182,7 +181,7 @@ def _between_turns(profile: Profile, smallest: float) -> list[Profile]:
 
 
 def _between_holds(swing: Profile, smallest: float) -> list[Profile]:
-    """The parts of a swing that holds separate; the whole swing where none of them counts."""
+    """The parts of a swing between holds; the whole swing if all of them are small."""
     holds = [k for k in range(1, len(swing)) if swing[k][1] == swing[k - 1][1]]
     starts, ends = [0, *holds], [*(k - 1 for k in holds), len(swing) - 1]
     parts = [swing[a : b + 1] for a, b in zip(starts, ends, strict=True)]
@@ -191,7 +190,7 @@ def _between_holds(swing: Profile, smallest: float) -> list[Profile]:
 
 
 def _swing_time(swing: Profile, smallest: float) -> float:
-    """From the last time at 1 % to the first at 99 %; none for what is small; 0 at a jump."""
+    """From the last time at 1 % to the first at 99 %; inf for a small swing, 0 at a jump."""
     height = swing[-1][1] - swing[0][1]
     if abs(height) <= smallest:
         return math.inf
@@ -200,4 +199,4 @@ def _swing_time(swing: Profile, smallest: float) -> float:
         return 0.0
     part = np.maximum.accumulate([(p - swing[0][1]) / height for _, p in swing])
     times = [t for t, _ in swing]
-    return float(np.interp(LAST, part, times) - np.interp(FIRST, part, times))
+    return float(np.interp(SWING_END, part, times) - np.interp(SWING_START, part, times))

@@ -11,8 +11,8 @@ from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
 from viscodesign.units import Pressure
 
 
-class Constant(PiecewiseLinear):
-    """One pressure, held."""
+class ConstantInput(PiecewiseLinear):
+    """A constant pressure."""
 
     name: ClassVar[str] = "constant"
     kind: Literal["constant"]

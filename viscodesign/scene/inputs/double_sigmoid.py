@@ -8,12 +8,12 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from viscodesign.scene.inputs.base import LAST, Input
+from viscodesign.scene.inputs.base import SWING_END, Input
 from viscodesign.units import Pressure, Time
 
 
-class DoubleSigmoid(Input):
-    r"""start - drop s(t - fall_time) + drop s(t - rise_time).
+class DoubleSigmoidInput(Input):
+    r"""Fall and rise: start - drop s(t - fall_time) + drop s(t - rise_time).
 
     .. math:: s(t) = 1 / (1 + \exp(-2 k t)), \quad k = 6 / \text{transition}
 
@@ -23,21 +23,23 @@ class DoubleSigmoid(Input):
     name: ClassVar[str] = "double_sigmoid"
     coefficients: ClassVar[int] = 1
     kind: Literal["double_sigmoid"]
-    start: Pressure = Field(description="Gauge pressure above the baseline before and after")
-    drop: Pressure = Field(description="How far it falls")
+    start: Pressure = Field(
+        description="Gauge pressure above the baseline before and after the pulse"
+    )
+    drop: Pressure = Field(description="Height of the fall")
     fall_time: Time = Field(ge=0, description="Centre of the fall")
     rise_time: Time = Field(ge=0, description="Centre of the rise")
-    transition: Time = Field(gt=0, description="Length of a transition, 6/k")
+    transition: Time = Field(gt=0, description="Duration of a transition, 6/k")
 
     def expression(self, t: Any, piece: Any, functions: Any) -> Any:
-        del piece  # it only tells the intervals apart
+        del piece
         rate = 6 / self.transition
         fall = (1 + functions.tanh(rate * (t - self.fall_time))) / 2
         rise = (1 + functions.tanh(rate * (t - self.rise_time))) / 2
         return self.start - self.drop * fall + self.drop * rise
 
     def corners(self, duration: float) -> list[float]:
-        """Where a transition begins to be felt: there a solver that has grown careless wakes."""
+        """Where each transition begins: a solver with large steps could skip it."""
         begins = (self.fall_time - self.transition, self.rise_time - self.transition)
         return sorted({float(t) for t in begins if 0.0 < t < duration})
 
@@ -51,13 +53,13 @@ class DoubleSigmoid(Input):
         return np.asarray(self.expression(np.asarray(t), None, np))
 
     def extremes(self, duration: float) -> tuple[float, float]:
-        """At the ends, and half-way between fall and rise: nowhere else do both slopes agree."""
+        """At the ends and midway between fall and rise, where the two slopes cancel."""
         middle = (self.fall_time + self.rise_time) / 2
         found = self.values(np.array([0.0, min(middle, duration), duration]))
         return float(found.min()), float(found.max())
 
     def swing_time(self) -> float:
-        """Of one sigmoid, the two being apart: ln 99 / k."""
+        """Of a single sigmoid: ln 99 / k."""
         if self.drop == 0.0:
             return math.inf
-        return math.log(LAST / (1 - LAST)) * self.transition / 6
+        return math.log(SWING_END / (1 - SWING_END)) * self.transition / 6

@@ -8,20 +8,20 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from viscodesign.scene.inputs.base import FIRST, Input
+from viscodesign.scene.inputs.base import SWING_START, Input
 from viscodesign.units import Angle, Frequency, Pressure
 
 
-class Sine(Input):
-    """mean + amplitude sin(2 pi frequency t + phase)."""
+class SineInput(Input):
+    """A sine: mean + amplitude sin(2 pi frequency t + phase)."""
 
     name: ClassVar[str] = "sine"
     coefficients: ClassVar[int] = 0
     kind: Literal["sine"]
-    amplitude: Pressure = Field(description="Half of the swing")
-    frequency: Frequency = Field(gt=0, description="Cycles per second")
+    amplitude: Pressure = Field(description="Amplitude, half of the peak-to-peak value")
+    frequency: Frequency = Field(gt=0, description="Frequency")
     phase: Angle = Field(0.0, description="Phase at t = 0")
-    mean: Pressure = Field(0.0, description="Gauge pressure above the baseline, on average")
+    mean: Pressure = Field(0.0, description="Mean gauge pressure above the baseline")
 
     @property
     def period(self) -> float:
@@ -45,19 +45,19 @@ class Sine(Input):
         return np.asarray(self.expression(np.asarray(t), None, np))
 
     def extremes(self, duration: float) -> tuple[float, float]:
-        """The crests where the phase passes one, else the ends."""
+        """The peaks that the run contains, and its ends."""
         first = self.phase / (2 * math.pi)
         last = first + self.frequency * duration
         ends = [float(v) for v in self.values(np.array([0.0, duration]))]
-        # Turns 1/4, 3/4, 5/4, ... are crests of the sine, up and down by turns.
-        crests = [
+        # Peaks lie at 1/4, 3/4, 5/4, ... turns, alternately up and down.
+        peaks = [
             self.mean + sign * self.amplitude
             for turn, sign in ((0.25, 1.0), (0.75, -1.0))
             if math.floor(last - turn) >= math.ceil(first - turn)
         ]
-        return min([*ends, *crests]), max([*ends, *crests])
+        return min([*ends, *peaks]), max([*ends, *peaks])
 
     def swing_time(self) -> float:
         if self.amplitude == 0.0:
             return math.inf
-        return (math.pi - 2 * math.acos(1 - 2 * FIRST)) / (2 * math.pi * self.frequency)
+        return (math.pi - 2 * math.acos(1 - 2 * SWING_START)) / (2 * math.pi * self.frequency)

@@ -9,25 +9,25 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
-from viscodesign.scene.section import refuse_at
+from viscodesign.scene.spec_part import invalid_at
 from viscodesign.units import Fraction, Frequency, Pressure
 
 
-class Square(PiecewiseLinear):
-    """High for the duty of every period, then low; jumps in between."""
+class SquareInput(PiecewiseLinear):
+    """A square wave: high for the duty cycle of every period, then low."""
 
     name: ClassVar[str] = "square"
     kind: Literal["square"]
-    high: Pressure = Field(description="Gauge pressure above the baseline, first")
-    low: Pressure = Field(description="Gauge pressure above the baseline, second")
-    frequency: Frequency = Field(gt=0, description="Periods per second")
-    duty: Fraction = Field(0.5, gt=0, lt=1, description="Part of a period that is high")
+    high: Pressure = Field(description="Gauge pressure above the baseline, first level")
+    low: Pressure = Field(description="Gauge pressure above the baseline, second level")
+    frequency: Frequency = Field(gt=0, description="Frequency")
+    duty: Fraction = Field(0.5, gt=0, lt=1, description="Duty cycle, the high fraction of a period")
 
     @model_validator(mode="after")
-    def _high_is_high(self) -> Square:
+    def _check_levels(self) -> SquareInput:
         if self.high < self.low:
-            raise refuse_at(
-                "high", f"{self.high:g} Pa lies below low, {self.low:g} Pa; exchange the two"
+            raise invalid_at(
+                "high", f"must be at least low, {self.low:g} Pa; got {self.high:g} Pa. Swap the two"
             )
         return self
 

@@ -11,13 +11,13 @@ from viscodesign.scene.inputs.base import PiecewiseLinear
 from viscodesign.units import Pressure, Time
 
 
-class Step(PiecewiseLinear):
-    """From the baseline to a pressure, at once."""
+class StepInput(PiecewiseLinear):
+    """A step from the baseline to a pressure."""
 
     name: ClassVar[str] = "step"
     kind: Literal["step"]
     value: Pressure = Field(description="Gauge pressure above the baseline after the step")
-    time: Time = Field(0.0, ge=0, description="When it jumps")
+    time: Time = Field(0.0, ge=0, description="Time of the step")
 
     def vertices(self, duration: float) -> np.ndarray:
         before = [(0.0, 0.0), (self.time, 0.0)] if self.time > 0 else []

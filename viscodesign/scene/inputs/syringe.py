@@ -1,4 +1,4 @@
-"""`kind: syringe`: a plunger, whose fluid then finds its own pressure."""
+"""`kind: syringe`: a plunger imposes volume, and the pressure follows."""
 
 from __future__ import annotations
 
@@ -11,76 +11,77 @@ import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear
-from viscodesign.scene.section import Complaint, refuse_any
-from viscodesign.scene.table_file import disorder, refuse_rows, with_rows
+from viscodesign.scene.spec_part import KeyFault, raise_faults
+from viscodesign.scene.table_file import check_rows, time_faults, with_rows
 from viscodesign.units import Length, Speed, Time, Volume
 
-COLUMNS = ("time_s", "position_m")
+POSITION_COLUMNS = ("time_s", "position_m")
 
 
-class Syringe(PiecewiseLinear):
-    """The plunger is pushed in from its start, by position or by speed.
+class SyringeInput(PiecewiseLinear):
+    """A plunger that is pushed in from its start by given positions or speeds.
 
-    Barrel, tubes and bellows are one closed vessel, filled at the baseline pressure with
-    the plunger at its start; the fluid's stiffness then makes the pressure.
+    Barrel, tubes and bellows form a closed volume, filled at the baseline pressure with the
+    plunger at its start; the compressibility of the fluid determines the pressure.
     """
 
     name: ClassVar[str] = "syringe"
     gives_pressure: ClassVar[bool] = False
     kind: Literal["syringe"]
     diameter: Length = Field(gt=0, description="Inner diameter of the barrel")
-    start: Length = Field(gt=0, description="Length of the filled barrel at the start")
-    dead_volume: Volume = Field(0.0, ge=0, description="What the plunger cannot push out")
+    start: Length = Field(gt=0, description="Filled length of the barrel at the start")
+    dead_volume: Volume = Field(0.0, ge=0, description="Volume that the plunger cannot displace")
     cushion: Volume = Field(
         0.0,
         ge=0,
-        description="Gas in front of the plunger beside a liquid, at the baseline pressure",
+        description="Gas volume in a liquid-filled barrel, at the baseline pressure",
     )
     file: str | None = Field(
         None, description="CSV with the columns time_s, position_m; relative to the spec"
     )
     rows: tuple[tuple[Time, Length], ...] | None = Field(
-        None, description="Instead of a file: [time, position pushed in from the start] pairs"
+        None,
+        description="Instead of a file: pairs of [time, position from the start, positive inwards]",
     )
     speeds: tuple[tuple[Time, Speed], ...] | None = Field(
-        None, description="Instead of positions: [time, speed from then on] pairs"
+        None, description="Instead of positions: pairs of [time, speed from then on]"
     )
 
     @model_validator(mode="before")
     @classmethod
     def _read(cls, given: Any, info: ValidationInfo) -> Any:
-        return with_rows(given, info, COLUMNS, disorder, "a syringe", ["speeds"])
+        return with_rows(given, info, POSITION_COLUMNS, time_faults, "a syringe", ["speeds"])
 
     @model_validator(mode="after")
-    def _in_order(self) -> Syringe:
+    def _check_motion(self) -> SyringeInput:
         if self.speeds is None:
-            refuse_rows(self.rows or (), disorder)
-        refuse_any(self._faults())
+            check_rows(self.rows or (), time_faults)
+        raise_faults(self._faults())
         return self
 
-    def _faults(self) -> Iterator[Complaint]:
+    def _faults(self) -> Iterator[KeyFault]:
         key = "rows" if self.speeds is None else "speeds"
         times = [t for t, _ in self.speeds or ()]
         if any(b <= a for a, b in itertools.pairwise([-1.0, *times])):
-            yield Complaint(("speeds",), "times must rise, from 0 s on")
+            yield KeyFault(("speeds",), "times must increase, starting at 0 s or later")
         for t, x in self._positions():
             if x >= self.start:
-                message = f"pushed in by {1e3 * x:g} mm at {t:g} s, but only {1e3 * self.start:g} "
-                yield Complaint((key,), message + "mm of the barrel are filled")
+                message = f"position {1e3 * x:g} mm at {t:g} s exceeds the filled length of "
+                yield KeyFault((key,), message + f"{1e3 * self.start:g} mm")
                 return
 
     @property
     def area(self) -> float:
-        """Cross section of the barrel [m2]."""
+        """Cross-sectional area of the barrel [m2]."""
         return math.pi * self.diameter**2 / 4
 
     @property
     def full_volume(self) -> float:
-        """Volume in front of the plunger at its start, a cushion included [m3]."""
+        """Volume in front of the plunger at its start, including the gas cushion [m3]."""
         return self.area * self.start + self.dead_volume + self.cushion
 
     def _positions(self) -> list[tuple[float, float]]:
-        """(time, position) where the speed changes; the last speed of a list is kept."""
+        """(time, position) where the speed changes; the last speed continues."""
         if self.speeds is None:
             return [(float(t), float(x)) for t, x in self.rows or ()]
         points, place = [(0.0, 0.0)], 0.0

@@ -1,4 +1,4 @@
-"""`kind: table`: measured or designed, row by row."""
+"""`kind: table`: measured or designed values in rows."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear
-from viscodesign.scene.table_file import disorder, refuse_rows, with_rows
+from viscodesign.scene.table_file import check_rows, time_faults, with_rows
 from viscodesign.units import Pressure, Time
 
-COLUMNS = ("time_s", "pressure_pa")
+PRESSURE_COLUMNS = ("time_s", "pressure_pa")
 
 
-class Table(PiecewiseLinear):
-    """Linear between rows, level before the first and after the last; equal times jump."""
+class TableInput(PiecewiseLinear):
+    """Linear between rows, constant before the first and after the last; equal times are a jump."""
 
     name: ClassVar[str] = "table"
     kind: Literal["table"]
@@ -23,17 +23,17 @@ class Table(PiecewiseLinear):
         None, description="CSV with the columns time_s, pressure_pa; relative to the spec"
     )
     rows: tuple[tuple[Time, Pressure], ...] | None = Field(
-        None, description="Instead of a file: [time, pressure] pairs"
+        None, description="Instead of a file: pairs of [time, pressure]"
     )
 
     @model_validator(mode="before")
     @classmethod
     def _read(cls, given: Any, info: ValidationInfo) -> Any:
-        return with_rows(given, info, COLUMNS, disorder, "a table")
+        return with_rows(given, info, PRESSURE_COLUMNS, time_faults, "a table")
 
     @model_validator(mode="after")
-    def _in_order(self) -> Table:
-        refuse_rows(self.rows or (), disorder)
+    def _check_times(self) -> TableInput:
+        check_rows(self.rows or (), time_faults)
         return self
 
     def vertices(self, duration: float) -> np.ndarray:

@@ -9,12 +9,12 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
-from viscodesign.scene.section import refuse
+from viscodesign.scene.spec_part import invalid
 from viscodesign.units import Pressure, Time
 
 
-class Trapezoid(PiecewiseLinear):
-    """From low: rise to high, hold, fall to low, rest; again and again."""
+class TrapezoidInput(PiecewiseLinear):
+    """A periodic trapezoid: rise from low to high, hold, fall to low, rest."""
 
     name: ClassVar[str] = "trapezoid"
     kind: Literal["trapezoid"]
@@ -26,14 +26,14 @@ class Trapezoid(PiecewiseLinear):
     rest: Time = Field(0.0, ge=0, description="Time at low")
 
     @model_validator(mode="after")
-    def _lasts(self) -> Trapezoid:
+    def _check_period(self) -> TrapezoidInput:
         if self.period <= 0.0:
-            raise refuse("rise, hold, fall and rest are all 0 s; a period must last some time")
+            raise invalid("rise, hold, fall and rest are all 0 s; the period must be above 0 s")
         return self
 
     @property
     def period(self) -> float:
-        """Length of a cycle [s]."""
+        """Duration of a cycle [s]."""
         return float(self.rise + self.hold + self.fall + self.rest)
 
     def vertices(self, duration: float) -> np.ndarray:

@@ -1,51 +1,50 @@
-"""Home and travel as lines of a spec, and into its file."""
+"""Changes of single values of a spec in its file; comments, order and all else stay."""
 
 from __future__ import annotations
 
-import re
+from collections.abc import Mapping
 from pathlib import Path
+
+import yaml
 
 from viscodesign.errors import UsageError
 
 
-def spec_lines(home: int, travel: tuple[int, int]) -> list[str]:
-    """To be pasted below `pump:`."""
-    return [f"home: {home}", f"travel: [{travel[0]}, {travel[1]}]"]
+def write_values(file: Path, section: str, values: Mapping[str, str]) -> None:
+    """Set keys of a section in a spec's file, completely or not at all.
 
-
-def with_lines(text: str, home: int, travel: tuple[int, int]) -> str:
-    """A spec's text with these in its `pump:`; comments and everything else stay."""
-    lines = text.splitlines(keepends=True)
-    start = next((k for k, line in enumerate(lines) if re.match(r"pump:\s*(#.*)?$", line)), None)
-    if start is None:
-        raise UsageError("the spec has no block `pump:` of its own; paste the lines by hand")
-    for line in reversed(spec_lines(home, travel)):
-        key = line.partition(":")[0]
-        place = _line_of(lines, start, key)
-        if place is None:
-            lines.insert(start + 1, f"{_indent(lines, start)}{line}\n")
-        else:
-            lines[place] = re.sub(r"^(\s+).*?(\s*(#.*)?)$", rf"\g<1>{line}\g<2>", lines[place])
-    return "".join(lines)
-
-
-def _line_of(lines: list[str], start: int, key: str) -> int | None:
-    """Where a key of the block that begins at ``start`` stands, on one line."""
-    for k in range(start + 1, len(lines)):
-        if lines[k].strip() and not lines[k][0].isspace() and not lines[k].startswith("#"):
-            return None
-        if re.match(rf"\s+{key}:\s*\S", lines[k]):
-            return k
-    return None
-
-
-def _indent(lines: list[str], start: int) -> str:
-    inside = (re.match(r"(\s+)\w", line) for line in lines[start + 1 : start + 2])
-    return next((found[1] for found in inside if found), "  ")
-
-
-def write_spec(path: Path, home: int, travel: tuple[int, int]) -> None:
-    """Change a spec's file, as a whole or not at all."""
+    ``values`` are YAML texts by key. Raises `UsageError` where there is no such section.
+    """
     from viscodesign.storage.atomic_files import write_bytes
 
-    write_bytes(path, with_lines(path.read_text(), home, travel).encode())
+    text = file.read_bytes().decode()
+    write_bytes(file, with_values(text, section, values).encode())
+
+
+def with_values(text: str, section: str, values: Mapping[str, str]) -> str:
+    """The text of a spec with these values in a section."""
+    node = _value_of(yaml.compose(text, Loader=yaml.SafeLoader), section)
+    if not isinstance(node, yaml.MappingNode) or not node.value:
+        raise UsageError(f"the spec has no section `{section}:` of its own; add the lines by hand")
+    first = node.value[0][0].start_mark
+    behind = ", " if node.flow_style else "\n" + " " * first.column
+    known = {key: found for key in values if (found := _value_of(node, key)) is not None}
+    new = "".join(f"{key}: {values[key]}{behind}" for key in values if key not in known)
+    changes = [(first.index, first.index, new)]
+    changes += [(found.start_mark.index, _end(found), values[key]) for key, found in known.items()]
+    for start, end, replacement in sorted(changes, reverse=True):
+        text = text[:start] + replacement + text[end:]
+    return text
+
+
+def _value_of(node: yaml.Node | None, key: str) -> yaml.Node | None:
+    pairs = node.value if isinstance(node, yaml.MappingNode) else []
+    return next((value for name, value in pairs if name.value == key), None)
+
+
+def _end(node: yaml.Node) -> int:
+    """Where a value ends; the end mark of an indented block stands at the next key."""
+    if not isinstance(node, yaml.CollectionNode) or node.flow_style or not node.value:
+        return int(node.end_mark.index)
+    last = node.value[-1]
+    return _end(last[1] if isinstance(last, tuple) else last)

@@ -1,4 +1,4 @@
-"""Validation faults in words of the user, each with file, line and key."""
+"""Validation errors in the words of a spec, each with file, line and key."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from viscodesign.errors import Fault
-from viscodesign.scene.cross_checks import disagreements
+from viscodesign.errors import Fault, described, did_you_mean, not_among
+from viscodesign.scene.cross_checks import cross_check
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.per_inlet import EACH, ONE
+from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.field_lookup import field_at, keys_beside, quantity_of
-from viscodesign.scene.reading.yaml_nodes import Document
-from viscodesign.scene.section import Complaint, KeyPath, did_you_mean
+from viscodesign.scene.spec_part import KeyFault, KeyPath
 
 _BOUNDS = {
     "greater_than": ("gt", "above"),
@@ -22,14 +22,14 @@ _BOUNDS = {
     "less_than": ("lt", "below"),
     "less_than_equal": ("le", "at most"),
 }
-_WANTED = {
-    "string_type": "a text",
-    "string_too_short": "a text",
+_EXPECTED = {
+    "string_type": "text",
+    "string_too_short": "text",
     "string_too_long": "a shorter text",
-    "int_type": "a whole number",
-    "int_parsing": "a whole number",
-    "int_parsing_size": "a whole number",
-    "int_from_float": "a whole number",
+    "int_type": "an integer",
+    "int_parsing": "an integer",
+    "int_parsing_size": "an integer",
+    "int_from_float": "an integer",
     "bool_type": "true or false",
     "dict_type": "a mapping",
     "model_type": "a mapping",
@@ -40,34 +40,34 @@ _WANTED = {
     "too_short": "a pair",
     "union_tag_not_found": "a mapping with the key 'kind'",
 }
-_SILENT = "default_factory_not_called"
-"""A default that waits for another key, whose own fault is told."""
+_NOT_REPORTED = "default_factory_not_called"
+"""A default that depends on another key, whose own fault is reported."""
 
 
-def explain(error: ValidationError, document: Document) -> list[Fault]:
-    """Every fault of the parts."""
+def explain_validation(error: ValidationError, document: Document) -> list[Fault]:
+    """Every fault within a section."""
     return [
-        _fault(Complaint((*_key_path(detail, document), *path), message), document)
+        _located(KeyFault((*_key_path(detail, document), *path), message), document)
         for detail in error.errors(include_url=False)
-        if detail["type"] != _SILENT
-        for path, message in _complaints(detail, document)
+        if detail["type"] != _NOT_REPORTED
+        for path, message in _key_faults(detail, document)
     ]
 
 
-def explain_disagreements(
+def explain_cross_checks(
     valid: Mapping[tuple[str, str | None], Any], document: Document
 ) -> list[Fault]:
-    """Every fault between the parts that are right by themselves."""
-    return [_fault(complaint, document) for complaint in disagreements(valid)]
+    """Every fault between sections that are valid by themselves."""
+    return [_located(complaint, document) for complaint in cross_check(valid)]
 
 
-def _fault(complaint: Complaint, document: Document) -> Fault:
-    file, line = document.place(complaint.path)
-    return Fault(complaint.message, ".".join(complaint.path), file, line)
+def _located(fault: KeyFault, document: Document) -> Fault:
+    file, line = document.place(fault.path)
+    return Fault(fault.message, ".".join(fault.path), file, line)
 
 
 def _key_path(detail: ErrorDetails, document: Document) -> KeyPath:
-    """The YAML key: pydantic's place without the tags of its unions."""
+    """The YAML key: pydantic's location without the tags of its unions."""
     path: KeyPath = ()
     for part in map(str, detail["loc"]):
         is_tag = (part in INPUT_KINDS and _is_input(path)) or part in (ONE, EACH)
@@ -80,12 +80,12 @@ def _is_input(path: KeyPath) -> bool:
     return path == ("input",) or (len(path) == 2 and path[0] == "inputs")
 
 
-def _complaints(detail: ErrorDetails, document: Document) -> Iterator[Complaint]:
+def _key_faults(detail: ErrorDetails, document: Document) -> Iterator[KeyFault]:
     context: dict[str, Any] = detail.get("ctx") or {}
-    if "complaints" in context:
-        yield from context["complaints"]
+    if "faults" in context:
+        yield from context["faults"]
         return
-    yield Complaint((), _message(detail, context, _key_path(detail, document), document))
+    yield KeyFault((), _message(detail, context, _key_path(detail, document), document))
 
 
 def _message(
@@ -95,7 +95,7 @@ def _message(
     if kind == "quantity":
         return str(context["message"])
     if kind == "missing":
-        pair = "; a pair is wanted" if path[-1].isdigit() else ""
+        pair = "; expected a pair" if path[-1].isdigit() else ""
         return "missing" + pair + _description(path, document)
     if kind == "extra_forbidden":
         return _unknown_key(path, document)
@@ -103,19 +103,13 @@ def _message(
         return _out_of_bounds(kind, given, context, path, document)
     if kind == "literal_error":
         known = [word.strip("'\" ") for word in context["expected"].replace(" or ", ",").split(",")]
-        return (
-            f"{given!r} is given; allowed are {', '.join(known)}{did_you_mean(str(given), known)}"
-        )
+        return not_among(given, known)
     if kind == "union_tag_invalid":
-        return _input_kind(str(context.get("tag")))
-    if kind in _WANTED:
-        return f"{_shown(given)} is given; {_WANTED[kind]} is wanted{_description(path, document)}"
-    return f"{_shown(given)} is given; {detail['msg'][0].lower()}{detail['msg'][1:]}"
-
-
-def _input_kind(given: str) -> str:
-    allowed = f"allowed are {', '.join(INPUT_KINDS)}"
-    return f"kind '{given}' is given; {allowed}{did_you_mean(given, INPUT_KINDS)}"
+        return "kind " + not_among(str(context.get("tag")), INPUT_KINDS)
+    if kind in _EXPECTED:
+        expected = f"expected {_EXPECTED[kind]}, got {described(given)}"
+        return expected + _description(path, document)
+    return f"got {described(given)}; {detail['msg'][0].lower()}{detail['msg'][1:]}"
 
 
 def _unknown_key(path: KeyPath, document: Document) -> str:
@@ -128,7 +122,7 @@ def _unknown_key(path: KeyPath, document: Document) -> str:
 def _out_of_bounds(
     kind: str, given: Any, context: dict[str, Any], path: KeyPath, document: Document
 ) -> str:
-    """The value as it was written, and the bound in the unit that a bare number has."""
+    """The bound in the unit of a bare number, and the value as it was written."""
     name, words = _BOUNDS[kind]
     found = field_at(path, document)
     quantity = quantity_of(found) if found is not None else None
@@ -136,27 +130,16 @@ def _out_of_bounds(
     unit = f" {quantity.unit}" if quantity is not None and not is_fraction else ""
     written = document.given(path)
     is_bare = is_fraction and isinstance(written, (int, float)) and written > 1
-    percent = "; a percentage needs its sign, like '50 %'" if is_bare else ""
-    shown = written if isinstance(written, (int, float, str)) else given
-    return f"{shown!r} is given; allowed are values {words} {context[name]:g}{unit}{percent}"
-
-
-def _shown(given: Any) -> str:
-    if given is None:
-        return "nothing"
-    if isinstance(given, dict):
-        return "a mapping"
-    if isinstance(given, (list, tuple)):
-        return "a list"
-    text = repr(given)
-    return text if len(text) < 60 else text[:57] + "..."
+    percent = "; a percentage needs its sign, as in '50 %'" if is_bare else ""
+    value = written if isinstance(written, (int, float, str)) else given
+    return f"must be {words} {context[name]:g}{unit}; got {value!r}{percent}"
 
 
 def _description(path: KeyPath, document: Document) -> str:
-    """What the key is for, and a value that it may have."""
+    """What the key means, and an example of its value."""
     found = field_at(path, document)
     if found is None or not found.description:
         return ""
     quantity = quantity_of(found)
-    example = f", like '{quantity.example}'" if quantity is not None else ""
+    example = f", such as '{quantity.example}'" if quantity is not None else ""
     return f"; {found.description[0].lower()}{found.description[1:]}{example}"

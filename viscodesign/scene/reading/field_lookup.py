@@ -1,4 +1,4 @@
-"""Which field of the models a key of a spec leads to, and which keys may stand beside it."""
+"""The model field that a key of a spec belongs to, and the keys allowed beside it."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from pydantic.fields import FieldInfo
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.per_inlet import is_by_inlet
-from viscodesign.scene.reading.yaml_nodes import Document
+from viscodesign.scene.reading.document import Document
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.section import KeyPath
-from viscodesign.units import Kind
+from viscodesign.scene.spec_part import KeyPath
+from viscodesign.units import QuantityKind
 
 
 def field_at(path: KeyPath, document: Document) -> FieldInfo | None:
-    """The field that a key is read into, where it is one of a model."""
+    """The field that a key is read into, or None."""
     model = _model_at(path[:-1], document) if path else None
     return _fields(model).get(path[-1]) if model is not None else None
 
 
-def quantity_of(found: FieldInfo) -> Kind | None:
-    """The kind of quantity that a field holds, also where it may be left out."""
+def quantity_of(found: FieldInfo) -> QuantityKind | None:
+    """The kind of quantity that a field holds, optional ones included."""
     notes = [*found.metadata, *_notes(found.annotation)]
-    return next((note for note in notes if isinstance(note, Kind)), None)
+    return next((note for note in notes if isinstance(note, QuantityKind)), None)
 
 
 def keys_beside(path: KeyPath, document: Document) -> list[str]:
-    """The keys that are allowed where ``path`` stands."""
+    """The keys that are allowed in the place of ``path``."""
     model = _model_at(path[:-1], document)
     return list(_fields(model)) if model is not None else []
 
@@ -40,7 +40,7 @@ def _fields(model: type[BaseModel]) -> dict[str, FieldInfo]:
 
 
 def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
-    """The model that a key's mapping is read into."""
+    """The model that the mapping of a key is read into."""
     annotation: Any = Scene
     for depth, part in enumerate(path):
         model = _model_in(annotation, document.given(path[:depth]))
@@ -54,7 +54,7 @@ def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
 
 
 def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
-    """The model that an annotation stands for; of the kinds of input, the one that is given."""
+    """The model of an annotation; of the input kinds, the given one."""
     kinds = [a for a in _alternatives(annotation) if isinstance(a, type)]
     models = [a for a in kinds if issubclass(a, BaseModel)]
     if models and all(issubclass(model, Input) for model in models):
@@ -66,7 +66,7 @@ def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
 
 
 def _entry_of(annotation: Any) -> Any:
-    """What a mapping's or a list's entries are."""
+    """The type of the entries of a mapping or a list."""
     for alternative in _alternatives(annotation):
         if get_origin(alternative) is dict:
             return get_args(alternative)[1]
@@ -76,7 +76,7 @@ def _entry_of(annotation: Any) -> Any:
 
 
 def _notes(annotation: Any) -> list[Any]:
-    """What the members of a union are annotated with."""
+    """The annotations of the members of a union."""
     if get_origin(annotation) is Annotated:
         return list(get_args(annotation)[1:])
     if get_origin(annotation) in (Union, UnionType):
@@ -85,7 +85,7 @@ def _notes(annotation: Any) -> list[Any]:
 
 
 def _alternatives(annotation: Any) -> list[Any]:
-    """The members of a union, however it is nested and annotated."""
+    """The members of a union, however nested and annotated."""
     origin = get_origin(annotation)
     if origin is Annotated:
         return _alternatives(get_args(annotation)[0])

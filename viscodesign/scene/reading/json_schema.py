@@ -20,12 +20,12 @@ _BOUNDS = {
 
 
 def spec_schema(known: KnownEffects) -> dict[str, Any]:
-    """Draft 2020-12. The words that stand for a mapping are allowed beside it."""
+    """The schema, draft 2020-12, including the words that replace a mapping, such as `on`."""
     schema = Scene.model_json_schema(by_alias=True)
     definitions, properties = schema["$defs"], schema["properties"]
     properties["fluid"] = {
         "anyOf": [{"enum": list(named_fluids())}, {"$ref": "#/$defs/Fluid"}],
-        "description": "A named fluid, or a mapping with its properties",
+        "description": "A named fluid, or a mapping of properties",
     }
     mode = {"enum": ["auto", *_ON, *_OFF]}
     properties["effects"] = {
@@ -35,7 +35,7 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
                 "type": "object",
                 "properties": {
                     **dict.fromkeys(known.names, mode),
-                    OTHERS: {**mode, "description": "For every effect that is not named"},
+                    OTHERS: {**mode, "description": "Mode of all other effects"},
                 },
                 "additionalProperties": False,
             },
@@ -44,9 +44,9 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
     }
     definitions.pop("EffectsChoice", None)
     gravity = definitions["Loads"]["properties"]["gravity"]
-    gravity["anyOf"] = [{"enum": [*_ON, *_OFF, None]}, {"$ref": "#/$defs/Gravity"}]
+    gravity["anyOf"] = [{"enum": [*_ON, *_OFF, None]}, {"$ref": "#/$defs/GravityLoad"}]
     schema["oneOf"] = [{"required": ["input"]}, {"required": ["inputs"]}]
-    _settle_bounds(schema)
+    _move_bounds(schema)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "viscodesign spec",
@@ -54,11 +54,11 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
     }
 
 
-def _settle_bounds(node: Any) -> None:
-    """Put the bounds of quantities that may be left out where JSON Schema looks for them."""
+def _move_bounds(node: Any) -> None:
+    """Move the bounds of optional quantities to where JSON Schema expects them."""
     if isinstance(node, list):
         for item in node:
-            _settle_bounds(item)
+            _move_bounds(item)
     if not isinstance(node, dict):
         return
     for name, keyword in _BOUNDS.items():
@@ -66,4 +66,4 @@ def _settle_bounds(node: Any) -> None:
             number = next(one for one in node["anyOf"] if one.get("type") == "number")
             number[keyword] = node.pop(name)
     for item in node.values():
-        _settle_bounds(item)
+        _move_bounds(item)

@@ -1,4 +1,4 @@
-"""A scene back into YAML: as resolved, in SI with units, runnable again."""
+"""A scene as YAML: resolved, in SI with units, runnable again."""
 
 from __future__ import annotations
 
@@ -9,40 +9,40 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from viscodesign.scene.effects_choice import OTHERS, EffectsChoice
+from viscodesign.scene.reading.document import plain_value
 from viscodesign.scene.reading.field_lookup import quantity_of
-from viscodesign.scene.reading.yaml_nodes import plain_value
 from viscodesign.scene.scene import Scene
 
 
 class _Row(list[Any]):
-    """A list that is written in one line."""
+    """A list that is written on one line."""
 
 
 class _Dumper(yaml.SafeDumper):
-    """Plain data; rows in one line each."""
+    """Writes plain data, with each row on one line."""
 
 
-def _in_one_line(dumper: yaml.SafeDumper, row: _Row) -> yaml.SequenceNode:
+def _on_one_line(dumper: yaml.SafeDumper, row: _Row) -> yaml.SequenceNode:
     return dumper.represent_sequence("tag:yaml.org,2002:seq", row, flow_style=True)
 
 
 def _in_quotes_where_needed(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
-    """A text that the reader would take for a number, such as the name 1e5, needs quotes."""
+    """Text that would be read as a number, such as the name 1e5, needs quotes."""
     style = None if plain_value(text) == text else "'"
     return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=style)
 
 
-_Dumper.add_representer(_Row, _in_one_line)
+_Dumper.add_representer(_Row, _on_one_line)
 _Dumper.add_representer(str, _in_quotes_where_needed)
 
 
 def resolved_yaml(scene: Scene) -> str:
-    """The spec as resolved; loading it gives an equal scene."""
+    """The resolved spec; loading it gives an equal scene."""
     return yaml.dump(_model(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)
 
 
 def _model(part: BaseModel) -> dict[str, Any]:
-    """Fields under their YAML keys; what is unset stays away."""
+    """Fields under their YAML keys, without those that are unset."""
     data: dict[str, Any] = {}
     for name, found in type(part).model_fields.items():
         value = getattr(part, name)

@@ -14,7 +14,7 @@ from viscodesign.pump.bus.packets import ErrorBits
 from viscodesign.pump.play.pump import SPEED, speed_register
 from viscodesign.pump.play.safety_rules import Stop
 from viscodesign.pump.play.torque_limit import free_speed, stalling_pressure, torque_limit
-from viscodesign.scene.pump import Pump as Settings
+from viscodesign.scene.pump import PumpSpec as Settings
 
 
 def servo_of(rig: Rig):  # type: ignore[no-untyped-def]
