@@ -130,6 +130,6 @@ def test_reading_a_spec_loads_nothing_heavy() -> None:
         "assert not heavy & set(sys.modules), heavy & set(sys.modules)\n"
         f"load.load_scene({str(CONFIGS / 'leg_16_straight_air.yaml')!r})\n"
         "from viscodesign.units import all_units_registry\n"
-        "assert not all_units_registry.cache_info().currsize, 'the slow common_units_registry was built'\n"
+        "assert not all_units_registry.cache_info().currsize, 'the slow registry was built'\n"
     )
     subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)

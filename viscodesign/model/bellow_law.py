@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 
 from viscodesign.model.graph import Graph
-from viscodesign.model.structure import SCENE_NUMBER
+from viscodesign.model.scene_number import SCENE_NUMBER
 
 SX = ca.SX
 

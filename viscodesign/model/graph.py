@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from viscodesign.model.structure import SCENE_NUMBER
+from viscodesign.model.scene_number import SCENE_NUMBER
 
 
 @dataclass(frozen=True)

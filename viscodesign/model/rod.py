@@ -27,7 +27,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.structure import SCENE_NUMBER
+from viscodesign.model.scene_number import SCENE_NUMBER
 
 SX = ca.SX
 

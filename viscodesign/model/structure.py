@@ -21,11 +21,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from viscodesign.model.scene_number import PARAMETER_VALUE, SCENE_NUMBER
+
 SX = ca.SX
-SCENE_NUMBER = {"scene number": "may decide what is formulated by being None, zero or infinite"}
-"""Metadata of a dataclass field whose value enters formulas as a parameter, never as a constant."""
-PARAMETER_VALUE = {"scene number": "decides nothing"}
-"""The same of a field that nothing but a solver ever reads."""
 
 
 def structure_of(system: object) -> Hashable:

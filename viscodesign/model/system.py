@@ -25,7 +25,7 @@ from viscodesign.model.bellow_wall import LinearWall, SnappingWall, Wall
 from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, ChainRod
-from viscodesign.model.structure import PARAMETER_VALUE, SCENE_NUMBER
+from viscodesign.model.scene_number import PARAMETER_VALUE, SCENE_NUMBER
 
 SX = ca.SX
 

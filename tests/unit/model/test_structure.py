@@ -8,7 +8,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from viscodesign.model.structure import PARAMETER_VALUE, SCENE_NUMBER, structure_of, without_numbers
+from viscodesign.model.scene_number import PARAMETER_VALUE, SCENE_NUMBER
+from viscodesign.model.structure import structure_of, without_numbers
 
 
 @dataclass(frozen=True)
