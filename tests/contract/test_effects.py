@@ -17,7 +17,7 @@ from viscodesign.cli.main import main
 from viscodesign.effects.base import Effect
 from viscodesign.effects.select import catalogue, select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.model.rod_equations import RodForm
+from viscodesign.model.rod_equations import COORDINATES, RATES, RodForm
 from viscodesign.results.findings import Verdict
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
@@ -168,8 +168,8 @@ def test_damping_only_takes_and_spares_a_rigid_turn() -> None:
     )
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     x = start.states.copy()
-    position = equations.states.physical("position", x).reshape(-1, 2)
-    span = equations.states.blocks["velocity"].span
+    position = equations.states.physical(COORDINATES, x).reshape(-1, 2)
+    span = equations.states.blocks[RATES].span
 
     def loss(velocity: np.ndarray) -> float:
         x[span] = velocity.ravel()
@@ -191,7 +191,7 @@ def _rates(
     problem: Problem, x: np.ndarray, velocity: np.ndarray, span: slice
 ) -> tuple[np.ndarray, np.ndarray]:
     """Strain rates of the chain, by differences of its own lengths and turns."""
-    position = problem.equations.states.physical("position", x).reshape(-1, 2)
+    position = problem.equations.states.physical(COORDINATES, x).reshape(-1, 2)
 
     def measure(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         chords = np.diff(np.vstack([[0, 0], points]), axis=0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+
 import pytest
 
 from tests.architecture import (
@@ -57,3 +59,17 @@ def test_the_solver_and_the_balances_name_no_effect() -> None:
     assert "viscodesign.effects" not in text
     assert "viscodesign.scene" not in text
     assert not any(f'"{name}"' in text for name in catalogue() if name != "feedback")
+
+
+def test_solvers_do_not_know_what_the_blocks_of_the_rod_mean() -> None:
+    from viscodesign.model.rod_equations import TRAITS
+
+    of_chain = {"position", "angle", "velocity", "acceleration", "elastic_curvature"}
+    for path in (PACKAGE / "solve").rglob("*.py"):
+        strings = {
+            node.value
+            for node in ast.walk(ast.parse(path.read_text()))
+            if isinstance(node, ast.Constant)
+        }
+        assert not strings & (of_chain | set(TRAITS)), path
+        assert "model.chain" not in path.read_text(), path

@@ -12,7 +12,7 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.select import catalogue, select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model import formulation
-from viscodesign.model.rod import ChainRod
+from viscodesign.model.chain_symbols import ChainSymbols
 from viscodesign.model.system import System
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.simulation.solve_once import Run, solve
@@ -145,10 +145,10 @@ def test_a_number_that_no_parameter_carries_cannot_reach_formulas(
 ) -> None:
     """Formulas are shared by scenes of other numbers: a constant of one would be wrong in the next."""
 
-    def careless(self: ChainRod) -> SX:
+    def careless(self: ChainSymbols) -> SX:
         return SX(self.body.bending_stiffness) * ca.dot(self.elastic_curvature, self.elastic_turns)
 
-    monkeypatch.setattr(ChainRod, "elastic_potential", careless)
+    monkeypatch.setattr(ChainSymbols, "elastic_potential", careless)
     quantities = SceneQuantities(leg(SHORT, "effects={gravity: on, others: off}", SIDEWAYS))
     effects = select_effects(quantities).effects
     problem = build(quantities, effects, Settings(1, 1e-6))

@@ -26,6 +26,7 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.arc_shape import arc_nodes
+from viscodesign.model.rod_equations import COORDINATES
 from viscodesign.model.system import System
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.simulation.build_problem import Settings, build
@@ -94,7 +95,7 @@ def chain_tip(edges_per_section: int, *overrides: str) -> np.ndarray:
     effects = select_effects(quantities).effects
     problem = build(quantities, effects, Settings(edges_per_section, 1e-6))
     start: Start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
-    position = problem.equations.algebraics.physical("position", start.algebraics)
+    position = problem.equations.algebraics.physical(COORDINATES, start.algebraics)
     return np.asarray(position[-2:] / LEG_LENGTH)
 
 
@@ -153,7 +154,7 @@ def test_end_moment_rolls_the_rod_into_a_circle(turns: float) -> None:
     moment = TipMoment(turns * 2 * np.pi * LEG_EI / LEG_LENGTH)
     problem = build(quantities, [moment], Settings(1, 1e-6))
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
-    position = problem.equations.algebraics.physical("position", start.algebraics)
+    position = problem.equations.algebraics.physical(COORDINATES, start.algebraics)
     angle = turns * 2 * np.pi
     exact = LEG_LENGTH / angle * np.array([1 - np.cos(angle), np.sin(angle)])
     assert position[-2:] == pytest.approx(exact, abs=1e-12)

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-import casadi as ca
-
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.estimate import Sketch
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -49,9 +47,5 @@ class Damping(Effect):
         return sketch.with_(damping_time=self.damping_time)
 
     def join(self, system: System) -> None:
-        rod = system.rod
         time = system.parameter("damping_time", self.damping_time)
-        stretch_rate, curvature_rate = rod.strain_rates()
-        extension = rod.EA * rod.h * ca.sumsqr(stretch_rate)
-        bending = rod.EI * ca.dot(rod.tributary_lengths, curvature_rate**2)
-        system.dissipation_power += time * (extension + bending)
+        system.dissipation_power += time * system.rod.strain_rate_power()

@@ -43,13 +43,7 @@ class RotaryInertia(Effect):
         return sketch.with_(gyration=self.gyration)
 
     def join(self, system: System) -> None:
-        rod = system.rod
         per_length = system.parameter("mass_per_length", system.body.mass_per_length)
         radius = system.parameter("gyration", self.gyration)
-        inertia = per_length * radius**2 * rod.h
-        rates = rod.edge_turn_rates()
-        # Along an edge the rate changes by half of what its neighbours differ by; the clamp
-        # mirrors it, and the free tip bends no further.
-        around = [-rates[0], *rates, rates[-1]]
-        for before, rate, after in zip(around, rates, around[2:], strict=False):
-            system.kinetic_energy += inertia * (rate**2 + (after - before) ** 2 / 48) / 2
+        for energy in system.rod.rotary_energies(per_length * radius**2):
+            system.kinetic_energy += energy

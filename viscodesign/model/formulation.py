@@ -180,7 +180,6 @@ def formulate(system: System, sizes: Sizes) -> Equations:
         time=system.parameter("size.time", sizes.time),
         swing=system.parameter("size.swing", sizes.swing),
     )
-    system.parameter("length", system.body.length)
     with ONE_AT_A_TIME:
         system.settle()
         key = structure_of(system)

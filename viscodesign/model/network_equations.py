@@ -11,11 +11,15 @@ import numpy as np
 from viscodesign.errors import SpecError
 from viscodesign.model.graph import Component, Tube
 from viscodesign.model.system import System
-from viscodesign.model.unknowns import SizeSymbols, Unknowns, column, substitute
+from viscodesign.model.unknowns import SizeSymbols, Traits, Unknowns, column, substitute
 
 SX = ca.SX
 
 
+BELLOW_AMOUNTS, BELLOW_PRESSURES = "volume", "pressure"
+"""Blocks of which one row each belongs to a bellow, in the same order."""
+AMOUNT, PRESSURE = Traits(is_amount=True), Traits(is_pressure=True)
+MULTIVALUED = Traits(is_multivalued=True)
 UNTESTED = 1e6
 """Factor to the size of an unknown by which no error of it counts."""
 SNAPS_AT_ONCE = (
@@ -124,16 +128,19 @@ class NetworkEquations:
         self.amounts = SX.sym("amount", len(system.pressure))
         self.node_amounts = SX.sym("node_amount", len(self.storing))
         self.inflows = SX.sym("inflow", len(self.driven))
-        states.add("volume", self.amounts, volume)
-        states.add("node_volume", self.node_amounts, volume)
+        states.add(BELLOW_AMOUNTS, self.amounts, volume, AMOUNT)
+        states.add("node_volume", self.node_amounts, volume, AMOUNT)
         states.add("inflow", self.inflows, volume * len(system.pressure))
         inertial, implicit = self._free(self.inertial), self._free(self.implicit)
         states.add("flow", self._flows(inertial), self._flow_sizes(inertial))
         for unknowns in (algebraics, statics):
-            unknowns.add("swelling", column(list(system.swelling.values())), volume)
-            unknowns.add("pressure", column(list(system.pressure.values())), size)
-            unknowns.add("junction_pressure", column(list(system.junction_pressure.values())), size)
-            unknowns.add("syringe_pressure", column(self._syringe_pressures()), size)
+            unknowns.add("swelling", column(list(system.swelling.values())), volume, MULTIVALUED)
+            for name, symbols in (
+                (BELLOW_PRESSURES, list(system.pressure.values())),
+                ("junction_pressure", list(system.junction_pressure.values())),
+                ("syringe_pressure", self._syringe_pressures()),
+            ):
+                unknowns.add(name, column(symbols), size, PRESSURE)
         algebraics.add("flow", self._flows(implicit), self._untested_sizes(implicit))
         free = [*inertial, *implicit]
         statics.add("flow", self._flows(free), self._flow_sizes(free))
@@ -175,8 +182,8 @@ class NetworkEquations:
         if system.swelling:
             raise SpecError.plain(SNAPS_AT_ONCE)
         shared = SX.sym("network_pressure", len(self.sealed))
-        algebraics.add("network_pressure", shared, self.sizes.pressure)
-        statics.add("network_pressure", shared, self.sizes.pressure)
+        for unknowns in (algebraics, statics):
+            unknowns.add("network_pressure", shared, self.sizes.pressure, PRESSURE)
         for component in self.components:
             inlets = self._pressure_inlets(component)
             if len(inlets) > 1:

@@ -1,46 +1,37 @@
-"""The planar, extensible, unshearable rod as a chain of nodes.
+"""The contract of a rod's discretisation: everything that the balances and the solvers ask of it.
 
-Nodes carry positions (x, z), so the intrinsic strain of a section may jump in
-arc length and change in time without any derivative of the pressure. Between
-two nodes the axis is nearly an arc, and two relations connect the nodes with
-the strains of the smooth rod, each exact for piecewise constant strain and
-accurate to higher order for smoothly varying strain:
+The planar, extensible, unshearable rod has internal forces, and an intrinsic curvature and
+stretch in every section. How finitely many unknowns describe its shape is the matter of one
+discretisation; nothing outside its files knows. A new one
 
-- **Turning.** The direction of a chord is the mean of the tangent's angle over
-  its edge, so the turn at a node is the integral of the curvature against the
-  hat function of that node. With the elastic curvature c linear between nodes,
-  turn - rest turn = W c, where W is the mass matrix of the hats,
-  h [1/3 1/6; 1/6 2/3 1/6; ...]. At the clamp only half of the first edge turns;
-  at the free tip c = 0.
-- **Length.** An edge of stretch lambda is the chord of an arc,
-  h lambda sinc(kappa h / 2), with the edge's own total curvature kappa.
+1. subclasses `RodSymbols`: its coordinates q as symbols, their rates, and, for a mixed method,
+   internal unknowns with as many algebraic equations; masses, strains and energies in them;
+2. states the sizes of coordinates, internal unknowns and forces, for scaling;
+3. subclasses `RodDiscretisation`, which answers with numbers: the coordinates of the unloaded
+   rod, the drawn axis and the strains of a solved motion, the order in which a stability test
+   may eliminate the unknowns, the geometry of an iteration's steps, the mesh for an accuracy;
+4. is chosen in `build_problem.build`.
 
-The moment E I c is an unknown of its own: the system stays sparse, the number of
-operations linear in the number of edges. With no load the chain lies on the exact
-arcs for any number of edges.
+A rod that no load bends consists of circular arcs and needs no discretisation at all
+(`arc_shape`).
 """
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Self
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.model.scene_number import SCENE_NUMBER
+from viscodesign.model.step_geometry import StepGeometry
 
 SX = ca.SX
 
-GREGORY_END_WEIGHTS = (3 / 8, 7 / 6, 23 / 24)
-"""End weights of the fourth-order Gregory rule [1], from the end inwards.
-
-Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 25.4 (end
-corrections of the trapezoidal rule).
-"""
-
 MINIMUM_EDGES = 4
-LARGEST_TURN_PER_EDGE = 1.0
-"""Intrinsic turn of one edge [rad] that the chord relations are asked to carry."""
 
 
 @dataclass(frozen=True)
@@ -60,181 +51,155 @@ class Body:
 
 
 @dataclass(frozen=True)
+class RodParameters:
+    """Stiffnesses and masses of the rod as symbols, so that one build serves many values."""
+
+    bending_stiffness: SX
+    extension_stiffness: SX
+    section_length: SX
+    mass_per_length: SX
+    length: SX
+
+
+@dataclass(frozen=True)
 class PointMass:
-    """A mass lumped at a point of the rod, with its place and speed as symbols."""
+    """A mass [kg] lumped at a point of the rod, with its position and velocity as symbols."""
 
     mass: SX
     position: SX
     velocity: SX
 
 
-def node_weights(edges: int) -> np.ndarray:
-    """Quadrature weights of nodes 1..edges, in edge lengths (edges,) [1].
+class RodSymbols(ABC):
+    """The rod's unknowns as symbols, and what follows from them."""
 
-    The clamped end needs no correction: what is integrated there vanishes with
-    its first derivative.
-    """
-    weights = np.ones(edges)
-    weights[: -len(GREGORY_END_WEIGHTS) - 1 : -1] = GREGORY_END_WEIGHTS
-    return weights
-
-
-class ChainRod:
-    """Symbols, strains and energies of a rod of ``edges_per_section`` edges a section."""
-
-    def __init__(
-        self,
-        body: Body,
-        edges_per_section: int,
-        bending_stiffness: SX,
-        extension_stiffness: SX,
-        section_length: SX,
-        mass_per_length: SX,
-    ) -> None:
-        self.body = body
-        self.edges = body.sections * edges_per_section
-        self.edges_per_section = edges_per_section
-        self.EI = bending_stiffness
-        self.EA = extension_stiffness
-        self.h = section_length / edges_per_section
-        self.position = SX.sym("position", 2, self.edges)
-        self.velocity = SX.sym("velocity", 2, self.edges)
-        self.elastic_curvature = SX.sym("elastic_curvature", self.edges)
-        self.intrinsic_curvature = SX.sym("intrinsic_curvature", body.sections)
-        self.intrinsic_stretch = SX.sym("intrinsic_stretch", body.sections)
-        self.tip_moment = SX.sym("tip_moment")
-        self._masses = [
-            PointMass(mass_per_length * self.h * weight, self.position[:, i], self.velocity[:, i])
-            for i, weight in enumerate(node_weights(self.edges))
-        ]
-        self._measure_strains()
-
-    # -- what effects may use -------------------------------------------------
+    EI: SX
+    EA: SX
+    coordinates: SX
+    """Generalised coordinates q (n,)."""
+    rates: SX
+    """Their rates in time (n,): dq/dt."""
+    internal: SX
+    """Unknowns of a mixed method that the shape determines (m,); empty where there are none."""
+    coordinate_size: SX
+    internal_size: SX
+    section_length: SX
+    """Reference length of a section, as the mesh sums it up [m]."""
+    intrinsic_curvature: SX
+    """Of every section, as symbols (S,) [1/m]."""
+    intrinsic_stretch: SX
+    """Of every section, as symbols (S,) [1]."""
+    tip_moment: SX
+    """Moment applied at the tip, a symbol [N m]."""
 
     @property
+    @abstractmethod
     def tip(self) -> SX:
         """Position of the tip (2,) [m]."""
-        return self.position[:, -1]
 
+    @property
+    @abstractmethod
+    def tip_turn(self) -> SX:
+        """Rotation through which a moment at the tip does its work [rad]."""
+
+    @property
+    @abstractmethod
+    def force_size(self) -> SX:
+        """By which the generalised forces are divided."""
+
+    @abstractmethod
     def masses(self) -> list[PointMass]:
-        """Every mass that the rod carries, as points."""
-        return list(self._masses)
+        """All masses that the rod carries, lumped at points."""
 
+    @abstractmethod
     def add_tip_mass(self, mass: SX) -> None:
         """Hang a point mass [kg] on the tip."""
-        self._masses.append(PointMass(mass, self.tip, self.velocity[:, -1]))
 
+    @abstractmethod
     def add_carried_mass(self, per_section: list[SX]) -> None:
-        """Spread a mass [kg] over the nodes of each section, first at the clamp."""
-        count = self.edges_per_section
-        per_edge = [mass / count for mass in per_section for _ in range(count)]
-        around = [*per_edge, per_edge[-1]]
-        for i, weight in enumerate(node_weights(self.edges)):
-            mass = weight * (around[i] + around[i + 1]) / 2
-            self._masses.append(PointMass(mass, self.position[:, i], self.velocity[:, i]))
+        """Distribute a mass [kg] along each section, first at the clamp."""
 
-    def strain_rates(self) -> tuple[SX, SX]:
-        """Rates of total stretch per edge and of curvature per node (edges,) [1/s, 1/(m s)].
+    @abstractmethod
+    def strain_rate_power(self) -> SX:
+        """EA times squared stretch rate plus EI times squared curvature rate, integrated [N m/s2].
 
-        They depend on the motion alone; a rigid turn has none. The shortening of a
-        chord that merely bends, of order (kappa h)^2, is left in the stretch.
+        The power that a Kelvin-Voigt material dissipates, over its retardation time. It
+        depends on the motion alone; a rigid rotation has none.
         """
-        r, v = ca.vec(self.position), ca.vec(self.velocity)
-        return (
-            ca.jtimes(self.chord_lengths / self.h, r, v),
-            ca.jtimes(self.turns / self.tributary_lengths, r, v),
-        )
 
-    def edge_turn_rates(self) -> list[SX]:
-        """Rate at which each edge turns (edges,) [rad/s]."""
-        clamp = SX.zeros(2, 1)
-        chords = ca.diff(ca.horzcat(clamp, self.position), 1, 1)
-        rates = ca.diff(ca.horzcat(clamp, self.velocity), 1, 1)
-        turned = chords[1, :] * rates[0, :] - chords[0, :] * rates[1, :]
-        return ca.horzsplit(turned / (chords[0, :] ** 2 + chords[1, :] ** 2))
+    @abstractmethod
+    def rotary_energies(self, inertia_per_length: SX) -> list[SX]:
+        """Kinetic energies of the turning cross sections [J], whose inertia is given [kg m]."""
 
-    @property
-    def tip_curvature(self) -> SX:
-        """Elastic curvature at the tip [1/m]: what a moment applied there asks for."""
-        return self.tip_moment / self.EI
-
-    @property
-    def tributary_lengths(self) -> SX:
-        """Reference length that each node's turn stands for: h/2 at the clamp, else h."""
-        return self.h * ca.vertcat(0.5, SX.ones(self.edges - 1))
-
-    # -- kinematics -----------------------------------------------------------
-
-    def _measure_strains(self) -> None:
-        nodes = ca.horzcat(SX.zeros(2, 1), self.position)
-        chords = nodes[:, 1:] - nodes[:, :-1]
-        self.chord_lengths = ca.sqrt(chords[0, :] ** 2 + chords[1, :] ** 2).T
-        self.turns = _turns(chords)
-        kappa = self._per_edge(self.intrinsic_curvature)
-        zeta = self._per_edge(self.intrinsic_stretch)
-        rest = ca.vertcat(kappa[0] * self.h / 2, (kappa[:-1] + kappa[1:]) * self.h / 2)
-        measured = ca.vertcat((self.turns - rest) / self.tributary_lengths, self.tip_curvature)
-        edge_curvature = kappa + (measured[:-1] + measured[1:]) / 2
-        self.stretch = self.chord_lengths / (self.h * _sinc(edge_curvature * self.h / 2))
-        self.elastic_stretch = self.stretch - 1 - zeta
-        self.elastic_turns = self.turns - rest
-        self._kappa = kappa
-
-    def _per_edge(self, per_section: SX) -> SX:
-        return ca.vertcat(
-            *(
-                per_section[j]
-                for j in range(self.body.sections)
-                for _ in range(self.edges_per_section)
-            )
-        )
-
-    def node_angles(self) -> SX:
-        """Angle of the tangent at nodes 1..edges (edges,) [rad], from +z, never wrapped."""
-        c = ca.vertcat(self.elastic_curvature, self.tip_curvature)
-        chord_angles = ca.cumsum(self.turns)
-        return chord_angles + self._kappa * self.h / 2 + self.h * (c[:-1] / 6 + c[1:] / 3)
-
-    # -- energy ---------------------------------------------------------------
-
-    def compliance_product(self) -> SX:
-        """W c: the elastic turn that the elastic curvature makes up (edges,) [rad]."""
-        c = self.elastic_curvature
-        after = ca.vertcat(c[1:], self.tip_curvature)
-        before = ca.vertcat(0, c[:-1])
-        own = ca.vertcat(1 / 3, SX.ones(self.edges - 1) * 2 / 3)
-        return self.h * (before / 6 + own * c + after / 6)
-
+    @abstractmethod
     def elastic_potential(self) -> SX:
-        """Mixed elastic energy, stationary in the elastic curvature [J].
+        """Elastic energy, stationary in the internal unknowns [J].
 
-        Its gradient in the positions is minus the internal forces; where the
-        compatibility below holds, its value is the stored elastic energy.
+        Its gradient in the coordinates is minus the internal forces.
         """
-        c = self.elastic_curvature
-        # The tip's curvature is given, so its share counts in full, not by half.
-        tip = self.h / 6 * self.tip_curvature * c[-1]
-        product = ca.dot(c, self.compliance_product()) + tip
-        bending = self.EI * (ca.dot(c, self.elastic_turns) - product / 2)
-        extension = self.EA * self.h * ca.sumsqr(self.elastic_stretch) / 2
-        return bending + extension
 
-    def compatibility(self) -> SX:
-        """Measured elastic turns minus those of the elastic curvature (edges,), zero [rad]."""
-        return self.elastic_turns - self.compliance_product()
+    @abstractmethod
+    def internal_residuals(self) -> SX:
+        """Equations of the internal unknowns (m,), scaled, zero."""
+
+    @abstractmethod
+    def outputs(self) -> dict[str, SX]:
+        """Named quantities from which `RodDiscretisation` reads a solved motion."""
 
 
-def _turns(chords: SX) -> SX:
-    """Turn at nodes 0..edges-1 (edges,) [rad]; the clamp's is measured from +z."""
-    x, z = chords[0, :].T, chords[1, :].T
-    x_before, z_before = ca.vertcat(0, x[:-1]), ca.vertcat(1, z[:-1])
-    return ca.atan2(x * z_before - z * x_before, x * x_before + z * z_before)
+Values = Mapping[str, np.ndarray]
+"""Named outputs, each (T, n)."""
 
 
-def _sinc(u: SX) -> SX:
-    """sin(u)/u by its series in u^2: smooth at zero, error below 2e-12 for |u| <= 0.7."""
-    square = u * u
-    value = SX.ones(u.shape)
-    for n in range(5, 0, -1):
-        value = 1 - square / ((2 * n) * (2 * n + 1)) * value
-    return value
+@dataclass(frozen=True)
+class RodDiscretisation(ABC):
+    """A way to describe the rod by finitely many unknowns, with the numbers of one body."""
+
+    body: Body
+    edges_per_section: int
+
+    @classmethod
+    @abstractmethod
+    def suggested(cls, body: Body, accuracy: float, largest_turn: float) -> Self:
+        """The mesh whose tip error should meet ``accuracy`` [lengths of the rod].
+
+        ``largest_turn``: intrinsic turn of one section [rad].
+        """
+
+    @abstractmethod
+    def symbols(self, parameters: RodParameters) -> RodSymbols:
+        """The unknowns as symbols."""
+
+    @abstractmethod
+    def unloaded_coordinates(self, curvature: np.ndarray, stretch: np.ndarray) -> np.ndarray:
+        """Scaled coordinates (n,) of the unloaded rod.
+
+        ``curvature`` (S,) [1/m per reference length], ``stretch`` (S,) total stretch [1].
+        """
+
+    @abstractmethod
+    def section_strains(self, values: Values) -> tuple[np.ndarray, np.ndarray]:
+        """Smallest stretch [1] and turn [rad] of every section, each (T, S)."""
+
+    @abstractmethod
+    def axis(self, values: Values, points: int) -> tuple[np.ndarray, np.ndarray]:
+        """Axis (T, K, 2) [m], the clamp left out, K >= ``points``, and tip angle (T,) [rad]."""
+
+    @abstractmethod
+    def angle_jump(self, values: Values) -> tuple[int, int] | None:
+        """First row (T,) before which the axis folds onto itself, and the section (from 0).
+
+        None where it nowhere does, or where there is a single row.
+        """
+
+    @abstractmethod
+    def elimination_order(self) -> tuple[np.ndarray, np.ndarray]:
+        """Order in which internal unknowns and coordinates are eliminated without pivoting.
+
+        Of n + m unknowns, internal ones counted first: the order (n + m,), and which of them,
+        in that order, are internal (n + m,).
+        """
+
+    @abstractmethod
+    def step_geometry(self, coordinates: slice) -> StepGeometry:
+        """How iterations step in a vector that holds the coordinates in this slice."""

@@ -2,14 +2,32 @@
 
 from __future__ import annotations
 
+import math
 from enum import Enum
 
 import casadi as ca
 
 from viscodesign.model.system import System
-from viscodesign.model.unknowns import SizeSymbols, Unknowns, column, substitute
+from viscodesign.model.unknowns import SizeSymbols, Traits, Unknowns, column, substitute
 
 SX = ca.SX
+
+COORDINATES = "rod_coordinates"
+RATES = "rod_rates"
+ACCELERATIONS = "rod_accelerations"
+INTERNAL = "rod_internal"
+"""Names of the rod's blocks of unknowns, whatever the discretisation. Solvers read the traits."""
+TRAITS = {
+    COORDINATES: Traits(of_rod=True, identifies_branch=True),
+    RATES: Traits(of_rod=True, integrations=1),
+    # Accelerations are noisy, and nothing is integrated from them but through the
+    # velocities, whose error is controlled.
+    ACCELERATIONS: Traits(of_rod=True, integrations=2, is_noisy=True),
+    # They follow linearly from the coordinates, which do count.
+    INTERNAL: Traits(of_rod=True, is_internal=True, integrations=math.inf),
+}
+MIN_REL_PRESSURE_SLOPE = 1e-9
+"""Smallest pressure per swelling, over that of the linear law, by which a strain is divided."""
 
 
 class RodForm(Enum):
@@ -35,66 +53,65 @@ def rod_form(system: System) -> RodForm:
 
 
 class RodEquations:
-    """Unknowns, balances and outputs of the rod."""
+    """Unknowns, balances and outputs of the rod, from the answers of its discretisation."""
 
     def __init__(self, system: System, sizes: SizeSymbols) -> None:
         self.system = system
+        self.rod = system.rod
         self.sizes = sizes
         self.form = rod_form(system)
-        self.length = system.parameter("length", system.body.length)
-        self.acceleration = SX.sym("acceleration", *system.rod.velocity.shape)
-        self.coupled = self.form is RodForm.DYNAMIC and not self._masses_stand_alone()
+        self.acceleration = SX.sym("acceleration", self.rod.rates.numel())
+        self.coupled = self.form is RodForm.DYNAMIC and not self._masses_are_constant()
 
-    def _masses_stand_alone(self) -> bool:
-        """Whether every node's momentum is a constant times its own velocity."""
-        velocity = ca.vec(self.system.rod.velocity)
+    def _masses_are_constant(self) -> bool:
+        """Whether every momentum is a constant times its own velocity."""
         mass = self._mass_matrix()
-        free = not ca.depends_on(mass, ca.veccat(velocity, self.system.rod.position))
+        free = not ca.depends_on(mass, ca.veccat(self.rod.rates, self.rod.coordinates))
         return mass.sparsity().is_diag() and free
 
     def _momentum(self) -> SX:
-        return ca.gradient(self.system.kinetic_energy, ca.vec(self.system.rod.velocity))
+        return ca.gradient(self.system.kinetic_energy, self.rod.rates)
 
     def _mass_matrix(self) -> SX:
-        return ca.jacobian(self._momentum(), ca.vec(self.system.rod.velocity))
+        return ca.jacobian(self._momentum(), self.rod.rates)
 
     def name_unknowns(self, states: Unknowns, algebraics: Unknowns, statics: Unknowns) -> None:
         """Add the rod's unknowns to their vectors."""
         if self.form is RodForm.ARCS:
             return
-        rod, length = self.system.rod, self.length
-        speed = length / self.sizes.time
-        algebraics.add("elastic_curvature", rod.elastic_curvature, 1.0 / length)
-        statics.add("elastic_curvature", rod.elastic_curvature, 1.0 / length)
-        statics.add("position", rod.position, length)
+        rod, time = self.rod, self.sizes.time
+        coordinates = COORDINATES, rod.coordinates, rod.coordinate_size, TRAITS[COORDINATES]
+        for unknowns in (algebraics, statics):
+            unknowns.add(INTERNAL, rod.internal, rod.internal_size, TRAITS[INTERNAL])
+        statics.add(*coordinates)
         if self.form is RodForm.STATIC:
-            algebraics.add("position", rod.position, length)
+            algebraics.add(*coordinates)
             return
-        states.add("position", rod.position, length)
+        states.add(*coordinates)
+        speed = rod.coordinate_size / time
         owner = states if self.form is RodForm.DYNAMIC else algebraics
-        owner.add("velocity", rod.velocity, speed)
+        owner.add(RATES, rod.rates, speed, TRAITS[RATES])
         if self.coupled:
-            algebraics.add("acceleration", self.acceleration, speed / self.sizes.time)
+            algebraics.add(ACCELERATIONS, self.acceleration, speed / time, TRAITS[ACCELERATIONS])
 
     # -- coupling to the network ----------------------------------------------
 
     def resultants(self) -> list[tuple[SX, SX]]:
         """Mean normal force and moment of each section: conjugate to its intrinsic strains."""
-        system, rod = self.system, self.system.rod
+        system, rod = self.system, self.rod
         symbols = [ca.vertcat(*system.normal_force), ca.vertcat(*system.moment)]
         if self.form is RodForm.ARCS:
             return [(symbol, SX.zeros(symbol.shape)) for symbol in symbols]
-        section_length = rod.h * rod.edges_per_section
         potential = rod.elastic_potential()
         strains = (rod.intrinsic_stretch, rod.intrinsic_curvature)
         return [
-            (symbol, -ca.gradient(potential, strain) / section_length)
+            (symbol, -ca.gradient(potential, strain) / rod.section_length)
             for symbol, strain in zip(symbols, strains, strict=True)
         ]
 
     def intrinsic_strains(self) -> list[tuple[SX, SX]]:
-        """The rod's strain symbols, and what pressures and loads make them."""
-        system, rod = self.system, self.system.rod
+        """The rod's strain symbols, with the values that pressures and loads give them."""
+        system, rod = self.system, self.rod
         return [
             (rod.intrinsic_curvature, system.intrinsic_curvature),
             (rod.intrinsic_stretch, system.intrinsic_stretch),
@@ -102,114 +119,98 @@ class RodEquations:
         ]
 
     def conjugate_volumes(self) -> SX:
-        """Volume that a reciprocal coupling would store under the section's resultants (B,)."""
+        """Volumes that a reciprocal coupling would store under the section's resultants (B,)."""
         system = self.system
-        own = ca.vertcat(*system.told_by.values())
+        own = ca.vertcat(*system.wall_argument.values())
         bending = ca.jacobian(system.intrinsic_curvature, own)
         extension = ca.jacobian(system.intrinsic_stretch, own)
         if system.swelling:
-            # Per pressure: what was told per swelling, over the pressure per swelling.
+            # Per pressure: what is known per swelling, over the pressure per swelling.
             slope = ca.diag(ca.jacobian(system.swelling_defects(), own))
-            slope = ca.repmat(_not_level(slope, system).T, system.graph.sections, 1)
+            slope = ca.repmat(_nonzero_slope(slope, system).T, system.graph.sections, 1)
             bending, extension = bending / slope, extension / slope
-        section = system.rod.h * system.rod.edges_per_section
-        return section * (
+        return self.rod.section_length * (
             bending.T @ ca.vertcat(*system.moment) + extension.T @ ca.vertcat(*system.normal_force)
         )
 
     # -- balances -------------------------------------------------------------
 
+    def _scaled_forces(self) -> SX:
+        return self._forces() / self.rod.force_size
+
     def _forces(self) -> SX:
-        rod = self.system.rod
+        rod = self.rod
         potential = (
             rod.elastic_potential()
             + self.system.load_factor * self.system.load_potential
-            - rod.tip_moment * ca.sum1(rod.turns)
+            - rod.tip_moment * rod.tip_turn
         )
-        forces = -ca.gradient(potential, ca.vec(rod.position))
+        forces = -ca.gradient(potential, rod.coordinates)
         if self.form in MOVING:
             # A Rayleigh function is half the power, its gradient the force.
-            forces -= ca.gradient(self.system.dissipation_power / 2, ca.vec(rod.velocity))
+            forces -= ca.gradient(self.system.dissipation_power / 2, rod.rates)
         return forces
 
-    def _force_size(self) -> SX:
-        return self.system.rod.EI / self.length**2
-
-    def _momentum_defect(self) -> SX:
-        """Lagrange's equations where the nodes' velocities are coupled, over a force."""
-        rod, energy = self.system.rod, self.system.kinetic_energy
-        position, velocity = ca.vec(rod.position), ca.vec(rod.velocity)
+    def _momentum_residual(self) -> SX:
+        """Lagrange's equations where the velocities are coupled, over the size of a force."""
+        rod, energy = self.rod, self.system.kinetic_energy
         momentum = self._momentum()
-        rate = ca.jtimes(momentum, velocity, ca.vec(self.acceleration))
-        rate += ca.jtimes(momentum, position, velocity) - ca.gradient(energy, position)
-        return (rate - self._forces()) / self._force_size()
-
-    def _compatibility(self) -> SX:
-        return self.system.rod.compatibility() * self.system.rod.edges
+        rate = ca.jtimes(momentum, rod.rates, self.acceleration)
+        rate += ca.jtimes(momentum, rod.coordinates, rod.rates) - ca.gradient(
+            energy, rod.coordinates
+        )
+        return (rate - self._forces()) / rod.force_size
 
     def dynamics(self) -> tuple[list[SX], list[SX]]:
-        """Rates of the scaled states and scaled algebraic defects, not yet resolved."""
+        """Rates of the scaled states and scaled algebraic residuals, not yet resolved."""
         if self.form is RodForm.ARCS:
             return [], []
-        length, time = self.length, self.sizes.time
-        velocity = ca.vec(self.system.rod.velocity)
-        alg = [self._compatibility()]
+        size, time = self.rod.coordinate_size, self.sizes.time
+        alg, motion = [self.rod.internal_residuals()], [self.rod.rates / size]
         if self.form is RodForm.STATIC:
-            return [], [*alg, self._forces() / self._force_size()]
+            return [], [*alg, self._scaled_forces()]
         if self.form is RodForm.DAMPED:
-            return [velocity / length], [*alg, self._forces() / self._force_size()]
+            return motion, [*alg, self._scaled_forces()]
         if self.coupled:
-            acceleration = ca.vec(self.acceleration)
-            alg.append(self._momentum_defect())
+            acceleration = self.acceleration
+            alg.append(self._momentum_residual())
         else:
             acceleration = self._forces() / ca.diag(self._mass_matrix())
-        return [velocity / length, acceleration * time / length], alg
+        return [*motion, acceleration * time / size], alg
 
     def equilibrium(self) -> list[SX]:
-        """Defects of the steady state in the static unknowns, not yet resolved."""
+        """Residuals of the steady state in the static unknowns, not yet resolved."""
         if self.form is RodForm.ARCS:
             return []
-        still = ca.vec(self.system.rod.velocity)
-        forces = self._forces() / self._force_size()
-        return [
-            self._compatibility(),
-            *substitute([forces], [(still, SX.zeros(still.shape))]),
-        ]
+        rates = self.rod.rates
+        at_rest = [(rates, SX.zeros(rates.shape))]
+        return [self.rod.internal_residuals(), *substitute([self._scaled_forces()], at_rest)]
 
     def energy_size(self) -> SX:
-        """What bending by a tenth of a radian stores [J]."""
-        return self.system.rod.EI / self.length / 100
+        """Energy of bending the rod by a tenth of a radian [J]."""
+        return self.rod.EI / self.system.length / 100
 
     def rates(self) -> dict[str, SX]:
         """Powers whose integrals the balances need [W]."""
         return {"material_loss": self.system.dissipation_power} if self.form in MOVING else {}
 
     def outputs(self) -> dict[str, SX]:
-        """What a motion is read from."""
-        system, rod = self.system, self.system.rod
+        """Quantities from which a motion is read."""
+        system, rod = self.system, self.rod
         found = {
             "normal_force": column(system.normal_force),
             "moment": column(system.moment),
             "intrinsic_curvature": rod.intrinsic_curvature,
             "intrinsic_stretch": rod.intrinsic_stretch,
             "kinetic_energy": system.kinetic_energy,
-            "load_energy": system.load_potential - rod.tip_moment * ca.sum1(rod.turns),
+            "load_energy": system.load_potential - rod.tip_moment * rod.tip_turn,
         }
         if self.form is not RodForm.ARCS:
-            found |= {
-                "position": ca.vec(rod.position),
-                "angle": rod.node_angles(),
-                "stretch": rod.stretch,
-                "elastic_energy": rod.elastic_potential(),
-            }
+            found |= rod.outputs() | {"elastic_energy": rod.elastic_potential()}
         return found
 
 
-LEVEL = 1e-9
-"""Slope of a pressure, over that of the linear law, that is taken as no less."""
-
-
-def _not_level(slope: SX, system: System) -> SX:
-    """Pressures per swelling (B,), none of them nought [Pa/m3]."""
-    least = LEVEL / system.parameter("compliance", system.bellow.compliance)
+def _nonzero_slope(slope: SX, system: System) -> SX:
+    """Pressures per swelling (B,), none of them zero [Pa/m3]."""
+    least = MIN_REL_PRESSURE_SLOPE / system.parameter("compliance", system.bellow.compliance)
     return SX(ca.if_else(ca.fabs(slope) < least, least, slope))

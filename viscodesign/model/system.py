@@ -24,7 +24,7 @@ from viscodesign.model.bellow_law import BellowLaw, in_pairs
 from viscodesign.model.bellow_wall import LinearWall, SnappingWall, Wall
 from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
 from viscodesign.model.graph import Graph
-from viscodesign.model.rod import Body, ChainRod
+from viscodesign.model.rod import Body, RodDiscretisation, RodParameters
 from viscodesign.model.scene_number import PARAMETER_VALUE, SCENE_NUMBER
 
 SX = ca.SX
@@ -77,7 +77,7 @@ class System:
         sources: Mapping[str, Source],
         baseline: float,
         ambient: float,
-        edges_per_section: int,
+        rod: RodDiscretisation,
     ) -> None:
         self._parameters: dict[str, Parameter] = {}
         self._stored: dict[str, SX] = {}
@@ -89,13 +89,16 @@ class System:
         self.pieces = SX.sym("pieces", sum(s.coefficients for s in sources.values()))
         self.baseline = self.parameter("gauge_pressure", baseline)
         self.ambient = self.parameter("ambient_pressure", ambient)
-        self.rod = ChainRod(
-            body,
-            edges_per_section,
-            self.parameter("bending_stiffness", body.bending_stiffness),
-            self.parameter("extension_stiffness", body.extension_stiffness),
-            self.parameter("section_length", body.section_length),
-            self.parameter("mass_per_length", body.mass_per_length),
+        self.length = self.parameter("length", body.length)
+        self.discretisation = rod
+        self.rod = rod.symbols(
+            RodParameters(
+                self.parameter("bending_stiffness", body.bending_stiffness),
+                self.parameter("extension_stiffness", body.extension_stiffness),
+                self.parameter("section_length", body.section_length),
+                self.parameter("mass_per_length", body.mass_per_length),
+                self.length,
+            )
         )
         self.pressure = {name: SX.sym(f"pressure_{name}") for name in graph.bellows_along_tubes()}
         self.junction_pressure = {name: SX.sym(f"pressure_{name}") for name in graph.junctions}
@@ -217,7 +220,7 @@ class System:
 
     @cached_property
     def _bellow_volumes(self) -> dict[str, SX]:
-        volumes = self.wall.volume(ca.vertcat(*self.told_by.values()))
+        volumes = self.wall.volume(ca.vertcat(*self.wall_argument.values()))
         return dict(zip(self.pressure, ca.vertsplit(volumes), strict=True))
 
     def volume(self, node: str) -> SX:
@@ -375,7 +378,7 @@ class System:
         self.swelling = {name: SX.sym(f"swelling_{name}") for name in self.pressure}
 
     @property
-    def told_by(self) -> dict[str, SX]:
+    def wall_argument(self) -> dict[str, SX]:
         """What the laws of the bellows' walls are functions of: pressure, or swelling."""
         return self.swelling or self.pressure
 
@@ -401,7 +404,7 @@ class System:
     @cached_property
     def _columns(self) -> tuple[SX, SX]:
         """What the laws of the left and the right bellows depend on, clamp first (S,)."""
-        left, right = zip(*in_pairs(self.graph, self.told_by), strict=True)
+        left, right = zip(*in_pairs(self.graph, self.wall_argument), strict=True)
         return ca.vertcat(*left), ca.vertcat(*right)
 
     def fluid_energy(self) -> SX:
@@ -410,7 +413,7 @@ class System:
         energy += sum(
             (self.barrel_energy(n) + self.cushion_energy(n) for n in self.syringes), SX(0)
         )
-        energy += ca.sum1(self.wall.energy(ca.vertcat(*self.told_by.values())))
+        energy += ca.sum1(self.wall.energy(ca.vertcat(*self.wall_argument.values())))
         for name in (*self.pressure, *self.storing_nodes()):
             pressure = self.node_pressure(name)
             energy += pressure * (self.volume(name) - self.wall_volume(name))

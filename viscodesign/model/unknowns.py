@@ -18,7 +18,7 @@ class Sizes:
     pressure: float
     """[Pa]"""
     time: float
-    """Of the rod's motion [s]."""
+    """Time scale of the rod's motion [s]."""
     swing: float
     """Time in which the inlets may change by all of the pressure [s]."""
 
@@ -33,13 +33,37 @@ class SizeSymbols:
 
 
 @dataclass(frozen=True)
+class Traits:
+    """What a solver knows of a block, whatever the block means."""
+
+    identifies_branch: bool = False
+    """Whether its values tell one equilibrium of the same equations from another."""
+    integrations: float = 0.0
+    """How many times it is integrated on the way to a shape: within a step h, its error counts
+    by that power of h. Infinite where its error need not be tested at all."""
+    is_internal: bool = False
+    """Whether it follows from the unknowns that identify a branch, by equations of its own."""
+    is_noisy: bool = False
+    """Whether error tests of algebraic unknowns should leave it out."""
+    of_rod: bool = False
+    """Whether it belongs to the rod; all others are settled first, with the rod held."""
+    is_pressure: bool = False
+    """Whether it starts at the baseline pressure."""
+    is_multivalued: bool = False
+    """Whether its equations may have several solutions, of which the nearest counts."""
+    is_amount: bool = False
+    """Whether it is an amount of fluid beyond that at rest, in the order of the nodes."""
+
+
+@dataclass(frozen=True)
 class Block:
-    """A run of unknowns of one kind; one size for all, or one for each (count,)."""
+    """Consecutive unknowns of one kind; one size for all, or one for each (count,)."""
 
     name: str
     start: int
     count: int
     size: float | np.ndarray
+    traits: Traits = Traits()
 
     @property
     def span(self) -> slice:
@@ -51,25 +75,25 @@ class Block:
 class Unknowns:
     """A vector of scaled unknowns, made of blocks."""
 
-    hats: list[SX] = field(default_factory=list)
+    scaled: list[SX] = field(default_factory=list)
     blocks: dict[str, Block] = field(default_factory=dict)
     symbols: list[SX] = field(default_factory=list)
     values: list[SX] = field(default_factory=list)
     sizes: list[SX] = field(default_factory=list)
 
-    def add(self, name: str, symbol: SX, size: SX) -> None:
-        """Let ``symbol`` be ``size`` times a new scaled unknown; nothing for no symbol.
+    def add(self, name: str, symbol: SX, size: SX, traits: Traits = Traits()) -> None:
+        """Let ``symbol`` be ``size`` times a new scaled unknown; nothing for an empty symbol.
 
         ``size``: one for all or one for each, a formula of the system's parameters.
         """
         flat = ca.vec(symbol)
         if not flat.numel():
             return
-        hat = SX.sym(f"{name}_hat", flat.numel())
-        self.blocks[name] = Block(name, self.count, flat.numel(), np.nan)
-        self.hats.append(hat)
+        scaled = SX.sym(f"{name}_scaled", flat.numel())
+        self.blocks[name] = Block(name, self.count, flat.numel(), np.nan, traits)
+        self.scaled.append(scaled)
         self.symbols.append(flat)
-        self.values.append(size * hat)
+        self.values.append(size * scaled)
         self.sizes.append(SX(size))
 
     def sized(self, sizes: Sequence[np.ndarray]) -> Unknowns:
@@ -83,17 +107,23 @@ class Unknowns:
     @property
     def vector(self) -> SX:
         """All scaled unknowns as one column."""
-        return ca.vertcat(*self.hats) if self.hats else SX(0, 1)
+        return ca.vertcat(*self.scaled) if self.scaled else SX(0, 1)
 
     @property
     def count(self) -> int:
         """Number of unknowns."""
         return sum(block.count for block in self.blocks.values())
 
-    def physical(self, name: str, hats: np.ndarray) -> np.ndarray:
+    @property
+    def branch_span(self) -> slice | None:
+        """Unknowns that tell one equilibrium from another; None where there are none."""
+        own = (b.span for b in self.blocks.values() if b.traits.identifies_branch)
+        return next(own, None)
+
+    def physical(self, name: str, scaled: np.ndarray) -> np.ndarray:
         """Values in SI of one block out of a scaled vector or (count, T) matrix."""
         block = self.blocks[name]
-        part = np.asarray(hats)[block.span]
+        part = np.asarray(scaled)[block.span]
         size = np.asarray(block.size)
         return np.asarray(part * (size[:, None] if size.ndim and part.ndim > 1 else size))
 

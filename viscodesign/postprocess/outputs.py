@@ -10,7 +10,7 @@ import numpy as np
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
-from viscodesign.solve.algebraic_polish import refined
+from viscodesign.solve.algebraic_polish import polish
 from viscodesign.solve.problem import Problem, evaluate_along
 from viscodesign.solve.transient import Solution
 from viscodesign.storage.disk_arrays import BLOCK, release_pages
@@ -48,13 +48,10 @@ class Outputs:
 
     def section_strains(self) -> tuple[np.ndarray, np.ndarray]:
         """Smallest stretch and turn of every section (n, S)."""
-        sections = self.problem.body.sections
-        if self.problem.equations.rod_form is RodForm.ARCS:
-            turn = self["intrinsic_curvature"] * self.problem.body.section_length
-            return 1 + self["intrinsic_stretch"], turn
-        stretch = self["stretch"].reshape(len(self.time), sections, -1).min(axis=2)
-        ends = self["angle"].reshape(len(self.time), sections, -1)[:, :, -1]
-        return stretch, np.diff(ends, axis=1, prepend=0.0)
+        if self.problem.equations.rod_form is not RodForm.ARCS:
+            return self.problem.rod.section_strains(self.values)
+        turn = self["intrinsic_curvature"] * self.problem.body.section_length
+        return 1 + self["intrinsic_stretch"], turn
 
     def shapes(self, keep: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Axis (T, K, 2) from the clamp on, and angle of the tip (T,), at some rows (T,)."""
@@ -69,27 +66,10 @@ class Outputs:
             )
             tip_angle = angles[:, -1]
         else:
-            nodes, tip_angle = self._interpolated_nodes(keep)
+            own = {name: values[keep] for name, values in self.values.items()}
+            nodes, tip_angle = self.problem.rod.axis(own, SHAPE_POINTS)
         clamp = np.zeros((len(keep), 1, 2))
         return np.concatenate([clamp, nodes], axis=1), tip_angle
-
-    def _interpolated_nodes(self, keep: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The chain's nodes, with points between them on cubics that meet the tangents."""
-        edges = self["position"].shape[1] // 2
-        position = self["position"][keep].reshape(len(keep), edges, 2)
-        per_edge = max(1, -(-SHAPE_POINTS // edges))
-        angle = np.concatenate([np.zeros((len(keep), 1)), self["angle"][keep]], axis=1)
-        nodes = np.concatenate([np.zeros((len(keep), 1, 2)), position], axis=1)
-        tangent = np.stack((np.sin(angle), np.cos(angle)), axis=-1)
-        chord = np.diff(nodes, axis=1)
-        length = np.hypot(chord[..., 0], chord[..., 1])[:, :, None]
-        slopes = length * tangent[:, :-1], length * tangent[:, 1:]
-        between = [
-            _hermite(nodes[:, :-1], nodes[:, 1:], *slopes, s)
-            for s in np.arange(1, per_edge + 1) / per_edge
-        ]
-        points = np.stack(between, axis=2).reshape(len(keep), edges * per_edge, 2)
-        return points, angle[:, -1]
 
     def flows(self) -> np.ndarray:
         """Tube flows (n, Q); with one pressure per network, what its volume changes ask for."""
@@ -101,19 +81,6 @@ class Outputs:
 
         rates = CubicSpline(self.time, self["volume"], axis=0)(self.time, 1)
         return np.asarray(rates @ self.problem.flow_shares.T)
-
-
-def _hermite(
-    a: np.ndarray, b: np.ndarray, slope_a: np.ndarray, slope_b: np.ndarray, s: float
-) -> np.ndarray:
-    if s == 1.0:
-        return b
-    return np.asarray(
-        (1 + 2 * s) * (1 - s) ** 2 * a
-        + s**2 * (3 - 2 * s) * b
-        + s * (1 - s) ** 2 * slope_a
-        + s**2 * (s - 1) * slope_b
-    )
 
 
 def read_outputs(
@@ -139,7 +106,7 @@ def _read(problem: Problem, solution: Solution, begin: int, end: int) -> Outputs
     if shared or "junction_pressure" in equations.algebraics.blocks:
         # What comes to a junction leaves it, and what is sealed stays: between the steps of an
         # integrator that holds to its tolerance only.
-        algebraics = refined(problem, states, algebraics, first)
+        algebraics = polish(problem, states, algebraics, first)
     values = evaluate_along(problem, states, algebraics, first)
     if equations.network_form is NetworkForm.DISTRIBUTED:
         # From the states, in which what is stored and what flowed in agree to round-off.

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.problem import Problem
@@ -136,16 +137,13 @@ def _at_floor(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
 
 
 def _jumped(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
-    """A node's turn that leaps by more than half around: two edges fold onto each other."""
-    if "angle" not in rows or len(time) < 2:
+    """The rod's axis folds onto itself between two outputs."""
+    if problem.equations.rod_form is RodForm.ARCS:
         return None
-    turn = np.diff(rows["angle"], axis=1, prepend=0.0)
-    leap = np.abs(np.diff(turn, axis=0)) > np.pi
-    before = _first(np.asarray(leap.any(axis=1)))
-    if before is None:
+    jump = problem.rod.angle_jump(rows)
+    if jump is None:
         return None
-    row, edge = before + 1, int(np.argmax(leap[before]))
-    section = edge * problem.body.sections // turn.shape[1] + 1
+    row, section = jump[0], jump[1] + 1
     when = float(time[row])
     return row, SolveError(
         f"the angle in section {section} jumps at t = {when:.6g} s: the rod folds onto itself "

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -11,9 +10,10 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.model.chain import Chain
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
-from viscodesign.model.rod import LARGEST_TURN_PER_EDGE, MINIMUM_EDGES, Body
+from viscodesign.model.rod import Body
 from viscodesign.model.system import Source, Syringe, System
 from viscodesign.model.unknowns import Sizes
 from viscodesign.postprocess.sample_times import with_samples
@@ -24,10 +24,6 @@ from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_c
 
 SHARE_OF_TIME = 0.5
 """Part of the accuracy that a first solution may spend on its steps through time."""
-COARSE_EDGES = 8
-COARSE_ACCURACY = 1e-3
-"""Eight edges leave about a thousandth of the length at moderate loads; the error falls
-with the third power of the edge length or faster (measured against elliptic integrals)."""
 
 
 @dataclass(frozen=True)
@@ -45,15 +41,10 @@ def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> 
     A run then measures what they do.
     """
     accuracy, body = quantities.accuracy, quantities.body
-    wanted = max(MINIMUM_EDGES, COARSE_EDGES * max(1.0, COARSE_ACCURACY / accuracy) ** (1 / 3))
-    per_section = max(
-        math.ceil(wanted / body.sections - 1e-9),
-        math.ceil(quantities.largest_turn / LARGEST_TURN_PER_EDGE),
-        1,
-    )
+    mesh = Chain.suggested(body, accuracy, quantities.largest_turn)
     solver = RINGING_SOLVER if _rings_on(effects) else DEFAULT_SOLVER
     tolerance = SHARE_OF_TIME * accuracy / solver_catalogue()[solver].tip_error_per_tolerance
-    return Settings(per_section, tolerance, solver)
+    return Settings(mesh.edges_per_section, tolerance, solver)
 
 
 def _rings_on(effects: Sequence[Effect]) -> bool:
@@ -65,6 +56,7 @@ def _rings_on(effects: Sequence[Effect]) -> bool:
 def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings) -> Problem:
     """Assemble the system, let every effect join it, and formulate its equations."""
     scene = quantities.scene
+    rod = Chain(quantities.body, settings.edges_per_section)
     system = System(
         quantities.graph,
         _as_stiff_as_can_be_told(quantities),
@@ -72,7 +64,7 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         {name: _source(scene, name) for name in scene.inputs},
         scene.gauge_pressure,
         scene.ambient_pressure,
-        settings.edges_per_section,
+        rod,
     )
     system.wide = _wide_tubes(quantities)
     for effect in effects:
@@ -85,14 +77,14 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
     equations = formulate(system, sizes)
     return Problem(
         equations=equations,
-        body=quantities.body,
+        rod=rod,
         inlets=tuple(scene.inputs),
         bellows=quantities.graph.bellows,
         bellows_along_tubes=quantities.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
         schedule=with_samples(schedule(scene), equations, scene.run.start == "rest"),
         floor_volume=_floor(quantities, effects),
-        most_steps=scene.run.max_steps,
+        max_steps=scene.run.max_steps,
         flow_shares=_flow_shares(quantities, equations.network_form),
     )
 

@@ -108,10 +108,8 @@ class Verifier:
         self.spent_s += run.spent_s
         self.solutions += 1
         self.steps += run.solution.work.steps
-        if self.steps > run.problem.most_steps:
-            self.stalled = (
-                f"the limit of {run.problem.most_steps} steps (run.max_steps) was reached"
-            )
+        if self.steps > run.problem.max_steps:
+            self.stalled = f"the limit of {run.problem.max_steps} steps (run.max_steps) was reached"
         return run
 
     def verify(self, run: Run) -> tuple[Run, ErrorParts | None]:

@@ -88,7 +88,7 @@ def simulate(
         accuracy=accuracy,
         cost=_cost(run, verifier.spent_s - run.spent_s),
         proof=proof,
-        ladder=(*ladder, *run.solution.rungs),
+        ladder=(*ladder, *run.solution.attempts),
     )
 
 

@@ -1,12 +1,12 @@
-"""Whether a solver leaps from one equilibrium of a static rod to another, and where a branch ends.
+"""Detects where a solver jumps from one equilibrium of a static rod to another, or a branch ends.
 
-The rod's equations are algebraic, those of its fluid are not: what integrates both sees a
-fold only as equations that become hard to solve.
+The rod's equations are algebraic, those of its fluid are not: to an integrator of both, a
+fold only shows as equations that become hard to solve.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import casadi as ca
@@ -18,95 +18,108 @@ from viscodesign.errors import SolveError
 from viscodesign.model.formulation import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.model.rod_equations import RodForm
-from viscodesign.solve.branch_following import Moment, constraints, followed
+from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch
 from viscodesign.solve.numerics.newton import NewtonError, newton
-from viscodesign.solve.numerics.step_geometry import way_of
 from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate, mapped
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
 
 SX = ca.SX
 
-STILL = 20.0
-"""Move between two outputs, in tolerances of the solver, below which no leap is looked for."""
-SMOOTH = 0.1
-"""Part of a move that its rates at both ends may leave unexplained."""
-APART = 1e-6
-"""Distance of two solutions of the same equations, in lengths, from which they are two."""
-PARTS = 64
-"""Parts of an interval that no solver can pass, to find where the branch ends in it."""
+
+@dataclass(frozen=True)
+class JumpCriteria:
+    """What counts as a jump."""
+
+    min_move: float = 20.0
+    """Move between two outputs, in tolerances of the solver, below which none is looked for."""
+    unexplained_rel_tol: float = 0.1
+    """Part of a move that its rates at both ends may leave unexplained."""
+    distinct_distance: float = 1e-6
+    """Distance, in sizes of the unknowns, from which two solutions of the same equations are two
+    equilibria."""
+    parts_of_failed_interval: int = 64
+    """Into which an interval that no solver passes is cut, to find where the branch ends."""
 
 
-class LeapWatch:
-    """Looks over a solver's shoulder at every output: is the rod still on its branch?
+JUMP = JumpCriteria()
 
-    Where it goes on smoothly that is seen from its rates at both ends of an interval; where
-    that does not tell, the rod is followed from one end to the other.
+
+class BranchJumpDetector:
+    """Checks a solver's solution at every output: is the rod still on its branch?
+
+    Where the solution continues smoothly, its rates at both ends of an interval show that;
+    elsewhere the rod's branch is followed from one end to the other.
     """
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         self.problem = problem
-        self.slight = STILL * tolerance
-        self.place = problem.equations.algebraics.blocks["position"].span
+        self.min_move = JUMP.min_move * tolerance
+        span = problem.equations.algebraics.branch_span
+        assert span is not None, "only a static rod has branches"
+        self.span = span
 
-    def first_leap(
+    def first_jump(
         self, algebraics: np.ndarray, first: int, states: np.ndarray, found: np.ndarray
     ) -> tuple[int, SolveError | None]:
-        """How many of the solved intervals from edge ``first`` are to be kept, and why no more.
+        """How many of the solved intervals from edge ``first`` are valid, and why no more.
 
         ``algebraics`` (nz,): before the first; ``states`` (nx, m + 1): before it and after
         each; ``found`` (nz, m).
         """
         every = np.column_stack((algebraics, found))
-        rates = Rates(self.problem, first, states, every)
+        rates = AlgebraicRates(self.problem, first, states, every)
         for k in range(found.shape[1]):
-            if self._goes_on(rates, k):
+            if self._is_smooth(rates, k):
                 continue
-            moments = self._ends(first + k, states[:, k], states[:, k + 1])
+            points = self._ends(first + k, states[:, k], states[:, k + 1])
             try:
-                failure = self._judge(every[:, k], every[:, k + 1], *moments)
+                failure = self._compare_with_branch(every[:, k], every[:, k + 1], *points)
             except SolveError as ended:
                 failure = ended
             if failure is not None:
                 return k, failure
         return found.shape[1], None
 
-    def _goes_on(self, rates: Rates, k: int) -> bool:
-        """Whether the rod is stable after an interval, and has moved as its rates say."""
-        stiffness = self.problem.stiffness
-        if stiffness is None or not stiffness.is_stable(rates.jacobians[k + 1]):
+    def _is_smooth(self, rates: AlgebraicRates, k: int) -> bool:
+        """Whether the rod is stable after an interval, and has moved as its rates predict."""
+        stability = self.problem.stability
+        if stability is None or not stability.is_stable(rates.jacobians[k + 1]):
             return False
-        moved = rates.algebraics[self.place, k + 1] - rates.algebraics[self.place, k]
-        far = np.max(np.abs(moved))
-        if far <= self.slight:
+        moved = rates.algebraics[self.span, k + 1] - rates.algebraics[self.span, k]
+        distance = np.max(np.abs(moved))
+        if distance <= self.min_move:
             return True
-        mean = (rates.at(k)[self.place] + rates.at(k + 1)[self.place]) / 2
-        return bool(np.max(np.abs(moved - rates.steps[k] * mean)) <= SMOOTH * far)
+        mean = (rates.at(k)[self.span] + rates.at(k + 1)[self.span]) / 2
+        unexplained = np.max(np.abs(moved - rates.steps[k] * mean))
+        return bool(unexplained <= JUMP.unexplained_rel_tol * distance)
 
-    def _ends(self, edge: int, before: np.ndarray, after: np.ndarray) -> tuple[Moment, Moment]:
-        """Where an interval begins, by what held just before, and where it ends."""
+    def _ends(
+        self, edge: int, before: np.ndarray, after: np.ndarray
+    ) -> tuple[OperatingPoint, OperatingPoint]:
+        """Where an interval begins, with the inputs just before it, and where it ends."""
         edges, pieces = self.problem.schedule.edges, self.problem.schedule.pieces
         return (
-            Moment(before, float(edges[edge]), pieces[max(edge - 1, 0)]),
-            Moment(after, float(edges[edge + 1]), pieces[edge]),
+            OperatingPoint(before, float(edges[edge]), pieces[max(edge - 1, 0)]),
+            OperatingPoint(after, float(edges[edge + 1]), pieces[edge]),
         )
 
-    def _judge(
-        self, start: np.ndarray, found: np.ndarray, before: Moment, after: Moment
+    def _compare_with_branch(
+        self, start: np.ndarray, found: np.ndarray, before: OperatingPoint, after: OperatingPoint
     ) -> SolveError | None:
-        """What is wrong with a solution at the end of an interval that began at another."""
-        way = way_of(self.problem.equations.algebraics)
-        along = followed(self.problem, start, before, after)
+        """The failure of a solution at the end of an interval, if it is not on the branch."""
+        geometry = self.problem.step_geometry(self.problem.equations.algebraics)
+        along = follow_branch(self.problem, start, before, after)
         try:
-            exact = newton(partial(constraints, self.problem, after), found, way)
+            exact = newton(partial(constraints, self.problem, after), found, geometry)
         except NewtonError:
-            return leap(after.time)
-        apart = np.max(np.abs(exact - along)[self.place])
-        return leap(after.time) if apart > APART else None
+            return branch_jump(after.time)
+        distance = np.max(np.abs(exact - along)[self.span])
+        return branch_jump(after.time) if distance > JUMP.distinct_distance else None
 
 
-class Rates:
-    """How fast algebraic unknowns follow, at the ends of intervals from an edge on."""
+class AlgebraicRates:
+    """How fast algebraic unknowns change, at the ends of intervals from an edge on."""
 
     def __init__(
         self, problem: Problem, first: int, states: np.ndarray, algebraics: np.ndarray
@@ -119,9 +132,10 @@ class Rates:
         function = problem.equations.compiled(_following)
         numbers = np.tile(problem.numbers(), (count, 1))
         given = [states.T, algebraics.T, times, pieces, numbers]
-        self._push, self.jacobians = mapped(problem, function, given)
+        self._drift, self.jacobians = mapped(problem, function, given)
         """Nonzeros of the algebraic equations' Jacobian (m + 1, nnz), column by column."""
-        rows, starts = (np.array(k, dtype=np.int32) for k in _columns(function.sparsity_out(1)))
+        pattern = function.sparsity_out(1)
+        rows, starts = (np.array(k, dtype=np.int32) for k in (pattern.row(), pattern.colind()))
         self._pattern = rows, starts
         self._known: dict[int, np.ndarray] = {}
 
@@ -131,93 +145,89 @@ class Rates:
             size = len(self.algebraics)
             matrix = csc_matrix((self.jacobians[k], *self._pattern), shape=(size, size))
             try:
-                self._known[k] = -splu(matrix).solve(self._push[k])
-            except RuntimeError:  # its word for a singular matrix
+                self._known[k] = -splu(matrix).solve(self._drift[k])
+            except RuntimeError:  # raised for a singular matrix
                 self._known[k] = np.full(size, np.inf)
         return self._known[k]
 
 
-def _columns(pattern: ca.Sparsity) -> tuple[list[int], list[int]]:
-    """Row of every nonzero, and where each column begins."""
-    return list(pattern.row()), list(pattern.colind())
-
-
 def _following(e: Formulas) -> ca.Function:
-    """(x, z, t, pieces, parameters) -> rate at which the constraints are left, d alg/d z."""
+    """(x, z, t, pieces, parameters) -> drift of the constraints at fixed z, d alg/d z."""
     x, z = e.states.vector, e.algebraics.vector
-    push = ca.jtimes(e.alg, x, e.ode) + ca.jtimes(e.alg, e.time, SX(1))
+    drift = ca.jtimes(e.alg, x, e.ode) + ca.jtimes(e.alg, e.time, SX(1))
     slopes = jacobian(e.alg, z)
     given = [x, z, e.time, e.pieces, e.parameters]
-    return ca.Function("following", given, [ca.densify(push), slopes])
+    return ca.Function("following", given, [ca.densify(drift), slopes])
 
 
 def end_of_branch(solver: Solver, here: Start, edge: int, work: Work) -> SolveError | None:
     """Why a solver cannot pass the interval from an edge, if the rod's branch ends in it.
 
-    As far as it can be solved the interval is solved in small parts; from there the fluid
-    goes straight on, and the rod is followed with it.
+    The interval is solved in small parts as far as possible; from there the fluid is
+    extrapolated linearly, and the rod's branch followed with it.
     """
     problem, schedule = solver.problem, solver.problem.schedule
-    piece = schedule.pieces[edge]
+    piece, count = schedule.pieces[edge], JUMP.parts_of_failed_interval
     try:
         here = consistent(problem, here, schedule.edges[edge], piece, solver.before(edge))
         begin, end = schedule.edges[edge], schedule.edges[edge + 1]
-        times = np.linspace(begin, end, PARTS + 1)
-        same = Pieces(piece[None], np.array([0]), PARTS)
-        parts = Schedule(times, same, np.arange(PARTS + 1), piece)
+        times = np.linspace(begin, end, count + 1)
+        same = Pieces(piece[None], np.array([0]), count)
+        parts = Schedule(times, same, np.arange(count + 1), piece)
         finer = replace(problem, schedule=parts)
-        columns, failure = watched(type(solver)(finer, solver.tolerance), here, 0, PARTS, work)
+        part_solver = type(solver)(finer, solver.tolerance)
+        columns, failure = solve_on_branch(part_solver, here, 0, count, work)
         if failure is None or failure.quantity == "equilibrium":
             return failure
         done = columns[0].shape[1]
         if done:
             here = Start(columns[0][:, -1], columns[1][:, -1])
-        _go_straight_on(problem, here, (float(times[done]), float(times[done + 1])), piece)
+        _extrapolate_fluid(problem, here, (float(times[done]), float(times[done + 1])), piece)
     except SolveError as error:
         return error if error.quantity == "equilibrium" else None
     return None
 
 
-def _go_straight_on(
+def _extrapolate_fluid(
     problem: Problem, here: Start, times: tuple[float, float], piece: np.ndarray
 ) -> None:
     """Follow the rod while its fluid keeps its rates; raises `SolveError` at the branch's end."""
-    before = Moment(here.states, times[0], piece)
+    before = OperatingPoint(here.states, times[0], piece)
     rates, _ = evaluate(
         problem.equations.function, here.states, here.algebraics, *problem.tail(times[0], piece)
     )
     after = here.states + (times[1] - times[0]) * np.array(rates).ravel()
-    followed(problem, here.algebraics, before, Moment(after, times[1], piece))
+    follow_branch(problem, here.algebraics, before, OperatingPoint(after, times[1], piece))
 
 
-def watched(
+def solve_on_branch(
     solver: Solver, here: Start, first: int, stop: int, work: Work
 ) -> tuple[Columns, SolveError | None]:
-    """What a solver finds, as far as a rod without inertia keeps to its branch in it."""
+    """A solver's solution, as far as a rod without inertia stays on its branch in it."""
     columns, failure = solver(here, first, stop, work)
     if not has_branches(solver.problem):
         return columns, failure
-    watch = LeapWatch(solver.problem, solver.tolerance)
+    detector = BranchJumpDetector(solver.problem, solver.tolerance)
     states = np.column_stack((here.states, columns[0]))
-    kept, left = watch.first_leap(here.algebraics, first, states, columns[1])
-    if left is None:
+    valid, jump = detector.first_jump(here.algebraics, first, states, columns[1])
+    if jump is None:
         return columns, failure
-    return (columns[0][:, :kept], columns[1][:, :kept], columns[2][:, :kept]), left
+    return (columns[0][:, :valid], columns[1][:, :valid], columns[2][:, :valid]), jump
 
 
 def has_branches(problem: Problem) -> bool:
-    """Whether a rod is static beside a fluid that is integrated."""
+    """Whether a static rod is solved together with a fluid that is integrated."""
     static = problem.equations.rod_form is RodForm.STATIC
     return static and problem.equations.states.count > 0
 
 
-def leap(time: float) -> SolveError:
-    """The failure of a solver that leaves a branch which goes on."""
+def branch_jump(time: float) -> SolveError:
+    """The failure of a solver that leaves a branch which continues."""
     return SolveError(
-        f"the solver leaps to another equilibrium of the rod before t = {time:.6g} s",
+        f"the solution jumped to another equilibrium branch of the rod before t = {time:.6g} s",
         quantity="motion",
         where="rod",
         time_s=float(time),
-        remedy="Write down more outputs, ask for more accuracy, or let effects.inertia and "
-        "effects.damping be auto or on.",
+        remedy="Use a smaller run.output_interval, ask for more accuracy, or set effects.inertia "
+        "and effects.damping to auto or on.",
     )

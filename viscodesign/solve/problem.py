@@ -1,4 +1,4 @@
-"""What every solver is given: equations with their numbers, and the run's times."""
+"""The problem that every solver takes: equations with their numbers, and the times of the run."""
 
 from __future__ import annotations
 
@@ -10,15 +10,16 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.model.formulation import Equations, Formulas
-from viscodesign.model.rod import Body
+from viscodesign.model.rod import Body, RodDiscretisation
+from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.unknowns import Unknowns
-from viscodesign.solve.numerics.rod_stability import Stiffness
+from viscodesign.solve.numerics.stability import StabilityTest
 
 
 class Pieces:
-    """Coefficients (n, coefficients) of n intervals; neighbours that share them hold them once.
+    """Coefficients (n, coefficients) of n intervals; neighbours with equal ones store them once.
 
-    ``values`` (m, coefficients): those of m stretches; ``firsts`` (m,): where each begins.
+    ``values`` (m, coefficients): those of m stretches; ``firsts`` (m,): first interval of each.
     """
 
     def __init__(self, values: np.ndarray, firsts: np.ndarray, count: int) -> None:
@@ -36,7 +37,7 @@ class Pieces:
 
     @property
     def changes(self) -> np.ndarray:
-        """Intervals whose coefficients are not those of the one before, ascending."""
+        """Intervals whose coefficients differ from those of the one before, ascending."""
         new = np.any(self._values[1:] != self._values[:-1], axis=1)
         return np.asarray(self._firsts[1:][new])
 
@@ -49,16 +50,16 @@ class Pieces:
 class Schedule:
     """Times of a run and the inlets' piecewise coefficients.
 
-    ``edges`` (n + 1,) holds 0, every output time, every corner of an input and
-    the end, ascending; ``pieces`` (n, coefficients) are valid inside each
-    interval; ``outputs`` are indices into ``edges``.
+    ``edges`` (n + 1,): 0, every output time, every corner of an input and the end,
+    ascending; ``pieces`` (n, coefficients): valid inside each interval; ``outputs``:
+    indices into ``edges``.
     """
 
     edges: np.ndarray
     pieces: Pieces
     outputs: np.ndarray
     initial_piece: np.ndarray
-    """Coefficients just before t = 0, from which equilibrium is found."""
+    """Coefficients just before t = 0, at which the initial equilibrium is found."""
 
 
 @dataclass(frozen=True)
@@ -66,32 +67,51 @@ class Problem:
     """Equations and the numbers that go into them."""
 
     equations: Equations
-    body: Body
+    rod: RodDiscretisation
     inlets: tuple[str, ...]
     bellows: tuple[str, ...]
     bellows_along_tubes: tuple[str, ...]
     """The same in the order of the unknowns."""
     baseline: float
-    """Gauge pressure about which the inputs cycle [Pa]."""
+    """Gauge pressure about which the inputs vary [Pa]."""
     schedule: Schedule
     floor_volume: float | None
-    """Volume at which a gas-filled bellow ends a run [m3]; None where its walls meet there, or
-    where the fluid does not mind."""
-    most_steps: int
-    """Steps after which a run is given up."""
+    """Minimum volume, at which a gas-filled bellow ends a run [m3]; None where the model covers
+    the contact of its walls, or where the fluid is no gas."""
+    max_steps: int
+    """Steps after which a run is ended."""
     flow_shares: np.ndarray
     """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
 
-    @cached_property
-    def stiffness(self) -> Stiffness | None:
-        """What judges a static rod by its algebraic equations; None where none is algebraic."""
-        unknowns, function = self.equations.algebraics, self.equations.algebraic_function
-        return _stiffness(unknowns, function)
+    @property
+    def body(self) -> Body:
+        """The actuator as a beam."""
+        return self.rod.body
 
     @cached_property
-    def static_stiffness(self) -> Stiffness | None:
+    def stability(self) -> StabilityTest | None:
+        """Judges a static rod by its algebraic equations; None where it is not algebraic."""
+        equations = self.equations
+        return self._stability_test(equations.algebraics, equations.algebraic_function)
+
+    @cached_property
+    def static_stability(self) -> StabilityTest | None:
         """The same by the equations of the equilibrium."""
-        return _stiffness(self.equations.statics, self.equations.static_function)
+        return self._stability_test(self.equations.statics, self.equations.static_function)
+
+    def _stability_test(self, unknowns: Unknowns, function: ca.Function) -> StabilityTest | None:
+        if unknowns.branch_span is None:
+            return None
+        blocks = [block for block in unknowns.blocks.values() if block.traits.of_rod]
+        own = sorted(blocks, key=lambda block: not block.traits.is_internal)
+        rows = np.concatenate([np.arange(b.span.start, b.span.stop) for b in own])
+        order, internal = self.rod.elimination_order()
+        return StabilityTest(rows[order], internal, function.sparsity_out(1))
+
+    def step_geometry(self, unknowns: Unknowns) -> StepGeometry:
+        """How an iteration steps in a vector of unknowns."""
+        span = unknowns.branch_span
+        return STRAIGHT if span is None else self.rod.step_geometry(span)
 
     @property
     def unknowns(self) -> int:
@@ -100,7 +120,7 @@ class Problem:
 
     @property
     def places(self) -> np.ndarray:
-        """Where each of the bellows stands among the unknowns (B,)."""
+        """Position of each of the bellows in the order of the unknowns (B,)."""
         place = {name: k for k, name in enumerate(self.bellows_along_tubes)}
         return np.array([place[name] for name in self.bellows])
 
@@ -121,12 +141,6 @@ class Problem:
             self.equations.sealed_volumes,
             self.equations.parameter_values,
         )
-
-
-def _stiffness(unknowns: Unknowns, function: ca.Function) -> Stiffness | None:
-    if "position" not in unknowns.blocks:
-        return None
-    return Stiffness(unknowns, function.sparsity_out(1))
 
 
 class Bound:
@@ -164,7 +178,7 @@ def evaluate_along(
 def rows_along(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int
 ) -> list[np.ndarray]:
-    """What the equations' functions take at m edges from ``first`` on, each (m, n)."""
+    """Arguments of the equations' functions at m edges from ``first`` on, each (m, n)."""
     equations, schedule = problem.equations, problem.schedule
     count = states.shape[1]
     edges = np.arange(first, first + count)

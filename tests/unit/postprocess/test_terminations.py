@@ -8,6 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from viscodesign.model.chain import Chain
+from viscodesign.model.rod import Body
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.terminations import broken_balance, doubted_balance, first_ending
 from viscodesign.results.trajectory import Invariants
 
@@ -16,9 +19,11 @@ TIME = np.linspace(0.0, 1.0, 5)
 
 def problem(floor: float | None = None) -> Any:
     """Two bellows, one section, and what the watches read of a problem."""
-    equations = SimpleNamespace(incompressible=floor is None, rest_amounts=np.array([1.0, 1.0]))
-    body = SimpleNamespace(sections=1)
-    return SimpleNamespace(equations=equations, body=body, bellows=("R1", "L1"), floor_volume=floor)
+    equations = SimpleNamespace(
+        incompressible=floor is None, rest_amounts=np.array([1.0, 1.0]), rod_form=RodForm.STATIC
+    )
+    rod = Chain(Body(1.0, 1, 1.0, 1.0, 1.0), 4)
+    return SimpleNamespace(equations=equations, rod=rod, bellows=("R1", "L1"), floor_volume=floor)
 
 
 def rows(**changes: tuple[tuple[int, int], float]) -> dict[str, np.ndarray]:

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg, problem_of
-from viscodesign.solve import algebraic_polish as refining
-from viscodesign.solve.branch_following import Moment, constraints
+from viscodesign.solve import algebraic_polish
+from viscodesign.solve.algebraic_polish import PolishLimits
+from viscodesign.solve.branch_following import OperatingPoint, constraints
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium
 from viscodesign.solve.transient import integrate
@@ -30,8 +31,8 @@ def defects(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.
     schedule = problem.schedule
     told = []
     for k in range(states.shape[1]):
-        moment = Moment(states[:, k], schedule.edges[k], schedule.pieces[max(k - 1, 0)])
-        told.append(np.max(np.abs(constraints(problem, moment, algebraics[:, k])[0])))
+        point = OperatingPoint(states[:, k], schedule.edges[k], schedule.pieces[max(k - 1, 0)])
+        told.append(np.max(np.abs(constraints(problem, point, algebraics[:, k])[0])))
     return np.array(told)
 
 
@@ -39,7 +40,7 @@ def test_defects_fall_to_round_off(solved: tuple[Problem, np.ndarray, np.ndarray
     problem, states, algebraics = solved
     given = algebraics + 1e-4 * np.sin(np.arange(algebraics.size)).reshape(algebraics.shape)
     assert np.min(defects(problem, states, given)) > 1e-8
-    found = refining.refined(problem, states, given)
+    found = algebraic_polish.polish(problem, states, given)
     assert np.max(defects(problem, states, found)) < 1e-11
     assert np.max(np.abs(found - algebraics)) < 1e-3
 
@@ -48,11 +49,13 @@ def test_alone_and_together_agree(
     solved: tuple[Problem, np.ndarray, np.ndarray], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     problem, states, algebraics = solved
-    together = refining.refined(problem, states, algebraics)
-    monkeypatch.setattr(refining, "AT_ONCE", 3 * len(algebraics) ** 2)
-    in_blocks = refining.refined(problem, states, algebraics)
-    monkeypatch.setattr(refining, "MOST_DENSE", 0)
-    alone = refining.refined(problem, states, algebraics)
+    together = algebraic_polish.polish(problem, states, algebraics)
+    monkeypatch.setattr(
+        algebraic_polish, "LIMITS", PolishLimits(max_entries=3 * len(algebraics) ** 2)
+    )
+    in_blocks = algebraic_polish.polish(problem, states, algebraics)
+    monkeypatch.setattr(algebraic_polish, "LIMITS", PolishLimits(max_dense_unknowns=0))
+    alone = algebraic_polish.polish(problem, states, algebraics)
     assert together == pytest.approx(alone, abs=1e-10)
     assert in_blocks == pytest.approx(alone, abs=1e-10)
 
@@ -63,8 +66,8 @@ def test_one_that_is_lost_stays_and_spoils_no_other(
     problem, states, algebraics = solved
     given = algebraics.copy()
     given[:, 2] = np.nan
-    found = refining.refined(problem, states, given)
+    found = algebraic_polish.polish(problem, states, given)
     assert np.isnan(found[:, 2]).all()
     others = np.arange(states.shape[1]) != 2
-    want = refining.refined(problem, states, algebraics)
+    want = algebraic_polish.polish(problem, states, algebraics)
     assert found[:, others] == pytest.approx(want[:, others], abs=1e-10)

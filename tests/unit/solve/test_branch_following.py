@@ -1,4 +1,4 @@
-"""A static rod keeps to its branch of stable equilibria, whatever integrates its fluid."""
+"""A static rod stays on its branch of stable equilibria, whatever integrates its fluid."""
 
 from __future__ import annotations
 
@@ -13,13 +13,14 @@ from tests.validation.rc_network import COMPLIANCE, columns, resistance
 from viscodesign import Trajectory, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.model.rod_equations import RodForm
+from viscodesign.model.chain import TurningSteps
+from viscodesign.model.rod_equations import COORDINATES, INTERNAL, RodForm
+from viscodesign.model.step_geometry import STRAIGHT
 from viscodesign.simulation.build_problem import Settings, build
-from viscodesign.solve import branch_jumps as leaps
-from viscodesign.solve.branch_following import Moment, constraints, followed
-from viscodesign.solve.numerics import rod_stability as stiffness
+from viscodesign.solve import branch_jumps
+from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch
+from viscodesign.solve.numerics import stability
 from viscodesign.solve.numerics.newton import newton
-from viscodesign.solve.numerics.step_geometry import STRAIGHT, Turning
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.idas import Idas
@@ -53,7 +54,7 @@ def snapping(interval: float) -> tuple[str, ...]:
 @pytest.mark.parametrize("most", [0, 10_000])
 def test_stability_is_that_of_the_stiffness(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Along the straight, perfect column: up to its critical load, and no further."""
-    monkeypatch.setattr(stiffness, "MOST_FOR_FULL", most)
+    monkeypatch.setattr(stability, "MAX_DENSE_UNKNOWNS", most)
     problem, here = made(
         "input={kind: constant, value: 0}",
         "loads.tip_force.z=-1 N",
@@ -61,18 +62,18 @@ def test_stability_is_that_of_the_stiffness(most: int, monkeypatch: pytest.Monke
         "run={duration: 1 s}",
     )
     unknowns = problem.equations.algebraics
-    bend, place = (unknowns.blocks[n].span for n in ("elastic_curvature", "position"))
+    bend, place = (unknowns.blocks[n].span for n in (INTERNAL, COORDINATES))
     found = []
     for load in np.linspace(0.5, 15.0, 30):
-        moment = Moment(here.states, 0.0, problem.schedule.pieces[0])
+        moment = OperatingPoint(here.states, 0.0, problem.schedule.pieces[0])
         straight = newton(partial(constraints, problem, moment, load=load), here.algebraics)
         jacobian = constraints(problem, moment, straight, load)[1]
         matrix = np.array(jacobian.full())
         follow = np.linalg.solve(matrix[bend, bend], matrix[bend, place])
         full = matrix[place, bend] @ follow - matrix[place, place]
         least = np.linalg.eigvalsh((full + full.T) / 2)[0]
-        assert problem.stiffness is not None
-        found.append(problem.stiffness.is_stable(np.array(jacobian.nonzeros())))
+        assert problem.stability is not None
+        found.append(problem.stability.is_stable(np.array(jacobian.nonzeros())))
         assert found[-1] == bool(least > 0)
     assert found[0]
     assert not found[-1]
@@ -95,46 +96,46 @@ def test_a_fold_inside_an_integrator_is_named_where_it_is(interval: float) -> No
 def _fold_time(run: Trajectory) -> float:
     assert run.status == "failed"
     assert run.failure is not None
-    assert "static branch ends there" in run.failure
+    assert "limit point" in run.failure
     return float(run.failure.split("t = ")[1].split(" s")[0])
 
 
-def test_a_leap_that_a_solver_makes_is_seen() -> None:
-    """Whatever comes out beyond: the mirrored shape is an equilibrium, too."""
+def test_a_jump_of_the_solver_is_detected() -> None:
+    """The mirrored shape is an equilibrium, too."""
     problem, here = made(*snapping(0.1))
     (states, algebraics, _), failure = Idas(problem, 1e-5)(here, 0, 3, Work())
     assert failure is None
-    watch = leaps.LeapWatch(problem, 1e-5)
+    detector = branch_jumps.BranchJumpDetector(problem, 1e-5)
     along = np.column_stack((here.states, states))
-    assert watch.first_leap(here.algebraics, 0, along, algebraics) == (3, None)
+    assert detector.first_jump(here.algebraics, 0, along, algebraics) == (3, None)
     unknowns = problem.equations.algebraics
     mirrored = algebraics.copy()
-    span = unknowns.blocks["position"].span
+    span = unknowns.blocks[COORDINATES].span
     mirrored[span.start : span.stop : 2, 1] *= -1
-    mirrored[unknowns.blocks["elastic_curvature"].span, 1] *= -1
-    kept, left = watch.first_leap(here.algebraics, 0, along, mirrored)
+    mirrored[unknowns.blocks[INTERNAL].span, 1] *= -1
+    kept, left = detector.first_jump(here.algebraics, 0, along, mirrored)
     assert kept == 1
     assert left is not None
     assert left.quantity == "motion"
-    assert "another equilibrium" in str(left)
+    assert "another equilibrium branch" in str(left)
 
 
-def test_what_has_no_branches_is_not_watched() -> None:
+def test_only_a_static_rod_beside_a_fluid_has_branches() -> None:
     arcs, _ = made("effects={pressure_distribution: on, others: off}", "run={duration: 1 s}")
-    assert not leaps.has_branches(arcs)
+    assert not branch_jumps.has_branches(arcs)
     beside, _ = made(BESIDE_A_FLUID, "run={duration: 1 s}", "loads.gravity=on")
-    assert leaps.has_branches(beside)
+    assert branch_jumps.has_branches(beside)
 
 
-def test_a_followed_rod_comes_to_what_newton_finds() -> None:
+def test_following_a_branch_ends_at_a_solution() -> None:
     problem, here = made(*snapping(0.1))
     piece = problem.schedule.pieces[0]
     rates, _ = evaluate(
         problem.equations.function, here.states, here.algebraics, *problem.tail(0.0, piece)
     )
-    before = Moment(here.states, 0.0, piece)
-    after = Moment(here.states + 0.1 * np.array(rates).ravel(), 0.1, piece)
-    found = followed(problem, here.algebraics, before, after)
+    before = OperatingPoint(here.states, 0.0, piece)
+    after = OperatingPoint(here.states + 0.1 * np.array(rates).ravel(), 0.1, piece)
+    found = follow_branch(problem, here.algebraics, before, after)
     residual, _ = constraints(problem, after, found)
     assert np.max(np.abs(residual)) <= 1e-9
     assert before.towards(after, 0.25).time == pytest.approx(0.025)
@@ -144,18 +145,18 @@ def test_a_turning_step_keeps_lengths_to_the_second_order() -> None:
     chords = np.array([[0.0, 1.0], [0.3, 0.9], [0.5, 0.7]])
     y = np.append(np.cumsum(chords, axis=0).ravel(), 7.0)
     turn = np.append(np.cumsum(np.column_stack((chords[:, 1], -chords[:, 0])), axis=0).ravel(), 1.0)
-    way = Turning(slice(0, 6))
+    geometry = TurningSteps(slice(0, 6))
     for angle in (1e-4, 0.3):
-        after = way.step(y, angle * turn)
+        after = geometry.step(y, angle * turn)
         lengths = np.hypot(*np.diff(after[:6].reshape(-1, 2), axis=0, prepend=0.0).T)
         assert lengths == pytest.approx(np.hypot(*chords.T), rel=1e-12)
         assert after[6] == pytest.approx(7.0 + angle)
     small = 1e-6 * turn
-    assert way.step(y, small) == pytest.approx(STRAIGHT.step(y, small), abs=1e-11)
+    assert geometry.step(y, small) == pytest.approx(STRAIGHT.step(y, small), abs=1e-11)
 
 
-def test_going_beyond_repeats_the_turn() -> None:
-    way = Turning(slice(0, 2))
+def test_extrapolation_repeats_the_turn() -> None:
+    geometry = TurningSteps(slice(0, 2))
     points = [np.array([np.sin(a), np.cos(a)]) for a in (0.1, 0.4, 1.0)]
-    assert way.beyond(points[0], points[1], 2.0) == pytest.approx(points[2])
-    assert STRAIGHT.beyond(np.zeros(2), np.ones(2), 0.5) == pytest.approx(np.full(2, 1.5))
+    assert geometry.extrapolate(points[0], points[1], 2.0) == pytest.approx(points[2])
+    assert STRAIGHT.extrapolate(np.zeros(2), np.ones(2), 0.5) == pytest.approx(np.full(2, 1.5))

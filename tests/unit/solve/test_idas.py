@@ -9,20 +9,20 @@ import pytest
 
 from tests.scenes import leg, problem_of
 from viscodesign.solve.solvers.base import Work
-from viscodesign.solve.solvers.idas import REASONS, Idas, _last_words
+from viscodesign.solve.solvers.idas import REASONS, Idas, reason_of
 from viscodesign.solve.statics import equilibrium
 
 
 @pytest.mark.parametrize("code", REASONS)
 def test_a_return_code_is_told_in_words(code: str) -> None:
     text = f'.../casadi/interfaces/sundials/idas_interface.cpp:620: IDASolve returned "{code}".'
-    assert _last_words(RuntimeError(text)) == f"{REASONS[code]} ({code})"
+    assert reason_of(RuntimeError(text)) == f"{REASONS[code]} ({code})"
 
 
 def test_other_faults_lose_their_file_names() -> None:
     text = "Error:\n.../casadi/core/function.cpp:12: something else\n"
-    assert _last_words(RuntimeError(text)) == "something else"
-    assert _last_words(RuntimeError("")) == "no reason given"
+    assert reason_of(RuntimeError(text)) == "something else"
+    assert reason_of(RuntimeError("")) == "no reason given"
 
 
 def test_what_fails_at_a_corner_is_solved_stretch_by_stretch(

@@ -171,9 +171,9 @@ def test_a_failing_stretch_keeps_what_came_before(monkeypatch: pytest.MonkeyPatc
     assert solution.failure.time_s == pytest.approx(2.4)
     assert solution.reached == 25
     assert solution.states.shape[1] == solution.integrals.shape[1] == 25
-    assert [rung.solved for rung in solution.rungs] == [False] * len(solution.rungs)
-    assert solution.rungs[0].time_s == pytest.approx(2.4)
-    assert "IDA_ERR_FAIL" in solution.rungs[0].reason
+    assert [attempt.solved for attempt in solution.attempts] == [False] * len(solution.attempts)
+    assert solution.attempts[0].time_s == pytest.approx(2.4)
+    assert "IDA_ERR_FAIL" in solution.attempts[0].reason
 
 
 def test_where_one_solver_stops_another_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -185,7 +185,9 @@ def test_where_one_solver_stops_another_goes_on(monkeypatch: pytest.MonkeyPatch)
     whole = integrate(problem, start, 1e-4)
     assert solution.failure is None
     assert solution.reached == whole.reached
-    assert [rung.tried for rung in solution.rungs if rung.solved] == ["Rodas5P instead"] * 2
+    assert [attempt.tried for attempt in solution.attempts if attempt.solved] == [
+        "Rodas5P instead"
+    ] * 2
     assert np.max(np.abs(solution.states - whole.states)) <= 0.02
     assert np.max(np.abs(solution.integrals - whole.integrals)) <= 2e-3 * np.max(
         np.abs(whole.integrals)

@@ -22,7 +22,7 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import build, suggest_settings
 from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate_along
 from viscodesign.solve.solvers.base import Solver, Work
-from viscodesign.solve.solvers.quasi_static import Algebraic
+from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, equilibrium
 from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
 
@@ -153,7 +153,7 @@ def _problem(scene: Scene, drive: Drive, names: frozenset[str]) -> tuple[Problem
 
 def _solver(problem: Problem) -> Solver:
     if not problem.equations.states.count:
-        return Algebraic(problem, TOLERANCE)
+        return QuasiStatic(problem, TOLERANCE)
     kind = solver_catalogue()[ANY_LENGTH]
     if not (kind.takes(problem) and kind.fits(problem)):
         kind = solver_catalogue()[DEFAULT_SOLVER]

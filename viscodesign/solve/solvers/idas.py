@@ -1,9 +1,9 @@
 """SUNDIALS IDAS through CasADi: the default.
 
-IDAS steps freely inside an interval of smooth input and starts afresh at every
-corner, because there the coefficients of the input change. Where that fails, every smooth
-stretch has a call of its own, from consistent unknowns; a stretch that fails is
-halved until the output before the failure is found.
+IDAS chooses its steps inside an interval of smooth input and restarts at every corner,
+where the coefficients of the input change. Where that fails, every smooth stretch gets a
+call of its own, from consistent unknowns; a stretch that fails is halved until the last
+output before the failure is found.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import re
 import time as clock
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import casadi as ca
@@ -19,36 +20,43 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.model.formulation import Formulas
-from viscodesign.solve.numerics.linear import direct_solver
+from viscodesign.solve.numerics.newton import integrator_linear_solver
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
-from viscodesign.solve.solvers.quiet_stderr import silence
+from viscodesign.solve.solvers.quiet_stderr import quiet_stderr
 from viscodesign.solve.statics import Start, consistent
 
-MAX_STEPS = 500_000
-"""Steps between two outputs after which a run is given up."""
-CAUTIOUS_STEP = 1e-12
-"""First step after a failure, in parts of the run."""
-MAX_STEPS_AFTER_FAILURE = 5_000
-"""The same, once a part of the run has failed."""
-PART_AFTER_FAILURE = 20
-"""The part of all steps allowed that each try to find the place of a failure may take."""
-SHARES = 4
-"""Even shares of the steps that are left, of which one interval of many may take so many."""
-LEAST_SHARE = 256
-"""Steps that any interval may take where there are enough: a start afresh needs some."""
+
+@dataclass(frozen=True)
+class StepLimits:
+    """How many steps IDAS may take between two outputs, and from where it restarts."""
+
+    max_steps: int = 500_000
+    """Before anything has failed."""
+    max_steps_after_failure: int = 5_000
+    share_after_failure: int = 20
+    """The part of all steps allowed that each attempt to locate a failure may take."""
+    shares_per_interval: int = 4
+    """Even shares of the remaining steps that one interval of many may take."""
+    min_share: int = 256
+    """Steps that any interval may take if enough remain: a restart needs some."""
+    first_step: float = 1e-12
+    """First step after a failure, in durations of the run."""
+
+
+LIMITS = StepLimits()
 TOO_MUCH_WORK = "IDA_TOO_MUCH_WORK"
 REASONS = {
-    TOO_MUCH_WORK: "too many steps are needed from one output to the next",
-    "IDA_TOO_MUCH_ACC": "the tolerance is below what numbers can tell",
-    "IDA_ERR_FAIL": "the steps shrink to nothing, since each leaves too large an error",
-    "IDA_CONV_FAIL": "the steps shrink to nothing, since the equations of none can be solved",
+    TOO_MUCH_WORK: "too many steps between two outputs",
+    "IDA_TOO_MUCH_ACC": "the tolerance is below machine precision",
+    "IDA_ERR_FAIL": "step size fell below its minimum, as the error estimate stayed too large",
+    "IDA_CONV_FAIL": "step size fell below its minimum, as Newton's iteration did not converge",
     "IDA_LSETUP_FAIL": "the linear system of a step is singular",
     "IDA_LSOLVE_FAIL": "the linear system of a step cannot be solved",
-    "IDA_REP_RES_ERR": "the equations have no value there",
-    "IDA_RES_FAIL": "the equations have no value there",
+    "IDA_REP_RES_ERR": "the residual is not finite there",
+    "IDA_RES_FAIL": "the residual is not finite there",
 }
-"""What its return codes mean for whoever reads of them."""
+"""Meaning of its return codes."""
 SOURCE_LINE = re.compile(r"^\S*\.[ch]pp:\d+: ")
 
 
@@ -65,32 +73,32 @@ class Idas(Solver):
         super().__init__(problem, tolerance)
         equations = problem.equations
         self._stops_at_corners = False
-        """Whether every smooth stretch of the input is solved by a call of its own."""
+        """Whether every smooth stretch of the input gets a call of its own."""
         self.options: dict[str, Any] = {
             "abstol": tolerance,
             "reltol": tolerance,
             "newton_scheme": "direct",
-            "linear_solver": direct_solver(problem.unknowns),
-            "max_num_steps": min(MAX_STEPS, problem.most_steps),
+            "linear_solver": integrator_linear_solver(problem.unknowns),
+            "max_num_steps": min(LIMITS.max_steps, problem.max_steps),
             "show_eval_warnings": False,
             "disable_internal_warnings": True,
-            # Or steps that follow pressures well enough add up their work badly.
+            # Steps that resolve the pressures well may still integrate their work badly.
             "quad_err_con": equations.quadrature.numel() > 0,
-            # Accelerations are noisy, and nothing is integrated from them but through the
-            # velocities, whose error is controlled.
-            "suppress_algebraic": "acceleration" in equations.algebraics.blocks,
+            "suppress_algebraic": any(
+                block.traits.is_noisy for block in equations.algebraics.blocks.values()
+            ),
         } | changes
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
-        """Solve intervals first..stop, or as many as can be; columns exclude the start."""
+        """Solve intervals first..stop, or as many as possible; columns exclude the start."""
         stretches = smooth_stretches(self.problem.schedule.pieces, first, stop)
         if self._stops_at_corners and len(stretches) > 1:
             return self._in_turn(here, stretches, work)
-        most = self._most_steps(stop - first, work)
+        most = self._max_steps(stop - first, work)
         if most <= 0:
-            return self.nothing(), self.overworked(self.problem.schedule.edges[first])
+            return self.nothing(), self.step_limit_reached(self.problem.schedule.edges[first])
         try:
             options = self.options | {"max_num_steps": most}
             return self._solve(here, first, stop, work, options), None
@@ -100,12 +108,12 @@ class Idas(Solver):
             is_share_spent = TOO_MUCH_WORK in str(error)
             work.steps += most if is_share_spent else 0
             if stop - first == 1:
-                return self.nothing(), self._ended(error, first, work)
+                return self.nothing(), self._interval_failure(error, first, work)
         if not is_share_spent or most >= self.options["max_num_steps"]:
-            # What failed once is sought with little patience: a stuck step is not a slow one.
-            self.options["max_num_steps"] = self._patience()
+            # A failure is located with few steps: what is stuck is not slow.
+            self.options["max_num_steps"] = self._steps_after_failure()
         if len(stretches) > 1 and not is_share_spent:
-            # Behind a corner it may not find what the algebraic unknowns have jumped to.
+            # It may not find the values to which algebraic unknowns jump at a corner.
             self._stops_at_corners = True
             return self._in_turn(here, stretches, work)
         middle = (first + stop) // 2
@@ -114,7 +122,7 @@ class Idas(Solver):
     def _in_turn(
         self, here: Start, parts: Sequence[tuple[int, int]], work: Work
     ) -> tuple[Columns, SolveError | None]:
-        """One part after the other, each from what the one before it came to."""
+        """Solve one part after the other, each from where the one before it ended."""
         done: list[Columns] = []
         total = np.zeros(self.nothing()[2].shape[0])
         failure: SolveError | None = None
@@ -130,40 +138,41 @@ class Idas(Solver):
         columns = tuple(np.concatenate(rows, axis=1) for rows in zip(*done, strict=True))
         return (columns[0], columns[1], columns[2]), failure
 
-    def _most_steps(self, intervals: int, work: Work) -> int:
+    def _max_steps(self, intervals: int, work: Work) -> int:
         """Steps that each of so many intervals may take, so that all keep to the run's limit.
 
-        Several times their even share, as a power of two: what has few different options is
-        made once. An interval that needs more is tried by itself, with all that is left.
+        Several times their even share, rounded to a power of two, so that few integrators
+        have to be built. An interval that needs more is solved alone, with all that remain.
         """
-        left = self.problem.most_steps - work.steps
+        left = self.problem.max_steps - work.steps
         if intervals > 1 and left > 0:
-            share = max(SHARES * left // intervals, min(LEAST_SHARE, left // 64), 1)
+            share = LIMITS.shares_per_interval * left // intervals
+            share = max(share, min(LIMITS.min_share, left // 64), 1)
             left = 1 << share.bit_length() - 1
         return min(left, int(self.options["max_num_steps"]))
 
-    def _ended(self, error: RuntimeError, edge: int, work: Work) -> SolveError:
-        """The failure of one interval; all work that is allowed may be done."""
-        if work.steps >= self.problem.most_steps:
-            return self.overworked(self.problem.schedule.edges[edge])
-        return self.failure(_last_words(error), edge)
+    def _interval_failure(self, error: RuntimeError, edge: int, work: Work) -> SolveError:
+        """The failure of one interval, which may be that of the run's step limit."""
+        if work.steps >= self.problem.max_steps:
+            return self.step_limit_reached(self.problem.schedule.edges[edge])
+        return self.failure(reason_of(error), edge)
 
-    def _patience(self) -> int:
-        """Steps from one output to the next, once a part of the run has failed."""
-        allowed = max(self.problem.most_steps // PART_AFTER_FAILURE, 1)
-        return min(MAX_STEPS_AFTER_FAILURE, allowed, int(self.options["max_num_steps"]))
+    def _steps_after_failure(self) -> int:
+        """Steps between two outputs, once a part of the run has failed."""
+        allowed = max(self.problem.max_steps // LIMITS.share_after_failure, 1)
+        return min(LIMITS.max_steps_after_failure, allowed, int(self.options["max_num_steps"]))
 
     def remedies(self) -> Iterator[tuple[str, Solver]]:
-        """Care, then order 2, then a smaller tolerance."""
-        changes: dict[str, Any] = {"max_num_steps": self._patience()}
+        """A careful restart, then order 2, then a smaller tolerance."""
+        changes: dict[str, Any] = {"max_num_steps": self._steps_after_failure()}
         for tried, change in (
-            # The first step is guessed from rates that may be about to jump: take less.
+            # The first step is estimated from rates that may be about to jump.
             (
-                "a restart with a tiny first step",
-                {"step0": CAUTIOUS_STEP * self.problem.schedule.edges[-1]},
+                "restart with a tiny first step",
+                {"step0": LIMITS.first_step * self.problem.schedule.edges[-1]},
             ),
-            ("errors of accelerations controlled, too", {"suppress_algebraic": False}),
-            ("order 2 at most", {"max_multistep_order": 2}),
+            ("error control of accelerations as well", {"suppress_algebraic": False}),
+            ("maximum order 2", {"max_multistep_order": 2}),
         ):
             if self.options.items() >= change.items():
                 continue
@@ -188,7 +197,7 @@ class Idas(Solver):
         began = clock.perf_counter()
         with self.integrator(edges[first : stop + 1], options) as integrator:
             work.compile_s += clock.perf_counter() - began
-            with silence():
+            with quiet_stderr():
                 result = integrator(
                     x0=there.states,
                     z0=there.algebraics,
@@ -223,8 +232,8 @@ def _count(work: Work, stats: dict[str, Any]) -> None:
     work.jacobian_calls += int(stats["n_call_jacF"])
 
 
-def _last_words(error: RuntimeError) -> str:
-    """The integrator's reason, in one line without its own file names."""
+def reason_of(error: RuntimeError) -> str:
+    """The integrator's reason in one line, without its own file names."""
     text = str(error)
     for code, reason in REASONS.items():
         if code in text:

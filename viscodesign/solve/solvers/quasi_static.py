@@ -1,4 +1,4 @@
-"""The march of a problem without states."""
+"""The solver of problems without states: a sequence of equilibria."""
 
 from __future__ import annotations
 
@@ -8,24 +8,24 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.formulation import Formulas
 from viscodesign.model.rod_equations import RodForm
-from viscodesign.solve.branch_following import Earlier
-from viscodesign.solve.numerics.newton import CONVERGED, MAX_ITERATIONS
+from viscodesign.solve.branch_following import PreviousSolution
+from viscodesign.solve.numerics.newton import CONTROL
 from viscodesign.solve.solvers.base import Columns, Solver, Work
-from viscodesign.solve.solvers.quiet_stderr import silence
+from viscodesign.solve.solvers.quiet_stderr import quiet_stderr
 from viscodesign.solve.statics import Start, consistent
 
 
-class Algebraic(Solver):
-    """Every output is a solution of its own, found from the one before."""
+class QuasiStatic(Solver):
+    """Solves the algebraic equations at every output, starting from the solution before."""
 
-    # Not named, hence not among those to choose from: without states there is no choice.
+    # Without a name, hence not in the catalogue: without states there is no choice.
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
         """Solve the constraints at edges first+1..stop."""
         # Pressures have one solution. A loaded rod may have several, and plain Newton would
-        # leap from one to another where a fold ends the branch that it was on.
+        # jump from one to another where a fold ends its branch.
         if self.problem.equations.rod_form is RodForm.ARCS:
             found = self._at_once(here, first, stop)
             if found is not None:
@@ -34,15 +34,15 @@ class Algebraic(Solver):
         return self._one_by_one(here, first, stop, work)
 
     def _at_once(self, here: Start, first: int, stop: int) -> np.ndarray | None:
-        """All of them by plain Newton in one call (nz, m); None where it fails for any."""
+        """All of them by plain Newton in one call (nz, m); None if it fails for any."""
         problem, count = self.problem, stop - first
         if not problem.equations.algebraics.count:
             return np.zeros((0, count))
-        march = problem.equations.compiled(_march, count)
+        solve_all = problem.equations.compiled(_sequence, count)
         schedule = problem.schedule
         try:
-            with silence():
-                result = march(
+            with quiet_stderr():
+                result = solve_all(
                     here.algebraics,
                     schedule.edges[None, first + 1 : stop + 1],
                     schedule.pieces[first:stop].T,
@@ -56,20 +56,20 @@ class Algebraic(Solver):
     def _one_by_one(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
-        """The same with damped steps and loads raised bit by bit, as far as it goes."""
+        """The same with damped steps and loads raised gradually, as far as possible."""
         schedule = self.problem.schedule
         found: list[np.ndarray] = []
         failure: SolveError | None = None
-        earlier: Earlier | None = None
+        previous: PreviousSolution | None = None
         for k in range(first, stop):
             try:
                 piece, time = schedule.pieces[k], float(schedule.edges[k])
                 if k and np.any(piece != schedule.pieces[k - 1]):
                     here = consistent(self.problem, here, time, piece, self.before(k))
-                    earlier = None
+                    previous = None
                 end = float(schedule.edges[k + 1])
-                there = consistent(self.problem, here, end, piece, (time, piece), earlier)
-                earlier, here = (here.algebraics, time), there
+                there = consistent(self.problem, here, end, piece, (time, piece), previous)
+                previous, here = (here.algebraics, time), there
             except SolveError as error:
                 failure = error
                 break
@@ -83,15 +83,19 @@ class Algebraic(Solver):
         return np.zeros((0, count)), found, np.zeros((0, count))
 
 
-def _march(equations: Formulas, count: int) -> ca.Function:
+def _sequence(equations: Formulas, count: int) -> ca.Function:
     """(start, times (1, m), pieces (p, m), numbers (n, m)) -> unknowns (nz, m)."""
     given = ca.vertcat(equations.time, equations.pieces, equations.parameters)
     system = {"x": equations.algebraics.vector, "p": given, "g": equations.alg}
-    options = {"abstol": CONVERGED, "abstolStep": CONVERGED, "max_iter": MAX_ITERATIONS}
+    options = {
+        "abstol": CONTROL.correction_tol,
+        "abstolStep": CONTROL.correction_tol,
+        "max_iter": CONTROL.max_iterations,
+    }
     finder = ca.rootfinder("constraints", "newton", system, options | {"error_on_fail": True})
     z, t = ca.MX.sym("z", equations.algebraics.count), ca.MX.sym("t")
     pieces = ca.MX.sym("pieces", equations.pieces.numel())
     numbers = ca.MX.sym("numbers", equations.parameters.numel())
     after = finder(z, ca.vertcat(t, pieces, numbers))
     step = ca.Function("step", [z, t, pieces, numbers], [after])
-    return step.mapaccum("march", count)
+    return step.mapaccum("sequence", count)

@@ -1,4 +1,4 @@
-"""Standard error held back while a library writes to it below Python."""
+"""Suppress what a library writes to standard error below Python."""
 
 from __future__ import annotations
 
@@ -47,11 +47,11 @@ _SINK = _Sink()
 
 
 @contextmanager
-def silence() -> Iterator[None]:
-    """Let nothing reach standard error inside, from any thread.
+def quiet_stderr() -> Iterator[None]:
+    """Let nothing reach standard error inside the block, from any thread.
 
-    SUNDIALS tells of every failed step there, also of those that a second try mends;
-    what really failed is raised and told in our own words.
+    SUNDIALS reports every failed step there, also those that succeed at the second try;
+    what really failed is raised and reported in our own words.
     """
     _SINK.enter()
     try:

@@ -1,11 +1,12 @@
-"""Radau IIA of SciPy on the states alone, as a check by another author's method.
+"""SciPy's Radau IIA on the states alone, as a check by another author's method.
 
 The algebraic unknowns are solved for inside every evaluation, with the exact Jacobian
-of the reduced system. In Python throughout: for comparison, not for work.
+of the reduced system. In Python throughout: for comparison, not for production.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import ClassVar
 
 import casadi as ca
@@ -20,16 +21,24 @@ from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.statics import Start, consistent
 
-SMALLEST_RTOL = 3e-14
-FREE = 1e30
-"""Tolerance of what no error test shall see."""
-MOST_STATES = 300
-"""States up to which it is offered where another solver failed."""
-MAX_STEPS = 20_000
-"""Steps in one stretch of smooth input after which a run is given up."""
-RATES_PER_STEP = 30
-"""Evaluations of the rates that a step may take on average; three for every iteration, and
-fourteen are common."""
+
+@dataclass(frozen=True)
+class RadauLimits:
+    """Limits of SciPy's solver."""
+
+    min_rtol: float = 3e-14
+    untested_tolerance: float = 1e30
+    """Tolerance of unknowns that no error test is to see."""
+    max_states: int = 300
+    """States up to which it is offered where another solver failed."""
+    max_steps: int = 20_000
+    """In one stretch of smooth input."""
+    rates_per_step: int = 30
+    """Evaluations of the rates that a step may take on average; three for every iteration,
+    and fourteen are typical."""
+
+
+LIMITS = RadauLimits()
 
 
 class Radau(Solver):
@@ -47,8 +56,8 @@ class Radau(Solver):
 
     @classmethod
     def fits(cls, problem: Problem) -> bool:
-        """Its matrices are full."""
-        return problem.equations.states.count <= MOST_STATES
+        """Its matrices are dense."""
+        return problem.equations.states.count <= LIMITS.max_states
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
@@ -67,7 +76,9 @@ class Radau(Solver):
                     schedule.pieces[begin],
                     self.before(begin),
                 )
-                found = _Stretch(self, here, total, schedule.pieces[begin], work).follow(begin, end)
+                found = _RadauStretch(self, here, total, schedule.pieces[begin], work).follow(
+                    begin, end
+                )
             except (SolveError, NewtonError) as error:
                 failure = (
                     error if isinstance(error, SolveError) else self.failure(str(error), begin)
@@ -75,7 +86,7 @@ class Radau(Solver):
                 break
             columns += found
             if len(found) < end - begin:
-                failure = self.failure("the steps shrink to nothing", begin + len(found))
+                failure = self.failure("step size fell below its minimum", begin + len(found))
                 break
             x, z, total = np.split(found[-1], [self.states, len(found[-1]) - len(total)])
             here = Start(x, z)
@@ -85,7 +96,7 @@ class Radau(Solver):
         return (x, z, q), failure
 
 
-class _Stretch:
+class _RadauStretch:
     """One run of SciPy's solver over smooth input."""
 
     def __init__(
@@ -93,8 +104,8 @@ class _Stretch:
     ) -> None:
         self.solver, self.piece, self.work = solver, piece, work
         self.guess = here.algebraics
-        self.steps_left = min(MAX_STEPS, solver.problem.most_steps - work.steps)
-        self.rates_left = RATES_PER_STEP * self.steps_left
+        self.steps_left = min(LIMITS.max_steps, solver.problem.max_steps - work.steps)
+        self.rates_left = LIMITS.rates_per_step * self.steps_left
         self.start = np.concatenate([here.states, total])
         self.numbers = solver.problem.numbers()
 
@@ -102,7 +113,7 @@ class _Stretch:
         return evaluate(self.solver.function, x, z, time, self.piece, self.numbers)
 
     def _algebraics(self, time: float, x: np.ndarray) -> np.ndarray:
-        """Algebraic unknowns of these states, from those last found."""
+        """Algebraic unknowns (nz,) of these states, starting from those last found."""
         if not self.guess.size:
             return self.guess
 
@@ -117,7 +128,7 @@ class _Stretch:
         self.work.residual_calls += 1
         self.rates_left -= 1
         if self.rates_left < 0:
-            raise self.solver.overworked(time)
+            raise self.solver.step_limit_reached(time)
         x = y[: self.solver.states]
         return np.array(self._evaluate(time, x, self._algebraics(time, x))[0]).ravel()
 
@@ -134,21 +145,21 @@ class _Stretch:
     def follow(self, begin: int, end: int) -> list[np.ndarray]:
         """States, algebraic unknowns and integrals at edges begin+1..end, or fewer."""
         edges = self.solver.problem.schedule.edges
-        allowed = np.full(len(self.start), FREE)
+        allowed = np.full(len(self.start), LIMITS.untested_tolerance)
         allowed[: self.solver.states] = self.solver.tolerance
         method = ScipyRadau(
             self._rates,
             edges[begin],
             self.start,
             edges[end],
-            rtol=max(self.solver.tolerance, SMALLEST_RTOL),
+            rtol=max(self.solver.tolerance, LIMITS.min_rtol),
             atol=allowed,  # type: ignore[arg-type]
             jac=self._jacobian,
         )
         found: list[np.ndarray] = []
         while len(found) < end - begin:
             if self.steps_left <= 0:
-                raise self.solver.overworked(method.t)
+                raise self.solver.step_limit_reached(method.t)
             self.steps_left -= 1
             if method.step() is not None and method.status == "failed":
                 break

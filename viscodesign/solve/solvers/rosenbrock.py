@@ -1,13 +1,14 @@
 """Rodas5P, a Rosenbrock method, with a whole step as one compiled formula.
 
 BDF of order three and above is not stable for undamped vibrations; this method is, at
-order five. A step has one Jacobian, one elimination and eight stages, no iteration.
-Elimination is written out as formulas, so that a step is one call without any search.
+order five. A step has one Jacobian, one factorisation and eight stages, no iteration.
+The factorisation is written out as formulas, so that a step is one call without any search.
 """
 
 from __future__ import annotations
 
 import time as clock
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import casadi as ca
@@ -24,19 +25,28 @@ from viscodesign.solve.statics import Start, consistent
 
 SX = ca.SX
 
-FIRST_STEP = 1e-3
-"""First step, in parts of the rod's own time."""
-SMALLEST_STEP = 1e-14
-"""Step, in parts of the run, below which it is given up."""
-SAFETY = 0.9
-GROWTH, SHRINKING = 5.0, 0.2
-"""Largest and smallest factor between two steps."""
-FEWEST_STEPS = 50
-"""Steps in a stretch of smooth input that are taken at least, if its swings are short."""
-MEMORY = 0.08
-"""Exponent by which the last error tempers the next step (a PI controller)."""
-MOST_UNKNOWNS = 1_000
-"""Unknowns up to which it is offered where another solver failed."""
+
+@dataclass(frozen=True)
+class StepControl:
+    """Numbers that steer the step size."""
+
+    first_step: float = 1e-3
+    """In time scales of the rod."""
+    min_step: float = 1e-14
+    """In durations of the run; below it, the run ends."""
+    safety: float = 0.9
+    max_factor: float = 5.0
+    min_factor: float = 0.2
+    """Largest and smallest ratio of a step to the one before."""
+    min_steps_per_stretch: int = 50
+    """Steps that a stretch of smooth input takes at least, if its swings are short."""
+    memory: float = 0.08
+    """Exponent of the last error in the next step (a PI controller)."""
+    max_unknowns: int = 1_000
+    """Up to which it is offered where another solver failed."""
+
+
+CONTROL = StepControl()
 
 
 class Rosenbrock(Solver):
@@ -45,15 +55,15 @@ class Rosenbrock(Solver):
     name: ClassVar[str] = "rosenbrock"
     order: ClassVar[int] = 20
     title: ClassVar[str] = "Rodas5P: Rosenbrock of order 5, A-stable, exact Jacobian"
-    # The largest over a hundred scenes; commonly it is below one.
+    # The largest over a hundred scenes; typically it is below one.
     tip_error_per_tolerance: ClassVar[float] = 5.0
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         super().__init__(problem, tolerance)
         equations = problem.equations
         began = clock.perf_counter()
-        self.step = Step(equations)
-        self.making_s = clock.perf_counter() - began
+        self.step = RosenbrockStep(equations)
+        self.build_s = clock.perf_counter() - began
         self.size: float | None = None
         self.states = equations.states.count
         self.unknowns = problem.unknowns
@@ -61,19 +71,19 @@ class Rosenbrock(Solver):
 
     @classmethod
     def takes(cls, problem: Problem) -> bool:
-        """Its elimination has no pivots but those on the diagonal."""
+        """Its elimination pivots on the diagonal only."""
         return has_whole_diagonal(problem.equations.algebraic_function.sparsity_out(1))
 
     @classmethod
     def fits(cls, problem: Problem) -> bool:
-        """Its formulas are long: they take seconds to write out for a thousand unknowns."""
-        return problem.unknowns <= MOST_UNKNOWNS
+        """Its formulas are long: generating them for a thousand unknowns takes seconds."""
+        return problem.unknowns <= CONTROL.max_unknowns
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
         """Solve the stretches of smooth input in first..stop one after the other."""
-        work.compile_s, self.making_s = work.compile_s + self.making_s, 0.0
+        work.compile_s, self.build_s = work.compile_s + self.build_s, 0.0
         columns: list[np.ndarray] = []
         total = np.zeros(self.problem.equations.quadrature.numel())
         failure: SolveError | None = None
@@ -104,18 +114,20 @@ class Rosenbrock(Solver):
     def _stretch(
         self, y: np.ndarray, begin: int, end: int, work: Work
     ) -> tuple[list[np.ndarray], SolveError | None]:
-        """Unknowns at edges begin+1..end, or as many as can be."""
+        """Unknowns at edges begin+1..end, or as many as possible."""
         schedule = self.problem.schedule
         edges, whole = schedule.edges, schedule.edges[-1]
         self.step.bind(schedule.pieces[begin], self.problem.numbers())
         time, last = edges[begin], edges[end]
         size = self._first_size(last - time)
-        # No step passes over a swing of the input, however smooth all was before; a swing
+        # No step is longer than a swing of the input, however smooth all was before; a swing
         # far shorter than the stretch has corners of its own.
-        largest = max(self.problem.equations.swing_time, (last - time) / FEWEST_STEPS)
+        largest = max(
+            self.problem.equations.swing_time, (last - time) / CONTROL.min_steps_per_stretch
+        )
         found: list[np.ndarray] = []
         before = 1.0
-        for _ in range(max(self.problem.most_steps - work.steps, 1)):
+        for _ in range(max(self.problem.max_steps - work.steps, 1)):
             remaining = last - time
             final = size >= remaining * (1 - 1e-9)
             taken = (
@@ -128,22 +140,24 @@ class Rosenbrock(Solver):
             error = self._error(y, after, stages[-1], taken)
             if not error <= 1.0:
                 size = taken * _factor(error, 1.0)
-                if size < SMALLEST_STEP * whole:
-                    return found, self.failure("the steps shrink to nothing", begin + len(found))
+                if size < CONTROL.min_step * whole:
+                    return found, self.failure(
+                        "step size fell below its minimum", begin + len(found)
+                    )
                 continue
             until = last if final else time + taken
             found += self._outputs(y, after, stages, time, until, begin + 1 + len(found), end)
             if final:
-                self.size = max(size, taken) * min(_factor(error, before), 1.0 / SAFETY)
+                self.size = max(size, taken) * min(_factor(error, before), 1.0 / CONTROL.safety)
                 return found, None
             size = min(taken * _factor(error, before), largest)
             y, time, before = after, until, max(error, 1e-4)
-        return found, self.overworked(time)
+        return found, self.step_limit_reached(time)
 
     def _first_size(self, stretch: float) -> float:
         if self.size is not None:
             return min(self.size, stretch)
-        return FIRST_STEP * min(self.problem.equations.motion_time, stretch)
+        return CONTROL.first_step * min(self.problem.equations.motion_time, stretch)
 
     def _outputs(
         self,
@@ -168,9 +182,9 @@ class Rosenbrock(Solver):
         return list(dense)
 
     def _error(self, before: np.ndarray, after: np.ndarray, apart: np.ndarray, h: float) -> float:
-        """Largest error estimate of an unknown, over what is allowed; infinite where one is lost.
+        """Largest error estimate of an unknown, over what is allowed; infinite if not finite.
 
-        Not their root mean square: many still unknowns must not hide one that is wrong.
+        Not their root mean square: many constant unknowns must not hide one that is wrong.
         Algebraic unknowns count too: nothing else brings them back to their equations.
         """
         count = self.unknowns
@@ -178,46 +192,39 @@ class Rosenbrock(Solver):
             return np.inf
         size = np.maximum(np.abs(before[:count]), np.abs(after[:count]))
         weighted = apart[:count] / (self.tolerance * (1 + size))
-        # Rates count by how far they lead astray within the step.
+        # An error of a rate counts by what it amounts to within the step.
         lead = min(1.0, h / self.problem.equations.motion_time)
         for span, power in self._powers:
             weighted[span] *= lead**power if np.isfinite(power) else 0.0
-        # Steps that follow the unknowns well enough may add up their work badly.
+        # Steps that resolve the unknowns well may still integrate their work badly.
         gained = np.abs(after[count:] - before[count:])
         worked = apart[count:] / (self.tolerance * (1 + gained))
         return float(max(np.max(np.abs(weighted)), np.max(np.abs(worked), initial=0.0)))
 
 
-LEADS = {"velocity": 1, "acceleration": 2}
-"""Rates, and how often they are integrated on the way to a place."""
-
-
 def _weight_powers(equations: Equations) -> list[tuple[slice, float]]:
-    """Unknowns whose errors count less than their size, and by which power of the step.
-
-    Elastic curvature not at all: it follows linearly from the places, which do count.
-    """
-    powers = {**LEADS, "elastic_curvature": np.inf}
-    found: list[tuple[slice, float]] = []
-    for group, offset in ((equations.states, 0), (equations.algebraics, equations.states.count)):
-        for name, block in group.blocks.items():
-            if name in powers:
-                span = slice(offset + block.span.start, offset + block.span.stop)
-                found.append((span, powers[name]))
-    return found
+    """Unknowns whose errors count less than their size, and by which power of the step."""
+    groups = ((equations.states, 0), (equations.algebraics, equations.states.count))
+    return [
+        (slice(offset + block.span.start, offset + block.span.stop), block.traits.integrations)
+        for group, offset in groups
+        for block in group.blocks.values()
+        if block.traits.integrations
+    ]
 
 
 def _factor(error: float, before: float) -> float:
-    """By how much the next step may differ from the one of this error."""
+    """Ratio of the next step to the one with this error."""
     if not np.isfinite(error):
-        return SHRINKING
-    wanted = SAFETY * max(error, 1e-10) ** (MEMORY - 1 / rodas.ORDER) * before**-MEMORY
-    wanted = SAFETY * max(error, 1e-10) ** (-1 / rodas.ORDER) if before == 1.0 else wanted
-    return float(min(GROWTH, max(SHRINKING, wanted)))
+        return CONTROL.min_factor
+    memory = CONTROL.memory
+    wanted = CONTROL.safety * max(error, 1e-10) ** (memory - 1 / rodas.ORDER) * before**-memory
+    wanted = CONTROL.safety * max(error, 1e-10) ** (-1 / rodas.ORDER) if before == 1.0 else wanted
+    return float(min(CONTROL.max_factor, max(CONTROL.min_factor, wanted)))
 
 
-class Step:
-    """One step as a compiled function, its numbers kept in place between calls."""
+class RosenbrockStep:
+    """One step as a compiled function, with arguments that stay in place between calls."""
 
     def __init__(self, equations: Equations) -> None:
         function = equations.compiled(step_function)

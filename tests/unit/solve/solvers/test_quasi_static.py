@@ -11,7 +11,7 @@ from tests.validation.rc_network import columns
 from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate, evaluate_along
 from viscodesign.solve.solvers.base import Work
-from viscodesign.solve.solvers.quasi_static import Algebraic
+from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, consistent, equilibrium
 
 SHORT = "run={duration: 0.4 s, output_interval: 0.02 s}"
@@ -34,7 +34,7 @@ def test_one_call_finds_what_single_solutions_find(overrides: tuple[str, ...]) -
     assert problem.equations.states.count == 0
     schedule, work = problem.schedule, Work()
     count = len(schedule.edges) - 1
-    (_, found, _), failure = Algebraic(problem, 1e-6)(here, 0, count, work)
+    (_, found, _), failure = QuasiStatic(problem, 1e-6)(here, 0, count, work)
     assert failure is None
     assert work.steps == count
     for k in range(count):
@@ -47,9 +47,9 @@ def test_where_the_one_call_fails_single_solutions_go_as_far_as_they_can(
 ) -> None:
     problem, here = made(*SCENES["unloaded"])
     count = len(problem.schedule.edges) - 1
-    (_, at_once, _), _ = Algebraic(problem, 1e-6)(here, 0, count, Work())
-    monkeypatch.setattr(Algebraic, "_at_once", lambda *_: None)
-    (_, single, _), failure = Algebraic(problem, 1e-6)(here, 0, count, Work())
+    (_, at_once, _), _ = QuasiStatic(problem, 1e-6)(here, 0, count, Work())
+    monkeypatch.setattr(QuasiStatic, "_at_once", lambda *_: None)
+    (_, single, _), failure = QuasiStatic(problem, 1e-6)(here, 0, count, Work())
     assert failure is None
     np.testing.assert_allclose(single, at_once, atol=1e-9)
 
@@ -70,7 +70,7 @@ def snapping(interval: float) -> tuple[str, ...]:
 def fold_of(interval: float) -> float:
     problem, here = made(*snapping(interval))
     count = len(problem.schedule.edges) - 1
-    (_, found, _), failure = Algebraic(problem, 1e-6)(here, 0, count, Work())
+    (_, found, _), failure = QuasiStatic(problem, 1e-6)(here, 0, count, Work())
     assert failure is not None
     assert failure.time_s is not None
     assert failure.quantity == "equilibrium"

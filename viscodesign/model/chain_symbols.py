@@ -1,0 +1,227 @@
+"""The planar, extensible, unshearable rod as a chain of nodes.
+
+Nodes carry positions (x, z), so the intrinsic strain of a section may jump in
+arc length and change in time without any derivative of the pressure. Between
+two nodes the axis is nearly an arc, and two relations connect the nodes with
+the strains of the smooth rod, each exact for piecewise constant strain and
+accurate to higher order for smoothly varying strain:
+
+- **Turning.** The direction of a chord is the mean of the tangent's angle over
+  its edge, so the turn at a node is the integral of the curvature against the
+  hat function of that node. With the elastic curvature c linear between nodes,
+  turn - rest turn = W c, where W is the mass matrix of the hats,
+  h [1/3 1/6; 1/6 2/3 1/6; ...]. At the clamp only half of the first edge turns;
+  at the free tip c = 0.
+- **Length.** An edge of stretch lambda is the chord of an arc,
+  h lambda sinc(kappa h / 2), with the edge's own total curvature kappa.
+
+The moment E I c is an unknown of its own: the system stays sparse, the number of
+operations linear in the number of edges. With no load the chain lies on the exact
+arcs for any number of edges.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.model.rod import Body, PointMass, RodParameters, RodSymbols
+
+SX = ca.SX
+
+GREGORY_END_WEIGHTS = (3 / 8, 7 / 6, 23 / 24)
+"""End weights of the fourth-order Gregory rule [1], from the end inwards.
+
+Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 25.4 (end
+corrections of the trapezoidal rule).
+"""
+
+
+def node_weights(edges: int) -> np.ndarray:
+    """Quadrature weights of nodes 1..edges, in edge lengths (edges,) [1].
+
+    The clamped end needs no correction: what is integrated there vanishes with
+    its first derivative.
+    """
+    weights = np.ones(edges)
+    weights[: -len(GREGORY_END_WEIGHTS) - 1 : -1] = GREGORY_END_WEIGHTS
+    return weights
+
+
+class ChainSymbols(RodSymbols):
+    """Symbols, strains and energies of a chain of ``edges_per_section`` edges a section."""
+
+    def __init__(self, body: Body, edges_per_section: int, parameters: RodParameters) -> None:
+        self.body = body
+        self.edges = body.sections * edges_per_section
+        self.edges_per_section = edges_per_section
+        self.EI = parameters.bending_stiffness
+        self.EA = parameters.extension_stiffness
+        self.h = parameters.section_length / edges_per_section
+        self.section_length = self.h * edges_per_section
+        self.position = SX.sym("position", 2, self.edges)
+        self.velocity = SX.sym("velocity", 2, self.edges)
+        self.elastic_curvature = SX.sym("elastic_curvature", self.edges)
+        self.coordinates = ca.vec(self.position)
+        self.rates = ca.vec(self.velocity)
+        self.internal = self.elastic_curvature
+        self.coordinate_size = parameters.length
+        self.internal_size = 1.0 / parameters.length
+        self._length = parameters.length
+        self.intrinsic_curvature = SX.sym("intrinsic_curvature", body.sections)
+        self.intrinsic_stretch = SX.sym("intrinsic_stretch", body.sections)
+        self.tip_moment = SX.sym("tip_moment")
+        mass = parameters.mass_per_length
+        self._masses = [
+            PointMass(mass * self.h * weight, self.position[:, i], self.velocity[:, i])
+            for i, weight in enumerate(node_weights(self.edges))
+        ]
+        self._measure_strains()
+
+    # -- what effects may use -------------------------------------------------
+
+    @property
+    def tip(self) -> SX:
+        return self.position[:, -1]
+
+    @property
+    def tip_turn(self) -> SX:
+        return ca.sum1(self.turns)
+
+    @property
+    def force_size(self) -> SX:
+        return self.EI / self._length**2
+
+    def masses(self) -> list[PointMass]:
+        return list(self._masses)
+
+    def add_tip_mass(self, mass: SX) -> None:
+        self._masses.append(PointMass(mass, self.tip, self.velocity[:, -1]))
+
+    def add_carried_mass(self, per_section: list[SX]) -> None:
+        count = self.edges_per_section
+        per_edge = [mass / count for mass in per_section for _ in range(count)]
+        around = [*per_edge, per_edge[-1]]
+        for i, weight in enumerate(node_weights(self.edges)):
+            mass = weight * (around[i] + around[i + 1]) / 2
+            self._masses.append(PointMass(mass, self.position[:, i], self.velocity[:, i]))
+
+    def strain_rate_power(self) -> SX:
+        # The shortening of a chord that merely bends, of order (kappa h)^2, is left in the stretch.
+        r, v = self.coordinates, self.rates
+        stretch_rate = ca.jtimes(self.chord_lengths / self.h, r, v)
+        curvature_rate = ca.jtimes(self.turns / self.tributary_lengths, r, v)
+        extension = self.EA * self.h * ca.sumsqr(stretch_rate)
+        bending = self.EI * ca.dot(self.tributary_lengths, curvature_rate**2)
+        return extension + bending
+
+    def rotary_energies(self, inertia_per_length: SX) -> list[SX]:
+        inertia = inertia_per_length * self.h
+        rates = self._edge_turn_rates()
+        # Along an edge the rate changes by half of what its neighbours differ by; the clamp
+        # mirrors it, and the free tip bends no further.
+        around = [-rates[0], *rates, rates[-1]]
+        return [
+            inertia * (rate**2 + (after - before) ** 2 / 48) / 2
+            for before, rate, after in zip(around, rates, around[2:], strict=False)
+        ]
+
+    def _edge_turn_rates(self) -> list[SX]:
+        """Rate at which each edge turns (edges,) [rad/s]."""
+        clamp = SX.zeros(2, 1)
+        chords = ca.diff(ca.horzcat(clamp, self.position), 1, 1)
+        rates = ca.diff(ca.horzcat(clamp, self.velocity), 1, 1)
+        turned = chords[1, :] * rates[0, :] - chords[0, :] * rates[1, :]
+        return ca.horzsplit(turned / (chords[0, :] ** 2 + chords[1, :] ** 2))
+
+    @property
+    def tip_curvature(self) -> SX:
+        """Elastic curvature at the tip [1/m], caused by the moment applied there."""
+        return self.tip_moment / self.EI
+
+    @property
+    def tributary_lengths(self) -> SX:
+        """Reference length that each node's turn is spread over: h/2 at the clamp, else h."""
+        return self.h * ca.vertcat(0.5, SX.ones(self.edges - 1))
+
+    # -- kinematics -----------------------------------------------------------
+
+    def _measure_strains(self) -> None:
+        nodes = ca.horzcat(SX.zeros(2, 1), self.position)
+        chords = nodes[:, 1:] - nodes[:, :-1]
+        self.chord_lengths = ca.sqrt(chords[0, :] ** 2 + chords[1, :] ** 2).T
+        self.turns = _turns(chords)
+        kappa = self._per_edge(self.intrinsic_curvature)
+        zeta = self._per_edge(self.intrinsic_stretch)
+        rest = ca.vertcat(kappa[0] * self.h / 2, (kappa[:-1] + kappa[1:]) * self.h / 2)
+        measured = ca.vertcat((self.turns - rest) / self.tributary_lengths, self.tip_curvature)
+        edge_curvature = kappa + (measured[:-1] + measured[1:]) / 2
+        self.stretch = self.chord_lengths / (self.h * _sinc(edge_curvature * self.h / 2))
+        self.elastic_stretch = self.stretch - 1 - zeta
+        self.elastic_turns = self.turns - rest
+        self._kappa = kappa
+
+    def _per_edge(self, per_section: SX) -> SX:
+        return ca.vertcat(
+            *(
+                per_section[j]
+                for j in range(self.body.sections)
+                for _ in range(self.edges_per_section)
+            )
+        )
+
+    def node_angles(self) -> SX:
+        """Angle of the tangent at nodes 1..edges (edges,) [rad], from +z, never wrapped."""
+        c = ca.vertcat(self.elastic_curvature, self.tip_curvature)
+        chord_angles = ca.cumsum(self.turns)
+        return chord_angles + self._kappa * self.h / 2 + self.h * (c[:-1] / 6 + c[1:] / 3)
+
+    # -- energy ---------------------------------------------------------------
+
+    def compliance_product(self) -> SX:
+        """W c: elastic turn that the elastic curvature amounts to (edges,) [rad]."""
+        c = self.elastic_curvature
+        after = ca.vertcat(c[1:], self.tip_curvature)
+        before = ca.vertcat(0, c[:-1])
+        own = ca.vertcat(1 / 3, SX.ones(self.edges - 1) * 2 / 3)
+        return self.h * (before / 6 + own * c + after / 6)
+
+    def elastic_potential(self) -> SX:
+        # Where the compatibility below holds, its value is the stored elastic energy.
+        c = self.elastic_curvature
+        # The tip's curvature is given: its share counts in full, not by half.
+        tip = self.h / 6 * self.tip_curvature * c[-1]
+        product = ca.dot(c, self.compliance_product()) + tip
+        bending = self.EI * (ca.dot(c, self.elastic_turns) - product / 2)
+        extension = self.EA * self.h * ca.sumsqr(self.elastic_stretch) / 2
+        return bending + extension
+
+    def compatibility(self) -> SX:
+        """Measured elastic turns minus those of the elastic curvature (edges,), zero [rad]."""
+        return self.elastic_turns - self.compliance_product()
+
+    def internal_residuals(self) -> SX:
+        return self.compatibility() * self.edges
+
+    def outputs(self) -> dict[str, SX]:
+        return {
+            "position": self.coordinates,
+            "angle": self.node_angles(),
+            "stretch": self.stretch,
+        }
+
+
+def _turns(chords: SX) -> SX:
+    """Turn at nodes 0..edges-1 (edges,) [rad]; the clamp's is measured from +z."""
+    x, z = chords[0, :].T, chords[1, :].T
+    x_before, z_before = ca.vertcat(0, x[:-1]), ca.vertcat(1, z[:-1])
+    return ca.atan2(x * z_before - z * x_before, x * x_before + z * z_before)
+
+
+def _sinc(u: SX) -> SX:
+    """sin(u)/u by its series in u^2: smooth at zero, error below 2e-12 for |u| <= 0.7."""
+    square = u * u
+    value = SX.ones(u.shape)
+    for n in range(5, 0, -1):
+        value = 1 - square / ((2 * n) * (2 * n + 1)) * value
+    return value
