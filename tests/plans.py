@@ -37,8 +37,7 @@ def made_plan(profile: Profile, lead: float = 0.0, *, feasible: bool = True) -> 
         name="leg",
         bellows=2,
         time=np.array([0.0, 1.0]),
-        tip=np.array([[0.0, 0.109, 0.0], [0.02, 0.1, 0.4]]),
-    )
+    ).with_arrays(tip=np.array([[0.0, 0.109, 0.0], [0.02, 0.1, 0.4]]))
     verdict = PumpVerdict(
         name="pressure",
         inlet=profile.inlets[0],

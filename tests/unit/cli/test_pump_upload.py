@@ -13,12 +13,12 @@ import pytest
 
 from tests.plans import made_plan, planner
 from tests.pose_rig import TRAVEL, Watched, swing
+from tests.poses_h import read_poses_h
 from tests.pumps import HOME, Weights, bench
 from tests.rig.pty import PtyServer
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import WallClock
-from viscodesign.pump.poses.c_header import read_poses_h
 from viscodesign.pump.poses.packets import loop, play
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.simulated.pypose import PyPose
@@ -184,6 +184,13 @@ def test_it_plays_once(upload: Upload, port: str, pump: Watched, tmp_path: Path)
     kinds = [json.loads(line)["kind"] for line in log.read_text().splitlines()]
     assert kinds[0] == "opened"
     assert {"tx", "rx", "found", "ended", "closed"} <= set(kinds)
+
+
+def test_it_plays_on_the_simulated_board(upload: Upload) -> None:
+    outcome = upload("--board", "simulated", "--play", "--yes", "--json")
+    assert outcome.status == 0, outcome.err
+    assert json.loads(outcome.out)["status"] == "complete"
+    assert "found simulated, nothing real moves" in outcome.err
 
 
 def test_a_loop_ends_by_control_c(upload: Upload, port: str, pump: Watched) -> None:

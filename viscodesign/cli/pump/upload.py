@@ -84,7 +84,9 @@ def command(
     from viscodesign.pump.sessions.uploading import UploadSession, refuse_board
 
     refuse_board(board)
-    _refuse_options(port, play, loop, bool(export or picture or dry_run))
+    address = BoardAddress(board, port, baud, log=log)
+    playable = port is not None or address.simulated
+    _refuse_options(play, loop, playable or bool(export or picture or dry_run))
     scene = load(spec, overrides or ())
     with progress(quiet, "planning and fitting", "planning") as advance:
         playback: Playback = "loop" if loop else "once" if play else "none"
@@ -95,8 +97,8 @@ def command(
         told |= {"status": "written", "files": [str(file) for file in files]}
     if dry_run:
         told["status"], lines = "dry run", rehearse_upload(session).text.splitlines()
-    elif port is not None:
-        report = _perform(session, BoardAddress(board, port, baud, log=log), yes, quiet)
+    elif playable:
+        report = _perform(session, address, yes, quiet)
         told |= report.document()
         lines = [] if report.result else [VOLATILE]
     if export is not None:
@@ -110,10 +112,10 @@ def command(
         report.raise_failure()
 
 
-def _refuse_options(port: str | None, play: bool, loop: bool, portless: bool) -> None:
+def _refuse_options(play: bool, loop: bool, has_target: bool) -> None:
     if play and loop:
         raise UsageError("--play and --loop exclude each other; give one of them")
-    if port is None and not portless:
+    if not has_target:
         raise UsageError(
             "--port is missing, such as /dev/ttyUSB0 (`viscodesign pump ports` lists them); or "
             "--export FILE for a sketch, or --dry-run to see what would be sent"

@@ -1,7 +1,7 @@
 """A profile as poses and moves of the ArbotiX: the closest that its limits allow.
 
-The tube around the profile is narrowed until no way through it is left with the moves there are;
-what is stated as error is measured afterwards, by playing the poses through the engine's law.
+The tolerance band around the profile is narrowed until the moves there are find no path
+through it; the stated error is measured afterwards, by playing the poses by the engine's law.
 """
 
 from __future__ import annotations
@@ -26,25 +26,33 @@ from viscodesign.pump.poses.engine import (
     time_asking,
 )
 from viscodesign.pump.poses.pose_choice import poses_of, shared_poses
-from viscodesign.pump.poses.search import FIRST_FRAMES, Pose, Search, Vertex
-from viscodesign.pump.poses.tolerance_band import HIGHEST_COUNT, Tube
+from viscodesign.pump.poses.search import FIRST_FRAMES, MoveSearch, Pose, Vertex
+from viscodesign.pump.poses.tolerance_band import HIGHEST_COUNT, ToleranceBand
 from viscodesign.pump.profile import Profile
 
-FINEST = 0.5
-"""Margin [counts] below which whole counts cannot follow any slope."""
-RATIO = 1.04
-"""Between the margins that are tried."""
-MOST_FRAMES_FITTED = 10_000
-"""Of a profile [frames]: the search of one of a minute takes about as long."""
-USUAL_SEARCHES = 18
-"""Of one fit."""
-_WIDEST = 196
-"""Number of a margin that is wider than all counts."""
+
+@dataclass(frozen=True)
+class FitNumbers:
+    """How the margin around a profile is narrowed."""
+
+    finest: float = 0.5
+    """Margin below which whole counts cannot follow any slope [counts]."""
+    ratio: float = 1.04
+    """Between the margins that are tried."""
+    widest: int = 196
+    """Number of a margin that is wider than all counts."""
+    most_frames: int = 10_000
+    """Of a profile: searching one of a minute takes about as long."""
+    usual_searches: int = 18
+    """Of one fit."""
+
+
+FIT = FitNumbers()
 
 
 @dataclass(frozen=True)
 class PoseFit:
-    """What the board is to play, and how far that is from what was wanted."""
+    """What the board plays, and how far that is from the profile."""
 
     sequence: PoseSequence
     looped: bool
@@ -96,13 +104,13 @@ def fit_poses(
 ) -> PoseFit:
     """The closest that 30 poses and 46 moves come to a profile; all within travel [counts].
 
-    ``progress`` is told the part that is done, roughly.
+    ``progress`` is given the part that is done, roughly.
     """
-    return _Fitting(profile, loop, travel, progress).best()
+    return _PoseFitting(profile, loop, travel, progress).best()
 
 
 @dataclass(frozen=True)
-class _Way:
+class _BandPath:
     """Corners found, and the number of the margin they keep."""
 
     number: int
@@ -110,10 +118,10 @@ class _Way:
 
 
 _Finder = Callable[[int], list[Vertex] | None]
-"""Corners within the margin of a number, if there is a way."""
+"""Finds corners within the margin of a number, if there is a path."""
 
 
-class _Fitting:
+class _PoseFitting:
     def __init__(
         self,
         profile: Profile,
@@ -125,30 +133,32 @@ class _Fitting:
         self.progress = progress
         self._searches = 0
         exact = profile.duration / FRAME
-        if exact > MOST_FRAMES_FITTED:
+        if exact > FIT.most_frames:
             raise PumpError(
                 f"the profile lasts {profile.duration:.6g} s; poses are fitted to at most "
-                f"{MOST_FRAMES_FITTED * FRAME:.0f} s. Loop one cycle of it, or use `pump stream`"
+                f"{FIT.most_frames * FRAME:.0f} s. Loop one cycle of it, or use `pump stream`"
             )
         self.frames = max(round(exact) if loop else int(np.ceil(exact - 1e-9)), 2 * FIRST_FRAMES)
         self.pace = profile.duration / (self.frames * FRAME) if loop else 1.0
-        self._ways: dict[int, list[Vertex] | None] = {}
+        self._paths: dict[int, list[Vertex] | None] = {}
         self._bounds = [self._bounds_of(column) for column in profile.counts.T]
 
     def best(self) -> PoseFit:
-        own = self._narrowest(self._with_own_poses, -1, _WIDEST)
+        own = self._narrowest(self._with_own_poses, -1, FIT.widest)
         least = self._narrowest(self._shortest, -1, own.number, own)
         shared = self._narrowest(self._with_shared_poses, least.number - 1, own.number, own)
-        fits = [self._played(way) for way in (own, shared)]
+        fits = [self._played(path) for path in (own, shared)]
         return min(fits, key=lambda fit: fit.largest_error)
 
-    def _narrowest(self, find: _Finder, below: int, number: int, known: _Way | None = None) -> _Way:
-        """The narrowest margin with a way; ``below`` has none, ``number`` has the one known."""
+    def _narrowest(
+        self, find: _Finder, below: int, number: int, known: _BandPath | None = None
+    ) -> _BandPath:
+        """The narrowest margin with a path; ``below`` has none, ``number`` has the one known."""
         while number - below > 1 or known is None:
             middle = (below + number) // 2 if known else number
             vertices = find(middle)
             if vertices is not None:
-                number, known = middle, _Way(middle, vertices)
+                number, known = middle, _BandPath(middle, vertices)
             elif known is None:
                 raise PumpError("no poses keep within the servo's travel; check home and travel")
             else:
@@ -156,38 +166,40 @@ class _Fitting:
         return known
 
     def _shortest(self, number: int) -> list[Vertex] | None:
-        """The way with the fewest moves, however many poses it needs."""
-        if number not in self._ways:
-            self._ways[number] = self._search(number).vertices(MOST_MOVES - 1)
-        return self._ways[number]
+        """The path with the fewest moves, however many poses it needs."""
+        if number not in self._paths:
+            self._paths[number] = self._search(number).vertices(MOST_MOVES - 1)
+        return self._paths[number]
 
     def _with_own_poses(self, number: int) -> list[Vertex] | None:
-        """The shortest way, if it happens to need few enough poses."""
+        """The shortest path, if it happens to need few enough poses."""
         vertices = self._shortest(number)
         return vertices if vertices and len(poses_of(vertices)) <= MOST_POSES else None
 
     def _with_shared_poses(self, number: int) -> list[Vertex] | None:
-        """A way that is content with few enough poses."""
+        """A path that is content with few enough poses."""
         vertices = self._shortest(number)
         if vertices is None or len(poses_of(vertices)) <= MOST_POSES:
             return vertices
-        poses = shared_poses(vertices, self._tubes(number)[0].grid)
+        poses = shared_poses(vertices, self._bands(number)[0].grid)
         return self._search(number, poses).vertices(MOST_MOVES - 1)
 
-    def _search(self, number: int, poses: set[Pose] | None = None) -> Search:
+    def _search(self, number: int, poses: set[Pose] | None = None) -> MoveSearch:
         self._searches += 1
-        self.progress(min(self._searches / USUAL_SEARCHES, 1.0))
-        return Search(self._tubes(number), closed=self.loop, poses=poses)
+        self.progress(min(self._searches / FIT.usual_searches, 1.0))
+        return MoveSearch(self._bands(number), closed=self.loop, poses=poses)
 
-    def _tubes(self, number: int) -> list[Tube]:
-        margin = FINEST * RATIO**number
-        return [Tube.around(*b, margin, self.travel, closed=self.loop) for b in self._bounds]
+    def _bands(self, number: int) -> list[ToleranceBand]:
+        margin = FIT.finest * FIT.ratio**number
+        return [
+            ToleranceBand.around(*b, margin, self.travel, closed=self.loop) for b in self._bounds
+        ]
 
     def _bounds_of(self, counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Lowest and highest (N + 1,) that a goal in a frame has to be near to [counts].
 
         Between frames the profile leaves its chord by its bumps; what is within a margin of
-        these bounds in both frames is within it of the profile all the way.
+        these bounds in both frames is within it of the profile all the path.
         """
         instants = np.arange(self.frames + 1) * FRAME * self.pace
         wanted = np.interp(instants, self.profile.time, counts)
@@ -200,10 +212,10 @@ class _Fitting:
             np.minimum.at(down, place[inside] + end, bumps)
         return wanted + down[1:], wanted + up[1:]
 
-    def _played(self, way: _Way) -> PoseFit:
-        sequence = sequence_of(way.vertices)
-        start = (*way.vertices[0].goals, UNREAD)
-        return measured(self.profile, sequence, start, loop=self.loop)
+    def _played(self, path: _BandPath) -> PoseFit:
+        sequence = sequence_of(path.vertices)
+        start = (*path.vertices[0].goals, UNREAD)
+        return measure_fit(self.profile, sequence, start, loop=self.loop)
 
 
 def sequence_of(vertices: Sequence[Vertex]) -> PoseSequence:
@@ -220,7 +232,7 @@ def sequence_of(vertices: Sequence[Vertex]) -> PoseSequence:
     )
 
 
-def measured(
+def measure_fit(
     profile: Profile, sequence: PoseSequence, start: Sequence[int], *, loop: bool
 ) -> PoseFit:
     """A sequence, played from a start [counts], against the profile it is for.

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import contextlib
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
-from pydantic_core import PydanticCustomError
 
 from viscodesign.errors import PumpError, UsageError
+from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import PoseFit
 from viscodesign.units import QuantityKind
-
-_PRESSURE = QuantityKind("pressure", "Pa", "1 kPa")
-_VOLUME = QuantityKind("volume", "m^3", "0.1 mL")
 
 
 @dataclass(frozen=True)
@@ -48,81 +47,54 @@ class FitError:
 
 @dataclass(frozen=True)
 class Tolerance:
-    """The largest error that may be played; exactly one of three."""
+    """The largest error that may be played."""
 
     text: str
-    counts: float | None = None
-    volume: float | None = None
-    """[m3]"""
-    pressure: float | None = None
-    """[Pa]"""
+    quantity: Literal["counts", "volume", "pressure"]
+    value: float
+    """[counts], [m3] or [Pa]."""
 
     @classmethod
     def of(cls, text: str) -> Tolerance:
-        """Read '1 kPa', '0.1 mL' or '2 counts'."""
-        number, _, word = text.strip().rpartition(" ")
-        if word in ("count", "counts"):
-            return cls(text, counts=_positive(text, _number(number, text)))
-        try:
-            if _is_volume(text):
-                return cls(text, volume=_positive(text, _VOLUME.parse(text)))
-            return cls(text, pressure=_positive(text, _PRESSURE.parse(text)))
-        except PydanticCustomError:
-            raise _unread(text) from None
+        """Read '1 kPa', '0.1 mL' or '2 counts'; `UsageError` where it is none."""
+        for quantity, read in _READERS.items():
+            with contextlib.suppress(ValueError):
+                value = read(text)
+                # A bare number has no unit, so it is no quantity here.
+                if value > 0.0 and not text.strip()[-1].isdigit():
+                    return cls(text, quantity, value)
+        raise UsageError(
+            f"--tolerance {text!r}: expected a pressure, a volume or counts above zero, with the "
+            "unit: '1 kPa', '0.1 mL' or '2 counts'"
+        )
 
     def allows(self, error: FitError) -> bool:
         """Whether a fit may be played."""
-        pairs = (
-            (self.counts, error.counts),
-            (self.volume, error.volume),
-            (self.pressure, error.pressure),
-        )
-        return all(allowed is None or found <= allowed for allowed, found in pairs)
+        return bool(getattr(error, self.quantity) <= self.value)
 
 
-def _is_volume(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        pass
-    else:
-        raise _unread(text)
-    try:
-        _VOLUME.parse(text)
-    except PydanticCustomError:
-        return False
-    return True
+def _counts(text: str) -> float:
+    number, _, unit = text.strip().rpartition(" ")
+    if unit not in ("count", "counts"):
+        raise ValueError(unit)
+    return float(number)
 
 
-def _number(text: str, whole: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise _unread(whole) from None
-
-
-def _positive(text: str, value: float) -> float:
-    if not value > 0.0:
-        raise _unread(text)
-    return value
-
-
-def _unread(text: str) -> UsageError:
-    return UsageError(
-        f"--tolerance {text!r}; give a pressure, a volume or counts above zero, with the unit: "
-        "'1 kPa', '0.1 mL' or '2 counts'"
-    )
+_READERS: dict[Literal["counts", "volume", "pressure"], Callable[[str], float]] = {
+    "counts": _counts,
+    "volume": QuantityKind("volume", "m^3", "0.1 mL").parse,
+    "pressure": QuantityKind("pressure", "Pa", "1 kPa").parse,
+}
 
 
 def refuse_coarse(fit: PoseFit, error: FitError, tolerance: Tolerance) -> None:
     """Raise `PumpError` where a fit is farther off than it may be, with what would help."""
     if tolerance.allows(error):
         return
-    number = len(fit.sequence.moves), len(fit.sequence.poses)
+    moves, poses = len(fit.sequence.moves), len(fit.sequence.poses)
     raise PumpError(
-        f"the closest that 46 moves and 30 poses come to the profile is {error}; --tolerance is "
-        f"{tolerance.text} (the fit has {number[0]} moves, {number[1]} poses). "
-        f"{_remedy(fit)}"
+        f"the best fit with {MOST_MOVES} moves and {MOST_POSES} poses is off by {error} (it uses "
+        f"{moves} and {poses}); --tolerance is {tolerance.text}. {_remedy(fit)}"
     )
 
 
@@ -130,9 +102,9 @@ def _remedy(fit: PoseFit) -> str:
     gap = float(np.max(np.abs(fit.wanted[-1] - fit.wanted[0])))
     if fit.looped and gap > 1.0:
         return (
-            f"The profile ends {gap:.1f} counts from where it begins, so it cannot go round: make "
-            "run.duration whole cycles of the input, and long enough for the pressures inside to "
-            "settle; or leave --loop out"
+            f"The profile ends {gap:.1f} counts from where it begins, so it cannot be looped: "
+            "make run.duration whole cycles of the input, and long enough for the pressures "
+            "inside to settle; or leave --loop out"
         )
     shorter = "slow the input down" if fit.looped else "--loop one cycle of it, slow it down"
-    return f"`pump stream` has no such limits; else {shorter}, or allow more by --tolerance"
+    return f"`pump stream` has no such limits; or {shorter}, or allow more with --tolerance"

@@ -11,12 +11,12 @@ from viscodesign.pump.poses.search import Pose, Vertex
 
 
 def poses_of(vertices: Sequence[Vertex]) -> list[Pose]:
-    """The different poses of a way, in the order in which they are first needed."""
+    """The different poses of a path, in the order in which they are first needed."""
     return list(dict.fromkeys((v.goals, number % 2) for number, v in enumerate(vertices)))
 
 
 def shared_poses(vertices: Sequence[Vertex], grid: int) -> set[Pose]:
-    """At most thirty poses near those of a way, goals on a grid.
+    """At most thirty poses near those of a path, goals on a grid.
 
     The two nearest of a phase are united until few enough are left.
     """

@@ -1,6 +1,6 @@
-"""Fewest moves of the pose engine that keep its servos inside their tubes.
+"""Fewest moves of the pose engine that keep its servos inside their tolerance bands.
 
-All places that can be reached with one move more are found at a time, so the first way to the
+All places that can be reached with one move more are found at a time, so the first path to the
 end is a shortest one. The phantom goes up and down in turn, so that a pose is the goals and the
 phase: 0 after an even number of moves, 1 after an odd one.
 """
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from viscodesign.pump.poses.tolerance_band import Tube
+from viscodesign.pump.poses.tolerance_band import ToleranceBand
 
 Pose = tuple[tuple[int, ...], int]
 """Counts of the servos, and the phase."""
@@ -39,27 +39,27 @@ class _Node:
     root: tuple[int, ...]
 
 
-class Search:
-    """One search through P tubes at once; every servo's moves begin and end together."""
+class MoveSearch:
+    """One search through P bands at once; every servo's moves begin and end together."""
 
     def __init__(
-        self, tubes: list[Tube], *, closed: bool, poses: Iterable[Pose] | None = None
+        self, bands: list[ToleranceBand], *, closed: bool, poses: Iterable[Pose] | None = None
     ) -> None:
         """``poses``: if given, the only ones to go to."""
-        self.tubes = tubes
+        self.bands = bands
         self.closed = closed
-        self.last = tubes[0].last
-        self.grid = tubes[0].grid
+        self.last = bands[0].last
+        self.grid = bands[0].grid
         self._poses = None if poses is None else frozenset(poses)
         self._nodes: list[_Node] = []
-        widths = [tube.width for tube in tubes]
+        widths = [band.width for band in bands]
         self._seen = np.zeros((2, self.last + 1, *widths), dtype=bool)
         self._moves: dict[tuple[int, int, int], np.ndarray] = {}
 
     def vertices(self, most: int) -> list[Vertex] | None:
-        """Corners of a way with at most so many moves; none where there is no such way.
+        """Corners of a path with at most so many moves; none where there is no such path.
 
-        The first lies at frame 0. A closed way lacks its last move, back to the first corner.
+        The first lies at frame 0. A closed path lacks its last move, back to the first corner.
         """
         layer = self._roots()
         for moves in range(most + 1):
@@ -71,7 +71,7 @@ class Search:
         return None
 
     def _roots(self) -> list[int]:
-        ranges = [tube.goals(0) for tube in self.tubes]
+        ranges = [band.goals(0) for band in self.bands]
         rows = np.stack(np.meshgrid(*ranges, indexing="ij"), -1).reshape(-1, len(ranges))
         roots = [tuple(row) for row in rows.tolist()]
         return [self._add(0, goals, -1, goals) for goals in roots if self._is_allowed(goals, 0)]
@@ -97,7 +97,7 @@ class Search:
         self._seen[phase, ahead] |= new
         rows = np.argwhere(new)
         frames = node.frame + 1 + rows[:, 0]
-        goals = rows[:, 1:] + np.stack([tube.base[frames] for tube in self.tubes], -1)
+        goals = rows[:, 1:] + np.stack([band.base[frames] for band in self.bands], -1)
         return [
             self._add(frame, tuple(row), parent, node.root)
             for frame, row in zip(frames.tolist(), goals.tolist(), strict=True)
@@ -116,7 +116,7 @@ class Search:
     def _moves_of(self, servo: int, frame: int, goal: int) -> np.ndarray:
         key = (servo, frame, goal)
         if key not in self._moves:
-            self._moves[key] = self.tubes[servo].moves_from(frame, goal)
+            self._moves[key] = self.bands[servo].moves_from(frame, goal)
         return self._moves[key]
 
     def _is_end(self, node: _Node, phase: int) -> bool:
@@ -128,13 +128,13 @@ class Search:
             return node.frame == self.last - 1
         if node.frame != self.last - FIRST_FRAMES:
             return False
-        ends = zip(self.tubes, node.goals, node.root, strict=True)
-        return all(tube.is_open(self.last - FIRST_FRAMES, a, b) for tube, a, b in ends)
+        ends = zip(self.bands, node.goals, node.root, strict=True)
+        return all(band.is_open(self.last - FIRST_FRAMES, a, b) for band, a, b in ends)
 
     def _trace(self, number: int) -> list[Vertex]:
-        way: list[Vertex] = []
+        path: list[Vertex] = []
         while number >= 0:
             node = self._nodes[number]
-            way.append(Vertex(node.frame, self._counts(node.goals)))
+            path.append(Vertex(node.frame, self._counts(node.goals)))
             number = node.parent
-        return way[::-1]
+        return path[::-1]

@@ -1,7 +1,7 @@
 """Where one servo may be in each frame, and which moves of the pose engine stay there.
 
 A move from a count at a frame is known by its goal and its frames, for the engine's law leaves
-no other choice; it may be taken if every frame of it lies in the tube.
+no other choice; it may be taken if every frame of it lies in the band.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ HIGHEST_COUNT = 1023
 
 
 @dataclass(frozen=True)
-class Tube:
+class ToleranceBand:
     """Where one servo may be: N + 1 frames, goals on a grid of whole counts."""
 
     low: np.ndarray
@@ -36,7 +36,7 @@ class Tube:
         travel: tuple[int, int],
         *,
         closed: bool,
-    ) -> Tube:
+    ) -> ToleranceBand:
         """All within a margin of both bounds (N + 1,), and within travel [counts].
 
         ``closed``: the last frame is the first one of the next round.

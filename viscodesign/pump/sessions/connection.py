@@ -141,15 +141,18 @@ def connected(
     setup: PumpSetup,
     plant: Plant | None = None,
     tell: Tell = unheard,
+    *,
+    poses: bool = False,
 ) -> Iterator[tuple[Board, ByteLog]]:
     """An open board and the log of its bytes; nothing was asked yet, and nothing moves.
 
-    ``plant``: what a simulated pump presses into. Closed on leaving, whatever happens.
+    ``plant``: what a simulated pump presses into; ``poses``: its board plays poses by itself.
+    Closed on leaving, whatever happens.
     """
     log = ByteLog(address.log, tell)
     place = (address.board, address.port, address.baud)
     try:
-        board = open_board(*place, log, clock, setup.pump, plant, setup.ambient)
+        board = open_board(*place, log, clock, setup.pump, plant, setup.ambient, poses=poses)
         try:
             yield board, log
         finally:

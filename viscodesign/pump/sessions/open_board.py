@@ -1,4 +1,4 @@
-"""From the words of a command to a board that answers."""
+"""From the name of a board to one that answers."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from difflib import get_close_matches
 
 from viscodesign.errors import UsageError
 from viscodesign.plugins import members
+from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
@@ -17,6 +18,7 @@ from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pins import Pins
 from viscodesign.pump.simulated.plant import AMBIENT, ClosedGas, Plant
+from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
 from viscodesign.scene.pump import PumpSpec
@@ -53,28 +55,44 @@ def open_board(
     pump: PumpSpec | None = None,
     plant: Plant | None = None,
     ambient: float = AMBIENT,
+    *,
+    poses: bool = False,
 ) -> Board:
     """A board behind its port, booted; moves nothing and asks nothing yet.
 
     ``plant`` is what the plungers of a simulated board press into, a closed barrel where none
-    is given; ``ambient`` the absolute pressure around its sensor [Pa]. Whoever opens it closes
-    its line.
+    is given; ``ambient`` the absolute pressure around its sensor [Pa]. ``poses``: a simulated
+    board that plays poses by itself. Whoever opens a board closes its line.
     """
     kind = board_kind(name)
     _check_port(kind, port, baud)
     clock = clock or WallClock()
     servos = servo_ids(pump)
-    if kind.simulated:
-        if pump is None:
-            raise UsageError("--board simulated needs the `pump:` section of a spec")
-        line: Line = simulated_line(pump, clock, plant, ambient)
+    if not kind.simulated:
+        line: Line = SerialLine(str(port), baud or kind.baud, clock)
+    elif pump is None:
+        raise UsageError("--board simulated needs the `pump:` section of a spec")
+    elif poses:
+        kind = SimulatedArbotix
+        line = DirectLine(PyPose(simulated_bench(pump, plant, ambient)), clock)
     else:
-        line = SerialLine(str(port), baud or kind.baud, clock)
+        line = simulated_line(pump, clock, plant, ambient)
     log.event("opened", board=name, port=port, baud=baud or kind.baud, simulated=kind.simulated)
     board = kind(LoggedLine(line, log), servos)
     clock.sleep(kind.boot)
     board.line.drain()
     return board
+
+
+class SimulatedArbotix(Arbotix):
+    """A computed ArbotiX with PyPose: `--board simulated` for poses."""
+
+    name = "simulated"
+    simulated = True
+    boot = 0.0
+
+    def identify(self) -> str:
+        return f"simulated, nothing real moves: {super().identify()}"
 
 
 def servo_ids(pump: PumpSpec | None) -> list[int]:

@@ -16,6 +16,7 @@ from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.result import PumpCourse, PumpPlan, refuse_infeasible
 from viscodesign.pump.planning.scene_variants import pump_of
+from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import StreamResult
 from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
@@ -28,6 +29,7 @@ from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import (
+    SIMULATED,
     BoardAddress,
     Confirm,
     PumpSetup,
@@ -52,7 +54,7 @@ Playback = Literal["none", "once", "loop"]
 
 def upload(
     scene: Scene,
-    address: BoardAddress,
+    address: BoardAddress = SIMULATED,
     *,
     playback: Playback = "none",
     tolerance: str = "1 kPa",
@@ -74,8 +76,9 @@ def upload(
 
 
 def refuse_board(name: str) -> None:
-    """Raise `UsageError` where a board does not play poses."""
-    if not issubclass(board_kind(name), Arbotix):
+    """Raise `UsageError` where a board does not play poses; a simulated one does both."""
+    kind = board_kind(name)
+    if not (kind.simulated or issubclass(kind, Arbotix)):
         raise UsageError(
             f"--board {name} takes no poses; those go to --board {Arbotix.name}. "
             "`pump stream` sends this one set-points in real time"
@@ -230,8 +233,9 @@ class UploadSession:
 
         ``on_round`` is given the part of the round that has been played.
         """
-        clock = address.clock()
-        with connected(address, clock, PumpSetup.of(self.scene), None, tell) as (board, log):
+        clock, setup = address.clock(), PumpSetup.of(self.scene)
+        plant = ActuatorPlant(self.scene) if address.simulated else None
+        with connected(address, clock, setup, plant, tell, poses=True) as (board, log):
             pump = self.pump_on(board, clock)
             servos = pump.connect()
             lines = [*self.description(), *found_lines(pump.identity, servos)]

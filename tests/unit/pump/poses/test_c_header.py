@@ -12,8 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.pose_rig import swing
+from tests.poses_h import read_poses_h
 from viscodesign.errors import PumpError
-from viscodesign.pump.poses.c_header import poses_h, read_poses_h
+from viscodesign.pump.poses.c_header import poses_h
 from viscodesign.pump.poses.engine import MOST_MOVES, Move, PoseSequence
 from viscodesign.pump.poses.fit import fit_poses
 

@@ -20,7 +20,7 @@ from viscodesign.pump.poses.engine import (
     frames_taken,
     play,
 )
-from viscodesign.pump.poses.fit import FINEST, PoseFit, fit_poses
+from viscodesign.pump.poses.fit import FIT, PoseFit, fit_poses
 from viscodesign.pump.profile import Profile
 
 
@@ -144,7 +144,7 @@ def test_a_profile_that_the_law_plays_exactly_is_found() -> None:
     wanted = profile(time, np.array([200.0, 300.0, 300.0, 200.0]))
     fit = fit_poses(wanted)
     # Counts are rounded down on the way: nearly a whole one, were they not shifted.
-    assert fit.largest_error <= FINEST * 1.05
+    assert fit.largest_error <= FIT.finest * 1.05
     assert len(fit.sequence.moves) < 8
 
 
@@ -172,15 +172,15 @@ def brute_force(wanted: np.ndarray, moves: int, levels: range) -> float:
 
 @pytest.mark.parametrize("shape", [(0, 1.2, 3.7, 4.4, 4.0), (2.0, 0.0, 0.4, 3.0, 2.0)])
 def test_the_search_finds_what_trying_everything_finds(shape: tuple[float, ...]) -> None:
-    from viscodesign.pump.poses.search import Search
-    from viscodesign.pump.poses.tolerance_band import Tube
+    from viscodesign.pump.poses.search import MoveSearch
+    from viscodesign.pump.poses.tolerance_band import ToleranceBand
 
     wanted = 100.0 + np.array(shape)
     for moves in (1, 2):
         best = brute_force(wanted, moves, range(98, 107))
         for margin, found in ((best, True), (best - 1e-3, False)):
-            tube = Tube.around(wanted, wanted, margin, (98, 106), closed=False)
-            assert (Search([tube], closed=False).vertices(moves) is not None) is found
+            band = ToleranceBand.around(wanted, wanted, margin, (98, 106), closed=False)
+            assert (MoveSearch([band], closed=False).vertices(moves) is not None) is found
 
 
 def test_too_wild_a_profile_says_how_far_off_it_is() -> None:
