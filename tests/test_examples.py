@@ -1,15 +1,117 @@
-"""The examples run, and print something."""
+"""The examples run and print something; the parts of `examples/extending` work as parts."""
 
 from __future__ import annotations
 
+import json
+import os
 import runpy
+import subprocess
+import sys
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
+import numpy as np
+import pandas as pd
 import pytest
 
-from tests.scenes import ROOT
+from tests.scenes import CONFIGS, ROOT
+
+EXTENDING = ROOT / "examples" / "extending"
+LEVEL, RAMP = 10e3, 0.5
+"""Pressure [Pa] that the left inlet reaches, and the time [s] that it takes; the right: minus that."""
+WALL, STIFFNESS = 0.02, 500.0
+"""Where the wall stands [m], and its force per depth [N/m]."""
+STATED_ERROR = 0.005 * 0.109
+"""Accuracy of the scene times the actuator's length [m]."""
 
 
 @pytest.mark.parametrize("example", sorted(p.name for p in (ROOT / "examples").glob("*.py")))
 def test_example_runs(example: str, capsys: pytest.CaptureFixture[str]) -> None:
     runpy.run_path(str(ROOT / "examples" / example))
     assert len(capsys.readouterr().out.splitlines()) >= 2
+
+
+@dataclass(frozen=True)
+class Installation:
+    """An environment in which the package of `examples/extending` is installed."""
+
+    site: Path
+    runs: Path
+
+    def viscodesign(self, *arguments: str) -> str:
+        """Standard output of a command that has to succeed."""
+        paths = [str(ROOT), str(self.site), str(EXTENDING)]
+        done = subprocess.run(
+            [sys.executable, "-m", "viscodesign", *arguments],
+            capture_output=True,
+            text=True,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
+            cwd=self.runs,
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    def json(self, *arguments: str) -> Any:
+        """The document that a command prints."""
+        return json.loads(self.viscodesign(*arguments, "--json"))
+
+    def motion(self, name: str, *changes: str) -> pd.DataFrame:
+        """`trajectory.csv` of a leg that two ramps bend to the right."""
+        ramps = (
+            f"inputs.{inlet}={{kind: ramp_hold, level: {sign}{LEVEL} Pa, ramp: {RAMP} s}}"
+            for inlet, sign in (("left", ""), ("right", "-"))
+        )
+        words = [word for change in (*ramps, *changes) for word in ("--set", change)]
+        leg = str(CONFIGS / "steady_right.yaml")
+        self.viscodesign("simulate", leg, *words, "-o", name, "--quiet")
+        return pd.read_csv(self.runs / name / "trajectory.csv")
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory) -> Installation:
+    """What `pip install examples/extending` leaves: its metadata, beside its modules."""
+    project = tomllib.loads((EXTENDING / "pyproject.toml").read_text())["project"]
+    site = tmp_path_factory.mktemp("site")
+    metadata = site / f"{project['name'].replace('-', '_')}-{project['version']}.dist-info"
+    metadata.mkdir()
+    (metadata / "METADATA").write_text(
+        f"Metadata-Version: 2.1\nName: {project['name']}\nVersion: {project['version']}\n"
+    )
+    (metadata / "entry_points.txt").write_text(
+        "".join(
+            f"[{group}]\n" + "".join(f"{name} = {module}\n" for name, module in points.items())
+            for group, points in project["entry-points"].items()
+        )
+    )
+    return Installation(site, tmp_path_factory.mktemp("runs"))
+
+
+def test_an_installed_effect_is_listed(installed: Installation) -> None:
+    listed = {effect["name"] for effect in installed.json("effects")["effects"]}
+    assert {"wall", "gravity"} <= listed
+
+
+@pytest.fixture(scope="module")
+def free(installed: Installation) -> pd.DataFrame:
+    return installed.motion("free")
+
+
+def test_the_wall_holds_the_tip_back(installed: Installation, free: pd.DataFrame) -> None:
+    held = installed.motion("held", "effects.wall=on")
+    apart = (free.tip_x_m - held.tip_x_m).to_numpy()
+    touching = held.tip_x_m.to_numpy() > WALL
+    assert np.max(np.abs(apart[~touching])) <= STATED_ERROR
+    assert held.tip_x_m.max() < WALL + 0.2 * (free.tip_x_m.max() - WALL)
+    # The wall's force as a load on a free tip leads to the same place.
+    depth = held.tip_x_m.iloc[-1] - WALL
+    pushed = installed.motion("pushed", f"loads.tip_force.x={-STIFFNESS * depth} N")
+    for column in ("tip_x_m", "tip_z_m"):
+        assert pushed[column].iloc[-1] == pytest.approx(held[column].iloc[-1], abs=STATED_ERROR)
+
+
+def test_the_ramp_reaches_its_level_and_holds_it(free: pd.DataFrame) -> None:
+    expected = LEVEL * np.minimum(free.time_s.to_numpy() / RAMP, 1.0)
+    assert free.inlet_pressure_left_pa.to_numpy() == pytest.approx(expected, abs=1e-6)
+    assert free.inlet_pressure_right_pa.to_numpy() == pytest.approx(-expected, abs=1e-6)
