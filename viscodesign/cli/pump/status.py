@@ -50,7 +50,7 @@ def command(
 
 def _lines(found: PumpStatus, label: str) -> list[str]:
     from viscodesign.cli.texts.layout import table
-    from viscodesign.pump.sessions.descriptions import servo_documents, servo_rows
+    from viscodesign.pump.sessions.reports import servo_documents, servo_rows
 
     lines = [f"{label}{found.identity}"]
     rows = servo_rows(servo_documents(found.servos))

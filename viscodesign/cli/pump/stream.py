@@ -78,7 +78,6 @@ def command(
     from viscodesign.cli.simulate import folder_name
     from viscodesign.cli.texts.live_view import live_view
     from viscodesign.pump.sessions.connection import BoardAddress
-    from viscodesign.pump.sessions.descriptions import result_lines
     from viscodesign.pump.sessions.dry_run import rehearse_stream
     from viscodesign.pump.sessions.streaming import StreamSession
 
@@ -101,7 +100,7 @@ def command(
     with live_view(session.plan, session.settings, address.label, quiet) as show:
         report = session.perform(folder, confirm=confirm, tell=complain, on_tick=show)
     if report.status == "complete" and not quiet:
-        complain("\n".join(result_lines(report.result)))
+        complain("\n".join(report.lines))
     if json:
         say(json_text(report.document()))
     return report.raise_failure()

@@ -22,7 +22,8 @@ from viscodesign.errors import UsageError
 
 if TYPE_CHECKING:
     from viscodesign.pump.sessions.connection import BoardAddress
-    from viscodesign.pump.sessions.uploading import Playback, UploadReport, UploadSession
+    from viscodesign.pump.sessions.reports import PlaybackReport
+    from viscodesign.pump.sessions.uploading import Playback, UploadSession
 
 EXAMPLE = """\b
 Examples:
@@ -141,15 +142,16 @@ def _write(
     return files
 
 
-def _perform(session: UploadSession, address: BoardAddress, yes: bool, quiet: bool) -> UploadReport:
+def _perform(
+    session: UploadSession, address: BoardAddress, yes: bool, quiet: bool
+) -> PlaybackReport:
     from viscodesign.cli.confirm import asking
     from viscodesign.cli.output import complain
     from viscodesign.cli.progress import progress
-    from viscodesign.pump.sessions.descriptions import result_lines
 
     confirm = asking(yes=yes, quiet=quiet)
     with progress(quiet or session.playback == "none", "round", "playing") as advance:
         report = session.perform(address, confirm=confirm, tell=complain, on_round=advance)
-    if report.status == "complete" and report.result and not quiet:
-        complain("\n".join(result_lines(report.result)))
+    if report.status == "complete" and not quiet:
+        complain("\n".join(report.lines))
     return report

@@ -10,10 +10,12 @@ from viscodesign.cli.texts.layout import number, table, wrap
 from viscodesign.pump.planning.result import PumpPlan, PumpVerdict, SuggestedChange
 
 MARKS = {"ok": "ok", "advice": "ADVICE", "infeasible": "FAILS"}
+UNLIMITED_S = 1e6
+"""Battery life that needs no number."""
 
 
 def plan_lines(plan: PumpPlan, folder: Path, files: Sequence[Path]) -> list[str]:
-    """Verdicts, changes, and what comes of the plan."""
+    """Limits, changes, and what the pump would do."""
     alone = len(plan.inlets) == 1
     lines = [f"{plan.name}: {'feasible' if plan.is_feasible else 'INFEASIBLE'}", ""]
     for inlet, servo in zip(plan.inlets, plan.servos, strict=True):
@@ -28,28 +30,21 @@ def plan_lines(plan: PumpPlan, folder: Path, files: Sequence[Path]) -> list[str]
 
 
 def _row(verdict: PumpVerdict) -> tuple[str, str, str, str]:
-    return (MARKS[verdict.severity], verdict.name, _percent(verdict), verdict.message)
-
-
-def _percent(verdict: PumpVerdict) -> str:
-    if verdict.ratio > 99.0:
-        return ">9900 %"
-    return f"{100 * verdict.ratio:.0f} %"
+    percent = ">9900 %" if verdict.ratio > 99.0 else f"{100 * verdict.ratio:.0f} %"
+    return MARKS[verdict.severity], verdict.name, percent, verdict.message
 
 
 def _drive(plan: PumpPlan, inlet: str, servo: int) -> list[str]:
     """The drive in numbers."""
     n = plan.numbers[inlet]
+    pressures = ("stall", "steady", "lowest", "highest")
+    kpa = {name: n[f"{name}_pressure_pa_gauge"] / 1e3 for name in pressures}
     rows = [
         ("drive", f"{plan.servo}, id {servo}, for the inlet '{inlet}'"),
-        (
-            "stall",
-            f"{n['stall_pressure_pa_gauge'] / 1e3:.4g} kPa gauge; a fifth of it "
-            f"{n['steady_pressure_pa_gauge'] / 1e3:.3g} kPa",
-        ),
+        ("stall", f"{kpa['stall']:.4g} kPa gauge; a fifth of it is {kpa['steady']:.3g} kPa"),
         (
             "counts",
-            f"{n['counts_per_ml']:.3g} for a mL; for a kPa {n['counts_per_kpa_fast']:.3g} at once, "
+            f"{n['counts_per_ml']:.3g} per mL; per kPa {n['counts_per_kpa_fast']:.3g} at once, "
             f"{n['counts_per_kpa_slow']:.3g} once the actuator follows",
         ),
         (
@@ -58,19 +53,18 @@ def _drive(plan: PumpPlan, inlet: str, servo: int) -> list[str]:
             "barrel filled at home",
         ),
         (
-            "asked",
-            f"{n['lowest_pressure_pa_gauge'] / 1e3:.4g} to "
-            f"{n['highest_pressure_pa_gauge'] / 1e3:.4g} kPa gauge, "
+            "needs",
+            f"{kpa['lowest']:.4g} to {kpa['highest']:.4g} kPa gauge, "
             f"{number(n['largest_torque_nm'], 'N m')}, "
             f"{1e6 * n['largest_flow_m3_s']:.3g} mL/s, {number(n['largest_current_a'], 'A')}",
         ),
-        ("lead-in", f"{number(n['lead_in_s'], 's')} from home to the start's pressure"),
+        ("lead-in", f"{number(n['lead_in_s'], 's')} from home to the pressure of the start"),
     ]
     return table(rows)
 
 
 def _changes(plan: PumpPlan) -> Iterator[str]:
-    """What would help, verdict by verdict, then all together."""
+    """What would help, limit by limit, then all together."""
     failed = [v for v in plan.verdicts if v.severity != "ok" and v.changes]
     if failed:
         yield "smallest changes, each tried"
@@ -82,7 +76,7 @@ def _changes(plan: PumpPlan) -> Iterator[str]:
     if plan.is_feasible:
         return
     if not plan.together:
-        yield "no few changes that were tried make all of it feasible"
+        yield "no combination of a few changes was found that makes it feasible"
     else:
         yield "feasible with"
         for change in plan.together:
@@ -91,35 +85,32 @@ def _changes(plan: PumpPlan) -> Iterator[str]:
 
 
 def _words(change: SuggestedChange) -> str:
-    left = (
-        f"; then fails: {', '.join(change.leaves)}" if change.leaves else "; then all is feasible"
-    )
-    return _settings(change) + left
+    left = f"still infeasible: {', '.join(change.leaves)}" if change.leaves else "then feasible"
+    return f"{_settings(change)}; {left}"
 
 
 def _settings(change: SuggestedChange) -> str:
-    told = " ".join(f"--set '{setting}'" for setting in change.settings)
-    return f"{change.words} ({told})" if told else change.words
+    options = " ".join(f"--set '{setting}'" for setting in change.settings)
+    return f"{change.words} ({options})" if options else change.words
 
 
 def _outcome(plan: PumpPlan) -> Iterator[str]:
     """What the actuator would do with what the pump can deliver."""
     error = plan.error_m
-    sure = "unknown" if error is None else number(1e3 * error, "mm")
+    total = "unknown" if error is None else number(1e3 * error, "mm")
     yield "what the pump would do"
-    rows = [
-        (
-            "tip",
-            f"up to {number(1e3 * plan.deviation_m, 'mm')} from where it is wanted; the errors of "
-            f"both runs add up to {sure}",
-        ),
-        ("battery", _battery(plan.limits["battery_life_s"])),
-    ]
-    rows += [("cut off", words) for words in plan.clipped]
-    yield from table(rows)
+    deviation = number(1e3 * plan.deviation_m, "mm")
+    life = plan.limits["battery_life_s"]
+    yield from table(
+        [
+            ("tip", f"up to {deviation} from its wanted position; errors of both runs: {total}"),
+            ("battery", _battery(life)),
+            *(("cut off", words) for words in plan.clipped),
+        ]
+    )
 
 
 def _battery(life: float) -> str:
-    if life > 1e6:
-        return "lasts: nothing is held"
-    return f"lasts {life / 60:.3g} min at this course's mean current, electronics left out"
+    if life > UNLIMITED_S:
+        return "unlimited: no load"
+    return f"{life / 60:.3g} min at the mean current, electronics not counted"

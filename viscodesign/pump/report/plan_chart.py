@@ -1,4 +1,4 @@
-"""`plan.png`: what a pump is asked, what it can do, and the tip's path with both."""
+"""`plan.png`: what is wanted of a pump, what it can do, and the tip's path with both."""
 
 from __future__ import annotations
 
@@ -192,12 +192,12 @@ def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
 
 
 def _draw_words(made: Figure, plan: PumpPlan, top: float) -> None:
-    """How far the paths are apart, and how sure that is."""
+    """How far the paths are apart, and how accurate that is."""
     error = plan.error_m
-    sure = "unknown" if error is None else f"{1e3 * error:.2g} mm"
+    total = "unknown" if error is None else f"{1e3 * error:.2g} mm"
     lines = [
         f"tips apart by up to {1e3 * plan.deviation_m:.3g} mm",
-        f"(both runs' errors: {sure})",
+        f"(errors of both runs: {total})",
         f"dots: t = 0, after {plan.wanted.lead_s:.4g} s of lead-in from home",
         *(f"cut off: {words}" for words in plan.clipped),
     ]
@@ -208,8 +208,8 @@ def _draw_words(made: Figure, plan: PumpPlan, top: float) -> None:
 
 def _draw_legend(made: Figure, plan: PumpPlan, top: float) -> None:
     handles = [
-        Line2D([], [], color=GREY, label="wanted", **{**WANTED, "alpha": 0.5}),
-        Line2D([], [], color=INK, label="achievable", **DONE),
+        Line2D([], [], color=COLOURS[0], label="wanted", **WANTED),
+        Line2D([], [], color=COLOURS[0], label="achievable", **DONE),
     ]
     if len(plan.inlets) > 1:
         handles += [

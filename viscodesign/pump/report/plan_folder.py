@@ -45,7 +45,7 @@ def write_plan(
 def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
     """Names and values (T, columns) of `plan.csv`; pressures are gauge.
 
-    Tips are told from the run's own start on; before it they are not a number.
+    Tips begin with the run itself; before, during the lead-in, they are NaN.
     """
     names, columns = ["time_s", "run_time_s"], [plan.wanted.time]
     columns.append(plan.wanted.time - plan.wanted.lead_s)

@@ -19,8 +19,8 @@ from viscodesign.pump.bus.transactions import ARBOTIX
 from viscodesign.pump.play.stream import OnStop
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress
-from viscodesign.pump.sessions.descriptions import result_lines
 from viscodesign.pump.sessions.open_board import board_kind, simulated_bench, simulated_line
+from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession
 from viscodesign.pump.sessions.uploading import Playback, UploadSession
 from viscodesign.pump.simulated.direct_line import DirectLine

@@ -21,7 +21,7 @@ from viscodesign.pump.sessions.connection import (
     pressure_gauges,
     unheard,
 )
-from viscodesign.pump.sessions.descriptions import servo_documents
+from viscodesign.pump.sessions.reports import servo_documents
 from viscodesign.scene.scene import Scene
 
 NO_SERVO = (

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, get_args
 
-from viscodesign.errors import InterruptedRunError, PumpError, UsageError
+from viscodesign.errors import UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus.byte_log import ByteLog
@@ -23,8 +23,10 @@ from viscodesign.pump.play.link_rate import (
     measure_round_trip,
     sustainable_rate,
 )
+from viscodesign.pump.play.path import top_speed
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.play.stream import OnStop, Stream, StreamResult, TickReport
+from viscodesign.pump.play.stream import OnStop, Stream, TickReport
+from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import (
@@ -37,15 +39,15 @@ from viscodesign.pump.sessions.connection import (
     pressure_gauges,
     unheard,
 )
-from viscodesign.pump.sessions.descriptions import (
-    aligned,
-    found_lines,
-    plan_rows,
-    result_document,
-    result_lines,
-)
 from viscodesign.pump.sessions.open_board import board_kind, boards
 from viscodesign.pump.sessions.record_file import Record, recorded
+from viscodesign.pump.sessions.reports import (
+    PlaybackReport,
+    aligned,
+    found_lines,
+    motion_rows,
+    result_lines,
+)
 from viscodesign.pump.sessions.required_sensors import with_sensors
 from viscodesign.scene.pump import PumpSpec as Settings
 from viscodesign.scene.scene import Scene
@@ -68,7 +70,7 @@ def stream(
     tell: Tell = unheard,
     on_tick: OnTick | None = None,
     progress: Progress | None = None,
-) -> StreamReport:
+) -> PlaybackReport:
     """Plan a scene's pressures and stream them to a pump, monitored at every tick.
 
     Writes `record.csv`, `record.json` and `log.jsonl` to ``folder``. ``rate`` [Hz]; ``on_stop``
@@ -79,9 +81,8 @@ def stream(
     a report with that status, not an exception; what does not begin raises `UsageError`,
     `SpecError` or `PumpError`.
     """
-    session = StreamSession.prepare(
-        scene, address, rate, on_stop, achievable, without_sensor, progress
-    )
+    options = (rate, on_stop, achievable, without_sensor, progress)
+    session = StreamSession.prepare(scene, address, *options)
     return session.perform(Path(folder), confirm=confirm, tell=tell, on_tick=on_tick)
 
 
@@ -108,35 +109,6 @@ class TrackingError:
             return {}
         rms = (self.sum_of_squares / self.samples) ** 0.5
         return {"largest_pa": self.largest, "rms_pa": rms, "samples": self.samples}
-
-
-@dataclass(frozen=True)
-class StreamReport:
-    """How a stream ended, and where its record is."""
-
-    name: str
-    """Of the scene."""
-    result: StreamResult
-    folder: Path
-    facts: dict[str, Any]
-    """`ticks` and `measured_against_plan`, under names with units."""
-
-    @property
-    def status(self) -> str:
-        """`complete`, `interrupted` or `stopped`."""
-        return self.result.status
-
-    def document(self) -> dict[str, Any]:
-        """All of it for a program."""
-        return {"name": self.name, **result_document(self.result), **self.facts}
-
-    def raise_failure(self) -> None:
-        """Raise what did not end well as an error."""
-        kept = f"the record so far is in {self.folder}"
-        if not self.result.sure or self.status == "stopped":
-            raise PumpError(f"stopped ({self.result.rule or 'hold not verified'}); {kept}")
-        if self.status == "interrupted":
-            raise InterruptedRunError(f"interrupted; {kept}")
 
 
 @dataclass
@@ -174,10 +146,35 @@ class StreamSession:
 
     def description(self) -> list[str]:
         """The plan, to be read before it is agreed to."""
-        rows = plan_rows(self.plan, self.settings, self.rate, self.on_stop)
+        course, pump = self.plan.achievable, self.settings
+        speeds = (0.0, top_speed(self.plan.profile(course)))
+        slow, fast = (torque_limit(pump, speed) for speed in speeds)
+        at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
+        plunger, (_, pressure) = motion_rows(course, pump, course.count)
         return [
             f"{self.address.label}to be played on the board {self.address.board}",
-            *aligned(rows),
+            *aligned(
+                [
+                    (
+                        "plays",
+                        f"{self.plan.name}, {float(course.time[-1]) - course.lead_s:.4g} s at "
+                        f"{self.rate:g} Hz, after a lead-in of {course.lead_s:.3g} s",
+                    ),
+                    plunger,
+                    ("pressure", f"{pressure}; stops above {pump.max_pressure / 1e3:g} kPa"),
+                    (
+                        "torque",
+                        f"up to {course.stall_share.max():.0%} of stall; limited to "
+                        f"{slow / 1023:.0%} at rest (holds at most {at_rest:.0f} kPa) and "
+                        f"{fast / 1023:.0%} at top speed ({moving:.0f} kPa)",
+                    ),
+                    (
+                        "speed",
+                        f"up to {course.speed_share.max():.0%} of the speed left at that torque",
+                    ),
+                    ("on stop", self.on_stop),
+                ]
+            ),
         ]
 
     def perform(
@@ -187,7 +184,7 @@ class StreamSession:
         confirm: Confirm | None = None,
         tell: Tell = unheard,
         on_tick: OnTick | None = None,
-    ) -> StreamReport:
+    ) -> PlaybackReport:
         """Connect, show, ask, stream, come to rest; raises `PumpError` where it does not begin."""
         with write_errors_as_usage(folder):
             folder.mkdir(parents=True, exist_ok=True)
@@ -259,7 +256,7 @@ class StreamSession:
         log: ByteLog,
         tell: Tell,
         on_tick: OnTick | None,
-    ) -> StreamReport:
+    ) -> PlaybackReport:
         stream = self.stream_on(pump, request, self._observer(record, log, on_tick))
         facts: dict[str, Any] = {}
         try:
@@ -275,7 +272,8 @@ class StreamSession:
             if result.status != "complete":
                 tell("\n".join(result_lines(result)))
             record.state(result.status, **told, **facts)
-        return StreamReport(self.scene.name, result, record.path.parent, facts)
+        kept = f"the record so far is in {record.path.parent}"
+        return PlaybackReport(self.scene.name, result, facts, kept)
 
     def _observer(self, record: Record, log: ByteLog, on_tick: OnTick | None) -> OnTick:
         def observe(shown: TickReport) -> None:

@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from viscodesign.errors import InterruptedRunError, PumpError, UsageError
+from viscodesign.errors import InterruptedRunError, UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.boards.base import Board
@@ -37,13 +37,14 @@ from viscodesign.pump.sessions.connection import (
     connected,
     unheard,
 )
-from viscodesign.pump.sessions.descriptions import (
+from viscodesign.pump.sessions.open_board import board_kind
+from viscodesign.pump.sessions.reports import (
+    PlaybackReport,
     aligned,
     found_lines,
-    result_document,
+    motion_rows,
     result_lines,
 )
-from viscodesign.pump.sessions.open_board import board_kind
 from viscodesign.scene.pump import PumpSpec as Settings
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
@@ -62,7 +63,7 @@ def upload(
     confirm: Confirm | None = None,
     tell: Tell = unheard,
     progress: Progress | None = None,
-) -> UploadReport:
+) -> PlaybackReport:
     """Plan a scene's pressures, fit them to 30 poses and 46 moves, and load these onto a board.
 
     ``tolerance``: the largest error allowed, like '1 kPa', '0.1 mL' or '2 counts'.
@@ -83,33 +84,6 @@ def refuse_board(name: str) -> None:
             f"--board {name} takes no poses; those go to --board {Arbotix.name}. "
             "`pump stream` sends this one set-points in real time"
         )
-
-
-@dataclass(frozen=True)
-class UploadReport:
-    """What was loaded, and how playing it ended, if it was played."""
-
-    session: UploadSession
-    result: StreamResult | None
-
-    @property
-    def status(self) -> str:
-        """`loaded`, or that of the playback: `complete`, `interrupted` or `stopped`."""
-        return "loaded" if self.result is None else self.result.status
-
-    def document(self) -> dict[str, Any]:
-        """All of it for a program."""
-        played = {} if self.result is None else result_document(self.result)
-        return {**self.session.document(), "status": self.status, **played}
-
-    def raise_failure(self) -> None:
-        """Raise what did not end well as an error."""
-        if self.result is None:
-            return
-        if not self.result.sure or self.status == "stopped":
-            raise PumpError(self.result.reason)
-        if self.status == "interrupted":
-            raise InterruptedRunError(self.result.reason)
 
 
 @dataclass(frozen=True)
@@ -154,19 +128,12 @@ class UploadSession:
     def description(self) -> list[str]:
         """What is about to be played, each number with its unit."""
         fit, course, limit = self.fit, self.course, torque_limit(self.settings)
-        volume, pressure = 1e6 * course.volume, course.pressure / 1e3
         counts = np.array([goal[:-1] for goal in fit.sequence.goals()])
-        low, high = self.settings.travel
         drift = "; the board's clock may lose up to 1 ms at each move"
         pace = f"per round, until halted{drift}" if fit.looped else "once"
         rows = [
             ("plays", f"{self.scene.name}, {fit.duration:.4g} s {pace}"),
-            (
-                "plunger",
-                f"{counts.min()} to {counts.max()} counts (travel {low} to {high}), "
-                f"{volume.min():.3g} to {volume.max():.3g} mL from home",
-            ),
-            ("pressure", f"{pressure.min():.2f} to {pressure.max():.2f} kPa gauge"),
+            *motion_rows(course, self.settings, counts),
             (
                 "torque",
                 f"up to {course.stall_share.max():.0%} of stall; limited to {limit / 1023:.0%}, "
@@ -228,7 +195,7 @@ class UploadSession:
         confirm: Confirm | None = None,
         tell: Tell = unheard,
         on_round: Progress | None = None,
-    ) -> UploadReport:
+    ) -> PlaybackReport:
         """Connect, ask, load, go to the start, play, come to rest.
 
         ``on_round`` is given the part of the round that has been played.
@@ -250,7 +217,7 @@ class UploadSession:
                 log.event("ended", status=result.status, reason=result.reason)
                 if result.status != "complete":
                     tell("\n".join(result_lines(result)))
-            return UploadReport(self, result)
+            return PlaybackReport(self.scene.name, result, self.document())
 
     def pump_on(self, board: Board, clock: Clock) -> Pump:
         """The pump behind a board that reads neither sensors nor switches."""

@@ -1,15 +1,17 @@
-"""What a user reads, and a program gets, before a pump moves and after it came to rest."""
+"""What is said of a pump before it moves and after it came to rest, in words and as data."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
-from viscodesign.pump.planning.result import PumpPlan
-from viscodesign.pump.play.path import top_speed
+import numpy as np
+
+from viscodesign.errors import InterruptedRunError, PumpError
+from viscodesign.pump.planning.result import PumpCourse
 from viscodesign.pump.play.preflight import FoundServo
 from viscodesign.pump.play.stream import StreamResult
-from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
 from viscodesign.scene.pump import PumpSpec
 
 STATUS_WORDS = {
@@ -28,37 +30,17 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     ]
 
 
-def plan_rows(plan: PumpPlan, pump: PumpSpec, rate: float, on_stop: str) -> list[tuple[str, str]]:
-    """What is about to be streamed, each number with its unit."""
-    course = plan.achievable
-    slow, fast = (torque_limit(pump, speed) for speed in (0.0, top_speed(plan.profile(course))))
-    counts, volume, pressure = course.count, 1e6 * course.volume, course.pressure / 1e3
+def motion_rows(course: PumpCourse, pump: PumpSpec, counts: np.ndarray) -> list[tuple[str, str]]:
+    """Where the plungers go, in ``counts``, and what pressures belong to it."""
+    volume, pressure = 1e6 * course.volume, course.pressure / 1e3
     low, high = pump.travel
-    at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
     return [
-        (
-            "plays",
-            f"{plan.name}, {float(course.time[-1]) - course.lead_s:.4g} s at {rate:g} Hz, "
-            f"after a lead-in of {course.lead_s:.3g} s",
-        ),
         (
             "plunger",
             f"{counts.min():.0f} to {counts.max():.0f} counts (travel {low} to {high}), "
             f"{volume.min():.3g} to {volume.max():.3g} mL from home",
         ),
-        (
-            "pressure",
-            f"{pressure.min():.2f} to {pressure.max():.2f} kPa gauge; "
-            f"stops above {pump.max_pressure / 1e3:g} kPa",
-        ),
-        (
-            "torque",
-            f"up to {course.stall_share.max():.0%} of stall; limited to {slow / 1023:.0%} at rest "
-            f"(holds at most {at_rest:.0f} kPa) and {fast / 1023:.0%} at top speed "
-            f"({moving:.0f} kPa)",
-        ),
-        ("speed", f"up to {course.speed_share.max():.0%} of the speed left at that torque"),
-        ("on stop", on_stop),
+        ("pressure", f"{pressure.min():.2f} to {pressure.max():.2f} kPa gauge"),
     ]
 
 
@@ -133,3 +115,42 @@ def result_document(result: StreamResult) -> dict[str, Any]:
         ],
         "retreat": result.retreat,
     }
+
+
+@dataclass(frozen=True)
+class PlaybackReport:
+    """How a stream or an upload ended."""
+
+    name: str
+    """Of the scene."""
+    result: StreamResult | None
+    """How the pump was left; None where poses were loaded and not played."""
+    facts: Mapping[str, Any]
+    """What else is known, under names with units."""
+    kept: str = ""
+    """Where the record is, in words."""
+
+    @property
+    def status(self) -> str:
+        """`complete`, `interrupted` or `stopped`; `loaded` where nothing was played."""
+        return "loaded" if self.result is None else self.result.status
+
+    @property
+    def lines(self) -> list[str]:
+        """How it ended, for people."""
+        return [] if self.result is None else result_lines(self.result)
+
+    def document(self) -> dict[str, Any]:
+        """All of it for a program."""
+        result = {} if self.result is None else result_document(self.result)
+        return {"name": self.name, **self.facts, "status": self.status, **result}
+
+    def raise_failure(self) -> None:
+        """Raise what did not end well as an error."""
+        if self.result is None:
+            return
+        kept = f"; {self.kept}" if self.kept else ""
+        if not self.result.sure or self.status == "stopped":
+            raise PumpError(f"stopped ({self.result.rule or 'hold not verified'}){kept}")
+        if self.status == "interrupted":
+            raise InterruptedRunError(f"interrupted{kept}")

@@ -1,0 +1,57 @@
+"""The pump from Python: what is public, what it costs to import, and what it asks for."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from tests.scenes import leg
+from viscodesign import pump
+from viscodesign.errors import UsageError
+
+SESSIONS = (
+    "plan", "stream", "upload", "record", "rehearse", "calibrate", "status", "stop", "ports",
+)  # fmt: skip
+
+
+def test_every_session_is_a_documented_function() -> None:
+    assert set(SESSIONS) <= set(pump.__all__)
+    assert all(callable(getattr(pump, name)) and getattr(pump, name).__doc__ for name in SESSIONS)
+    with pytest.raises(AttributeError, match="no attribute 'fly'"):
+        pump.fly  # noqa: B018
+
+
+def test_importing_the_pump_imports_nothing_heavy() -> None:
+    program = (
+        "import sys; from viscodesign import pump;"
+        "print([m for m in ('numpy', 'casadi', 'pydantic', 'serial') if m in sys.modules])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "[]\n"
+
+
+def test_a_real_board_needs_consent() -> None:
+    real = pump.BoardAddress("dynamixel", "/dev/none")
+    with pytest.raises(UsageError, match="pass `confirm`"):
+        real.require_consent(None, "Move the pump?")
+    with pytest.raises(UsageError, match="nothing moved"):
+        real.require_consent(lambda text: False, "Move the pump?")
+    real.require_consent(lambda text: True, "Move the pump?")
+    pump.BoardAddress("simulated").require_consent(None, "Move the pump?")
+
+
+def test_a_rehearsal_says_what_would_be_sent_and_prints_nothing(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    words = ("input={kind: sine, amplitude: 4 kPa, frequency: 0.5 Hz}", "run={duration: 2 s}")
+    scene = leg(*words, config="leg_16_pump")
+    stream = pump.rehearse(scene, pump.BoardAddress("dynamixel", "/dev/none"))
+    poses = pump.rehearse(scene, pump.BoardAddress("arbotix"), playback="loop")
+    assert stream.text.startswith("[dry run] no port is opened")
+    assert "packets" in poses.text
+    assert len(stream.packets) > 60
+    assert capsys.readouterr() == ("", "")
