@@ -102,7 +102,7 @@ def report_lines(found: Found, figure: str) -> list[str]:
         "",
         "## The price",
         "",
-        *_price_lines(found),
+        *_cost_lines(found),
         "",
         f"![stated and true error]({figure})",
         "",
@@ -219,7 +219,7 @@ def _part_lines(judged: list[Record]) -> list[str]:
     return _table(head, rows)
 
 
-def _price_lines(found: Found) -> list[str]:
+def _cost_lines(found: Found) -> list[str]:
     """What knowing the error costs, over the first solution alone."""
     runs = [r for r in (*found.judged, *found.unsure) if r["index"] in found.plain]
     if not runs:

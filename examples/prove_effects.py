@@ -13,7 +13,7 @@ motion = simulate(load(CONFIGS / "leg_4_air_auto.yaml"), prove=True)
 print(f"{motion.name}: {1e3 * motion.accuracy.requested_m:.3g} mm asked for at the tip")
 for found in motion.proof:
     measured = "no solution" if found.measured_m is None else f"{1e3 * found.measured_m:.2g} mm"
-    verdict = "taken" if found.taken else "left out"
+    verdict = "included" if found.taken else "neglected"
     print(
         f"{found.name}: {verdict}, {1e3 * found.estimated_m:.2g} mm estimated, {measured} measured"
     )

@@ -132,7 +132,7 @@ def with_two_inlets(run: Trajectory, factor: float, **changes: Any) -> Trajector
 
 def verdict(name: str, taken: bool, contribution_m: float = 0.0, mode: str = "auto") -> Verdict:
     """A verdict of the made-up run, whose tip may err by 0.545 mm."""
-    reason = f"{'taken' if taken else 'left out'}: made up"
+    reason = f"{'included' if taken else 'neglected'}: made up"
     share = contribution_m / 0.000545
     return Verdict(name, mode, taken, 0.5, "a / b", reason, contribution_m, share)  # type: ignore[arg-type]
 
@@ -162,7 +162,7 @@ ABLATIONS = (
     EffectAblation("damping", True, 4e-4, 1.1e-4, 0.9, "compared up to t = 0.41 s, where it ended"),
     EffectAblation("feedback", False, 1.02e-4, 1.3e-4, 1.2),
 )
-"""Needed, small, spent, and one that was left out although it moves the tip by 2.3 mm."""
+"""Significant, minor, within budget, and one neglected although it moves the tip by 2.3 mm."""
 
 
 def ablated_run(**changes: Any) -> Trajectory:

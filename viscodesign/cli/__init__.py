@@ -1,1 +1,1 @@
-"""The command line: words in, one library call, words out. One module per command."""
+"""The command line: one module per command, which parses, calls the library and prints."""

@@ -1,4 +1,4 @@
-"""`viscodesign accuracy`: a spec in, what accuracy costs in time out."""
+"""`viscodesign accuracy`: what accuracy costs in solve time."""
 
 from __future__ import annotations
 
@@ -26,40 +26,42 @@ def command(
     overrides: Overrides = None,
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", metavar="DIR", help="The folder; runs/<name> by default."),
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Output folder; runs/<name> by default."
+        ),
     ] = None,
     budget: Annotated[
         str | None,
         typer.Option(
             "--budget",
             metavar="TIME",
-            help="Name the most accurate setting whose solve takes no longer, as in `20 ms`.",
+            help="Report the most accurate setting that solves within this time, such as `20 ms`.",
         ),
     ] = None,
     limit: Annotated[
-        str, typer.Option("--limit", metavar="TIME", help="Time that the whole study may take.")
+        str, typer.Option("--limit", metavar="TIME", help="Time limit of the whole study.")
     ] = "60 s",
-    no_plots: Annotated[bool, typer.Option("--no-plots", help="Draw no picture.")] = False,
+    no_plots: Annotated[bool, typer.Option("--no-plots", help="Skip the picture.")] = False,
     force: Annotated[
-        bool, typer.Option("--force", help="Write into a folder that holds other files.")
+        bool, typer.Option("--force", help="Write even if the folder holds other files.")
     ] = False,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Measure what accuracy costs in time.
+    """Measure what accuracy costs in solve time.
 
-    Solves a spec with every form of the model that it allows, with edges, tolerances and
-    solvers from coarse to fine, and holds each against a converged reference. Writes
+    Solves a spec with every form of the model that it allows, with meshes, tolerances and
+    solvers from coarse to fine, and compares each with a converged reference. Writes
     accuracy.csv, accuracy.json and accuracy.png; a run's files in the same folder stay.
-    A study that is interrupted keeps what it measured.
+    An interrupted study keeps what it measured.
     """
     budget_s = None if budget is None else _time("--budget", budget)
     limit_s = _time("--limit", limit)
     from viscodesign import accuracy, load
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.texts.accuracy_text import price_lines
+    from viscodesign.cli.texts.accuracy_text import cost_lines
     from viscodesign.report.accuracy_folder import write_study
     from viscodesign.report.folder import prepare_folder
 
@@ -73,12 +75,12 @@ def command(
         document = study.document(budget_s)
         say(json_text({**document, "files": [str(file) for file in files]}))
     elif not quiet:
-        say("\n".join(price_lines(study, budget_s, folder, files)))
+        say("\n".join(cost_lines(study, budget_s, folder, files)))
     _end(study, folder)
 
 
 def _time(option: str, text: str) -> float:
-    """A time [s] that is given to an option, above zero."""
+    """The positive time [s] given to an option."""
     from pydantic_core import PydanticCustomError
 
     from viscodesign.units import QuantityKind
@@ -88,14 +90,14 @@ def _time(option: str, text: str) -> float:
     except PydanticCustomError as error:
         raise UsageError(f"{option}: {error.message()}") from error
     if value <= 0.0:
-        raise UsageError(f"{option}: '{text}' is not above zero; a time is wanted, like '20 ms'")
+        raise UsageError(f"{option}: must be above zero, such as '20 ms'; got '{text}'")
     return value
 
 
 def _end(study: AccuracyStudy, folder: Path) -> None:
-    """A study that was stopped is an error, after its files are written."""
+    """Report an interrupted study as an error, after its files are written."""
     if study.status == "interrupted":
         raise InterruptedRunError(
-            f"interrupted after {study.spent_s:.3g} s and {len(study.points)} points\n"
-            f"what was measured is in {folder}"
+            f"interrupted after {study.spent_s:.3g} s with {len(study.points)} points measured\n"
+            f"partial results are in {folder}"
         )

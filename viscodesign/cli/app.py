@@ -1,4 +1,4 @@
-"""The commands of `viscodesign`, gathered.
+"""All commands of `viscodesign`.
 
 A command's module imports typer and nothing heavy; the library is imported by the
 command that runs, so that `--help` answers at once.
@@ -42,16 +42,16 @@ def viscodesign(
     _version: Annotated[
         bool,
         typer.Option(
-            "--version", callback=_print_version, is_eager=True, help="Print the version and leave."
+            "--version", callback=_print_version, is_eager=True, help="Print the version and exit."
         ),
     ] = False,
     _debug: Debug = False,
 ) -> None:
-    """Design and simulate soft actuators moved by viscous flow between their bellows.
+    """Design and simulate soft actuators driven by viscous flow between their bellows.
 
     A spec (YAML) describes one actuator, its tubes, its fluid and its input.
     Exit codes: 0 done; 2 wrong usage or spec; 3 the solve failed; 4 the pump or its
-    port, or a plan that the pump cannot do; 130 interrupted.
+    port, or a plan that the pump cannot follow; 130 interrupted.
     """
 
 
@@ -64,7 +64,7 @@ COMMANDS = {
     "effects": effects,
     "schema": schema,
 }
-"""In the order of `--help`; every module has a `command` and an `EXAMPLE` of it."""
+"""In the order of `--help`; every module has a `command` and an `EXAMPLE`."""
 
 for _name, _module in COMMANDS.items():
     app.command(_name, epilog=_module.EXAMPLE)(_module.command)

@@ -1,4 +1,4 @@
-"""`viscodesign check`: everything that can be said of a spec without solving it."""
+"""`viscodesign check`: all that is known of a spec without solving it."""
 
 from __future__ import annotations
 
@@ -25,8 +25,9 @@ def command(
 ) -> None:
     """Validate a spec and weigh every effect.
 
-    Prints timescales, verdicts, the network's facts and warnings; solves nothing. With -o
-    the same goes to DIR/check.json. A valid spec with warnings exits with 0.
+    Prints timescales, the decision on every effect, facts of the network and warnings;
+    solves nothing. With -o also writes DIR/check.json. A valid spec with warnings exits
+    with 0.
     """
     from viscodesign import check, load
     from viscodesign.cli.output import json_text, say, write_text

@@ -1,4 +1,4 @@
-"""`viscodesign classify`: where specs lie on the plane of the paper's Figure 1."""
+"""`viscodesign classify`: specs on the plane of the paper's Figure 1."""
 
 from __future__ import annotations
 
@@ -25,7 +25,9 @@ def command(
     specs: Specs,
     plot: Annotated[
         Path | None,
-        typer.Option("--plot", metavar="FILE", help="Draw Figure 1's plane: .png, .pdf or .svg."),
+        typer.Option(
+            "--plot", metavar="FILE", help="Draw the plane of Figure 1 (.png, .pdf or .svg)."
+        ),
     ] = None,
     overrides: Overrides = None,
     output: Output = None,
@@ -35,8 +37,8 @@ def command(
 ) -> None:
     """Place specs on the plane of timescales.
 
-    Prints timescales, ratios and quadrant of each; solves nothing. With -o the same goes
-    to DIR/classification.json. --set applies to every spec.
+    Prints timescales, ratios and quadrant of each spec; solves nothing. With -o also writes
+    DIR/classification.json. --set applies to every spec.
     """
     from viscodesign import classify, load
     from viscodesign.cli.output import json_text, say, write_text
@@ -59,7 +61,7 @@ def _picture(plot: Path | None) -> Path | None:
     from viscodesign.errors import UsageError
 
     if plot is not None and plot.suffix.lower() not in PICTURES:
-        raise UsageError(f"--plot {plot}: a picture ends in {', '.join(PICTURES)}")
+        raise UsageError(f"--plot {plot}: unknown format; use {', '.join(PICTURES)}")
     return plot
 
 

@@ -1,4 +1,4 @@
-"""`viscodesign effects`: the catalogue of effects, documented by the classes themselves."""
+"""`viscodesign effects`: the catalogue of effects, documented by their classes."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ Examples:
 
 def command(
     name: Annotated[
-        str | None, typer.Argument(metavar="NAME", help="The effect to tell all about.")
+        str | None, typer.Argument(metavar="NAME", help="The effect to describe.")
     ] = None,
     output: Output = None,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Tell what effects there are, or all about one.
+    """List the effects, or describe one.
 
-    Of each: what it is, the weight that says when it matters, where it holds, its source
-    and its keys in a spec. With -o the same goes to DIR/effects.json.
+    Shows what each effect is, the weight that says when it matters, its range of validity,
+    its source and its keys in a spec. With -o also writes DIR/effects.json.
     """
     from viscodesign.cli.output import json_text, say, write_text
     from viscodesign.effects.select import catalogue
@@ -53,12 +53,12 @@ def _found(name: str, known: Mapping[str, type[Effect]]) -> type[Effect]:
 
     if name not in known:
         hint = did_you_mean(name, known) or "."
-        raise UsageError(f"{name}: no such effect{hint} `viscodesign effects` names them all")
+        raise UsageError(f"{name}: no such effect{hint} `viscodesign effects` lists them")
     return known[name]
 
 
 def _document(kind: type[Effect]) -> dict[str, Any]:
-    """All that a class tells of itself."""
+    """Everything that a class documents."""
     return {
         "name": kind.name,
         "summary": _paragraphs(kind)[0],
@@ -74,7 +74,7 @@ def _document(kind: type[Effect]) -> dict[str, Any]:
 
 
 def _paragraphs(kind: type[Effect]) -> list[str]:
-    """What the class says of itself; the first is one sentence."""
+    """The paragraphs of the class docstring; the first is one sentence."""
     text = inspect.cleandoc(kind.__doc__ or kind.name)
     return [" ".join(part.split()) for part in text.split("\n\n")]
 
@@ -84,20 +84,22 @@ def _keys(kind: type[Effect]) -> list[str]:
 
 
 def _decision(kind: type[Effect]) -> str:
-    """How a run comes to have the effect or not."""
+    """How it is decided whether a run includes the effect."""
     from viscodesign.effects import select
     from viscodesign.effects.base import Effect
 
     if not kind.switchable:
-        return "It is carried wherever a spec states it; nothing switches it off."
-    parts = [f"`effects.{kind.name}: on` takes it, `off` leaves it out, `auto` weighs it."]
+        return "It is always included where a spec defines it."
+    parts = [f"`effects.{kind.name}: on` includes it, `off` neglects it, `auto` weighs it."]
     parts += inspect.cleandoc(select.__doc__ or "").split("\n\n")[1:]
     if kind.sketch is Effect.sketch:
-        parts.append("No sketch shows it: its weight, in actuator lengths, stands for its move.")
+        parts.append(
+            "No sketch resolves it: its weight, in actuator lengths, is taken as its displacement."
+        )
     if kind.indispensable is not Effect.indispensable:
-        parts.append("Where a scene has no sense without it, it is taken.")
+        parts.append("It is included wherever the scene requires it.")
     if kind.needs is not None:
-        parts.append(f"Without {kind.needs} it is left out, for it acts on nothing.")
+        parts.append(f"Without {kind.needs} it is not applicable.")
     return " ".join(" ".join(parts).split())
 
 
@@ -107,7 +109,7 @@ def _table(known: Mapping[str, type[Effect]]) -> list[str]:
     rows: list[tuple[str, str]] = []
     for name, kind in known.items():
         rows += [(name, _paragraphs(kind)[0]), ("", f"weight = {kind.formula}")]
-    return [*table(rows, indent=""), "", "`viscodesign effects NAME` tells all about one."]
+    return [*table(rows, indent=""), "", "`viscodesign effects NAME` describes one."]
 
 
 def _page(kind: type[Effect]) -> list[str]:

@@ -21,14 +21,12 @@ DEFAULT_PATH = Path("leg.yaml")
 
 def command(
     path: Annotated[
-        Path, typer.Argument(metavar="PATH", help="The file to write, or its folder.")
+        Path, typer.Argument(metavar="PATH", help="File to write, or its folder.")
     ] = DEFAULT_PATH,
     name: Annotated[
-        str, typer.Option("--template", metavar="NAME", help="The bundled spec to copy.")
+        str, typer.Option("--template", metavar="NAME", help="Bundled spec to copy.")
     ] = DEFAULT,
-    listing: Annotated[
-        bool, typer.Option("--list", help="Name the templates and write nothing.")
-    ] = False,
+    listing: Annotated[bool, typer.Option("--list", help="List the templates and exit.")] = False,
     force: Annotated[bool, typer.Option("--force", help="Overwrite PATH if it exists.")] = False,
     output: Output = None,
     json: Json = False,
@@ -37,8 +35,8 @@ def command(
 ) -> None:
     """Write a commented spec to start from.
 
-    It is a copy of a bundled scene, complete and ready to run, with the tables that it
-    reads; their paths are printed.
+    Copies a bundled spec, complete and ready to run, with the tables that it reads, and
+    prints their paths.
     """
     from viscodesign.cli.output import json_text, say, write_text
     from viscodesign.cli.templates import template

@@ -1,4 +1,4 @@
-"""Where every error becomes one message and one exit code."""
+"""The entry point, where every error becomes one message and one exit code."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         status = _run(words)
     except ReaderGoneError:
-        # `viscodesign check leg.yaml | head -1`: the reader has what it wanted.
+        # `viscodesign check leg.yaml | head -1`: the reader has all it needs.
         abandon_stdout()
         return 0
     except KeyboardInterrupt:
@@ -35,7 +35,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(words: list[str]) -> int:
-    """Let typer find and call the command; its own usage errors print themselves."""
+    """Let typer find and call the command; it prints usage errors itself."""
     from typer.main import get_command
 
     from viscodesign.cli.app import app
@@ -48,9 +48,9 @@ def _run(words: list[str]) -> int:
 
 
 def _asks_for_debug(words: list[str]) -> bool:
-    """Whether `--debug` stands among the options.
+    """Whether `--debug` is among the options.
 
-    Read from the words themselves, so that an error before they are parsed obeys it too.
+    Read from the command line itself, so that it holds for errors in parsing, too.
     """
     options = words[: words.index("--")] if "--" in words else words
     return "--debug" in options

@@ -1,4 +1,4 @@
-"""Options that several commands share, word for word."""
+"""Options shared by several commands."""
 
 from __future__ import annotations
 
@@ -7,26 +7,26 @@ from typing import Annotated
 
 import typer
 
-Spec = Annotated[Path, typer.Argument(metavar="SPEC", help="The spec, a YAML file.")]
-Specs = Annotated[list[Path], typer.Argument(metavar="SPEC", help="Specs, YAML files.")]
+Spec = Annotated[Path, typer.Argument(metavar="SPEC", help="Spec (YAML file).")]
+Specs = Annotated[list[Path], typer.Argument(metavar="SPEC", help="Specs (YAML files).")]
 Overrides = Annotated[
     list[str] | None,
     typer.Option(
         "--set",
         metavar="KEY=VALUE",
-        help="Override a spec key, as in `run.duration=2 s`; repeatable.",
+        help="Override a spec key, such as `run.duration=2 s`; repeatable.",
     ),
 ]
 Json = Annotated[
     bool,
-    typer.Option("--json", help="One JSON document on standard output, nothing else there."),
+    typer.Option("--json", help="Print one JSON document, and nothing else, to standard output."),
 ]
 Output = Annotated[
     Path | None,
-    typer.Option("--output", "-o", metavar="DIR", help="Write the result's files to this folder."),
+    typer.Option("--output", "-o", metavar="DIR", help="Write the results to this folder."),
 ]
 Quiet = Annotated[
-    bool, typer.Option("--quiet", "-q", help="Say nothing but errors (and the JSON asked for).")
+    bool, typer.Option("--quiet", "-q", help="Print errors only (and the JSON document).")
 ]
-Debug = Annotated[bool, typer.Option("--debug", help="Show the traceback of an error.")]
-"""Read by `main` from the words themselves; commands only declare it."""
+Debug = Annotated[bool, typer.Option("--debug", help="Show tracebacks of errors.")]
+"""Read by `main` from the command line itself; commands only declare it."""

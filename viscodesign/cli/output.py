@@ -1,10 +1,9 @@
-"""Words to the terminal, a pipe or a file."""
+"""Text to the terminal, a pipe or a file."""
 
 from __future__ import annotations
 
 import contextlib
 import json
-import math
 import os
 import sys
 from collections.abc import Mapping
@@ -15,7 +14,7 @@ from viscodesign.errors import UsageError, ViscodesignError
 
 
 class ReaderGoneError(Exception):
-    """Whoever read our standard output has closed it."""
+    """The reader of standard output has closed it."""
 
 
 def say(text: str = "") -> None:
@@ -28,7 +27,7 @@ def say(text: str = "") -> None:
     except BrokenPipeError as error:
         raise ReaderGoneError from error
     except OSError as error:
-        # The exit would try again to write what is left, and fail in its own words.
+        # The interpreter would flush again at exit, and print its own error.
         abandon_stdout()
         raise ViscodesignError(f"standard output: {error.strerror or error}") from error
 
@@ -40,39 +39,31 @@ def complain(text: str) -> None:
 
 
 def abandon_stdout() -> None:
-    """Point standard output at nothing, so that the exit's own flush stays silent."""
+    """Redirect standard output to nothing, so that the flush at exit stays silent."""
     with contextlib.suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _printable(text: str, encoding: str | None) -> str:
-    """The text without terminal control codes (a spec's name may hold anything)."""
+    """The text without terminal control codes, which a spec's name may contain."""
     safe = "".join(c if c.isprintable() or c in "\n\t" else repr(c)[1:-1] for c in text)
     name = encoding or "utf-8"
     return safe.encode(name, errors="backslashreplace").decode(name)
 
 
 def json_text(document: Mapping[str, Any]) -> str:
-    """A document as JSON text; what is not finite becomes null."""
-    return json.dumps(_finite(document), indent=2, allow_nan=False)
+    """A document as JSON text; numbers that are not finite become null."""
+    from viscodesign.results.findings import json_ready
 
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if isinstance(value, Mapping):
-        return {str(key): _finite(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(item) for item in value]
-    return value
+    return json.dumps(json_ready(dict(document)), indent=2, allow_nan=False)
 
 
 def write_text(path: Path, text: str, *, overwrite: bool) -> Path:
-    """Write a file, complete or not at all; without ``overwrite`` never onto another."""
+    """Write a file completely or not at all; never over another without ``overwrite``."""
     if path.is_dir():
         raise UsageError(f"{path} is a folder; name a file")
     if path.exists() and not overwrite:
-        raise UsageError(f"{path} exists and is not overwritten; choose another path, or --force")
+        raise UsageError(f"{path} exists; choose another path, or use --force to overwrite it")
     # Only the commands that write need it, and `--help` is to answer at once.
     from viscodesign.storage.atomic_files import write_bytes
 

@@ -19,8 +19,8 @@ def command(
 ) -> None:
     """Print the JSON Schema of a spec.
 
-    Editors complete and check a spec by it. It is JSON with or without --json. With -o it
-    goes to DIR/spec.schema.json too.
+    Editors use it to complete and check a spec. It is JSON with or without --json. With -o
+    also writes DIR/spec.schema.json.
     """
     from viscodesign.cli.output import json_text, say, write_text
     from viscodesign.loading import schema

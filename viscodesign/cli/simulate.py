@@ -1,4 +1,4 @@
-"""`viscodesign simulate`: a spec in, a folder with its motion out."""
+"""`viscodesign simulate`: the motion of a spec, as files in a folder."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Examples:
 
 
 class RunFailedError(ViscodesignError):
-    """The solve ended before the run's end; what it computed is on disk."""
+    """The solver stopped before the end of the run; partial results are on disk."""
 
     exit_code = 3
 
@@ -33,21 +33,21 @@ def command(
     output: Annotated[
         Path | None,
         typer.Option(
-            "--output", "-o", metavar="DIR", help="The run's folder; runs/<name> by default."
+            "--output", "-o", metavar="DIR", help="Output folder; runs/<name> by default."
         ),
     ] = None,
     prove: Annotated[
         bool,
         typer.Option(
-            "--prove", help="Switch each effect, solve again, and measure what it changes."
+            "--prove", help="Measure each effect: switch it, solve again, compare the tips."
         ),
     ] = False,
     no_verify: Annotated[
-        bool, typer.Option("--no-verify", help="Skip the estimate of the tip's error.")
+        bool, typer.Option("--no-verify", help="Skip the estimate of the tip error.")
     ] = False,
-    no_plots: Annotated[bool, typer.Option("--no-plots", help="Draw no pictures.")] = False,
+    no_plots: Annotated[bool, typer.Option("--no-plots", help="Skip the pictures.")] = False,
     force: Annotated[
-        bool, typer.Option("--force", help="Write into a folder that holds other files.")
+        bool, typer.Option("--force", help="Write even if the folder holds other files.")
     ] = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -56,8 +56,8 @@ def command(
     """Simulate a spec and write its motion.
 
     Writes CSV tables, pictures, the resolved spec and a summary to one folder.
-    Files of an earlier run in the same folder are replaced. A run that fails or is
-    interrupted keeps what it computed, labelled as such.
+    Files of an earlier run in the same folder are replaced. A failed or interrupted run
+    keeps what it computed, labelled as such.
     """
     from viscodesign import load
     from viscodesign import simulate as solve
@@ -71,7 +71,7 @@ def command(
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
     prepare_folder(folder, force=force)
-    with progress(quiet, "verifying and proving" if prove else "verifying") as advance:
+    with progress(quiet, "verifying and measuring effects" if prove else "verifying") as advance:
         trajectory = solve(
             scene, verify=not no_verify, prove=prove, progress=advance, scratch=folder
         )
@@ -80,30 +80,30 @@ def command(
         say(json_text({**trajectory.summary(), "files": [str(file) for file in files]}))
         _warn(trajectory, quiet)
     elif not quiet:
-        proof = ["", *ablation_lines(trajectory)] if prove else []
-        say("\n".join([*summary_lines(trajectory, folder, files), *proof]))
+        measured = ["", *ablation_lines(trajectory)] if prove else []
+        say("\n".join([*summary_lines(trajectory, folder, files), *measured]))
     _end(trajectory, folder)
 
 
 def folder_name(name: str) -> str:
-    """A scene's name as one folder, whatever characters it has."""
+    """A scene's name as the name of a folder."""
     return re.sub(r"[^\w.+-]+", "_", name).strip("._") or "run"
 
 
 def _warn(trajectory: Trajectory, quiet: bool) -> None:
     from viscodesign.cli.output import complain
-    from viscodesign.cli.texts.ablation_text import alarm_lines
+    from viscodesign.cli.texts.ablation_text import wrongly_neglected_lines
     from viscodesign.cli.texts.check_text import notice_lines
 
     lines = notice_lines(trajectory.warnings)
-    told = [*(["warnings", *lines] if lines else []), *alarm_lines(trajectory)]
-    if told and not quiet:
-        complain("\n".join(told))
+    found = [*(["warnings", *lines] if lines else []), *wrongly_neglected_lines(trajectory)]
+    if found and not quiet:
+        complain("\n".join(found))
 
 
 def _end(trajectory: Trajectory, folder: Path) -> None:
-    """A run that did not reach its end is an error, after its files are written."""
-    kept = f"what was computed is in {folder}"
+    """Report an incomplete run as an error, after its files are written."""
+    kept = f"partial results are in {folder}"
     message = trajectory.failure or f"{trajectory.name}: the run is {trajectory.status}"
     if trajectory.status == "failed":
         raise RunFailedError(f"{message}\n{kept}")

@@ -13,7 +13,7 @@ DEFAULT = "leg_16_straight_air"
 
 PACKAGE = Path(__file__).resolve().parents[1]
 FOLDERS = (PACKAGE / "configs", PACKAGE.parent / "configs")
-"""Where an installed wheel keeps them; where a checkout does."""
+"""In an installed wheel; in a checkout."""
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Template:
     path: Path
 
     def text(self) -> str:
-        """The spec with its comments, as it stands in the file."""
+        """The spec with its comments."""
         return self.path.read_text(encoding="utf-8")
 
     def tables(self) -> list[Path]:
@@ -33,7 +33,7 @@ class Template:
         return [self.path.with_name(name) for name in named]
 
     def summary(self) -> str:
-        """The first sentence of its header: the comment's lines up to the first empty one."""
+        """The first paragraph of the comment at its top."""
         lines: list[str] = []
         for line in self.text().splitlines():
             words = line.removeprefix("#").strip()
@@ -59,6 +59,6 @@ def template(name: str) -> Template:
         close = difflib.get_close_matches(name, known, n=1)
         hint = f"did you mean '{close[0]}'? " if close else ""
         raise UsageError(
-            f"--template {name}: no such template; {hint}`viscodesign init --list` names them all"
+            f"--template {name}: no such template; {hint}`viscodesign init --list` lists them"
         )
     return known[name]

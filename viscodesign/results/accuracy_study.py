@@ -1,7 +1,7 @@
-"""What a study of accuracy leaves behind: points of error and time, and what they say.
+"""An accuracy study: points of error and time, and what follows from them.
 
-Plain data. Nothing here knows how a number was measured; `report` draws it, the
-command line prints it, and a script reads it.
+Plain data. Nothing here knows how a number was measured; `report` draws it, the command
+line prints it, and a script reads it.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from viscodesign.results.findings import plain
+from viscodesign.results.findings import json_ready
 
 if TYPE_CHECKING:
     import pandas as pd
 
 ERRORS = (1e-2, 1e-3, 1e-4)
-"""Tip errors, in actuator lengths, whose price every study tells."""
+"""Tip errors, in actuator lengths, whose cost every study states."""
 COLUMNS = (
     "model", "edges", "tolerance", "solver", "solve_s", "build_s", "tip_error_m",
     "tip_error_rel", "dominated",
@@ -29,11 +29,11 @@ class Model:
     """A set of effects under a name."""
 
     name: str
-    """`auto`: what the spec's `effects` take; `everything`: all that the spec allows;
+    """`auto`: the effects that the spec selects; `everything`: all that it allows;
     I to IV: the form of a quadrant, on top of `auto`."""
     effects: tuple[str, ...]
     also: tuple[str, ...] = ()
-    """Other names of the same set."""
+    """Other names of the same set of effects."""
 
     @property
     def is_distributed(self) -> bool:
@@ -47,7 +47,7 @@ class Model:
 
     @property
     def words(self) -> str:
-        """What kind of model it is."""
+        """The kind of model in words."""
         pressure = "distributed" if self.is_distributed else "uniform"
         return f"{pressure}, {'inertial' if self.is_inertial else 'quasi-static'}"
 
@@ -67,31 +67,31 @@ class Point:
     tolerance: float
     solver: str
     solve_s: float
-    """Wall time of solving, the least of several where it is short [s]."""
+    """Wall time of solving, the shortest of several where it is short [s]."""
     build_s: float
-    """Wall time of making the equations and the integrator for the first time [s]."""
+    """Wall time of building the equations and the integrator for the first time [s]."""
     tip_error_m: float
     """Largest distance from the reference's tip over the output times [m]."""
     tip_error_rel: float
     """The same in actuator lengths."""
     is_bound: bool = False
-    """Whether the error is at most this: the reference cannot tell it better."""
+    """Whether the error is an upper bound: the reference is not accurate enough to say more."""
     is_exact_in_space: bool = False
-    """Whether the rod is a row of arcs, to which edges mean nothing."""
+    """Whether the rod is a chain of exact arcs, which has no mesh."""
     is_stepless: bool = False
-    """Whether every output time is solved on its own: solver and tolerance mean nothing."""
+    """Whether every output time is solved by itself, without solver and tolerance."""
     steps: int = 0
-    """Steps through time, which no clock disturbs."""
+    """Time steps, independent of the speed of the machine."""
     dominated: bool = False
     """Whether another point is both cheaper and more accurate."""
 
     @property
     def setting(self) -> str:
         """Solver, edges and tolerance in words."""
-        edges = f"{self.edges} edge{'s' * (self.edges != 1)} a section"
-        mesh = "arcs" if self.is_exact_in_space else edges
+        edges = f"{self.edges} edge{'s' * (self.edges != 1)} per section"
+        mesh = "exact arcs" if self.is_exact_in_space else edges
         if self.is_stepless:
-            return f"no steps, {mesh}"
+            return f"no time steps, {mesh}"
         return f"{self.solver}, {mesh}, tolerance {tolerance_words(self.tolerance)}"
 
 
@@ -106,18 +106,18 @@ class Reference:
     solver: str
     solve_s: float
     convergence_m: float
-    """How far its tip is from that of the next coarser one, at most [m]."""
+    """Largest distance of its tip from that of the next coarser solution [m]."""
     convergence_rel: float
     """The same in actuator lengths."""
     smallest_error_m: float
-    """Smallest error that it can tell [m]; what is below is told as at most this."""
+    """Smallest error that it resolves [m]; smaller ones are stated as bounds."""
     is_converged: bool
-    """Whether that is well below the smallest error that the study tells the price of."""
+    """Whether that is well below the smallest error whose cost the study states."""
 
 
 @dataclass(frozen=True)
 class AccuracyStudy:
-    """What accuracy costs in time, for one scene."""
+    """What accuracy costs in solve time, for one scene."""
 
     name: str
     version: str
@@ -126,15 +126,15 @@ class AccuracyStudy:
     length: float
     """Actuator length [m]."""
     requested_rel: float
-    """Tip error that the spec asks for, in actuator lengths."""
+    """Requested tip error, in actuator lengths."""
     models: tuple[Model, ...]
     taken: tuple[str, ...]
-    """Effects that the spec's `effects` take."""
+    """Effects that the spec selects."""
     reference: Reference | None
-    """None where it was interrupted before there was one."""
+    """None if the study was interrupted before it was solved."""
     points: tuple[Point, ...]
     start: Point | None
-    """The setting that `simulate` starts with, measured."""
+    """The initial setting of `simulate`, measured."""
     notes: tuple[str, ...]
     """What was not measured, and why."""
     limit_s: float
@@ -142,27 +142,27 @@ class AccuracyStudy:
 
     @property
     def requested_m(self) -> float:
-        """Tip error that the spec asks for [m]."""
+        """Requested tip error [m]."""
         return self.requested_rel * self.length
 
     @property
     def errors(self) -> tuple[float, ...]:
-        """The errors whose price is told, the largest first, in actuator lengths."""
+        """The errors whose cost is stated, largest first, in actuator lengths."""
         return tuple(sorted({*ERRORS, self.requested_rel}, reverse=True))
 
     @property
     def front(self) -> list[Point]:
-        """Points that no other beats in both time and error, the cheapest first."""
+        """The Pareto front: points that no other beats in both time and error, cheapest first."""
         return sorted((p for p in self.points if not p.dominated), key=lambda p: p.solve_s)
 
     @property
     def recommended(self) -> Point | None:
-        """The cheapest setting with the accuracy that the spec asks for."""
+        """The cheapest setting with the requested accuracy."""
         return self.cheapest(self.requested_rel)
 
     @property
     def recommended_changes(self) -> tuple[str, ...]:
-        """What to change in the spec for the recommended effects, as for `--set`."""
+        """Changes of the spec that select the recommended effects, as for `--set`."""
         if self.recommended is None:
             return ()
         wanted = set(self.model(self.recommended).effects)
@@ -223,7 +223,7 @@ class AccuracyStudy:
             "limit_s": self.limit_s,
             "spent_s": self.spent_s,
         }
-        return dict(plain(document))
+        return dict(json_ready(document))
 
     def _recommended_document(self) -> dict[str, Any] | None:
         point = self.recommended
@@ -248,10 +248,10 @@ def _point_document(point: Point | None) -> dict[str, Any] | None:
 
 
 def with_dominated(points: Iterable[Point]) -> tuple[Point, ...]:
-    """The points, each of which knows whether another one is faster and no less accurate.
+    """The points, marked where another one is faster and no less accurate.
 
     Of two with the same time the more accurate one wins, of two with the same error the
-    faster one; of two with both the same the first.
+    faster one; of two equal ones the first.
     """
     given = list(points)
     order = sorted(range(len(given)), key=lambda k: (given[k].solve_s, given[k].tip_error_m, k))
@@ -264,13 +264,13 @@ def with_dominated(points: Iterable[Point]) -> tuple[Point, ...]:
 
 
 def tolerance_words(tolerance: float) -> str:
-    """A tolerance as people write it: 1e-3, 1.25e-4."""
+    """A tolerance in short form: 1e-3, 1.25e-4."""
     digits, _, exponent = f"{tolerance:.2e}".partition("e")
     return f"{float(digits):g}e{int(exponent)}"
 
 
 def spread(front: Sequence[Point], most: int) -> list[Point]:
-    """At most so many points of a front, its ends among them, evenly in their order."""
+    """At most ``most`` points of a front, evenly spaced in its order, with both ends."""
     if len(front) <= most:
         return list(front)
     last = len(front) - 1

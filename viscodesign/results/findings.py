@@ -1,4 +1,4 @@
-"""What is found of a scene or a run besides its arrays, each with its document.
+"""Findings about a scene or a run, each with its document for JSON.
 
 Plain data. Nothing here knows how a number was computed; `report` draws it, the command
 line prints it, and a script reads it.
@@ -7,7 +7,7 @@ line prints it, and a script reads it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
@@ -23,7 +23,7 @@ class Scales:
     t_f: float
     """Viscous-elastic time of the fluid, as the paper defines it."""
     t_i: float
-    """Shortest monotone swing of the inlet pressure (infinite for a constant)."""
+    """Shortest monotone transient of the inlet pressure (infinite for a constant)."""
     t_net: float
     """Slowest time constant of the real network."""
 
@@ -45,7 +45,7 @@ def _ratio(above: float, below: float) -> float:
 
 @dataclass(frozen=True)
 class Verdict:
-    """Why an effect is in or out of a run."""
+    """Whether a run includes an effect, and why."""
 
     name: str
     mode: Literal["auto", "on", "off"]
@@ -54,20 +54,20 @@ class Verdict:
     formula: str
     reason: str
     contribution_m: float = 0.0
-    """Estimate of how far the tip moves when this effect alone is switched [m]."""
+    """Estimated displacement of the tip when only this effect is switched [m]."""
     budget_share: float = 0.0
-    """The same over the tip error asked for."""
+    """The same as a share of the requested tip error."""
     present: bool = True
-    """Whether the scene has what the effect acts on."""
+    """Whether the scene has what the effect acts on: otherwise it is not applicable."""
 
 
 @dataclass(frozen=True)
 class EffectAblation:
-    """What switching one effect did to the tip, measured by a second solution."""
+    """Tip displacement by switching one effect, measured by a second solution."""
 
     name: str
     taken: bool
-    """Whether the run has the effect; the second solution has it the other way round."""
+    """Whether the run includes the effect; the second solution has it switched."""
     estimated_m: float
     """The verdict's contribution [m]."""
     measured_m: float | None
@@ -75,12 +75,12 @@ class EffectAblation:
     solve_s: float
     """Wall time of the second solution [s]."""
     note: str = ""
-    """Why there is none, or up to when it reached."""
+    """Why there is no measurement, or the time up to which it was compared."""
 
 
 @dataclass(frozen=True)
 class Notice:
-    """A warning: something the numbers say and the user should hear."""
+    """A warning to the user."""
 
     code: str
     message: str
@@ -102,25 +102,25 @@ class Classification:
 
 @dataclass(frozen=True)
 class RetryAttempt:
-    """What was tried where, why, and whether it helped."""
+    """One retry where a solver had stopped: what was changed, why, and whether it helped."""
 
     time_s: float
-    """Where the run had stopped [s]."""
+    """Time at which the run had stopped [s]."""
     tried: str
     """What was changed."""
     solved: bool
     reason: str
-    """What had failed before."""
+    """Why the solver had stopped."""
 
 
-def plain(value: Any) -> Any:
-    """JSON-ready: numbers that are not finite become null, tuples and arrays lists."""
+def json_ready(value: Any) -> Any:
+    """A value as JSON has it: non-finite numbers become null, tuples and arrays lists."""
     if isinstance(value, (np.generic, np.ndarray)):
         value = value.tolist()
-    if isinstance(value, dict):
-        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, Mapping):
+        return {str(key): json_ready(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
-        return [plain(item) for item in value]
+        return [json_ready(item) for item in value]
     if isinstance(value, (bool, int, str)) or value is None:
         return value
     number = float(value)
@@ -129,17 +129,17 @@ def plain(value: Any) -> Any:
 
 def verdict_documents(verdicts: Iterable[Verdict]) -> list[dict[str, Any]]:
     """Verdicts as objects."""
-    return [plain(asdict(verdict)) for verdict in verdicts]
+    return [json_ready(asdict(verdict)) for verdict in verdicts]
 
 
 def ablation_documents(ablations: Iterable[EffectAblation]) -> list[dict[str, Any]]:
     """Proofs as objects: name, taken, estimated_m, measured_m, solve_s, note."""
-    return [plain(asdict(ablation)) for ablation in ablations]
+    return [json_ready(asdict(ablation)) for ablation in ablations]
 
 
 def notice_documents(notices: Iterable[Notice]) -> list[dict[str, Any]]:
     """Warnings as objects: code, message, where, time_s."""
-    return [plain(asdict(notice)) for notice in notices]
+    return [json_ready(asdict(notice)) for notice in notices]
 
 
 def classification_document(found: Classification) -> dict[str, Any]:
@@ -154,13 +154,13 @@ def classification_document(found: Classification) -> dict[str, Any]:
         "cutoff_frequency_hz": found.cutoff_frequency_hz,
         "warnings": notice_documents(found.warnings),
     }
-    return dict(plain(document))
+    return dict(json_ready(document))
 
 
 def check_document(
     found: Classification, verdicts: Iterable[Verdict], facts: Sequence[str]
 ) -> dict[str, Any]:
-    """What a check tells, under the names of a run's summary."""
+    """The results of a check, under the names of a run's summary."""
     return {
         **classification_document(found),
         "effects": verdict_documents(verdicts),

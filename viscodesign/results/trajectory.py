@@ -1,4 +1,4 @@
-"""What a run leaves behind: arrays, verdicts, status and provenance.
+"""The result of a run: arrays, decisions, status and provenance.
 
 Plain data. Nothing here knows how a number was computed; `report` draws it,
 the command line prints it, and a script reads it.
@@ -28,8 +28,8 @@ from viscodesign.results.findings import (
     Verdict,
     ablation_documents,
     classification_document,
+    json_ready,
     notice_documents,
-    plain,
     verdict_documents,
 )
 from viscodesign.results.motion_arrays import MotionArrays
@@ -42,24 +42,23 @@ Status = Literal["complete", "failed", "interrupted"]
 
 @dataclass(frozen=True)
 class Accuracy:
-    """The error asked for and the error estimated, at the tip over all output times [m]."""
+    """Requested and estimated error of the tip, over all output times [m]."""
 
     requested_m: float
     estimated_tip_error_m: float | None
     """Sum of the parts below; None where the run was not verified."""
     method: str
     time_m: float | None = None
-    """Part of the steps through time."""
+    """Part of the time steps."""
     space_m: float | None = None
     """Part of the mesh along the rod."""
     omitted_m: float | None = None
-    """Part of the effects that were left out by choice; those that the spec forbids
-    are none of it."""
+    """Part of the effects that were neglected by choice, without those that the spec forbids."""
 
 
 @dataclass(frozen=True)
 class Cost:
-    """What a run cost: wall seconds, and counts that no clock disturbs."""
+    """What a run cost: wall times [s], and counts that do not depend on the machine."""
 
     build_s: float = 0.0
     solve_s: float = 0.0
@@ -111,13 +110,13 @@ class Trajectory(MotionArrays):
     ambient_pressure: float = 101325.0
     """Absolute [Pa]."""
     proof: tuple[EffectAblation, ...] = ()
-    """What every effect changes, where that was asked for."""
+    """The measured change by every effect, if that was requested."""
     ladder: tuple[RetryAttempt, ...] = ()
-    """What was tried where a solver had come to a stop, in order."""
+    """Retries where a solver had stopped, in order."""
     settings: Mapping[str, Any] = field(default_factory=dict)
-    """What the solver chose: edges, tolerance, form of rod and network."""
+    """Settings of the solver: edges, tolerance, form of rod and network."""
     failure: str | None = None
-    """The message of what ended the run early."""
+    """Why the run ended early."""
 
     @property
     def sections(self) -> int:
@@ -166,11 +165,11 @@ class Trajectory(MotionArrays):
             "accuracy": asdict(self.accuracy),
             "cost": asdict(self.cost),
             "invariants": asdict(self.invariants),
-            "ladder": [plain(asdict(attempt)) for attempt in self.ladder],
+            "ladder": [json_ready(asdict(attempt)) for attempt in self.ladder],
             "settings": dict(self.settings),
             "warnings": notice_documents(self.warnings),
         }
-        return dict(plain(document))
+        return dict(json_ready(document))
 
     def frame(self, *quantities: str) -> pd.DataFrame:
         """Quantities against time, by their names; without any, `trajectory.csv`."""

@@ -16,7 +16,7 @@ import pytest
 
 from tests.studies import made_study
 from tests.unit.cli.conftest import CONFIGS, Call
-from viscodesign.cli.texts.accuracy_text import percentage, price_lines, seconds
+from viscodesign.cli.texts.accuracy_text import cost_lines, percentage, seconds
 from viscodesign.results.accuracy_study import AccuracyStudy
 
 QUICK = ("--set", "bellows.count=4", "--set", "effects={pressure_distribution: on, others: off}",
@@ -46,7 +46,7 @@ Given = Callable[[AccuracyStudy], list[dict[str, Any]]]
 def test_a_real_study_of_a_small_scene(call: Call, tmp_path: Path, leg: Path) -> None:
     outcome = call("accuracy", leg, *QUICK, "-o", tmp_path / "a", "--no-plots")
     assert outcome.status == 0
-    assert "for 0.5 % (asked for)" in outcome.out
+    assert "for 0.5 % (requested)" in outcome.out
     assert "recommended" in outcome.out
     assert {file.name for file in (tmp_path / "a").iterdir()} == {"accuracy.csv", "accuracy.json"}
     told = json.loads((tmp_path / "a" / "accuracy.json").read_text())
@@ -62,11 +62,11 @@ def test_prices_and_recommendation_in_words(
     assert outcome.status == 0
     assert asked[0]["limit"] == 60.0
     text = " ".join(outcome.out.split())
-    auto = "auto (distributed, inertial); idas, 1 edge a section"
+    auto = "auto (distributed, inertial); idas, 1 edge per section"
     assert f"for 1 % 12 ms {auto}, tolerance 3e-3" in text
     assert f"for 0.1 % 20 ms {auto}, tolerance 1e-4" in text
     assert f"recommended {auto}, tolerance 3e-3: 12 ms, error 0.4 %" in text
-    assert "to have it from Python: simulate(scene, tolerance=3e-3)" in text
+    assert "to use it from Python: simulate(scene, tolerance=3e-3)" in text
     assert f"simulate starts with {auto}, tolerance 1e-4: 20 ms, error 0.08 %" in text
     assert "the recommended one takes 40 % less time" in text
     assert "it stands still to 0.00067 mm, 0.00067 % of the length" in text
@@ -79,26 +79,26 @@ def test_prices_and_recommendation_in_words(
 def test_lines_fit_the_terminal(monkeypatch: pytest.MonkeyPatch, columns: str) -> None:
     monkeypatch.setenv("COLUMNS", columns)
     monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
-    lines = price_lines(made_study(), 0.005, Path("runs/leg"), [Path("accuracy.csv")])
+    lines = cost_lines(made_study(), 0.005, Path("runs/leg"), [Path("accuracy.csv")])
     assert all(len(line) <= int(columns) for line in lines)
 
 
 def test_a_bounded_error_and_an_error_not_reached_say_so() -> None:
-    text = "\n".join(price_lines(made_study(requested_rel=5e-5), None, Path("x"), []))
+    text = "\n".join(cost_lines(made_study(requested_rel=5e-5), None, Path("x"), []))
     assert "error <= 0.002 %" in text
     assert (
         "--set effects.feedback=on; from Python: viscodesign.simulation.solve_once.solve with"
         in text
     )
     assert "Settings(2, 1e-6, 'idas')" in text
-    text = "\n".join(price_lines(made_study(requested_rel=1e-6), None, Path("x"), []))
+    text = "\n".join(cost_lines(made_study(requested_rel=1e-6), None, Path("x"), []))
     assert "not reached in this study" in text
-    assert "none: no setting of this study reaches the 0.0001 % asked for" in text
+    assert "none: no setting in this study reaches the requested 0.0001 %" in text
 
 
 def test_many_notes_are_told_in_part() -> None:
     notes = tuple(f"note {k}" for k in range(9))
-    text = "\n".join(price_lines(made_study(notes=notes), None, Path("x"), []))
+    text = "\n".join(cost_lines(made_study(notes=notes), None, Path("x"), []))
     assert "note 4" in text
     assert "note 5" not in text
     assert "and 4 more in accuracy.json" in text
@@ -109,10 +109,10 @@ def test_many_notes_are_told_in_part() -> None:
     [
         (
             "20 ms",
-            "within 20 ms: auto (distributed, inertial); idas, 1 edge a section, tolerance 1e-4: 20 ms",
+            "within 20 ms: auto (distributed, inertial); idas, 1 edge per section, tolerance 1e-4: 20 ms",
         ),
         ("0.06", "within 60 ms: everything"),
-        ("100 us", "nothing solves within 0.1 ms: the cheapest setting takes 1 ms, IV"),
+        ("100 us", "no setting solves within 0.1 ms: the cheapest takes 1 ms, IV"),
     ],
 )
 def test_a_budget_names_the_most_accurate_setting(
@@ -131,8 +131,8 @@ def test_a_budget_names_the_most_accurate_setting(
     [
         ("20 mm", "'20 mm' is a length; expected a time, such as '20 ms'"),
         ("soon", "expected a time, such as '20 ms'"),
-        ("0 s", "'0 s' is not above zero"),
-        ("-1", "'-1' is not above zero"),
+        ("0 s", "must be above zero, such as '20 ms'; got '0 s'"),
+        ("-1", "must be above zero, such as '20 ms'; got '-1'"),
     ],
 )
 def test_a_time_that_is_none_is_refused_before_anything_else(
@@ -177,7 +177,7 @@ def test_an_interrupted_study_is_written_and_ends_with_130(
     given(made_study(status="interrupted"))
     outcome = call("accuracy", leg, "-o", tmp_path, "--no-plots")
     assert outcome.status == 130
-    assert "interrupted after 12 s and 7 points" in outcome.err
+    assert "interrupted after 12 s with 7 points measured" in outcome.err
     assert str(tmp_path) in outcome.err
     assert json.loads((tmp_path / "accuracy.json").read_text())["status"] == "interrupted"
 

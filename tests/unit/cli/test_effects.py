@@ -77,14 +77,14 @@ def test_a_new_effect_is_told_with_nothing_else_touched(call: Call) -> None:
     assert "validity A fluid at rest." in told
     assert "source Archimedes." in told
     assert "spec keys effects.buoyancy, ambient.density" in told
-    assert "Without gravity it is left out" in told
+    assert "Without gravity it is not applicable" in told
 
 
 @pytest.mark.usefixtures("with_buoyancy")
 def test_the_document_of_one(call: Call) -> None:
     document = json.loads(call("effects", "buoyancy", "--json").out)
     (told,) = document["effects"]
-    assert told.pop("decision").startswith("`effects.buoyancy: on` takes it")
+    assert told.pop("decision").startswith("`effects.buoyancy: on` includes it")
     assert told == {
         "name": "buoyancy",
         "summary": "The ambient fluid carries a part of the weight.",
@@ -111,7 +111,7 @@ def test_how_auto_decides_is_what_the_selection_says_of_itself(call: Call) -> No
     rule = words((select.__doc__ or "").split("\n\n")[1])
     assert rule in words(call("effects", "gravity").out)
     assert rule not in words(call("effects", "tip_load").out)
-    assert "wherever a spec states it" in words(call("effects", "tip_load").out)
+    assert "where a spec defines it" in words(call("effects", "tip_load").out)
 
 
 @pytest.mark.parametrize("json_words", [(), ("--json",)])
@@ -121,4 +121,4 @@ def test_an_unknown_name(call: Call, json_words: tuple[str, ...]) -> None:
     assert "gravty: no such effect; did you mean 'gravity'?" in outcome.err
     far = call("effects", "zzz")
     assert far.status == 2
-    assert far.err == "zzz: no such effect. `viscodesign effects` names them all\n"
+    assert far.err == "zzz: no such effect. `viscodesign effects` lists them\n"

@@ -117,8 +117,12 @@ def test_the_proof_is_asked_for_and_told(
     plain = call("simulate", leg, "-o", tmp_path, "--no-plots")
     proven = call("simulate", leg, "-o", tmp_path, "--no-plots", "--prove")
     assert asked == [False, True]
-    assert "proof:" not in plain.out
-    for words in ("proof: each effect switched", "MISSING", "--set effects.gravity=on"):
+    assert "measured effects:" not in plain.out
+    for words in (
+        "measured effects: each switched",
+        "NEGLECTED BUT SIGNIFICANT",
+        "--set effects.gravity=on",
+    ):
         assert words in proven.out
     assert len(json.loads((tmp_path / "summary.json").read_text())["proof"]) == len(ABLATIONS)
 
@@ -129,7 +133,7 @@ def test_the_proof_is_in_the_document_and_its_alarm_beside_it(
     solved(ablated_run())
     outcome = call("simulate", leg, "-o", tmp_path, "--no-plots", "--prove", "--json")
     assert [p["name"] for p in json.loads(outcome.out)["proof"]] == [p.name for p in ABLATIONS]
-    assert outcome.err.count("WARNING: gravity was left out") == 1
+    assert outcome.err.count("WARNING: gravity was neglected") == 1
     quiet = call("simulate", leg, "-o", tmp_path, "--no-plots", "--prove", "-q")
     assert (quiet.out, quiet.err) == ("", "")
 
@@ -138,7 +142,7 @@ def test_a_real_proof(call: Call, tmp_path: Path) -> None:
     spec = CONFIGS / "leg_4_air.yaml"
     outcome = call("simulate", spec, "-o", tmp_path, "--set", "run.duration=0.1 s", "--prove")
     assert outcome.status == 0
-    assert "pressure_distribution  taken" in outcome.out
+    assert "pressure_distribution  included" in outcome.out
     assert (tmp_path / "effects.png").exists()
 
 

@@ -1,4 +1,4 @@
-"""What points of error and time say: the front, the prices, the recommendation."""
+"""What points of error and time say: the front, the costs, the recommendation."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_along_the_front_time_rises_and_error_falls(pairs: list[tuple[int, int]]
     assert all(a > b for a, b in itertools.pairwise(errors))
 
 
-def test_the_price_of_an_error_is_its_cheapest_setting() -> None:
+def test_the_cost_of_an_error_is_its_cheapest_setting() -> None:
     study = made_study()
     assert study.errors == (0.01, 0.005, 0.001, 0.0001)
     assert [p and p.solve_s for p in map(study.cheapest, study.errors)] == [
@@ -70,9 +70,9 @@ def test_other_effects_than_those_taken_are_told_as_changes() -> None:
 
 def test_a_setting_in_words() -> None:
     study = made_study()
-    assert study.words(study.points[0]) == "IV (uniform, quasi-static); no steps, arcs"
+    assert study.words(study.points[0]) == "IV (uniform, quasi-static); no time steps, exact arcs"
     assert study.words(study.points[4]) == (
-        "auto (distributed, inertial); idas, 2 edges a section, tolerance 1e-4"
+        "auto (distributed, inertial); idas, 2 edges per section, tolerance 1e-4"
     )
 
 

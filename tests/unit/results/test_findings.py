@@ -14,7 +14,7 @@ from viscodesign.results.findings import (
     Verdict,
     check_document,
     classification_document,
-    plain,
+    json_ready,
 )
 
 
@@ -61,5 +61,5 @@ def test_a_check_and_a_classification_use_the_same_names() -> None:
 
 def test_numbers_of_numpy_are_plain() -> None:
     given = {"a": np.float64(math.inf), "b": np.bool_(True), "c": np.int64(3), "d": np.arange(2)}
-    assert plain(given) == {"a": None, "b": True, "c": 3, "d": [0, 1]}
-    assert plain(given)["b"] is True
+    assert json_ready(given) == {"a": None, "b": True, "c": 3, "d": [0, 1]}
+    assert json_ready(given)["b"] is True

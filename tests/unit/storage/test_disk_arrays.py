@@ -1,4 +1,4 @@
-"""Tables that go to the disk are what they were in memory, and leave nothing behind."""
+"""Arrays that go to disk are what they were in memory, and leave nothing behind."""
 
 from __future__ import annotations
 

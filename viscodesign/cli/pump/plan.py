@@ -72,7 +72,7 @@ def command(
 def _end(plan: PumpPlan, folder: Path) -> None:
     """A plan that fails is an error, after its files are written."""
     if plan.status != "complete":
-        raise RunFailedError(f"{plan.failure}\nwhat was computed is in {folder}")
+        raise RunFailedError(f"{plan.failure}\npartial results are in {folder}")
     if not plan.is_feasible:
         names = dict.fromkeys(v.name for v in plan.verdicts if v.severity == "infeasible")
         raise InfeasiblePlanError(

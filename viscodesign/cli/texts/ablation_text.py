@@ -1,4 +1,4 @@
-"""What a proof says of the effects: estimates beside measurements, and what to do."""
+"""Measured effects as lines of text: estimate, measurement, and what to do."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from viscodesign.cli.texts.layout import number, table, wrap
 from viscodesign.results.findings import EffectAblation
 from viscodesign.results.trajectory import Trajectory
 
-NOTABLE = 0.1
-"""Part of the error asked for below which nobody minds how good an estimate is."""
-FAR_OFF = 3.0
-"""Ratio of measurement and estimate from which the estimate is called wrong."""
+NOTABLE_SHARE = 0.1
+"""Share of the requested error below which the quality of an estimate does not matter."""
+WRONG_RATIO = 3.0
+"""Ratio of measurement and estimate beyond which the estimate is called wrong."""
 
 
 def ablation_lines(trajectory: Trajectory) -> list[str]:
-    """A table of the effects, what the omitted ones spend together, and what is amiss."""
+    """A table of the effects, the sum of the neglected ones, and warnings."""
     if not trajectory.proof:
-        return wrap("proof: none; every effect is switched only after a run is complete")
+        return wrap("measured effects: none; effects are switched only after a complete run")
     budget = trajectory.accuracy.requested_m
-    rows = [("effect", "verdict", "estimated", "measured", "of budget", "says")]
+    rows = [("effect", "verdict", "estimated", "measured", "of budget", "result")]
     for ablation in trajectory.proof:
         part = "unknown" if ablation.measured_m is None else share(ablation.measured_m / budget)
         rows.append((
@@ -29,15 +29,15 @@ def ablation_lines(trajectory: Trajectory) -> list[str]:
             part, _meaning(ablation, budget),
         ))  # fmt: skip
     caption = (
-        f"proof: each effect switched, solved again, the tips compared; the budget, "
-        f"the error asked for, is {number(1e3 * budget, 'mm')}"
+        f"measured effects: each switched in turn, solved again and the tips compared; "
+        f"the budget is the requested error, {number(1e3 * budget, 'mm')}"
     )
-    alarms = alarm_lines(trajectory)
+    warnings = wrongly_neglected_lines(trajectory)
     return [
         *wrap(caption, hanging="  "),
         *table(rows),
         *wrap(_together(trajectory), "  ", "    "),
-        *(["", *alarms] if alarms else []),
+        *(["", *warnings] if warnings else []),
     ]
 
 
@@ -47,62 +47,62 @@ def _mm(length: float | None) -> str:
     return f"{millimetres(length)} mm"
 
 
-def alarm_lines(trajectory: Trajectory) -> list[str]:
-    """Every omitted effect that a proof found to move the tip beyond the error asked for."""
+def wrongly_neglected_lines(trajectory: Trajectory) -> list[str]:
+    """A warning for every neglected effect that moves the tip beyond the requested error."""
     budget = trajectory.accuracy.requested_m
     modes = {verdict.name: verdict.mode for verdict in trajectory.effects}
     lines: list[str] = []
     for ablation in trajectory.proof:
-        if _is_missing(ablation, budget):
-            lines += wrap(_alarm(ablation, budget, modes), hanging="  ")
+        if _is_neglected_wrongly(ablation, budget):
+            lines += wrap(_warning(ablation, budget, modes), hanging="  ")
     return lines
 
 
-def _is_missing(ablation: EffectAblation, budget: float) -> bool:
+def _is_neglected_wrongly(ablation: EffectAblation, budget: float) -> bool:
     return not ablation.taken and ablation.measured_m is not None and ablation.measured_m > budget
 
 
-def _alarm(ablation: EffectAblation, budget: float, modes: Mapping[str, str]) -> str:
+def _warning(ablation: EffectAblation, budget: float, modes: Mapping[str, str]) -> str:
     spec = modes.get(ablation.name) == "off"
-    why = "as the spec says" if spec else "by the estimate"
+    why = "as set in the spec" if spec else "by the estimate"
     return (
-        f"WARNING: {ablation.name} was left out {why}, but moves the tip by "
+        f"WARNING: {ablation.name} was neglected {why}, but moves the tip by "
         f"{_mm(ablation.measured_m)}, {share((ablation.measured_m or 0.0) / budget)} of the "
-        f"error asked for. Take it: --set effects.{ablation.name}=on"
+        f"requested error. Include it: --set effects.{ablation.name}=on"
     )
 
 
 def _meaning(ablation: EffectAblation, budget: float) -> str:
-    """In a word or two what the measurement says of the decision."""
+    """What the measurement says about the decision, in a word or two."""
     if ablation.measured_m is None:
         return f"not measured: {ablation.note}" if ablation.note else "not measured"
-    if _is_missing(ablation, budget):
-        word = "MISSING"
+    if _is_neglected_wrongly(ablation, budget):
+        word = "NEGLECTED BUT SIGNIFICANT"
     elif ablation.measured_m == 0.0:
         word = "no change"
     elif ablation.taken:
-        word = "needed" if ablation.measured_m > budget else "small"
+        word = "significant" if ablation.measured_m > budget else "minor"
     else:
-        word = "spent"
+        word = "within budget"
     return "; ".join(part for part in (word, _quality(ablation, budget), ablation.note) if part)
 
 
 def _quality(ablation: EffectAblation, budget: float) -> str:
-    """What the estimate is worth, where it is far from a measurement that matters."""
+    """Whether the estimate is far from a measurement that matters."""
     measured, estimated = ablation.measured_m or 0.0, ablation.estimated_m
-    if max(measured, estimated) < NOTABLE * budget or not math.isfinite(estimated):
+    if max(measured, estimated) < NOTABLE_SHARE * budget or not math.isfinite(estimated):
         return ""
-    if measured > FAR_OFF * estimated:
-        return "estimate too small"
-    return "estimate too large" if estimated > FAR_OFF * measured else ""
+    if measured > WRONG_RATIO * estimated:
+        return "underestimated"
+    return "overestimated" if estimated > WRONG_RATIO * measured else ""
 
 
 def _together(trajectory: Trajectory) -> str:
-    """What all omissions may do to the tip at most: the sum of what each does alone."""
-    spent = [p.measured_m for p in trajectory.proof if not p.taken and p.measured_m is not None]
-    total = sum(spent)
+    """An upper bound of all that is neglected: the sum of what each effect does alone."""
+    neglected = [p.measured_m for p in trajectory.proof if not p.taken and p.measured_m is not None]
+    total = sum(neglected)
     part = share(total / trajectory.accuracy.requested_m)
     return (
-        f"those left out add up to {_mm(total)}, {part} of the budget "
-        f"({len(spent)} measured, one at a time)"
+        f"the neglected effects add up to {_mm(total)}, {part} of the budget "
+        f"({len(neglected)} measured, one at a time)"
     )

@@ -1,4 +1,4 @@
-"""What a study of accuracy says: the price of each error, and what to take."""
+"""An accuracy study as lines of text: the cost of each error, and the setting to use."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from viscodesign.cli.texts.layout import number, table, wrap
 from viscodesign.results.accuracy_study import AccuracyStudy, Point, tolerance_words
 
 MOST_NOTES = 5
-NOTABLE = 0.1
-"""Part of a time below which a difference is the clock's."""
+NOTABLE_SHARE = 0.1
+"""Share of a time below which a difference is timing noise."""
 
 
-def price_lines(
+def cost_lines(
     study: AccuracyStudy, budget_s: float | None, folder: Path, files: Sequence[Path]
 ) -> list[str]:
-    """Prices, recommendation, reference and what was not measured."""
+    """Costs, recommendation, reference and what was not measured."""
     rows = [
         *([("recommended", _recommended(study))] if study.points else []),
-        *([("to have it", having)] if (having := _having(study)) else []),
+        *([("to use it", usage)] if (usage := _usage(study)) else []),
         ("simulate", _simulate(study)),
         *([("budget", _budget(study, budget_s))] if budget_s is not None else []),
         ("reference", _reference(study)),
@@ -27,21 +27,21 @@ def price_lines(
         ("files", f"{folder}: {', '.join(file.name for file in files)}"),
     ]
     caption = (
-        f"{study.name}: time to solve for an error at the tip, in parts of the length "
+        f"{study.name}: solve time for a given tip error, relative to the actuator length "
         f"({number(1e3 * study.length, 'mm')})"
     )
     return [
         *wrap(caption, hanging="  "),
-        *table([_price(study, error) for error in study.errors]),
+        *table([_cost(study, error) for error in study.errors]),
         "",
         *table(rows),
         *_note_lines(study),
     ]
 
 
-def _price(study: AccuracyStudy, error: float) -> tuple[str, str, str]:
-    asked = " (asked for)" if error == study.requested_rel else ""
-    head = f"for {percentage(error)}{asked}"
+def _cost(study: AccuracyStudy, error: float) -> tuple[str, str, str]:
+    mark = " (requested)" if error == study.requested_rel else ""
+    head = f"for {percentage(error)}{mark}"
     point = study.cheapest(error)
     if point is None:
         return head, "", "not reached in this study"
@@ -52,14 +52,14 @@ def _recommended(study: AccuracyStudy) -> str:
     point = study.recommended
     if point is None:
         return (
-            f"none: no setting of this study reaches the {percentage(study.requested_rel)} asked "
-            f"for; the best has {_error(_best(study))}"
+            f"none: no setting in this study reaches the requested "
+            f"{percentage(study.requested_rel)}; the best has {_error(_best(study))}"
         )
     return f"{study.words(point)}: {seconds(point.solve_s)}, {_error(point)}"
 
 
-def _having(study: AccuracyStudy) -> str:
-    """How to have the recommended setting, where `simulate` would not start with it."""
+def _usage(study: AccuracyStudy) -> str:
+    """How to use the recommended setting, if `simulate` would not start with it."""
     best, start = study.recommended, study.start
     if best is None or start is None or best == start:
         return ""
@@ -78,15 +78,15 @@ def _having(study: AccuracyStudy) -> str:
 def _simulate(study: AccuracyStudy) -> str:
     point = study.start
     if point is None:
-        return "what it starts with was not measured"
+        return "its initial setting was not measured"
     said = f"starts with {study.words(point)}: {seconds(point.solve_s)}, {_error(point)}"
     best = study.recommended
     if best is None or best == point:
         return said
     saved = 1 - best.solve_s / point.solve_s
-    if saved < NOTABLE:
-        return f"{said}; the recommended one is hardly faster"
-    return f"{said}; the recommended one takes {100 * saved:.0f} % less time"
+    if saved < NOTABLE_SHARE:
+        return f"{said}; the recommended setting is not noticeably faster"
+    return f"{said}; the recommended setting takes {100 * saved:.0f} % less time"
 
 
 def _budget(study: AccuracyStudy, budget_s: float) -> str:
@@ -96,7 +96,7 @@ def _budget(study: AccuracyStudy, budget_s: float) -> str:
     if point is None:
         cheapest = min(study.points, key=lambda point: point.solve_s)
         return (
-            f"nothing solves within {seconds(budget_s)}: the cheapest setting takes "
+            f"no setting solves within {seconds(budget_s)}: the cheapest takes "
             f"{seconds(cheapest.solve_s)}, {study.words(cheapest)}, {_error(cheapest)}"
         )
     return (
@@ -108,12 +108,12 @@ def _budget(study: AccuracyStudy, budget_s: float) -> str:
 def _reference(study: AccuracyStudy) -> str:
     found = study.reference
     if found is None:
-        return "none: interrupted before there was one"
-    edges = f"{found.edges} edge{'s' * (found.edges != 1)} a section"
+        return "none: interrupted before it was solved"
+    edges = f"{found.edges} edge{'s' * (found.edges != 1)} per section"
     return (
-        f"all that the spec allows; {found.solver}, {edges}, tolerance "
+        f"every effect that the spec allows; {found.solver}, {edges}, tolerance "
         f"{tolerance_words(found.tolerance)}; "
-        f"it stands still to {number(1e3 * found.convergence_m, 'mm')}, "
+        f"converged to {number(1e3 * found.convergence_m, 'mm')}, "
         f"{percentage(found.convergence_rel)} of the length"
     )
 
@@ -138,7 +138,7 @@ def _error(point: Point) -> str:
 
 
 def percentage(part: float) -> str:
-    """A part in percent, to two digits, never in powers of ten above a millionth."""
+    """A share in percent, to two digits; in powers of ten below a millionth."""
     value = 100 * part
     return (
         f"{float(f'{value:.2g}'):.10f}".rstrip("0").rstrip(".") + " %"

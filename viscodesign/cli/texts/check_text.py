@@ -1,4 +1,4 @@
-"""A scene's timescales, verdicts and warnings as lines for people."""
+"""A scene's timescales, verdicts and warnings, as lines of text."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from viscodesign.results.findings import Classification, EffectAblation, Notice,
 TIMES = {
     "t_s": "elastic-inertial time of the solid",
     "t_f": "viscous-elastic time of the fluid",
-    "t_i": "shortest swing of the inlet pressure",
+    "t_i": "shortest transient of the inlet pressure",
     "t_net": "slowest time constant of the network",
 }
 RATIOS = {
-    "ts_over_tf": ("t_s/t_f", "above 1: uniform pressure; below: a distribution"),
-    "ts_over_ti": ("t_s/t_i", "above 1: the solid's inertia matters; below: quasi-static"),
-    "tnet_over_ti": ("t_net/t_i", "far above 1: the far bellows never move; far below: uniform"),
+    "ts_over_tf": ("t_s/t_f", "above 1: uniform pressure; below 1: distributed pressure"),
+    "ts_over_ti": ("t_s/t_i", "above 1: solid inertia matters; below 1: quasi-static"),
+    "tnet_over_ti": ("t_net/t_i", "far above 1: distal bellows hardly respond; far below: uniform"),
 }
 
 SMALLEST_MM = 1e-6
 SMALLEST_PERCENT = 0.001
 LARGEST_PERCENT = 1000
-"""Beyond them a number is told by its bound."""
+"""Numbers beyond these are printed as bounds."""
 
 
 def quadrant_lines(found: Classification) -> list[str]:
-    """The verdict of Figure 1's plane in one paragraph."""
+    """The quadrant of the paper's Figure 1, in one paragraph."""
     return wrap(f"{found.name}: quadrant {found.quadrant}, {found.meaning}", hanging="  ")
 
 
 def scale_lines(found: Classification) -> list[str]:
-    """Times and ratios, one a line, with what they say."""
+    """Times and ratios, one per line, with their meaning."""
     scales = found.scales
     seconds = {"t_s": scales.t_s, "t_f": scales.t_f, "t_i": scales.t_i, "t_net": scales.t_net}
     rows = [(name, number(seconds[name], "s"), meaning) for name, meaning in TIMES.items()]
@@ -43,18 +43,20 @@ def scale_lines(found: Classification) -> list[str]:
 
 
 def verdict_lines(effects: Sequence[Verdict]) -> list[str]:
-    """A table of the decisions, one effect a line; then every reason.
+    """A table of the decisions, one effect per line; then every reason.
 
-    Taken ones come first, those that do nothing to the tip last.
+    Included effects come first, those that do not move the tip last.
     """
-    told = sorted(effects, key=lambda v: (not v.taken, v.contribution_m == 0.0))
+    ordered = sorted(effects, key=lambda v: (not v.taken, v.contribution_m == 0.0))
     rows = [("effect", "verdict", "mode", "tip [mm]", "of budget", "weight")]
     rows += [
         (v.name, decision(v), v.mode, millimetres(v.contribution_m), share(v.budget_share),
-         number(v.weight)) for v in told
+         number(v.weight)) for v in ordered
     ]  # fmt: skip
-    caption = "effects: how far each alone moves the tip, also in parts of the error asked for"
-    return [*wrap(caption, hanging="  "), *table(rows), "", "why", *_reason_lines(told)]
+    caption = (
+        "effects: tip displacement of each effect alone, also as a share of the requested error"
+    )
+    return [*wrap(caption, hanging="  "), *table(rows), "", "reasons", *_reason_lines(ordered)]
 
 
 def _reason_lines(effects: Sequence[Verdict]) -> list[str]:
@@ -66,10 +68,10 @@ def _reason_lines(effects: Sequence[Verdict]) -> list[str]:
 
 
 def decision(found: Verdict | EffectAblation) -> str:
-    """Whether a run has the effect."""
+    """What was decided about an effect."""
     if isinstance(found, Verdict) and not found.present:
-        return "absent"
-    return "taken" if found.taken else "left out"
+        return "not applicable"
+    return "included" if found.taken else "neglected"
 
 
 def millimetres(length: float) -> str:
@@ -80,9 +82,9 @@ def millimetres(length: float) -> str:
 
 
 def share(part: float) -> str:
-    """A part of the error asked for in percent, as far as a percentage says something."""
+    """A share of the requested error in percent; bounds where a percentage means little."""
     if math.isinf(part):
-        return "needed"
+        return "required"
     percentage = 100 * part
     if percentage > LARGEST_PERCENT:
         return f"> {LARGEST_PERCENT} %"
@@ -92,7 +94,7 @@ def share(part: float) -> str:
 
 
 def notice_lines(notices: Iterable[Notice]) -> list[str]:
-    """Every code once, as a run may warn at many places and times; then how many more."""
+    """One line per code, since a run may warn at many places and times; then how many more."""
     first: dict[str, Notice] = {}
     count: dict[str, int] = {}
     for notice in notices:
@@ -105,13 +107,13 @@ def notice_lines(notices: Iterable[Notice]) -> list[str]:
 
 
 def full_notice_lines(notices: Iterable[Notice]) -> list[str]:
-    """Every notice in full: before a run there are few, and each says something else."""
+    """Every notice in full: before a run there are few, and each is different."""
     texts = dict.fromkeys(f"{notice.code}: {notice_text(notice)}" for notice in notices)
     return [line for text in texts for line in wrap(text, "  ", "    ")]
 
 
 def notice_text(notice: Notice) -> str:
-    """A notice's message, with place and time where it has them."""
+    """A notice's message, with its place and time if it has them."""
     instant = f"t = {notice.time_s:.4g} s" if notice.time_s is not None else ""
     spot = ", ".join(part for part in (notice.where, instant) if part)
     return f"{notice.message} ({spot})" if spot else notice.message

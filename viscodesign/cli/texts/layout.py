@@ -1,4 +1,8 @@
-"""Plain text laid out for a terminal, or unwrapped for a pipe."""
+"""Plain text laid out for a terminal, or unwrapped for a pipe.
+
+Not by rich: it costs 0.04 s of every command, cuts or folds words of the first columns on a
+narrow terminal, and needs a width in a pipe, where a row has to stay one line.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +17,7 @@ WIDEST = 110
 
 
 def width() -> int | None:
-    """Columns to wrap at; None in a pipe, where a line stays a line."""
+    """Columns to wrap at; None in a pipe, where lines are not wrapped."""
     if not sys.stdout.isatty():
         return None
     return min(max(shutil.get_terminal_size().columns, NARROWEST), WIDEST)

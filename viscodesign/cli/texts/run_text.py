@@ -1,4 +1,4 @@
-"""What a person wants to know of a run, before looking at its pictures."""
+"""The outcome of a run, as lines of text."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from viscodesign.storage.disk_arrays import extremes
 
 
 def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -> list[str]:
-    """Status, times, where the tip went and how surely, effects, warnings, files."""
+    """Status, timescales, range and error of the tip, effects, warnings, files."""
     warnings = notice_lines(trajectory.warnings)
     rows = [
-        ("run", _course(trajectory)),
+        ("run", _progress(trajectory)),
         ("timescales", _times(trajectory)),
         ("tip", _tip_extents(trajectory)),
         ("tip error", _tip_error(trajectory)),
-        ("made of", _error_parts(trajectory)),
-        *(("ladder", _rung(rung)) for rung in trajectory.ladder[:MOST_RUNGS]),
-        ("effects", ", ".join(v.name for v in trajectory.effects if v.taken) or "none"),
-        ("left out", ", ".join(v.name for v in trajectory.effects if not v.taken) or "none"),
+        ("error breakdown", _error_parts(trajectory)),
+        *(("retry", _retry(attempt)) for attempt in trajectory.ladder[:MOST_RETRIES]),
+        ("included", ", ".join(v.name for v in trajectory.effects if v.taken) or "none"),
+        ("neglected", ", ".join(v.name for v in trajectory.effects if not v.taken) or "none"),
         ("files", f"{folder}: {', '.join(file.name for file in files)}"),
     ]
     return [
@@ -34,23 +34,22 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
     ]
 
 
-MOST_RUNGS = 6
-"""Attempts that are told; all of them are in `summary.json`."""
+MOST_RETRIES = 6
+"""Retries that are printed; all of them are in `summary.json`."""
 
 
-def _rung(rung: RetryAttempt) -> str:
-    """One attempt where a solver had stopped."""
-    ended = "it went on" if rung.solved else "in vain"
-    return f"at {number(rung.time_s, 's')}: {rung.tried}, {ended}"
+def _retry(attempt: RetryAttempt) -> str:
+    ended = "succeeded" if attempt.solved else "failed"
+    return f"at {number(attempt.time_s, 's')}: {attempt.tried}, {ended}"
 
 
-def _course(trajectory: Trajectory) -> str:
+def _progress(trajectory: Trajectory) -> str:
     cost = trajectory.cost
     reached = float(trajectory.time[-1]) if trajectory.time.size else 0.0
     wall = cost.build_s + cost.solve_s + cost.verify_s
     return (
         f"{trajectory.status}: {number(reached, 's')} of motion "
-        f"in {number(wall, 's')} and {cost.steps} steps"
+        f"in {number(wall, 's')}, {cost.steps} steps"
     )
 
 
@@ -62,7 +61,7 @@ def _times(trajectory: Trajectory) -> str:
 
 def _tip_extents(trajectory: Trajectory) -> str:
     if not trajectory.time.size:
-        return "nothing computed"
+        return "no output"
     low, high = extremes(trajectory.tip)
     return (
         f"x {1e3 * low[0]:.1f} to {1e3 * high[0]:.1f} mm, "
@@ -73,24 +72,24 @@ def _tip_extents(trajectory: Trajectory) -> str:
 
 def _tip_error(trajectory: Trajectory) -> str:
     accuracy, length = trajectory.accuracy, trajectory.length
-    asked = (
-        f"asked for {number(1e3 * accuracy.requested_m, 'mm')}, "
+    requested = (
+        f"requested {number(1e3 * accuracy.requested_m, 'mm')}, "
         f"{percent(accuracy.requested_m, length)}"
     )
     error = accuracy.estimated_tip_error_m
     if error is None:
-        return f"{accuracy.method} ({asked})"
-    return f"{number(1e3 * error, 'mm')}, {percent(error, length)} of the length ({asked})"
+        return f"{accuracy.method} ({requested})"
+    return f"{number(1e3 * error, 'mm')}, {percent(error, length)} of the length ({requested})"
 
 
 def _error_parts(trajectory: Trajectory) -> str:
-    """What the error is made of, and what it cost to know it."""
+    """The parts of the error, and how long it took to estimate it."""
     accuracy, cost = trajectory.accuracy, trajectory.cost
     parts = (
         ("time", accuracy.time_m),
         ("space", accuracy.space_m),
         ("omitted effects", accuracy.omitted_m),
     )
-    told = [f"{name} {number(1e3 * size, 'mm')}" for name, size in parts if size is not None]
-    price = [f"known after {number(cost.verify_s, 's')} more"] if cost.verify_s else []
-    return "; ".join([", ".join(told), *price])
+    known = [f"{name} {number(1e3 * size, 'mm')}" for name, size in parts if size is not None]
+    price = [f"estimating it took {number(cost.verify_s, 's')}"] if cost.verify_s else []
+    return "; ".join([", ".join(known), *price])

@@ -11,7 +11,7 @@ import numpy as np
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import PLAN_FILES
-from viscodesign.results.findings import notice_documents, plain
+from viscodesign.results.findings import json_ready, notice_documents
 
 QUANTITIES = {
     "pressure_pa": "pressure",
@@ -100,4 +100,4 @@ def plan_document(plan: PumpPlan) -> dict[str, Any]:
         "effects": [v.name for v in plan.wanted_run.effects if v.taken],
         "warnings": notice_documents(plan.warnings),
     }
-    return dict(plain(document))
+    return dict(json_ready(document))

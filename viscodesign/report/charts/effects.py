@@ -1,4 +1,4 @@
-"""`effects.png`: how far every effect moves the tip, estimated and measured."""
+"""`effects.png`: the tip displacement of every effect, estimated and measured."""
 
 from __future__ import annotations
 
@@ -35,36 +35,36 @@ LEFT, BOTTOM, PLOT_WIDTH, RIGHT = 2.05, 0.5, 4.6, 0.3
 WIDTH = LEFT + PLOT_WIDTH + RIGHT
 ROW, LEGEND = 0.36, 0.5
 NUMBER = 0.75
-"""Room to the right of the longest bar, for its number; all in inches."""
+"""Space to the right of the longest bar, for its number; all in inches."""
 BAR = 0.36
-"""Thickness of a bar, of its row."""
+"""Thickness of a bar, as a share of its row."""
 MEASURED, ESTIMATED = to_hex(SEQUENTIAL(0.25)), FAINT
 HATCH = "/////"
 LINE: Any = {"color": ACCENT, "lw": 1.4, "ls": (0, (5, 2))}
 DEEPEST = 1e-5
-"""Smallest move with a bar of its own, of the error asked for; below it there is none."""
+"""Smallest displacement that is drawn as a bar, as a share of the requested error."""
 
 
 @dataclass(frozen=True)
-class Row:
-    """One effect; moves in mm, None where there is no number."""
+class EffectRow:
+    """One effect; displacements in mm, None where there is no number."""
 
     name: str
     taken: bool
     estimated: float | None
     measured: float | None
     note: str = ""
-    """What stands in place of a measurement."""
+    """What is written in place of a measurement."""
 
     @property
     def size(self) -> tuple[float, float]:
-        """What it is sorted by: measured where that is known."""
+        """The sort key: measured if that is known, else estimated."""
         known = self.estimated if self.measured is None else self.measured
         return known or 0.0, self.estimated or 0.0
 
 
 def draw_effects(trajectory: Trajectory, path: Path) -> None:
-    """A row for each effect, the largest move on top; the error asked for as a line."""
+    """One row per effect, the largest displacement on top; the requested error as a line."""
     rows = effect_rows(trajectory)
     budget = 1e3 * trajectory.accuracy.requested_m
     height = ROW * len(rows)
@@ -72,7 +72,7 @@ def draw_effects(trajectory: Trajectory, path: Path) -> None:
         axes = axes_at(made, LEFT, BOTTOM, PLOT_WIDTH, height)
         limits = _limits(rows, budget)
         axes.set(xscale="log", xlim=limits, ylim=(len(rows) - 0.5, -0.5))
-        axes.set_xlabel("how far the tip moves when this effect alone is switched [mm]")
+        axes.set_xlabel("tip displacement when only this effect is switched [mm]")
         axes.xaxis.set_major_locator(LogLocator(numticks=9))
         axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
         axes.xaxis.set_minor_locator(NullLocator())
@@ -83,11 +83,11 @@ def draw_effects(trajectory: Trajectory, path: Path) -> None:
             _draw_row(axes, k, row, limits[0])
         _draw_names(axes, rows, budget)
         _draw_legend(made, budget, BOTTOM + height)
-        head(made, trajectory, "what the effects do", 0.1)
+        head(made, trajectory, "tip displacement by effect", 0.1)
 
 
-def effect_rows(trajectory: Trajectory) -> list[Row]:
-    """One for each effect of the catalogue, by size; what a scene has not comes last."""
+def effect_rows(trajectory: Trajectory) -> list[EffectRow]:
+    """One row per effect, by size; effects that are not applicable come last."""
     ablations = {ablation.name: ablation for ablation in trajectory.proof}
     rows = []
     for verdict in trajectory.effects:
@@ -95,26 +95,26 @@ def effect_rows(trajectory: Trajectory) -> list[Row]:
         if ablation is None:
             move = 1e3 * verdict.contribution_m
             note = "not measured" if move else ""
-            rows.append(Row(verdict.name, verdict.taken, move, None, note))
+            rows.append(EffectRow(verdict.name, verdict.taken, move, None, note))
         else:
             measured = None if ablation.measured_m is None else 1e3 * ablation.measured_m
             note = "no solution without it" if ablation.taken else "no solution with it"
             told = note if measured is None else ""
             rows.append(
-                Row(ablation.name, ablation.taken, 1e3 * ablation.estimated_m, measured, told)
+                EffectRow(ablation.name, ablation.taken, 1e3 * ablation.estimated_m, measured, told)
             )
     return sorted(rows, key=lambda row: row.size, reverse=True)
 
 
-def _limits(rows: Iterable[Row], budget: float) -> tuple[float, float]:
-    """Powers of ten about all bars and the error asked for."""
+def _limits(rows: Iterable[EffectRow], budget: float) -> tuple[float, float]:
+    """Limits of the axis, around all bars and the requested error."""
     moves = [m for row in rows for m in (row.estimated, row.measured) if m and math.isfinite(m)]
     seen = [budget, *(m for m in moves if m > DEEPEST * budget)]
     low = 10.0 ** math.floor(math.log10(0.5 * min(seen)))
     return low, low * (max(seen) / low) ** (PLOT_WIDTH / (PLOT_WIDTH - NUMBER))
 
 
-def _draw_row(axes: Axes, k: int, row: Row, low: float) -> None:
+def _draw_row(axes: Axes, k: int, row: EffectRow, low: float) -> None:
     if not row.estimated and not row.measured and not row.note:
         _write(axes, low, k, "none")
         return
@@ -125,7 +125,7 @@ def _draw_row(axes: Axes, k: int, row: Row, low: float) -> None:
 def _draw_bar(
     axes: Axes, y: float, move: float | None, taken: bool, colour: str, note: str
 ) -> None:
-    """A bar from the axis on, full or hatched; its number behind its end."""
+    """A filled or hatched bar, with its number at its end."""
     low, high = axes.get_xlim()
     if move is None or move <= low:
         words = note if move is None else f"{move:.2g}" if move else "none"
@@ -137,7 +137,7 @@ def _draw_bar(
         {"color": colour} if taken else {"facecolor": "white", "edgecolor": edge, "hatch": HATCH}
     )
     axes.barh(y, end - low, BAR, left=low, zorder=3, linewidth=0.8, **style)
-    _write(axes, end, y, f"{move:.3g}" if math.isfinite(move) else "without limit")
+    _write(axes, end, y, f"{move:.3g}" if math.isfinite(move) else "unbounded")
 
 
 def _write(axes: Axes, x: float, y: float, words: str) -> None:
@@ -148,17 +148,23 @@ def _write(axes: Axes, x: float, y: float, words: str) -> None:
     )  # fmt: skip
 
 
-def _draw_names(axes: Axes, rows: list[Row], budget: float) -> None:
-    """Name and decision; a wrong one stands out."""
-    missing = [not row.taken and (row.measured or 0.0) > budget for row in rows]
+def _draw_names(axes: Axes, rows: list[EffectRow], budget: float) -> None:
+    """Name and decision; a wrong decision stands out."""
+    wrongly = [not row.taken and (row.measured or 0.0) > budget for row in rows]
     words = [
-        f"{shown(row.name, 24)}\n{'taken' if row.taken else 'left out'}{', MISSING' * wrong}"
-        for row, wrong in zip(rows, missing, strict=True)
+        f"{shown(row.name, 24)}\n{_decision(row, wrong)}"
+        for row, wrong in zip(rows, wrongly, strict=True)
     ]
     axes.set_yticks(range(len(rows)), words, fontsize=7.5, linespacing=1.0)
     axes.tick_params(axis="y", length=0)
-    for label, wrong in zip(axes.get_yticklabels(), missing, strict=True):
+    for label, wrong in zip(axes.get_yticklabels(), wrongly, strict=True):
         label.set(weight="bold" if wrong else "normal", color=ACCENT if wrong else INK)
+
+
+def _decision(row: EffectRow, wrong: bool) -> str:
+    if wrong:
+        return "NEGLECTED BUT SIGNIFICANT"
+    return "included" if row.taken else "neglected"
 
 
 def _draw_legend(made: Figure, budget: float, top: float) -> None:
@@ -166,9 +172,9 @@ def _draw_legend(made: Figure, budget: float, top: float) -> None:
     handles = [
         Patch(facecolor=MEASURED, label="measured"),
         Patch(facecolor=ESTIMATED, label="estimated"),
-        Patch(facecolor=INK, label="taken: full"),
-        Patch(facecolor="white", edgecolor=INK, hatch=HATCH, label="left out: hatched"),
-        Line2D([], [], **LINE, label=f"error asked for: {budget:.3g} mm"),
+        Patch(facecolor=INK, label="included: filled"),
+        Patch(facecolor="white", edgecolor=INK, hatch=HATCH, label="neglected: hatched"),
+        Line2D([], [], **LINE, label=f"requested error: {budget:.3g} mm"),
     ]
     made.legend(
         handles=handles, loc="lower left", ncols=3, borderaxespad=0, columnspacing=1.4,

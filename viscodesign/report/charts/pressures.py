@@ -39,7 +39,7 @@ PANEL_TITLE = 0.22
 LEGEND_ROW = 0.2
 """All in inches."""
 DISCRETE = 16
-"""Up to so many sections each has its own field in the colour bar."""
+"""Up to this number of sections, each has its own field in the colour bar."""
 
 
 def draw_pressures(trajectory: Trajectory, path: Path) -> None:
@@ -63,7 +63,7 @@ def draw_pressures(trajectory: Trajectory, path: Path) -> None:
         right.tick_params(labelleft=False)
         _draw_legend(made, right)
         _draw_bar(made, trajectory, norm)
-        head(made, trajectory, "pressures", LEFT)
+        head(made, trajectory, "gauge pressures", LEFT)
 
 
 def _section_colours(sections: int) -> Normalize:
@@ -75,7 +75,7 @@ def _section_colours(sections: int) -> Normalize:
 def _draw_column(axes: Axes, trajectory: Trajectory, side: str, norm: Normalize) -> None:
     columns = [k for k, name in enumerate(trajectory.bellows) if name.startswith(side)]
     low, high = extremes(trajectory.pressure)
-    # What swings least is drawn last: where many cycles fill their bands, each still shows.
+    # The smallest swing is drawn last, so that it stays visible among many cycles.
     columns.sort(key=lambda k: -float(high[k] - low[k]))
     numbers = np.array([float(trajectory.bellows[k][1:]) for k in columns])
     time, pressure = envelope(trajectory.time, trajectory.pressure)
@@ -111,7 +111,7 @@ def _limits(trajectory: Trajectory) -> tuple[tuple[float, float], tuple[float, f
 
 
 def _draw_levels(axes: Axes, trajectory: Trajectory, limits: tuple[float, float]) -> None:
-    """Grid, the ambient, and the vacuum that no gauge pressure can pass."""
+    """Grid, ambient pressure, and vacuum, the lowest gauge pressure there is."""
     axes.grid(color="#e6e6e6", lw=0.6)
     axes.set_axisbelow(True)
     levels = {"ambient": 0.0, "vacuum": -trajectory.ambient_pressure / 1e3}

@@ -1,4 +1,4 @@
-"""The plane of the paper's Figure 1: which timescale rules."""
+"""The plane of the paper's Figure 1: which timescale dominates."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 WORDS = {
     "I": "I  uniform pressure,\nsolid inertia",
-    "II": "II  pressure distribution,\nsteep input",
-    "III": "III  pressure distribution,\ninput as slow as the fluid",
+    "II": "II  distributed pressure,\nfast input",
+    "III": "III  distributed pressure,\ninput as slow as the fluid",
     "IV": "IV  uniform pressure,\nquasi-static",
 }
 CORNERS = {"I": (1, 1), "II": (0, 1), "III": (0, 0), "IV": (1, 0)}

@@ -1,4 +1,4 @@
-"""`shapes.png`: a filmstrip of the actuator, every bellow coloured by its pressure."""
+"""`shapes.png`: snapshots of the actuator, every bellow coloured by its gauge pressure."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ WIDTH, SIDE, FOOT = 6.6, 0.2, 0.62
 
 
 @dataclass(frozen=True)
-class Poses:
+class Snapshots:
     """What the strip shows, in mm and kPa: N instants, B bellows, K points of the axis."""
 
     labels: list[str]
@@ -51,8 +51,8 @@ class Poses:
 
 def draw_shapes(trajectory: Trajectory, path: Path) -> None:
     """Up to eight instants at one scale, time above each, a scale bar and a colour bar."""
-    poses = _poses(trajectory)
-    strip = arrange(_frames(poses), 1e3 * trajectory.length, WIDTH - 2 * SIDE)
+    snapshots = _snapshots(trajectory)
+    strip = arrange(_frames(snapshots), 1e3 * trajectory.length, WIDTH - 2 * SIDE)
     height = FOOT + strip.height + head_room(trajectory, WIDTH)
     with picture(path, WIDTH, height) as made:
         axes = axes_at(made, SIDE, FOOT, WIDTH - 2 * SIDE, strip.height)
@@ -60,18 +60,18 @@ def draw_shapes(trajectory: Trajectory, path: Path) -> None:
         axes.set(xlim=(0, wide), ylim=(high, 0))
         axes.set_axis_off()
         colours, norm, occurring = _colouring(trajectory.pressure)
-        _draw_poses(axes, poses, strip, colours, norm)
-        _draw_labels(axes, poses, strip)
-        _draw_sides(axes, poses, strip)
+        _draw_snapshots(axes, snapshots, strip, colours, norm)
+        _draw_labels(axes, snapshots, strip)
+        _draw_sides(axes, snapshots, strip)
         _draw_scale(made, strip)
         _draw_bar(made, ScalarMappable(norm, colours), occurring)
-        head(made, trajectory, "shapes and pressures", SIDE)
+        head(made, trajectory, "shapes and gauge pressures", SIDE)
 
 
-def _poses(trajectory: Trajectory) -> Poses:
+def _snapshots(trajectory: Trajectory) -> Snapshots:
     instants = spread_instants(trajectory, SHOWN, pressures=True)
     axis, rows = trajectory.shape[instants] * 1e3, trajectory.shape_rows[instants]
-    return Poses(
+    return Snapshots(
         time_labels(trajectory.time[rows]),
         axis,
         _blocks(trajectory, axis),
@@ -99,10 +99,10 @@ def _interpolated(at: np.ndarray, arc: np.ndarray, values: np.ndarray) -> np.nda
     return np.array([np.stack([np.interp(at, arc, v[:, i]) for i in (0, 1)], -1) for v in values])
 
 
-def _frames(poses: Poses) -> list[Frame]:
-    """The room that each pose takes about the middle of its clamp."""
-    half, hatch = poses.clamp
-    corners = poses.blocks.reshape(len(poses.blocks), -1, 2)
+def _frames(snapshots: Snapshots) -> list[Frame]:
+    """The room that each snapshot takes about the middle of its clamp."""
+    half, hatch = snapshots.clamp
+    corners = snapshots.blocks.reshape(len(snapshots.blocks), -1, 2)
     low = np.minimum(corners.min(axis=1), (-half, -hatch))
     high = np.maximum(corners.max(axis=1), (half, 0.0))
     return [Frame(*a, *b) for a, b in zip(low.tolist(), high.tolist(), strict=True)]
@@ -137,38 +137,40 @@ def _colouring(pressure: np.ndarray) -> tuple[Colormap, Normalize, tuple[float, 
     return DIVERGING, Normalize(-largest, largest), (min(low, 0.0), max(high, 0.0))
 
 
-def _draw_poses(axes: Axes, poses: Poses, strip: Strip, colours: Colormap, norm: Normalize) -> None:
+def _draw_snapshots(
+    axes: Axes, snapshots: Snapshots, strip: Strip, colours: Colormap, norm: Normalize
+) -> None:
     origin = np.array(strip.origins)
-    many = poses.blocks.shape[1] > 2 * EDGED
-    blocks = (poses.blocks + origin[:, None, None]).reshape(-1, 4, 2)
+    many = snapshots.blocks.shape[1] > 2 * EDGED
+    blocks = (snapshots.blocks + origin[:, None, None]).reshape(-1, 4, 2)
     shown = PolyCollection(
         list(blocks), cmap=colours, norm=norm, edgecolors="face" if many else INK, linewidths=0.3
     )
     shown.set_clip_on(False)
-    shown.set_array(poses.pressure.ravel())
+    shown.set_array(snapshots.pressure.ravel())
     axes.add_collection(shown)
-    half, hatch = poses.clamp
+    half, hatch = snapshots.clamp
     strokes = (clamp_strokes(half, hatch, 9) + origin[:, None, None]).reshape(-1, 2, 2)
     plates = origin[:, None] + np.array([(-half, 0.0), (half, 0.0)])
-    bent = poses.axis + origin[:, None]
+    bent = snapshots.axis + origin[:, None]
     for lines, pen in ((strokes, 0.5), (plates, 1.4), (bent, 0.9)):
         axes.add_collection(LineCollection(list(lines), colors=INK, linewidths=pen, clip_on=False))
 
 
-def _draw_labels(axes: Axes, poses: Poses, strip: Strip) -> None:
-    for label, (x, _), top in zip(poses.labels, strip.origins, strip.label_levels, strict=True):
+def _draw_labels(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:
+    for label, (x, _), top in zip(snapshots.labels, strip.origins, strip.label_levels, strict=True):
         axes.text(x, top, label, ha="center", va="center", fontsize=8.5)
 
 
-def _draw_sides(axes: Axes, poses: Poses, strip: Strip) -> None:
-    """Name the columns of the first pose."""
-    axis = poses.axis[0]
+def _draw_sides(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:
+    """Name the columns of the first snapshot."""
+    axis = snapshots.axis[0]
     along = axis[-1] - axis[-2]
     along = along / max(float(np.hypot(*along)), 1e-300)
     across = np.array((along[1], -along[0]))
     step = 0.09 / strip.scale
     for name, sign in (("L", -1.0), ("R", 1.0)):
-        place = axis[-1] + along * step + sign * across * poses.clamp[0] * 0.4
+        place = axis[-1] + along * step + sign * across * snapshots.clamp[0] * 0.4
         x, z = place + strip.origins[0]
         axes.text(x, z, name, ha="center", va="center", fontsize=7, color="#555555")
 

@@ -1,4 +1,4 @@
-"""`tip.png`: the tip's path with time as colour, and the actuator at several instants."""
+"""`tip.png`: the path of the tip, coloured by time, and the actuator at several times."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ LEFT, BOTTOM, RIGHT = 0.62, 0.5, 0.85
 ZOOM_GAP, ZOOM = 0.7, 2.1
 """Room before, and side of, the enlarged path [inch]."""
 ZOOM_RANGE = (1e-3, 0.12)
-"""A path of such an extent, of the length, is drawn enlarged beside the actuator too."""
+"""A path whose extent is in this range, in actuator lengths, is also drawn enlarged."""
 
 
 def draw_tip(trajectory: Trajectory, path: Path) -> None:
@@ -68,7 +68,7 @@ def draw_tip(trajectory: Trajectory, path: Path) -> None:
         if len(trajectory.time) == 1:
             bar.set_ticks([float(trajectory.time[0])])
         thinned = len(trajectory.time) > MOST_ROWS
-        head(made, trajectory, f"path of the tip{', in stretches' if thinned else ''}", LEFT)
+        head(made, trajectory, f"tip path{' (excerpts)' if thinned else ''}", LEFT)
 
 
 def _is_small(trajectory: Trajectory) -> bool:

@@ -1,4 +1,4 @@
-"""The way of the tip as a line whose colour is time."""
+"""The path of the tip as a line coloured by time."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 PIECES = 1500
 """Pieces of one colour that a long path is drawn in."""
 MANY_ROUNDS = 8
-"""From so many rounds on a finer pen keeps them apart."""
+"""From this number of rounds on, a finer pen keeps them apart."""
 
 
 def draw_path(axes: Axes, trajectory: Trajectory, size: float = 1.0) -> LineCollection:
@@ -75,7 +75,7 @@ def travelled(points: np.ndarray) -> np.ndarray:
 
 
 def _draw_arrows(axes: Axes, points: np.ndarray, size: float) -> None:
-    """Heads along the path at equal distances tell its direction."""
+    """Arrow heads at equal distances along the path show its direction."""
     way = travelled(points)
     side = abs(float(np.subtract(*axes.get_ylim())))
     if way[-1] < 0.08 * side:

@@ -1,11 +1,11 @@
-"""What a person reads of a proof."""
+"""The lines about measured effects."""
 
 from __future__ import annotations
 
 import pytest
 
 from tests.trajectories import ablated_run, made_run, verdict
-from viscodesign.cli.texts.ablation_text import ablation_lines, alarm_lines
+from viscodesign.cli.texts.ablation_text import ablation_lines, wrongly_neglected_lines
 from viscodesign.results.findings import EffectAblation
 
 BUDGET = 0.000545
@@ -27,11 +27,11 @@ def test_every_effect_beside_its_measurement(
         monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
     lines = ablation_lines(ablated_run())
     words = " ".join(" ".join(lines).split())
-    assert "the error asked for, is 0.545 mm" in words
-    assert "pressure_distribution taken 114 mm 98.7 mm > 1000 % needed" in words
-    assert "fluid_mass left out 0.0043 mm 0.0039 mm 0.716 % spent" in words
-    assert "flow_regime taken infinite 97.4 mm > 1000 % needed" in words
-    assert "inertia taken 0.79 mm 0.81 mm 149 % needed" in words
+    assert "the budget is the requested error, 0.545 mm" in words
+    assert "pressure_distribution included 114 mm 98.7 mm > 1000 % significant" in words
+    assert "fluid_mass neglected 0.0043 mm 0.0039 mm 0.716 % within budget" in words
+    assert "flow_regime included infinite 97.4 mm > 1000 % significant" in words
+    assert "inertia included 0.79 mm 0.81 mm 149 % significant" in words
     if columns is not None:
         assert all(len(line) <= int(columns) for line in lines)
 
@@ -39,10 +39,10 @@ def test_every_effect_beside_its_measurement(
 @pytest.mark.parametrize(
     ("measured", "taken", "meaning"),
     [
-        (1.01 * BUDGET, True, "101 % needed"),
-        (0.99 * BUDGET, True, "99 % small"),
-        (0.99 * BUDGET, False, "99 % spent"),
-        (1.01 * BUDGET, False, "101 % MISSING"),
+        (1.01 * BUDGET, True, "101 % significant"),
+        (0.99 * BUDGET, True, "99 % minor"),
+        (0.99 * BUDGET, False, "99 % within budget"),
+        (1.01 * BUDGET, False, "101 % NEGLECTED BUT SIGNIFICANT"),
         (0.0, False, "0 % no change"),
     ],
 )
@@ -55,9 +55,9 @@ def test_a_measurement_is_held_against_the_budget(
 @pytest.mark.parametrize(
     ("estimated", "measured", "words"),
     [
-        (0.1 * BUDGET, 0.5 * BUDGET, "; estimate too small"),
-        (0.5 * BUDGET, 0.1 * BUDGET, "; estimate too large"),
-        (0.5 * BUDGET, 0.0, "; estimate too large"),
+        (0.1 * BUDGET, 0.5 * BUDGET, "; underestimated"),
+        (0.5 * BUDGET, 0.1 * BUDGET, "; overestimated"),
+        (0.5 * BUDGET, 0.0, "; overestimated"),
         (0.2 * BUDGET, 0.5 * BUDGET, ""),
         (0.001 * BUDGET, 0.05 * BUDGET, ""),
     ],
@@ -66,14 +66,14 @@ def test_an_estimate_that_is_far_off_is_named(
     estimated: float, measured: float, words: str
 ) -> None:
     told = row(EffectAblation("inertia", False, estimated, measured, 1.0))
-    assert told.endswith(words or ("spent", "no change")[measured == 0.0])
+    assert told.endswith(words or ("within budget", "no change")[measured == 0.0])
 
 
 def test_what_was_not_measured_says_why() -> None:
     told = row(EffectAblation("inertia", True, 1e-3, None, 0.0, "no equilibrium at t = 0 s"))
-    assert told == "inertia taken 1 mm unknown unknown not measured: no equilibrium at t = 0 s"
+    assert told == "inertia included 1 mm unknown unknown not measured: no equilibrium at t = 0 s"
     partly = row(EffectAblation("inertia", True, 1e-3, 1e-3, 0.0, "compared up to t = 1 s"))
-    assert partly.endswith("needed; compared up to t = 1 s")
+    assert partly.endswith("significant; compared up to t = 1 s")
 
 
 def test_omissions_are_summed_and_only_they() -> None:
@@ -87,17 +87,17 @@ def test_omissions_are_summed_and_only_they() -> None:
     assert "add up to 0.3 mm, 55 % of the budget (2 measured, one at a time)" in text
 
 
-def test_a_missing_effect_is_an_alarm_with_its_remedy() -> None:
-    (alarm,) = alarm_lines(ablated_run())
+def test_a_wrongly_neglected_effect_is_a_warning_with_its_remedy() -> None:
+    (alarm,) = wrongly_neglected_lines(ablated_run())
     assert alarm == (
-        "WARNING: gravity was left out as the spec says, but moves the tip by 2.3 mm, 422 % of "
-        "the error asked for. Take it: --set effects.gravity=on"
+        "WARNING: gravity was neglected as set in the spec, but moves the tip by 2.3 mm, 422 % of "
+        "the requested error. Include it: --set effects.gravity=on"
     )
     assert alarm in ablation_lines(ablated_run())
     chosen = ablated_run(effects=(verdict("gravity", False, 2e-4),))
-    assert "left out by the estimate" in alarm_lines(chosen)[0]
+    assert "neglected by the estimate" in wrongly_neglected_lines(chosen)[0]
 
 
-def test_a_run_that_was_not_proven_says_so() -> None:
-    assert ablation_lines(made_run())[0].startswith("proof: none")
-    assert alarm_lines(made_run()) == []
+def test_a_run_without_measured_effects_says_so() -> None:
+    assert ablation_lines(made_run())[0].startswith("measured effects: none")
+    assert wrongly_neglected_lines(made_run()) == []

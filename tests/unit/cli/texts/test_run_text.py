@@ -17,7 +17,7 @@ from viscodesign.cli.texts.check_text import (
     share,
     verdict_lines,
 )
-from viscodesign.cli.texts.run_text import MOST_RUNGS, summary_lines
+from viscodesign.cli.texts.run_text import MOST_RETRIES, summary_lines
 from viscodesign.results.findings import Classification, RetryAttempt, Scales
 from viscodesign.results.trajectory import Accuracy, Trajectory
 
@@ -31,43 +31,43 @@ def _summary(trajectory: Trajectory) -> str:
 def test_a_run_in_a_dozen_lines(trajectory: Trajectory) -> None:
     text = _summary(trajectory)
     assert "leg: quadrant III" in text
-    assert "complete: 1 s of motion in 0.6 s and 123 steps" in text
+    assert "complete: 1 s of motion in 0.6 s, 123 steps" in text
     assert "x -10.0 to 20.0 mm, z 100.0 to 109.0 mm, angle -11 to 23 deg" in text
-    assert "0.109 mm, 0.1 % of the length (asked for 0.545 mm, 0.5 %)" in text
-    assert "effects     feedback" in text
-    assert "left out    inertia" in text
+    assert "0.109 mm, 0.1 % of the length (requested 0.545 mm, 0.5 %)" in text
+    assert "included         feedback" in text
+    assert "neglected        inertia" in text
     assert "runs/leg: trajectory.csv, summary.json" in text
 
 
 def test_what_was_tried_where_a_solver_stopped_is_told(trajectory: Trajectory) -> None:
-    assert "ladder" not in _summary(trajectory)
+    assert "retry" not in _summary(trajectory)
     rungs = (
         RetryAttempt(0.25, "order 2 at most", False, "the steps shrink to nothing"),
         RetryAttempt(0.25, "Rodas5P instead", True, "the steps shrink to nothing"),
     )
     text = _summary(replace(trajectory, ladder=rungs))
-    assert "ladder      at 0.25 s: order 2 at most, in vain" in text
-    assert "ladder      at 0.25 s: Rodas5P instead, it went on" in text
+    assert "retry            at 0.25 s: order 2 at most, failed" in text
+    assert "retry            at 0.25 s: Rodas5P instead, succeeded" in text
 
 
 def test_of_many_attempts_the_first_are_told(trajectory: Trajectory) -> None:
-    rungs = tuple(RetryAttempt(0.1 * k, f"attempt {k}", False, "") for k in range(MOST_RUNGS + 3))
+    rungs = tuple(RetryAttempt(0.1 * k, f"attempt {k}", False, "") for k in range(MOST_RETRIES + 3))
     text = _summary(replace(trajectory, ladder=rungs))
-    assert text.count("ladder") == MOST_RUNGS
-    assert f"attempt {MOST_RUNGS - 1}" in text
-    assert f"attempt {MOST_RUNGS}," not in text
+    assert text.count("  retry ") == MOST_RETRIES
+    assert f"attempt {MOST_RETRIES - 1}" in text
+    assert f"attempt {MOST_RETRIES}," not in text
 
 
 def test_an_error_that_was_not_estimated(trajectory: Trajectory) -> None:
     text = _summary(replace(trajectory, accuracy=Accuracy(0.000545, None, "not verified")))
-    assert "not verified (asked for 0.545 mm, 0.5 %)" in text
+    assert "not verified (requested 0.545 mm, 0.5 %)" in text
 
 
 def test_a_run_that_never_began(trajectory: Trajectory) -> None:
     failed = replace(trajectory, status="failed")
     empty = failed.with_arrays(time=np.empty(0), tip=np.empty((0, 3)))
     assert "failed: 0 s of motion" in _summary(empty)
-    assert "nothing computed" in _summary(empty)
+    assert "no output" in _summary(empty)
 
 
 def test_every_warning_once_with_its_code(trajectory: Trajectory) -> None:
@@ -104,12 +104,12 @@ def test_verdicts_are_a_table_and_then_reasons(
     text = "\n".join(verdict_lines(VERDICTS))
     words = " ".join(text.split())
     assert "effect verdict mode tip [mm] of budget weight" in words
-    assert "pressure_distribution taken auto 114 > 1000 % 0.5" in words
-    assert "flow_regime taken auto infinite needed 0.5" in words
-    assert "gravity left out off 0.2 36.7 % 0.5" in words
-    assert "fluid_inertance left out auto < 1e-06 < 0.001 % 0.5" in words
-    assert "tip_load left out on 0 0 % 0.5" in words
-    assert "gravity weight = a / b left out: made up" in words
+    assert "pressure_distribution included auto 114 > 1000 % 0.5" in words
+    assert "flow_regime included auto infinite required 0.5" in words
+    assert "gravity neglected off 0.2 36.7 % 0.5" in words
+    assert "fluid_inertance neglected auto < 1e-06 < 0.001 % 0.5" in words
+    assert "tip_load neglected on 0 0 % 0.5" in words
+    assert "gravity weight = a / b neglected: made up" in words
     if columns is not None:
         assert all(len(line) <= int(columns) for line in text.splitlines())
 
@@ -132,7 +132,7 @@ def test_an_effect_is_one_line_of_the_table_and_taken_ones_come_first() -> None:
         (0.1873, "18.7 %"),
         (9.996, "1000 %"),
         (10.1, "> 1000 %"),
-        (math.inf, "needed"),
+        (math.inf, "required"),
         (math.nan, "unknown"),
     ],
 )

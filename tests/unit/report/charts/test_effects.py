@@ -1,4 +1,4 @@
-"""The chart of the effects: both bars, the decision, the error asked for, all on the page."""
+"""The chart of the effects: both bars, the decision, the requested error, all on the page."""
 
 from __future__ import annotations
 
@@ -127,17 +127,17 @@ def test_the_error_asked_for_is_a_line_with_its_number(drawn: Drawn) -> None:
     figure = drawn(ablated_run())
     (line,) = figure.axes[0].lines
     assert list(line.get_xdata()) == pytest.approx([0.545, 0.545])
-    assert "error asked for: 0.545 mm" in words(figure)
-    assert {"measured", "estimated", "taken: full", "left out: hatched"} <= set(words(figure))
+    assert "requested error: 0.545 mm" in words(figure)
+    assert {"measured", "estimated", "included: filled", "neglected: hatched"} <= set(words(figure))
     assert any(text.endswith("[mm]") for text in words(figure))
 
 
 def test_an_effect_left_out_beyond_the_error_asked_for_stands_out(drawn: Drawn) -> None:
     figure = drawn(ablated_run())
     wrong = [label for label in figure.axes[0].get_yticklabels() if label.get_color() == ACCENT]
-    assert [label.get_text() for label in wrong] == ["gravity\nleft out, MISSING"]
-    assert "inertia\ntaken" in names(figure)
-    assert "feedback\nleft out" in names(figure)
+    assert [label.get_text() for label in wrong] == ["gravity\nNEGLECTED BUT SIGNIFICANT"]
+    assert "inertia\nincluded" in names(figure)
+    assert "feedback\nneglected" in names(figure)
 
 
 def test_what_has_no_bar_is_told_in_words(drawn: Drawn) -> None:
@@ -147,7 +147,7 @@ def test_what_has_no_bar_is_told_in_words(drawn: Drawn) -> None:
     assert ("none", 9) in told
     assert ("none", 10) in told
     assert round(place["no solution without it"].xy[1]) == 2  # type: ignore[attr-defined]
-    assert round(place["without limit"].xy[1]) == 1  # type: ignore[attr-defined]
+    assert round(place["unbounded"].xy[1]) == 1  # type: ignore[attr-defined]
     assert round(place["2e-09"].xy[1]) == 8  # type: ignore[attr-defined]
     assert {row for row, _ in bars(figure)} == set(range(8))
 
