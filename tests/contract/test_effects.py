@@ -329,7 +329,7 @@ def test_a_new_effect_is_told_by_the_command_line(
     page = " ".join(capsys.readouterr().out.split())
     assert page.startswith("tip_drag: Drag of the air around the tip.")
     assert "spec keys effects.tip_drag, ambient.density" in page
-    assert "No sketch shows it" in page
+    assert "No sketch resolves it" in page
     assert "Without inertia it is not applicable" in page
 
 

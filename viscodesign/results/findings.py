@@ -60,6 +60,13 @@ class Verdict:
     present: bool = True
     """Whether the scene has what the effect acts on: otherwise it is not applicable."""
 
+    @property
+    def decision(self) -> str:
+        """The decision in words."""
+        if not self.present:
+            return "not applicable"
+        return "included" if self.taken else "neglected"
+
 
 @dataclass(frozen=True)
 class EffectAblation:
@@ -76,6 +83,11 @@ class EffectAblation:
     """Wall time of the second solution [s]."""
     note: str = ""
     """Why there is no measurement, or the time up to which it was compared."""
+
+    @property
+    def decision(self) -> str:
+        """The decision that was tested, in words."""
+        return "included" if self.taken else "neglected"
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from viscodesign.cli.texts.check_text import decision, millimetres, share
+from viscodesign.cli.texts.check_text import millimetres, share
 from viscodesign.cli.texts.layout import number, table, wrap
 from viscodesign.results.findings import EffectAblation
 from viscodesign.results.trajectory import Trajectory
@@ -25,7 +25,7 @@ def ablation_lines(trajectory: Trajectory) -> list[str]:
     for ablation in trajectory.proof:
         part = "unknown" if ablation.measured_m is None else share(ablation.measured_m / budget)
         rows.append((
-            ablation.name, decision(ablation), _mm(ablation.estimated_m), _mm(ablation.measured_m),
+            ablation.name, ablation.decision, _mm(ablation.estimated_m), _mm(ablation.measured_m),
             part, _meaning(ablation, budget),
         ))  # fmt: skip
     caption = (

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from viscodesign.cli.texts.layout import blocks, number, table, wrap
-from viscodesign.results.findings import Classification, EffectAblation, Notice, Verdict
+from viscodesign.results.findings import Classification, Notice, Verdict
 
 TIMES = {
     "t_s": "elastic-inertial time of the solid",
@@ -50,7 +50,7 @@ def verdict_lines(effects: Sequence[Verdict]) -> list[str]:
     ordered = sorted(effects, key=lambda v: (not v.taken, v.contribution_m == 0.0))
     rows = [("effect", "verdict", "mode", "tip [mm]", "of budget", "weight")]
     rows += [
-        (v.name, decision(v), v.mode, millimetres(v.contribution_m), share(v.budget_share),
+        (v.name, v.decision, v.mode, millimetres(v.contribution_m), share(v.budget_share),
          number(v.weight)) for v in ordered
     ]  # fmt: skip
     caption = (
@@ -65,13 +65,6 @@ def _reason_lines(effects: Sequence[Verdict]) -> list[str]:
     for head, verdict in zip(heads, effects, strict=True):
         lines += [*head, *wrap(verdict.reason, "      ")]
     return lines
-
-
-def decision(found: Verdict | EffectAblation) -> str:
-    """What was decided about an effect."""
-    if isinstance(found, Verdict) and not found.present:
-        return "not applicable"
-    return "included" if found.taken else "neglected"
 
 
 def millimetres(length: float) -> str:

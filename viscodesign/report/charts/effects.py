@@ -50,11 +50,16 @@ class EffectRow:
     """One effect; displacements in mm, None where there is no number."""
 
     name: str
-    taken: bool
+    decision: str
     estimated: float | None
     measured: float | None
     note: str = ""
     """What is written in place of a measurement."""
+
+    @property
+    def is_included(self) -> bool:
+        """Whether the run has it."""
+        return self.decision == "included"
 
     @property
     def size(self) -> tuple[float, float]:
@@ -91,18 +96,16 @@ def effect_rows(trajectory: Trajectory) -> list[EffectRow]:
     ablations = {ablation.name: ablation for ablation in trajectory.proof}
     rows = []
     for verdict in trajectory.effects:
+        estimated = 1e3 * verdict.contribution_m
         ablation = ablations.get(verdict.name)
         if ablation is None:
-            move = 1e3 * verdict.contribution_m
-            note = "not measured" if move else ""
-            rows.append(EffectRow(verdict.name, verdict.taken, move, None, note))
+            measured, note = None, "not measured" if estimated else ""
+        elif ablation.measured_m is None:
+            word = "without" if ablation.taken else "with"
+            measured, note = None, f"no solution {word} it"
         else:
-            measured = None if ablation.measured_m is None else 1e3 * ablation.measured_m
-            note = "no solution without it" if ablation.taken else "no solution with it"
-            told = note if measured is None else ""
-            rows.append(
-                EffectRow(ablation.name, ablation.taken, 1e3 * ablation.estimated_m, measured, told)
-            )
+            measured, note = 1e3 * ablation.measured_m, ""
+        rows.append(EffectRow(verdict.name, verdict.decision, estimated, measured, note))
     return sorted(rows, key=lambda row: row.size, reverse=True)
 
 
@@ -118,8 +121,8 @@ def _draw_row(axes: Axes, k: int, row: EffectRow, low: float) -> None:
     if not row.estimated and not row.measured and not row.note:
         _write(axes, low, k, "none")
         return
-    _draw_bar(axes, k + BAR / 2, row.estimated, row.taken, ESTIMATED, "")
-    _draw_bar(axes, k - BAR / 2, row.measured, row.taken, MEASURED, row.note)
+    _draw_bar(axes, k + BAR / 2, row.estimated, row.is_included, ESTIMATED, "")
+    _draw_bar(axes, k - BAR / 2, row.measured, row.is_included, MEASURED, row.note)
 
 
 def _draw_bar(
@@ -150,21 +153,15 @@ def _write(axes: Axes, x: float, y: float, words: str) -> None:
 
 def _draw_names(axes: Axes, rows: list[EffectRow], budget: float) -> None:
     """Name and decision; a wrong decision stands out."""
-    wrongly = [not row.taken and (row.measured or 0.0) > budget for row in rows]
+    wrongly = [not row.is_included and (row.measured or 0.0) > budget for row in rows]
     words = [
-        f"{shown(row.name, 24)}\n{_decision(row, wrong)}"
+        f"{shown(row.name, 24)}\n{'NEGLECTED BUT SIGNIFICANT' if wrong else row.decision}"
         for row, wrong in zip(rows, wrongly, strict=True)
     ]
     axes.set_yticks(range(len(rows)), words, fontsize=7.5, linespacing=1.0)
     axes.tick_params(axis="y", length=0)
     for label, wrong in zip(axes.get_yticklabels(), wrongly, strict=True):
         label.set(weight="bold" if wrong else "normal", color=ACCENT if wrong else INK)
-
-
-def _decision(row: EffectRow, wrong: bool) -> str:
-    if wrong:
-        return "NEGLECTED BUT SIGNIFICANT"
-    return "included" if row.taken else "neglected"
 
 
 def _draw_legend(made: Figure, budget: float, top: float) -> None:
