@@ -138,7 +138,7 @@ def test_goals_that_cannot_be_are_refused(count: int, speed: int) -> None:
 
 
 @pytest.mark.parametrize("name", BOARDS)
-def test_a_servo_that_is_not_there_is_told(name: str) -> None:
+def test_a_missing_servo_is_reported(name: str) -> None:
     board = connected(name, bench(1, 2))
     for action in (
         lambda: board.get(9, registers.PRESENT_POSITION),

@@ -113,7 +113,7 @@ def test_isothermal_dead_volume() -> None:
         ),
     ],
 )
-def test_the_plunger_makes_the_pressure_that_was_wanted(
+def test_the_planned_plunger_reproduces_the_wanted_pressure(
     config: str, words: tuple[str, ...]
 ) -> None:
     """Round trip, nothing rounded or clipped: pressures -> plunger -> pressures and tip."""
@@ -139,7 +139,7 @@ def test_the_plunger_makes_the_pressure_that_was_wanted(
     assert found.inflow["inlet"] == pytest.approx(given, abs=5e-3 * float(np.ptp(given)))
 
 
-def test_a_feasible_plan_needs_nothing_and_is_followed_within_a_count() -> None:
+def test_a_feasible_plan_is_followed_within_a_count() -> None:
     found = plan(leg(config="leg_16_pump"))
     assert found.status == "complete"
     assert found.is_feasible
@@ -158,7 +158,7 @@ def test_a_feasible_plan_needs_nothing_and_is_followed_within_a_count() -> None:
     assert np.all(np.diff(profile.time) > 0.0)
 
 
-def test_the_published_pulse_is_beyond_the_pump_and_why() -> None:
+def test_the_published_pulse_exceeds_five_limits() -> None:
     found = published()
     assert not found.is_feasible
     told = {v.name: v for v in found.verdicts}
@@ -174,11 +174,11 @@ def test_the_published_pulse_is_beyond_the_pump_and_why() -> None:
     assert np.max(np.abs(found.achievable.torque)) < low
 
 
-def test_what_the_pump_does_keeps_its_speed_at_its_own_pressure() -> None:
+def test_the_achievable_motion_respects_the_speed_limit() -> None:
     assert np.max(published().achievable.speed_share) <= 1.02
 
 
-def test_the_changes_told_together_make_it_feasible() -> None:
+def test_the_combined_changes_make_it_feasible() -> None:
     changes = published().together
     assert changes
     settings = [setting for change in changes for setting in change.settings]
@@ -198,7 +198,7 @@ def test_each_change_alone_makes_its_verdict_pass() -> None:
         assert left == set(change.leaves)
 
 
-def test_a_jump_gets_the_ramp_that_it_needs() -> None:
+def test_a_jump_is_cured_by_a_ramp() -> None:
     found = plan(
         leg(
             PUMP,
@@ -225,7 +225,7 @@ def test_two_pumps_on_networks_of_their_own() -> None:
     assert found.deviation_m < 2e-4
 
 
-def test_files_are_whole_and_say_what_the_plan_says(tmp_path: Path) -> None:
+def test_plan_files_agree_with_the_plan(tmp_path: Path) -> None:
     found = published()
     files = write_plan(found, tmp_path)
     assert [file.name for file in files] == ["plan.csv", "plan.json", "plan.png"]
@@ -242,7 +242,7 @@ def test_files_are_whole_and_say_what_the_plan_says(tmp_path: Path) -> None:
     assert not (tmp_path / "plan.png").exists()
 
 
-def test_the_live_actuator_is_the_simulated_one() -> None:
+def test_the_live_actuator_agrees_with_the_simulation() -> None:
     """Tick by tick as in one run; the work of a tick is bounded."""
     scene: Scene = leg(config="leg_16_pump")
     assert scene.pump is not None
@@ -263,7 +263,7 @@ def test_the_live_actuator_is_the_simulated_one() -> None:
     assert np.hypot(*(plant.tip - found.tip[-1])[:2]) < 5e-3 * scene.actuator.length
 
 
-def test_the_live_actuator_begins_where_its_plungers_are() -> None:
+def test_the_live_actuator_starts_in_equilibrium_at_its_plungers() -> None:
     """No time passed: equilibrium there, as the plan's closed forms have it."""
     scene = leg(config="leg_16_pump")
     found = plan(leg("input={kind: constant, value: 10 kPa}", config="leg_16_pump"))
@@ -273,6 +273,6 @@ def test_the_live_actuator_begins_where_its_plungers_are() -> None:
     assert plant.advance(0.033, place) == pytest.approx([10e3], rel=1e-3)
 
 
-def test_the_bundled_scenes_are_there() -> None:
+def test_the_bundled_pump_scenes_exist() -> None:
     assert (CONFIGS / "leg_16_pump.yaml").exists()
     assert (CONFIGS / "leg_16_pump_published.yaml").exists()

@@ -74,14 +74,14 @@ def rehearsal() -> Rehearsal:
     return Rehearsal(planned, ending, stream.ticks.skipped, time, counts, pressure, table[:, 3:5])
 
 
-def test_it_is_played_to_its_end(rehearsal: Rehearsal) -> None:
+def test_the_profile_is_played_to_its_end(rehearsal: Rehearsal) -> None:
     assert rehearsal.ending.status == "complete"
     assert rehearsal.ending.sure
     assert rehearsal.skipped == 0
     assert rehearsal.time[-1] == pytest.approx(8.0, abs=1.5 / RATE)
 
 
-def test_the_tip_goes_the_planned_path_within_the_accuracy_that_was_asked_for(
+def test_the_tip_follows_the_planned_path_within_the_requested_accuracy(
     rehearsal: Rehearsal,
 ) -> None:
     run = rehearsal.plan.achievable_run
@@ -93,7 +93,7 @@ def test_the_tip_goes_the_planned_path_within_the_accuracy_that_was_asked_for(
     assert np.ptp(rehearsal.tip[:, 0]) > 0.06  # and the path is long
 
 
-def test_the_tip_is_there_when_it_should_be_within_a_tick(rehearsal: Rehearsal) -> None:
+def test_the_tip_is_on_time_within_a_tick(rehearsal: Rehearsal) -> None:
     run = rehearsal.plan.achievable_run
     when = rehearsal.time[:, None] + np.linspace(-1.0, 1.0, 21) / RATE
     moved = [np.interp(when, run.time, run.tip[:, k]) - rehearsal.tip[:, k, None] for k in range(2)]
@@ -117,7 +117,7 @@ def test_the_sensor_reads_the_planned_pressure_within_its_steps_and_a_tick(
     assert float(np.sqrt(np.mean(at_once**2))) < SENSOR_STEP / 2
 
 
-def test_the_plunger_is_where_the_course_says(rehearsal: Rehearsal) -> None:
+def test_the_plunger_follows_the_course(rehearsal: Rehearsal) -> None:
     course = rehearsal.plan.achievable
     wanted = np.interp(rehearsal.time, course.time - course.lead_s, course.count[:, 0])
     apart = rehearsal.counts - wanted

@@ -53,7 +53,7 @@ def test_bars_go_from_zero_to_both_sides() -> None:
     assert picture._bar(None, 30) == picture._bar(0.0, 30)
 
 
-def test_a_terminal_is_not_redrawn_more_often_than_the_eye_sees() -> None:
+def test_a_terminal_is_redrawn_ten_times_per_second() -> None:
     stream, now = Terminal(), [0.0]
     picture = view(stream, now)
     for k in range(100):
@@ -82,13 +82,13 @@ def test_a_stop_is_shown_at_once() -> None:
     assert "STOP at 1.5 s: pressure cap" in stream.getvalue().splitlines()[-1]
 
 
-def test_where_the_pump_is_on_its_way_is_said() -> None:
+def test_the_way_to_the_start_is_labelled() -> None:
     stream, now = io.StringIO(), [0.0]
     view(stream, now).show(shown(-2.5))
     assert "moving to the start, 2.5 s left" in stream.getvalue()
 
 
-def test_a_terminal_that_takes_nothing_does_not_stop_the_pump() -> None:
+def test_a_stopped_terminal_does_not_stop_the_pump() -> None:
     ours, theirs = pty.openpty()
     with os.fdopen(theirs, "w") as stream:
         now = [0.0]
@@ -101,7 +101,7 @@ def test_a_terminal_that_takes_nothing_does_not_stop_the_pump() -> None:
         os.close(ours)
 
 
-def test_a_terminal_that_went_away_is_no_exception() -> None:
+def test_a_closed_terminal_raises_nothing() -> None:
     ours, theirs = pty.openpty()
     with os.fdopen(theirs, "w") as stream:
         picture = view(stream, [0.0])
@@ -110,7 +110,7 @@ def test_a_terminal_that_went_away_is_no_exception() -> None:
         picture.text.close()
 
 
-def test_a_pipe_that_nobody_empties_does_not_stop_the_pump() -> None:
+def test_a_full_pipe_does_not_stop_the_pump() -> None:
     ours, theirs = os.pipe()
     with os.fdopen(theirs, "w") as stream:
         now = [0.0]

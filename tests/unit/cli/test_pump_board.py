@@ -94,7 +94,7 @@ def test_status_of_the_simulated_pump(call: Call) -> None:
     assert "kPa gauge" in told.out
 
 
-def test_status_says_how_to_make_a_slow_adapter_quick(
+def test_status_says_how_to_speed_up_a_slow_adapter(
     call: Call, port: Port, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from viscodesign.pump.bus import ports
@@ -134,7 +134,7 @@ def test_record_reads_only(call: Call, port: Port, tmp_path: Path) -> None:
     assert (beside["status"], beside["simulated"]) == ("complete", False)
 
 
-def test_record_of_the_simulated_pump_at_once(call: Call, tmp_path: Path) -> None:
+def test_record_of_the_simulated_pump_without_waiting(call: Call, tmp_path: Path) -> None:
     path = tmp_path / "rest.csv"
     told = call("pump", "record", "-o", path, "--duration", "60", "--pace", "max")
     assert told.status == 0, told.err
@@ -144,7 +144,7 @@ def test_record_of_the_simulated_pump_at_once(call: Call, tmp_path: Path) -> Non
     assert table["inlet_pressure_pa"].abs().max() < 2e3
 
 
-def test_record_refuses_to_run_for_ever_at_once(call: Call, tmp_path: Path) -> None:
+def test_record_without_waiting_needs_a_duration(call: Call, tmp_path: Path) -> None:
     told = call("pump", "record", "-o", tmp_path / "a.csv", "--pace", "max")
     assert told.status == 2
     assert "--duration" in told.err
@@ -167,7 +167,7 @@ def test_stop_holds_or_releases_what_moves(call: Call, port: Port, release: bool
         assert not port.get(registers.TORQUE_ENABLE, servo=1)  # never switched on
 
 
-def test_stop_says_when_nobody_answers(call: Call, port: Port) -> None:
+def test_stop_says_when_no_servo_answers(call: Call, port: Port) -> None:
     with port.server.lock:
         port.bench.supply(0.0)
     told = call("pump", "stop", *port.words, "--id", "1")
@@ -201,7 +201,9 @@ def test_calibrate_writes_only_what_differs(call: Call, port: Port) -> None:
     assert before[1] == bytes(bench(2).servos[0].memory[: registers.RAM])  # the other servo
 
 
-def test_calibrate_asks_for_each(call: Call, port: Port, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_calibrate_asks_before_each_write(
+    call: Call, port: Port, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(_confirm.sys.stdin, "isatty", lambda: True)
     answers = iter([True, False])
     monkeypatch.setattr(_confirm, "_agreed", lambda question: next(answers))
@@ -212,7 +214,7 @@ def test_calibrate_asks_for_each(call: Call, port: Port, monkeypatch: pytest.Mon
     assert port.get(registers.CCW_LIMIT) == 1023
 
 
-def test_calibrate_without_anybody_writes_nothing(call: Call, port: Port) -> None:
+def test_calibrate_without_a_terminal_writes_nothing(call: Call, port: Port) -> None:
     before = port.eeprom()
     for words in (["--keep"], []):
         told = call("pump", "calibrate", SPEC, *port.words, *words, *ONE)

@@ -14,7 +14,7 @@ SHORT = ("--set", "run={duration: 1 s}", "--set", "input={kind: constant, value:
 LEG = CONFIGS / "leg_4_air_auto.yaml"
 
 
-def test_a_feasible_plan_is_told_and_written(call: Call, tmp_path: Path) -> None:
+def test_a_feasible_plan_is_printed_and_written(call: Call, tmp_path: Path) -> None:
     found = call("pump", "plan", LEG, *PUMP, *SHORT, "-o", tmp_path)
     assert found.status == 0
     assert ": feasible" in found.out
@@ -27,7 +27,7 @@ def test_a_feasible_plan_is_told_and_written(call: Call, tmp_path: Path) -> None
     ]
 
 
-def test_an_infeasible_one_ends_with_4_and_keeps_its_files(call: Call, tmp_path: Path) -> None:
+def test_an_infeasible_plan_exits_with_4_and_keeps_its_files(call: Call, tmp_path: Path) -> None:
     low = ("--set", "pump.max_pressure=5 kPa gauge")
     found = call("pump", "plan", LEG, *PUMP, *low, *SHORT, "-o", tmp_path, "--no-plots")
     assert found.status == 4
@@ -37,7 +37,7 @@ def test_an_infeasible_one_ends_with_4_and_keeps_its_files(call: Call, tmp_path:
     assert json.loads((tmp_path / "plan.json").read_text())["feasible"] is False
 
 
-def test_json_is_all_that_stands_on_standard_output(call: Call, tmp_path: Path) -> None:
+def test_json_is_all_that_is_printed(call: Call, tmp_path: Path) -> None:
     found = call("pump", "plan", LEG, *PUMP, *SHORT, "-o", tmp_path, "--json", "--no-plots")
     document = json.loads(found.out)
     assert document["feasible"] is True
@@ -52,7 +52,7 @@ def test_json_is_all_that_stands_on_standard_output(call: Call, tmp_path: Path) 
         (("--set", "pump={syringe_diameter: 34.9 mm, max_pressure: 140 kPa}"), "'140 kPa abs'"),
     ],
 )
-def test_a_spec_at_fault_ends_with_2_and_writes_nothing(
+def test_a_faulty_spec_exits_with_2_and_writes_nothing(
     words: tuple[str, ...], told: str, call: Call, tmp_path: Path
 ) -> None:
     folder = tmp_path / "new"

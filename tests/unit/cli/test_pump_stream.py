@@ -49,7 +49,7 @@ def test_a_simulated_stream_is_recorded_and_labelled(call: Call, tmp_path: Path)
     assert log[0]["simulated"] is True
 
 
-def test_nobody_to_ask_and_no_yes_moves_nothing(call: Call, tmp_path: Path) -> None:
+def test_without_a_terminal_or_yes_nothing_moves(call: Call, tmp_path: Path) -> None:
     told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
     assert told.status == 2
     assert "--yes" in told.err
@@ -59,7 +59,9 @@ def test_nobody_to_ask_and_no_yes_moves_nothing(call: Call, tmp_path: Path) -> N
     assert '"kind": "tick"' not in log
 
 
-def test_a_no_moves_nothing(call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_refused_confirmation_moves_nothing(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(_confirm.sys.stdin, "isatty", lambda: True)
     monkeypatch.setattr(_confirm, "_agreed", lambda question: False)
     told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
@@ -102,7 +104,7 @@ def test_what_the_pump_cannot_do_is_refused_or_clipped(call: Call, tmp_path: Pat
         ),
     ],
 )
-def test_wrong_words_are_met_before_anything_is_planned(
+def test_wrong_options_are_refused_before_planning(
     call: Call, tmp_path: Path, words: list[str], told: str
 ) -> None:
     outcome = call("pump", "stream", SPEC, "-o", tmp_path / "run", *words)
@@ -110,7 +112,7 @@ def test_wrong_words_are_met_before_anything_is_planned(
     assert told in outcome.err
 
 
-def test_a_broken_rule_ends_with_4_and_a_partial_record(
+def test_a_broken_rule_exits_with_4_and_keeps_a_partial_record(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from viscodesign.pump.play import safety_rules as guards
@@ -155,7 +157,7 @@ REAL = ["--board", "dynamixel", "--port", "x"]
 @pytest.mark.parametrize(
     ("sensors", "blind"), [([], "for left and right"), (ONE_SENSOR, "for right,")]
 )
-def test_a_real_board_with_an_unguarded_inlet_is_refused(
+def test_a_real_board_with_an_unmonitored_inlet_is_refused(
     call: Call, tmp_path: Path, sensors: list[str], blind: str
 ) -> None:
     told = call("pump", "stream", TWO, *PUMP, *sensors, *REAL, "-o", tmp_path / "run")
@@ -166,7 +168,7 @@ def test_a_real_board_with_an_unguarded_inlet_is_refused(
     assert not (tmp_path / "run").exists()
 
 
-def test_who_goes_without_a_sensor_at_one_inlet_keeps_the_other_one() -> None:
+def test_going_without_one_sensor_keeps_the_others() -> None:
     from viscodesign import load
     from viscodesign.pump.sessions.required_sensors import with_sensors
 
@@ -180,7 +182,7 @@ def test_who_goes_without_a_sensor_at_one_inlet_keeps_the_other_one() -> None:
     assert without.sensor is None
 
 
-def test_a_slow_adapter_is_told_before_anything_moves(
+def test_a_slow_adapter_is_reported_before_anything_moves(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from viscodesign.pump.sessions.connection import BoardAddress

@@ -127,13 +127,13 @@ def test_json_is_one_document(upload: Upload, tmp_path: Path) -> None:
         (("--tolerance", "1 mm", "--dry-run"), "--tolerance '1 mm'"),
     ],
 )
-def test_wrong_words_are_told(upload: Upload, words: tuple[str, ...], told: str) -> None:
+def test_wrong_options_are_refused(upload: Upload, words: tuple[str, ...], told: str) -> None:
     outcome = upload(*words)
     assert outcome.status == 2
     assert told in outcome.err
 
 
-def test_an_error_above_the_tolerance_is_refused_with_the_error(upload: Upload) -> None:
+def test_a_fit_above_the_tolerance_is_refused_with_its_error(upload: Upload) -> None:
     outcome = upload("--dry-run", "--tolerance", "0.1 counts")
     assert outcome.status == 4
     assert "--tolerance is 0.1 counts" in outcome.err
@@ -147,7 +147,7 @@ def test_what_the_pump_cannot_do_is_refused_unless_asked_for(upload: Upload) -> 
     assert upload("--dry-run", "--achievable", feasible=False).status == 0
 
 
-def test_ids_that_are_no_poses_are_refused(upload: Upload) -> None:
+def test_servo_ids_that_poses_cannot_have_are_refused(upload: Upload) -> None:
     outcome = upload("--dry-run", profile=swing((2,)))
     assert outcome.status == 4
     assert "takes poses of the servos 1 to 1 only" in outcome.err
@@ -156,7 +156,7 @@ def test_ids_that_are_no_poses_are_refused(upload: Upload) -> None:
 # -- on a port ------------------------------------------------------------------------------------
 
 
-def test_it_is_loaded_and_told_to_be_forgotten(upload: Upload, port: str, pump: Watched) -> None:
+def test_a_loaded_upload_says_that_it_is_volatile(upload: Upload, port: str, pump: Watched) -> None:
     outcome = upload("--port", port)
     assert outcome.status == 0
     assert "RAM only" in outcome.out
@@ -164,7 +164,7 @@ def test_it_is_loaded_and_told_to_be_forgotten(upload: Upload, port: str, pump: 
     assert pump.servos[0].get(registers.TORQUE_ENABLE) == 0
 
 
-def test_nothing_moves_where_nobody_can_be_asked(upload: Upload, port: str, pump: Watched) -> None:
+def test_without_a_terminal_nothing_is_played(upload: Upload, port: str, pump: Watched) -> None:
     outcome = upload("--port", port, "--play")
     assert outcome.status == 2
     assert "add --yes" in outcome.err
@@ -211,14 +211,14 @@ def test_a_loop_ends_by_control_c(upload: Upload, port: str, pump: Watched) -> N
     assert len(pump.goals) == played
 
 
-def test_another_firmware_is_told(upload: Upload) -> None:
+def test_another_firmware_is_reported(upload: Upload) -> None:
     with PtyServer(Ros(bench(1)), WallClock()) as server:
         outcome = upload("--port", server.port, "--play", "--yes")
     assert outcome.status == 4
     assert "--board arbotix-ros" in outcome.err
 
 
-def test_a_servo_that_is_ill_is_not_moved(upload: Upload, port: str, pump: Watched) -> None:
+def test_a_servo_with_low_voltage_is_not_moved(upload: Upload, port: str, pump: Watched) -> None:
     pump.supply(9.5)
     outcome = upload("--port", port, "--play", "--yes")
     assert outcome.status == 4
@@ -226,7 +226,7 @@ def test_a_servo_that_is_ill_is_not_moved(upload: Upload, port: str, pump: Watch
     assert pump.goals == []
 
 
-def test_a_servo_that_is_not_there_is_told(upload: Upload) -> None:
+def test_a_missing_servo_is_reported(upload: Upload) -> None:
     with PtyServer(PyPose(bench(3)), WallClock()) as server:
         outcome = upload("--port", server.port, "--play", "--yes")
     assert outcome.status == 4

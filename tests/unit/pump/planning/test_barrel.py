@@ -29,7 +29,7 @@ def test_a_closed_gas_keeps_its_temperature() -> None:
     assert (AMBIENT + pressure) * left == pytest.approx(np.full(4, AMBIENT * full))
 
 
-def test_dead_volume_alone_asks_for_its_own_compression() -> None:
+def test_dead_volume_alone_needs_its_own_compression() -> None:
     """To 20 kPa gauge a plunger sweeps V (1 - P0/P), however large V is."""
     for dead in (0.0, 5e-6, 50e-6):
         found = barrel(f"dead_volume: {dead!r}")
@@ -37,7 +37,7 @@ def test_dead_volume_alone_asks_for_its_own_compression() -> None:
         assert swept == pytest.approx(found.full_volume * (1 - AMBIENT / (AMBIENT + 20e3)))
 
 
-def test_what_is_given_at_the_baseline_is_swept_as_it_is() -> None:
+def test_volume_given_at_the_baseline_equals_volume_swept() -> None:
     found = barrel("dead_volume: 5 mL")
     assert found.drive.area * found.position(0.0, 3e-6) == pytest.approx(3e-6)
 

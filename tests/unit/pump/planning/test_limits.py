@@ -57,7 +57,7 @@ def test_suction_pulls_as_hard_as_pressure_pushes() -> None:
     )
 
 
-def test_speed_is_held_against_what_the_own_pressure_leaves() -> None:
+def test_speed_is_limited_by_the_torque_of_its_own_pressure() -> None:
     """Same way and time, twice: at rest pressure and under load less is left."""
     found = verdict("speed", [20e3, 22e3], "plunger_friction: 0 N")
     torque = 22e3 * np.pi * 0.0349**2 / 4 * 14.8e-3
@@ -69,14 +69,14 @@ def test_speed_is_held_against_what_the_own_pressure_leaves() -> None:
     assert fast.ratio == pytest.approx(fast.wanted / fast.allowed)
 
 
-def test_suction_ends_where_the_sensor_does() -> None:
+def test_suction_is_limited_by_the_sensor() -> None:
     assert verdict("suction", [0, 20e3 - AMBIENT + 1]).severity == "ok"
     found = verdict("suction", [0, -100.9e3])
     assert found.severity == "infeasible"
     assert found.allowed == pytest.approx(20e3 - AMBIENT)
 
 
-def test_a_cap_and_whether_it_ever_acts() -> None:
+def test_a_cap_above_stall_never_acts() -> None:
     assert verdict("cap", [0, 26e3]).severity == "infeasible"
     assert verdict("cap", [0, 24e3]).severity == "ok"
     found = verdict("cap_torque", [0, 1e3], "max_pressure: 140 kPa gauge")
@@ -91,7 +91,7 @@ def test_travel_and_barrel() -> None:
     assert verdict("barrel", [0, 10e3]).severity == "ok"
 
 
-def test_a_course_of_few_counts_is_none() -> None:
+def test_a_motion_of_few_counts_is_infeasible() -> None:
     small = verdict("resolution", [0, 300.0])
     assert small.severity == "infeasible"
     assert small.wanted < 7.0
@@ -99,19 +99,19 @@ def test_a_course_of_few_counts_is_none() -> None:
     assert verdict("resolution", [0, 0, 0]).severity == "ok"  # nothing is asked
 
 
-def test_the_sensors_error_and_its_step() -> None:
+def test_the_sensors_accuracy_and_its_step() -> None:
     assert verdict("sensor", [0, 6.1e3]).severity == "ok"
     assert "8 bit" not in verdict("sensor", [0, 5e3]).message
     assert "8 bit" in verdict("sensor", [0, 1.5e3]).message
 
 
-def test_the_battery_is_told_in_minutes() -> None:
+def test_battery_life_follows_from_mean_current() -> None:
     found = verdict("battery", [100e3] * 5, "plunger_friction: 0 N")
     current = 2.2 * 100e3 * np.pi * 0.0349**2 / 4 * 14.8e-3 / 1.8
     assert found.wanted == pytest.approx(1620.0 / current)
 
 
-def test_counts_may_fall_as_the_plunger_goes_in() -> None:
+def test_counts_may_decrease_as_the_plunger_goes_in() -> None:
     up = demand([0, 20e3], "travel: [100, 900]")
     down = demand([0, 20e3], "travel: [100, 900]", "push: down")
     assert down.count - 500 == pytest.approx(500 - up.count)

@@ -53,7 +53,7 @@ def test_jumps_are_found_and_become_ramps() -> None:
     assert new.values(np.array([1.1]))[0] == pytest.approx((3000 + 8700) / 2, rel=0.03)
 
 
-def test_a_plan_takes_in_what_a_plunger_feels() -> None:
+def test_a_plan_includes_effects_that_the_plunger_feels() -> None:
     scene = planned(leg("pump={syringe_diameter: 34.9 mm}", config="leg_16_straight_air_auto"))
     assert scene.effects.mode("gas_compressibility") == "on"
     published = planned(leg("pump={syringe_diameter: 34.9 mm}"))
@@ -80,7 +80,9 @@ def test_a_plan_takes_in_what_a_plunger_feels() -> None:
         ),
     ],
 )
-def test_what_cannot_be_planned(config: str, words: tuple[str, ...], message: str) -> None:
+def test_scenes_that_cannot_be_planned_are_refused(
+    config: str, words: tuple[str, ...], message: str
+) -> None:
     with pytest.raises(SpecError) as refused:
         pump_of(leg(*words, config=config))
     assert re.search(message, str(refused.value), re.DOTALL)

@@ -80,11 +80,11 @@ def sequences(draw: st.DrawFn) -> PoseSequence:
 
 @given(sequences(), st.booleans())
 @settings(deadline=None)
-def test_it_holds_the_sequence(sequence: PoseSequence, looped: bool) -> None:
+def test_the_header_holds_the_sequence(sequence: PoseSequence, looped: bool) -> None:
     assert read_poses_h(header(sequence, looped)) == sequence
 
 
-def test_half_a_header_is_told() -> None:
+def test_a_truncated_header_is_refused() -> None:
     text = header(fit_poses(swing()).sequence)
     for part in (text[: len(text) // 2], text.replace("pose_0[]", "pose_77[]"), ""):
         with pytest.raises(PumpError, match="not a whole one"):
@@ -99,7 +99,7 @@ def test_no_fact_can_end_the_comment(words: str) -> None:
     assert text.isascii()
 
 
-def test_it_says_where_it_comes_from() -> None:
+def test_the_header_states_its_source() -> None:
     text = header(PoseSequence(((1, 2),), (Move(0, 32),)), **{"largest error": "1.2 counts"})
     for words in ("spec sha256: 00ff", "largest error: 1.2 counts", "Servo 2 must not exist"):
         assert words in text

@@ -171,7 +171,7 @@ def brute_force(wanted: np.ndarray, moves: int, levels: range) -> float:
 
 
 @pytest.mark.parametrize("shape", [(0, 1.2, 3.7, 4.4, 4.0), (2.0, 0.0, 0.4, 3.0, 2.0)])
-def test_the_search_finds_what_trying_everything_finds(shape: tuple[float, ...]) -> None:
+def test_the_search_agrees_with_brute_force(shape: tuple[float, ...]) -> None:
     from viscodesign.pump.poses.search import MoveSearch
     from viscodesign.pump.poses.tolerance_band import ToleranceBand
 
@@ -183,7 +183,7 @@ def test_the_search_finds_what_trying_everything_finds(shape: tuple[float, ...])
             assert (MoveSearch([band], closed=False).vertices(moves) is not None) is found
 
 
-def test_too_wild_a_profile_says_how_far_off_it_is() -> None:
+def test_a_profile_beyond_the_engine_states_its_error() -> None:
     fit = fit_poses(sine(8.0, 200.0, cycles=8))
     check(sine(8.0, 200.0, cycles=8), fit)
     assert fit.largest_error > 5.0
@@ -198,7 +198,7 @@ def test_goals_stay_within_travel() -> None:
     assert max(counts) <= 600
 
 
-def test_a_profile_of_minutes_is_refused_before_it_is_searched() -> None:
+def test_a_very_long_profile_is_refused_before_the_search() -> None:
     time = np.array([0.0, 400.0])
     with pytest.raises(PumpError, match="Loop one cycle of it"):
         fit_poses(profile(time, np.array([100.0, 900.0])))

@@ -20,7 +20,7 @@ def fit() -> PoseFit:
     return fit_poses(swing((1, 2)), loop=True)
 
 
-def test_the_largest_of_all_plungers_counts(fit: PoseFit) -> None:
+def test_the_error_is_the_largest_of_all_plungers(fit: PoseFit) -> None:
     error = np.zeros_like(fit.played)
     error[3], error[5] = (-1.0, 0.5), (0.2, 3.0)
     off = replace(fit, played=fit.wanted + error)
@@ -42,19 +42,19 @@ def test_the_largest_of_all_plungers_counts(fit: PoseFit) -> None:
         ("1 count", False),
     ],
 )
-def test_a_tolerance_has_its_unit(text: str, allows: bool) -> None:
+def test_tolerances_are_read_with_their_units(text: str, allows: bool) -> None:
     assert Tolerance.of(text).allows(ERROR) is allows
 
 
 @pytest.mark.parametrize(
     "text", ["", "1", "kPa", "counts", "-1 kPa", "0 counts", "nan counts", "1 mm", "1 parrot", "1e"]
 )
-def test_what_is_none_is_told_with_examples(text: str) -> None:
+def test_a_text_that_is_no_tolerance_is_refused_with_examples(text: str) -> None:
     with pytest.raises(UsageError, match=r"'1 kPa', '0\.1 mL' or '2 counts'"):
         Tolerance.of(text)
 
 
-def test_too_large_an_error_is_refused_with_what_would_help(fit: PoseFit) -> None:
+def test_a_coarse_fit_is_refused_with_a_remedy(fit: PoseFit) -> None:
     refuse_coarse(fit, ERROR, Tolerance.of("1 kPa"))
     with pytest.raises(PumpError) as told:
         refuse_coarse(fit, ERROR, Tolerance.of("0.1 kPa"))
@@ -62,7 +62,7 @@ def test_too_large_an_error_is_refused_with_what_would_help(fit: PoseFit) -> Non
         assert words in str(told.value)
 
 
-def test_a_loop_that_does_not_close_is_told_to_be_one() -> None:
+def test_an_open_loop_is_refused_with_its_gap() -> None:
     half = swing()
     half = replace(half, time=half.time[:31], counts=half.counts[:31], pressure=half.pressure[:31])
     fit = fit_poses(half, loop=True)

@@ -38,7 +38,7 @@ def test_the_simulated_board_opens_without_a_port() -> None:
         ("dynamixel", "/dev/ttyUSB0", 0, "--baud 0"),
     ],
 )
-def test_what_is_missing_or_too_much_is_told(
+def test_missing_and_superfluous_options_are_refused(
     name: str, port: str | None, baud: int | None, words: str
 ) -> None:
     with pytest.raises(UsageError, match=words):
@@ -65,7 +65,7 @@ def test_a_board_on_a_port(tmp_path: Path) -> None:
     assert "ff ff 01 04 02 00 03" in text
 
 
-def test_a_supply_that_no_servo_could_report_is_no_crash() -> None:
+def test_a_supply_beyond_the_register_does_not_crash() -> None:
     board = open_board("simulated", None, None, NO_LOG, stepped(), pump(supply_voltage=230.0))
     assert board.identify().startswith("simulated")
     board.line.close()

@@ -33,7 +33,7 @@ def test_several_inlets_are_named_as_the_simulator_names_them() -> None:
     assert len(names) == len(set(names)) == 1 + 2 * 2 + 2 * 5
 
 
-def test_rows_come_back_as_they_went_in(tmp_path: Path) -> None:
+def test_rows_are_read_back_unchanged(tmp_path: Path) -> None:
     path = tmp_path / "run" / "record.csv"
     with recorded(path, ["inlet"], FACTS) as record:
         record.add(-0.5, sample(pressure=None, wanted=None))
@@ -49,7 +49,7 @@ def test_rows_come_back_as_they_went_in(tmp_path: Path) -> None:
     assert beside["skipped_ticks"] == 0
 
 
-def test_before_its_end_it_is_labelled_partial(tmp_path: Path) -> None:
+def test_a_running_record_is_labelled_partial(tmp_path: Path) -> None:
     path = tmp_path / "record.csv"
     with recorded(path, ["inlet"], FACTS) as record:
         beside = json.loads(record.beside.read_text())
@@ -82,7 +82,7 @@ def _paths(root: Path) -> dict[str, str]:
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-def test_a_full_disk_is_one_plain_error(tmp_path: Path) -> None:
+def test_a_full_disk_is_one_error_with_a_remedy(tmp_path: Path) -> None:
     path = tmp_path / "record.csv"
     path.symlink_to("/dev/full")
     with pytest.raises(UsageError, match="No space left"), recorded(path, ["inlet"], FACTS):
