@@ -10,15 +10,25 @@ from pathlib import Path
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import ports
-from viscodesign.pump.bus.byte_log import ByteLog
+from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
 from viscodesign.pump.bus.clock import Clock, PacedClock, SteppedClock, WallClock
+from viscodesign.pump.bus.line import Line
+from viscodesign.pump.bus.serial_line import SerialLine
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.sensors.base import PressureSource
 from viscodesign.pump.sensors.board_analog import BoardAnalog
 from viscodesign.pump.sensors.phidget import Phidget
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.pump.sessions.open_board import board_kind, open_board, servo_ids
+from viscodesign.pump.sessions.open_board import (
+    SimulatedArbotix,
+    board_kind,
+    servo_ids,
+    simulated_bench,
+    simulated_line,
+)
+from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.plant import Plant
+from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pump import PumpSpec, SensorSpec
 from viscodesign.scene.scene import Scene
@@ -149,10 +159,18 @@ def connected(
     ``plant``: what a simulated pump presses into; ``poses``: its board plays poses by itself.
     Closed on leaving, whatever happens.
     """
-    log = ByteLog(address.log, tell)
-    place = (address.board, address.port, address.baud)
+    kind, name, port = board_kind(address.board), address.board, address.port
+    _refuse_port(kind, address)
+    log, baud = ByteLog(address.log, tell), address.baud or kind.baud
     try:
-        board = open_board(*place, log, clock, setup.pump, plant, setup.ambient, poses=poses)
+        if not kind.simulated:
+            line: Line = SerialLine(str(port), baud, clock)
+        else:
+            kind, line = _simulated(kind, clock, setup, plant, poses)
+        log.event("opened", board=name, port=port, baud=baud, simulated=kind.simulated)
+        board = kind(LoggedLine(line, log), [] if setup.pump is None else servo_ids(setup.pump))
+        clock.sleep(kind.boot)
+        board.line.drain()
         try:
             yield board, log
         finally:
@@ -161,6 +179,30 @@ def connected(
                 board.line.close()
     finally:
         log.close()
+
+
+def _simulated(
+    kind: type[Board], clock: Clock, setup: PumpSetup, plant: Plant | None, poses: bool
+) -> tuple[type[Board], Line]:
+    if setup.pump is None:
+        raise UsageError("--board simulated needs the `pump:` section of a spec")
+    if not poses:
+        return kind, simulated_line(setup.pump, clock, plant, setup.ambient)
+    device = PyPose(simulated_bench(setup.pump, plant, setup.ambient))
+    return SimulatedArbotix, DirectLine(device, clock)
+
+
+def _refuse_port(kind: type[Board], address: BoardAddress) -> None:
+    port, baud = address.port, address.baud
+    if kind.simulated and (port is not None or baud is not None):
+        raise UsageError("--board simulated has no --port and no --baud: nothing real moves")
+    if not kind.simulated and port is None:
+        raise UsageError(
+            f"--board {kind.name} needs --port, such as /dev/ttyUSB0; "
+            "`viscodesign pump ports` lists those there are"
+        )
+    if baud is not None and baud <= 0:
+        raise UsageError(f"--baud must be above 0, such as {kind.baud}; got {baud}")
 
 
 @contextlib.contextmanager

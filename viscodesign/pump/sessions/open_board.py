@@ -1,4 +1,4 @@
-"""From the name of a board to one that answers."""
+"""Boards by name, and the computed ones behind `--board simulated`."""
 
 from __future__ import annotations
 
@@ -9,23 +9,17 @@ from viscodesign.plugins import members
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
-from viscodesign.pump.bus.clock import Clock, WallClock
+from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.bus.serial_line import SerialLine
 from viscodesign.pump.drive import Drive
+from viscodesign.pump.play.preflight import NAMES as MODEL_NUMBERS
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pins import Pins
 from viscodesign.pump.simulated.plant import AMBIENT, ClosedGas, Plant
-from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
 from viscodesign.scene.pump import PumpSpec
-
-MODEL_NUMBERS = {"ax12a": 12, "ax18a": 18}
-"""Of the servos that `pump.servo` names."""
-
 
 HIGHEST_REPORTED_V = 25.5
 """What the servo's one byte of voltage can say [V]."""
@@ -46,44 +40,6 @@ def board_kind(name: str) -> type[Board]:
     return kinds[name]
 
 
-def open_board(
-    name: str,
-    port: str | None,
-    baud: int | None,
-    log: ByteLog,
-    clock: Clock | None = None,
-    pump: PumpSpec | None = None,
-    plant: Plant | None = None,
-    ambient: float = AMBIENT,
-    *,
-    poses: bool = False,
-) -> Board:
-    """A board behind its port, booted; moves nothing and asks nothing yet.
-
-    ``plant`` is what the plungers of a simulated board press into, a closed barrel where none
-    is given; ``ambient`` the absolute pressure around its sensor [Pa]. ``poses``: a simulated
-    board that plays poses by itself. Whoever opens a board closes its line.
-    """
-    kind = board_kind(name)
-    _check_port(kind, port, baud)
-    clock = clock or WallClock()
-    servos = servo_ids(pump)
-    if not kind.simulated:
-        line: Line = SerialLine(str(port), baud or kind.baud, clock)
-    elif pump is None:
-        raise UsageError("--board simulated needs the `pump:` section of a spec")
-    elif poses:
-        kind = SimulatedArbotix
-        line = DirectLine(PyPose(simulated_bench(pump, plant, ambient)), clock)
-    else:
-        line = simulated_line(pump, clock, plant, ambient)
-    log.event("opened", board=name, port=port, baud=baud or kind.baud, simulated=kind.simulated)
-    board = kind(LoggedLine(line, log), servos)
-    clock.sleep(kind.boot)
-    board.line.drain()
-    return board
-
-
 class SimulatedArbotix(Arbotix):
     """A computed ArbotiX with PyPose: `--board simulated` for poses."""
 
@@ -95,10 +51,8 @@ class SimulatedArbotix(Arbotix):
         return f"simulated, nothing real moves: {super().identify()}"
 
 
-def servo_ids(pump: PumpSpec | None) -> list[int]:
+def servo_ids(pump: PumpSpec) -> list[int]:
     """Of the servos that a pump names, in the order of its inlets."""
-    if pump is None:
-        return []
     return [pump.servo_id] if isinstance(pump.servo_id, int) else list(pump.servo_id.values())
 
 
@@ -123,15 +77,3 @@ def simulated_bench(
         servo.set(registers.CW_LIMIT, pump.travel[0])
         servo.set(registers.CCW_LIMIT, pump.travel[1])
     return SimulatedBench(servos, drives, plant or ClosedGas(drives, ambient))
-
-
-def _check_port(kind: type[Board], port: str | None, baud: int | None) -> None:
-    if kind.simulated and (port is not None or baud is not None):
-        raise UsageError("--board simulated has no --port and no --baud: nothing real moves")
-    if not kind.simulated and port is None:
-        raise UsageError(
-            f"--board {kind.name} needs --port, such as /dev/ttyUSB0; "
-            "`viscodesign pump ports` lists those there are"
-        )
-    if baud is not None and baud <= 0:
-        raise UsageError(f"--baud {baud}; give bits a second, such as {kind.baud}")
