@@ -1,9 +1,9 @@
-# Two lines for a new machine with Python 3.11 or newer: `make run` and `make test`.
+# On a new machine with Python 3.11 or newer: `make run` and `make test`.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: run test lint clean
+.PHONY: run test lint check clean
 
 run: $(VENV)/.main
 	$(BIN)/viscodesign simulate configs/leg_16_straight_air.yaml
@@ -15,6 +15,9 @@ lint: $(VENV)/.dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+check: lint
+	$(BIN)/python -m pytest -n 2 -x tests/unit tests/contract
 
 $(VENV)/.main: pyproject.toml
 	$(PYTHON) -m venv $(VENV)

@@ -1,6 +1,6 @@
-"""Solve every hard case and write what came of it: python docs/make_hard_cases.py
+"""Solve every hard case and tabulate the outcomes: python docs/make_hard_cases.py
 
-Fills the block of `docs/hard-cases.md`, whose other text is written by hand.
+Fills the block of `docs/hard-cases.md`; the rest of that page is written by hand.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from make_pages import fill, table  # noqa: E402
 from tests.hard.case import Case, Outcome, outcome  # noqa: E402
 from tests.hard.cases import CASES  # noqa: E402
 
-MOST_SAID = 160
+MESSAGE_CHARACTERS = 160
 
 
 def main() -> None:
-    """Solve, tell, and fill the page."""
+    """Solve every case, print its row, and fill the page."""
     rows, failed, began = [], 0, time.perf_counter()
     for case in CASES:
         start = time.perf_counter()
@@ -32,7 +32,7 @@ def main() -> None:
     head = (
         "case",
         "what is hard",
-        "it must",
+        "expected",
         "outcome",
         "worst finding",
         "volume",
@@ -41,18 +41,18 @@ def main() -> None:
         "time",
     )
     told = (
-        f"{len(CASES)} cases, {len(CASES) - failed} as they must be, in "
+        f"{len(CASES)} cases, {len(CASES) - failed} as expected, in "
         f"{time.perf_counter() - began:.0f} s.\n\n{table(head, rows)}"
     )
     fill(DOCS / "hard-cases.md", {"cases": told})
     if failed:
-        raise SystemExit(f"{failed} cases are not as they must be")
+        raise SystemExit(f"{failed} cases are not as expected")
 
 
 def _row(case: Case, found: Outcome, seconds: float) -> tuple[str, ...]:
     verdict = found.ending if not found.complaints else f"**{'; '.join(found.complaints)}**"
     if found.message:
-        verdict += f": {found.message.replace(chr(10), ' ')[:MOST_SAID]}"
+        verdict += f": {found.message.replace(chr(10), ' ')[:MESSAGE_CHARACTERS]}"
     run = found.run
     shares = [f for f in found.findings if f.allowed]
     worst = max(shares, key=lambda f: f.share, default=None)
@@ -61,7 +61,7 @@ def _row(case: Case, found: Outcome, seconds: float) -> tuple[str, ...]:
         case.name,
         case.must,
         verdict,
-        "" if worst is None else f"{worst.what}: {worst.share:.2g} of what is allowed",
+        "" if worst is None else f"{worst.what}: {worst.share:.2g} of the limit",
         "" if run is None else _size(run.invariants.volume_imbalance_rel),
         "" if run is None else _size(run.invariants.energy_imbalance_rel),
         "" if run is None else str(run.cost.steps),

@@ -1,7 +1,8 @@
-"""Make what is computed in these pages: python docs/make_pages.py
+"""Fill the computed parts of these pages: python docs/make_pages.py [PAGE ...]
 
-A page is written by hand but for blocks between `<!-- made: NAME -->` and
-`<!-- made: end -->`; these are replaced. Pictures go to docs/published_and_called_for/.
+Without a page it fills all, which solves many scenes; `effects` and `quantities` take a moment.
+A page is written by hand except for blocks between `<!-- made: NAME -->` and `<!-- made: end -->`;
+these are replaced. Pictures go to docs/published_and_called_for/.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import json
 import re
 import subprocess
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -29,26 +31,30 @@ BLOCK = re.compile(r"(<!-- made: ((?!end)\S+) -->\n)(.*?)<!-- made: end -->", re
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
 
 
-def main() -> None:
-    """Fill all pages."""
-    fill(DOCS / "effects.md", {"effects": effects_table()})
-    fill(DOCS / "quantities.md", {"quantities": quantities_table()})
-    fill(DOCS / "accuracy.md", {"accuracy": accuracy_block()})
-    fill(DOCS / "published_and_called_for.md", comparison_blocks())
+def main(names: list[str]) -> None:
+    """Fill the pages with these names, or all."""
+    makers: dict[str, Callable[[], dict[str, str]]] = {
+        "effects": lambda: {"effects": effects_table()},
+        "quantities": lambda: {"quantities": quantities_table()},
+        "accuracy": lambda: {"accuracy": accuracy_block()},
+        "published_and_called_for": comparison_blocks,
+    }
+    for name in names or makers:
+        fill(DOCS / f"{name}.md", makers[name]())
 
 
 def fill(page: Path, blocks: dict[str, str]) -> None:
-    """Replace the blocks of a page; each has to be there."""
+    """Replace the blocks of a page; raises `ValueError` for one that ``blocks`` lacks."""
     text = page.read_text(encoding="utf-8")
     found = {name for _, name, _ in blocks_of(text)}
     if missing := found - set(blocks):
-        raise ValueError(f"{page.name} asks for {', '.join(sorted(missing))}, which is not made")
+        raise ValueError(f"{page.name} has blocks that no code makes: {', '.join(sorted(missing))}")
     text = BLOCK.sub(lambda m: f"{m[1]}\n{blocks[m[2]]}\n\n<!-- made: end -->", text)
     page.write_text(text, encoding="utf-8")
 
 
 def blocks_of(text: str) -> list[tuple[str, str, str]]:
-    """Opening mark, name and content of every block of a page."""
+    """Opening comment, name and content of every block of a page."""
     return [(mark, name, content.strip()) for mark, name, content in BLOCK.findall(text)]
 
 
@@ -63,8 +69,8 @@ def quantities_table() -> str:
 def effects_table() -> str:
     """Every effect of this version, from `viscodesign effects --json`."""
     command = [sys.executable, "-m", "viscodesign", "effects", "--json"]
-    said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    rows = [_effect_row(effect) for effect in json.loads(said)["effects"]]
+    printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    rows = [_effect_row(effect) for effect in json.loads(printed)["effects"]]
     return table(("effect", "what it is", "weight", "where it holds", "keys"), rows)
 
 
@@ -90,14 +96,14 @@ def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
 
 
 def accuracy_block() -> str:
-    """The picture of the paper's leg, and the price of every error; on a quiet machine."""
+    """Draw the picture of the paper's leg; the cost of every error. Run on an idle machine."""
     study = accuracy(load(CONFIGS / "leg_16_straight_air.yaml"))
     draw_accuracy(study, DOCS / "accuracy.png")
     return table(("error", "time to solve", "cheapest setting"), accuracy_rows(study))
 
 
 def accuracy_rows(study: AccuracyStudy) -> list[tuple[str, ...]]:
-    """One for each error that a study tells the price of."""
+    """One for each error that a study gives the cost of."""
     rows = []
     for error in study.errors:
         point = study.cheapest(error)
@@ -113,7 +119,7 @@ def accuracy_rows(study: AccuracyStudy) -> list[tuple[str, ...]]:
 
 @dataclass(frozen=True)
 class Pair:
-    """A scene with the published model, and with the effects that it calls for."""
+    """A scene with the published model, and with the effects that it needs."""
 
     name: str
     published: Trajectory
@@ -121,22 +127,24 @@ class Pair:
 
     @property
     def apart(self) -> np.ndarray:
-        """Distance of the two tips at every output time (T,) [m]."""
+        """Distance between the two tips at every output time (T,) [m]."""
         return np.asarray(np.hypot(*(self.published.tip - self.called_for.tip)[:, :2].T))
 
 
 def comparison_blocks() -> dict[str, str]:
-    """What the page of comparisons asks for, by name."""
-    told = set(re.findall(r"<!-- made: (leg_\S+) -->", (DOCS / PAGE).read_text(encoding="utf-8")))
+    """Blocks of the page of comparisons, by name."""
+    detailed = set(
+        re.findall(r"<!-- made: (leg_\S+) -->", (DOCS / PAGE).read_text(encoding="utf-8"))
+    )
     blocks, rows = {}, []
     for twin in sorted(CONFIGS.glob("*_auto.yaml")):
         name = twin.stem.removesuffix("_auto")
         print(name, flush=True)
-        pair = _solved(name, prove=name in told)
+        pair = _solved(name, prove=name in detailed)
         rows.append(_summary_row(pair))
-        if name in told:
+        if name in detailed:
             blocks[name] = _section(pair)
-    head = ("scene", "calls for besides", "does without", "tips apart", "of the accuracy")
+    head = ("scene", "needs in addition", "does not need", "tips apart", "of the accuracy")
     return blocks | {"all": table(head, rows)}
 
 
@@ -152,12 +160,12 @@ def _solved(name: str, prove: bool) -> Pair:
     return Pair(name, published, called_for)
 
 
-def _taken(run: Trajectory) -> set[str]:
+def _included(run: Trajectory) -> set[str]:
     return {verdict.name for verdict in run.effects if verdict.taken}
 
 
 def _summary_row(pair: Pair) -> tuple[str, ...]:
-    before, after = _taken(pair.published), _taken(pair.called_for)
+    before, after = _included(pair.published), _included(pair.called_for)
     order = [verdict.name for verdict in pair.published.effects]
     added, left = (
         ", ".join(n for n in order if n in names) or "none"
@@ -174,7 +182,7 @@ def _section(pair: Pair) -> str:
     draw_tips(pair.published, pair.called_for, picture)
     worst = int(np.argmax(pair.apart))
     words = (
-        f"The tips are {millimetres(float(pair.apart[worst]))} apart at the most, at "
+        f"The tips are {millimetres(float(pair.apart[worst]))} apart at most, at "
         f"t = {pair.called_for.time[worst]:.3g} s. {_extent('Published', pair.published)}; "
         f"{_extent('called for', pair.called_for)}."
     )
@@ -189,8 +197,8 @@ def _extent(words: str, run: Trajectory) -> str:
 
 
 def _verdict_rows(pair: Pair) -> list[tuple[str, ...]]:
-    """Effects that the scene has, those first that move the tip most."""
-    published = _taken(pair.published)
+    """Effects that apply to the scene, those that move the tip most first."""
+    published = _included(pair.published)
     ablations = sorted(pair.called_for.proof, key=lambda ablation: -ablation.estimated_m)
     return [
         (
@@ -206,7 +214,7 @@ def _verdict_rows(pair: Pair) -> list[tuple[str, ...]]:
 
 
 def millimetres(length: float) -> str:
-    """Three digits, never in powers of ten; below a nanometre nothing."""
+    """Three digits without exponent; zero below a nanometre."""
     value = 1e3 * length
     if value < 1e-6:
         return "0 mm"
@@ -215,9 +223,9 @@ def millimetres(length: float) -> str:
 
 
 def multiple(share: float) -> str:
-    """So many times the accuracy asked for."""
+    """As a multiple of the requested accuracy."""
     return f"{share:.3g} times" if share >= 0.01 else "nothing"
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

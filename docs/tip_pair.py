@@ -1,4 +1,4 @@
-"""Two ways of one tip in one picture."""
+"""Two paths of one tip in one picture."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 SIDE = 3.1
-"""Of the axes [inch]."""
+"""Length of the axes [inch]."""
 LEFT, BOTTOM, ROOM = 0.62, 0.5, 0.15
 SIZE = 9.0
-"""Of the labels [pt]."""
+"""Font size of the labels [pt]."""
 MARGIN = 0.16
-"""Free room around the paths, of their extent."""
-NEAR = 80
-"""Points of a path that names keep away from."""
-HALF = 0.01
-"""Half the room that such a point takes, of the axes."""
+"""Free space around the paths, as a fraction of their extent."""
+OBSTACLES = 80
+"""Points of a path that labels keep away from."""
+OBSTACLE_HALF = 0.01
+"""Half the size of such a point, as a fraction of the axes."""
 
 
 def draw_tips(published: Trajectory, called_for: Trajectory, path: Path) -> None:
@@ -56,7 +56,7 @@ def _limits(paths: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _draw_heads(axes: Axes, points: np.ndarray, colour: str, side: float) -> None:
-    """Two arrow heads that tell the direction."""
+    """Two arrow heads that show the direction."""
     way = travelled(points)
     if way[-1] < 0.1 * side:
         return
@@ -72,16 +72,16 @@ def _draw_heads(axes: Axes, points: np.ndarray, colour: str, side: float) -> Non
 
 
 def _name(axes: Axes, paths: list[np.ndarray], low: np.ndarray, high: np.ndarray) -> None:
-    """Names of both paths and of their start, where they hide least."""
+    """Label both paths and their start where the labels hide least."""
     first, second = (_inside(points, low, high) for points in paths)
-    taken = [_around(x, y, HALF) for points in (first, second) for x, y in _some(points)]
+    taken = [_around(x, y, OBSTACLE_HALF) for points in (first, second) for x, y in _some(points)]
     for text, colour, own, other in (
         ("called for", ACCENT, _some(second), first),
         ("published model", INK, _some(first), second),
         ("start", INK, first[:1], first[-1:]),
     ):
         chosen = min(_choices(text, own), key=lambda c: _cost(c, other, taken))
-        taken.append(_grown(chosen.box, 2 * HALF))
+        taken.append(_grown(chosen.box, 2 * OBSTACLE_HALF))
         axes.annotate(
             text, xy=chosen.anchor, xytext=chosen.place, xycoords="axes fraction",
             textcoords="axes fraction", ha=chosen.across, va=chosen.upright, fontsize=SIZE,
@@ -119,8 +119,8 @@ def _cost(choice: Choice, other: np.ndarray, taken: list[Box]) -> float:
     hidden = choice.box.outside() + sum(choice.box.overlap(box) for box in taken)
     gap = _gap(choice.anchor, other)
     way = np.linspace(choice.anchor, choice.place, 12)[2:]
-    crossed = min(_gap(point, other) for point in way) < 1.5 * HALF
-    return 1e3 * hidden + 0.1 * choice.step + 0.3 * crossed + 0.6 * (gap < 3 * HALF) - gap
+    crossed = min(_gap(point, other) for point in way) < 1.5 * OBSTACLE_HALF
+    return 1e3 * hidden + 0.1 * choice.step + 0.3 * crossed + 0.6 * (gap < 3 * OBSTACLE_HALF) - gap
 
 
 def _gap(point: Sequence[float], path: np.ndarray) -> float:
@@ -136,9 +136,9 @@ def _grown(box: Box, by: float) -> Box:
 
 
 def _some(points: np.ndarray) -> np.ndarray:
-    """Points at equal distances along a path, as many as names keep away from."""
+    """Points at equal distances along a path, as many as labels keep away from."""
     way = travelled(points)
-    even = np.linspace(0.0, way[-1], NEAR)
+    even = np.linspace(0.0, way[-1], OBSTACLES)
     return np.column_stack([np.interp(even, way, points[:, i]) for i in (0, 1)])
 
 

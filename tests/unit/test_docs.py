@@ -1,16 +1,24 @@
-"""What the pages under docs say of the catalogue is what the catalogue says."""
+"""The pages agree with the code, and everything they point to exists."""
 
 from __future__ import annotations
 
+import ast
 import importlib
+import re
 from pathlib import Path
 from types import ModuleType
 
 import pytest
 
+from tests.architecture import modules, room_of
 from tests.scenes import ROOT
 
 DOCS = ROOT / "docs"
+PAGES = [*ROOT.glob("*.md"), *DOCS.glob("*.md"), ROOT / "tests" / "fuzz" / "README.md"]
+PAGES.remove(ROOT / "CHANGELOG.md")  # names what was there once
+LINK = re.compile(r"\]\(((?!https?:)[^)#]+)[^)]*\)")
+PATH = re.compile(r"`((?:viscodesign|tests|docs|examples|benchmarks|configs)/[\w./]+)`")
+PYTHON = re.compile(r"```python\n(.*?)```", re.DOTALL)
 
 
 @pytest.fixture
@@ -19,13 +27,13 @@ def make_pages(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     return importlib.import_module("make_pages")
 
 
-def test_the_table_of_effects_is_the_catalogues(make_pages: ModuleType) -> None:
+def test_the_table_of_effects_lists_the_catalogue(make_pages: ModuleType) -> None:
     page = (DOCS / "effects.md").read_text(encoding="utf-8")
     blocks = {name: text for _, name, text in make_pages.blocks_of(page)}
     assert blocks["effects"] == make_pages.effects_table()
 
 
-def test_every_block_is_filled_and_every_picture_is_there(make_pages: ModuleType) -> None:
+def test_every_block_is_filled_and_every_picture_exists(make_pages: ModuleType) -> None:
     for page in DOCS.glob("*.md"):
         text = page.read_text(encoding="utf-8")
         assert all(block for _, _, block in make_pages.blocks_of(text)), page.name
@@ -33,14 +41,14 @@ def test_every_block_is_filled_and_every_picture_is_there(make_pages: ModuleType
             assert (DOCS / picture).is_file(), picture
 
 
-def test_a_block_that_nobody_makes_is_refused(make_pages: ModuleType, tmp_path: Path) -> None:
+def test_a_block_that_no_code_makes_is_refused(make_pages: ModuleType, tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text("<!-- made: nothing -->\n<!-- made: end -->\n")
-    with pytest.raises(ValueError, match="asks for nothing"):
+    with pytest.raises(ValueError, match="no code makes: nothing"):
         make_pages.fill(page, {})
 
 
-def test_a_block_is_replaced_and_the_rest_stays(make_pages: ModuleType, tmp_path: Path) -> None:
+def test_a_block_is_replaced_and_the_rest_kept(make_pages: ModuleType, tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text("a\n\n<!-- made: one -->\nold\n<!-- made: end -->\n\nb\n")
     for _ in range(2):
@@ -54,3 +62,30 @@ def test_a_block_is_replaced_and_the_rest_stays(make_pages: ModuleType, tmp_path
 )  # fmt: skip
 def test_millimetres(make_pages: ModuleType, length: float, words: str) -> None:
     assert make_pages.millimetres(length) == words
+
+
+def test_links_lead_to_files() -> None:
+    for page in PAGES:
+        for target in LINK.findall(page.read_text(encoding="utf-8")):
+            assert (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_paths_that_pages_name_exist() -> None:
+    for page in PAGES:
+        for path in PATH.findall(page.read_text(encoding="utf-8")):
+            assert (ROOT / path).exists(), f"{page.name}: {path}"
+
+
+def test_what_pages_import_can_be_imported() -> None:
+    for page in PAGES:
+        for block in PYTHON.findall(page.read_text(encoding="utf-8")):
+            for node in ast.walk(ast.parse(block)):
+                if isinstance(node, ast.ImportFrom) and str(node.module).startswith("viscodesign"):
+                    exec(ast.unparse(node), {})
+
+
+def test_the_table_of_rooms_lists_every_room(make_pages: ModuleType) -> None:
+    page = (DOCS / "architecture.md").read_text(encoding="utf-8")
+    blocks = {name: text for _, name, text in make_pages.blocks_of(page)}
+    listed = re.findall(r"^\| `([\w.]+)` \|", blocks["rooms"], re.MULTILINE)
+    assert set(listed) == {room_of(module) for module in modules()} - {""}
