@@ -14,13 +14,10 @@ from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
 from tests.studies import MODELS, POINTS, REFERENCE, STEPLESS, made_study, point
-from viscodesign.report.charts.accuracy import (
-    COLOURS,
-    MOST_LABELS,
-    draw_accuracy,
-    percent_words,
-    time_words,
-)
+from viscodesign.report.charts.accuracy import draw_accuracy
+from viscodesign.report.charts.accuracy_axes import percent_words, time_words
+from viscodesign.report.charts.accuracy_key import COLOURS
+from viscodesign.report.charts.accuracy_labels import MOST_LABELS
 from viscodesign.report.layout.style import ACCENT, RC
 from viscodesign.results.accuracy_study import AccuracyStudy, Model
 
@@ -130,7 +127,7 @@ def test_the_recommended_one_has_a_ring_and_words(drawn: Drawn) -> None:
 
 def test_what_was_asked_for_is_a_line_with_its_number(drawn: Drawn) -> None:
     figure = drawn(made_study())
-    assert "asked for: 0.5 %" in words(figure)
+    assert "requested: 0.5 %" in words(figure)
     dashed = [line for line in figure.axes[0].lines if line.get_linestyle() == "--"]
     assert [float(y) for line in dashed for y in line.get_ydata()] == [0.005, 0.005]  # type: ignore[union-attr, arg-type]
 
@@ -144,24 +141,26 @@ def test_the_front_is_a_staircase_through_its_points(drawn: Drawn) -> None:
 
 def test_the_front_is_labelled_but_not_without_end(drawn: Drawn) -> None:
     told = words(drawn(made_study()))
-    assert {"no steps", "1 edge, tol 1e-2", "1 edge, tol 1e-4", "2 edges, tol 1e-6"} <= set(told)
+    assert {"no time steps", "1 edge, tol 1e-2", "1 edge, tol 1e-4", "2 edges, tol 1e-6"} <= set(
+        told
+    )
     crowd = [text for text in words(drawn(CASES["crowded"]())) if ", tol " in text]
     assert len(crowd) <= MOST_LABELS + 1
 
 
 def test_what_the_reference_cannot_tell_is_said(drawn: Drawn) -> None:
-    assert any("at most" in text for text in words(drawn(made_study())))
+    assert any("upper bounds" in text for text in words(drawn(made_study())))
     known = replace(REFERENCE, smallest_error_m=1e-12)
-    assert not any("at most" in text for text in words(drawn(made_study(reference=known))))
+    assert not any("upper bounds" in text for text in words(drawn(made_study(reference=known))))
 
 
 def test_an_interrupted_study_says_so(drawn: Drawn) -> None:
-    assert any("interrupted: not all was" in t for t in words(drawn(CASES["interrupted"]())))
+    assert any("interrupted: incomplete" in t for t in words(drawn(CASES["interrupted"]())))
 
 
 def test_the_key_names_models_solvers_and_meshes(drawn: Drawn) -> None:
     told = set(words(drawn(made_study())))
-    assert {"auto, II:\ndistributed, inertial", "radau", "none: no steps", "1", "2"} <= told
+    assert {"auto, II:\ndistributed, inertial", "radau", "none: no time steps", "1", "2"} <= told
 
 
 @pytest.mark.parametrize(
