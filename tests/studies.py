@@ -52,6 +52,6 @@ def made_study(**changes: Any) -> AccuracyStudy:
         "name": "leg_made_up", "version": "0.1", "spec_sha256": "0" * 64, "status": "complete",
         "length": LENGTH, "requested_rel": 0.005, "models": MODELS, "taken": MODELS[1].effects,
         "reference": REFERENCE, "points": points, "start": points[3] if len(points) > 3 else None,
-        "notes": ("not measured for want of time: something",), "limit_s": 60.0, "spent_s": 12.0,
+        "notes": ("skipped: time limit: something",), "limit_s": 60.0, "spent_s": 12.0,
     }  # fmt: skip
     return AccuracyStudy(**{**given, **changes})

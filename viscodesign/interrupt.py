@@ -54,7 +54,8 @@ def gentle_interrupt() -> Iterator[StopRequest]:
     request = StopRequest()
 
     def note_once(number: int, frame: FrameType | None) -> None:
-        request.note(number, frame)
+        for listener in _open:
+            listener.note(number, frame)
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
     with _handled([signal.SIGINT], note_once) as handled:
@@ -66,8 +67,6 @@ def gentle_interrupt() -> Iterator[StopRequest]:
             yield request
         finally:
             _open.pop()
-            if request.asked and _open:
-                _open[-1].times += 1
 
 
 @contextmanager

@@ -66,3 +66,12 @@ def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
     assert "Traceback" not in err
     assert json.loads((folder / "summary.json").read_text())["status"] == "interrupted"
     assert "interrupted: " in out
+
+
+def test_an_enclosing_listener_hears_at_once() -> None:
+    with gentle_interrupt() as outer:
+        with gentle_interrupt() as inner:
+            os.kill(os.getpid(), signal.SIGINT)
+            assert inner.asked
+            assert outer.asked
+        assert outer.times == 1

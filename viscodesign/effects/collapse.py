@@ -45,7 +45,7 @@ class Collapse(Effect):
         ambient = quantities.scene.ambient_pressure
         own = (law.rest_volume, law.compliance, bellows.collapse_fraction, ambient)
         floor, fade = bellow.collapse_pressures(*own)
-        give = bellow.wall_give(*own)
+        give = bellow.residual_compliance(*own)
         linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)
         measured = (
             bellows.curve is not None and quantities.scene.effects.mode("material_curve") != "off"

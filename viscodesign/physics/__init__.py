@@ -1,1 +1,1 @@
-"""Formulas with their symbols, units, validity and sources; numbers in, numbers out."""
+"""Formulas with symbols, units, validity and sources; functions of numbers only."""

@@ -1,4 +1,4 @@
-"""Piecewise cubics through measured points, in a form that numbers and symbols share."""
+"""Piecewise cubics through measured points, for numbers and symbols alike."""
 
 from __future__ import annotations
 
@@ -10,18 +10,20 @@ import numpy as np
 
 @dataclass(frozen=True)
 class PiecewiseCubic:
-    """value + slope x + sum of b_k (x - x_k)_+^2 + c_k (x - x_k)_+^3, x = argument - origin.
+    r"""A piecewise cubic in truncated powers.
 
-    Once continuously differentiable; straight lines beyond the first and the last knot.
-    Truncated powers instead of a search for the interval: an expression of a symbol has
-    no search.
+    .. math:: y = y_0 + s x + \sum_k b_k (x - x_k)_+^2 + c_k (x - x_k)_+^3
+
+    x is the argument less ``origin``, y_0 ``value``, s ``slope``. Once continuously differentiable;
+    linear beyond the first and the last knot. Truncated powers need no search for the interval,
+    which a symbolic expression could not do.
     """
 
     origin: float
     value: float
     slope: float
     knots: np.ndarray
-    """(n,) relative to the origin."""
+    """x_k (n,), relative to the origin."""
     squares: np.ndarray
     """b_k (n,)"""
     cubes: np.ndarray
@@ -29,10 +31,10 @@ class PiecewiseCubic:
 
     @classmethod
     def monotone(cls, x: np.ndarray, y: np.ndarray) -> PiecewiseCubic:
-        """Through points (n,) without overshoot: monotone where they are.
+        """Through the points ``x``, ``y`` (n,), without overshoot: monotone where the points are.
 
         Slopes by Fritsch and Butland, SIAM Journal on Scientific and Statistical
-        Computing 5, 1984, as scipy's PCHIP has them.
+        Computing 5, 1984, as in SciPy's PCHIP.
         """
         from scipy.interpolate import PchipInterpolator
 
@@ -40,7 +42,7 @@ class PiecewiseCubic:
         width, chord = np.diff(x), np.diff(y) / np.diff(x)
         square = (3 * chord - 2 * ends[:-1] - ends[1:]) / width
         cube = (ends[:-1] + ends[1:] - 2 * chord) / width**2
-        # Second and third derivatives of each piece at its start; nothing beyond the ends.
+        # Second derivatives at the ends of each piece; zero beyond the first and last point.
         second = np.concatenate([[0.0], 2 * square + 6 * cube * width])
         return cls(
             origin=float(x[0]),
@@ -52,29 +54,29 @@ class PiecewiseCubic:
         )
 
     def __call__(self, argument: Any, functions: Any = np) -> Any:
-        """The curve's value."""
+        """Value of the curve; ``functions`` is numpy or casadi."""
         x = argument - self.origin
         result = self.value + self.slope * x
-        for knot, square, cube in self._corners():
+        for knot, square, cube in self._kinks():
             beyond = functions.fmax(x - knot, 0.0)
             result = result + beyond * beyond * (square + cube * beyond)
         return result
 
     def integral(self, argument: Any, functions: Any = np) -> Any:
-        """Its integral from the first knot."""
+        """Integral from the first knot; ``functions`` is numpy or casadi."""
         x = argument - self.origin
         result = self.value * x + self.slope * x * x / 2
-        for knot, square, cube in self._corners():
+        for knot, square, cube in self._kinks():
             beyond = functions.fmax(x - knot, 0.0)
             result = result + beyond**3 * (square / 3 + cube * beyond / 4)
         return result
 
     def zeroed(self) -> PiecewiseCubic:
-        """The same, moved to vanish at zero."""
+        """The curve, shifted to vanish at zero."""
         return replace(self, value=self.value - float(self(0.0)))
 
     def scaled(self, factor: float) -> PiecewiseCubic:
-        """The same, times a factor."""
+        """The curve, multiplied by a factor."""
         return replace(
             self,
             value=factor * self.value,
@@ -83,8 +85,8 @@ class PiecewiseCubic:
             cubes=factor * self.cubes,
         )
 
-    def _corners(self) -> list[tuple[float, float, float]]:
-        """Knots where the curve really changes; a straight one has none but round-off."""
+    def _kinks(self) -> list[tuple[float, float, float]]:
+        """Knots at which the cubic changes by more than rounding error."""
         range_ = float(self.knots[-1])
         size = max(abs(self.slope), abs(self.value) / range_, 1e-300)
         return [

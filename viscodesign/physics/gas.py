@@ -1,4 +1,4 @@
-"""A barotropic gas: density follows pressure alone, (rho/rho_0)^n = P/P_0."""
+"""A barotropic (polytropic) gas: (rho/rho_0)^n = P/P_0."""
 
 from __future__ import annotations
 
@@ -6,36 +6,36 @@ from typing import Any
 
 import numpy as np
 
-VACUUM = 1e-3
-"""Absolute over ambient pressure below which a gas thins no further.
+MIN_PRESSURE_RATIO = 1e-3
+"""Absolute over ambient pressure below which the density is constant.
 
-No pump comes there; an input that asks for less than a vacuum finds a thin gas that
-still has a density, and a warning is given.
+No pump reaches it; an input below a vacuum finds a thin gas that still has a density, and a
+warning is given.
 """
 
 
 def density_ratio(pressure: Any, ambient: Any, exponent: float, functions: Any = np) -> Any:
-    r"""Density over that at ambient pressure [1].
+    r"""Density relative to that at ambient pressure [1].
 
     .. math:: \rho/\rho_0 = (P/P_0)^{1/n}, \quad P = P_0 + p
 
-    ``pressure`` p gauge [Pa], ``ambient`` P_0 absolute [Pa]; ``exponent`` n is 1 for a
-    gas that keeps its temperature, the ratio of heat capacities for one that exchanges
-    no heat. ``functions`` offers `fmax`, `log` and `expm1` (numpy or CasADi).
+    ``pressure`` p gauge [Pa], ``ambient`` P_0 absolute [Pa]; ``exponent`` n is 1 for an isothermal
+    and the ratio of heat capacities for an adiabatic ideal gas. ``functions`` is numpy or casadi.
     """
-    ratio = functions.fmax(1 + pressure / ambient, VACUUM)
+    ratio = functions.fmax(1 + pressure / ambient, MIN_PRESSURE_RATIO)
     return ratio if exponent == 1.0 else ratio ** (1 / exponent)
 
 
 def density_integral(pressure: Any, ambient: Any, exponent: float, functions: Any = np) -> Any:
-    r"""What drives a mass flow through a laminar tube [Pa].
+    r"""Integral of the density ratio, the potential of laminar mass flow [Pa].
 
     .. math:: \Phi(p) = \int_0^p \rho/\rho_0 \, dp
 
-    With constant viscosity the mass flow over rho_0 is (Phi_a - Phi_b)/R: the law of
-    Hagen-Poiseuille for each slice of the tube, integrated along it.
+    The mass flow from a to b over rho_0 is (Phi_a - Phi_b)/R, with R the resistance of the tube:
+    the Hagen-Poiseuille law of each slice, integrated along the tube. Constant viscosity, Mach
+    number well below 1. Arguments as of `density_ratio`.
     """
-    ratio = functions.fmax(1 + pressure / ambient, VACUUM)
+    ratio = functions.fmax(1 + pressure / ambient, MIN_PRESSURE_RATIO)
     power = 1 + 1 / exponent
     raised = ratio * ratio if exponent == 1.0 else ratio**power
     beyond = 1 + pressure / ambient - ratio
@@ -44,24 +44,26 @@ def density_integral(pressure: Any, ambient: Any, exponent: float, functions: An
 
 
 def specific_work(pressure: Any, ambient: Any, exponent: float, functions: Any = np) -> Any:
-    r"""Work that a unit of gas, measured as volume at ambient density, can do [Pa].
+    r"""Work per volume at ambient density that the gas can do [Pa].
 
     .. math:: h(p) = \int_0^p \rho_0/\rho \, dp
 
-    For small pressures it is the pressure itself.
+    Equal to the gauge pressure if that is small. Arguments as of `density_ratio`.
     """
-    ratio = functions.fmax(1 + pressure / ambient, VACUUM)
+    ratio = functions.fmax(1 + pressure / ambient, MIN_PRESSURE_RATIO)
     power = 1 - 1 / exponent
     logarithm = functions.log(ratio)
-    # Not ratio**power - 1: beside 1, a power near 0 would lose its digits.
+    # expm1 instead of ratio**power - 1, which loses digits if the power is near 0.
     done = logarithm if exponent == 1.0 else functions.expm1(power * logarithm) / power
     beyond = 1 + pressure / ambient - ratio
     return ambient * (done + beyond / density_ratio(pressure, ambient, exponent, functions))
 
 
 def gas_compliance(volume: float, absolute_pressure: float, exponent: float) -> float:
-    r"""Volume at its own density that a gas takes up per pressure [m3/Pa].
+    r"""Compliance of an enclosed gas, volume at its own density per pressure [m^3/Pa].
 
     .. math:: C_g = V / (n P)
+
+    ``volume`` V [m^3], ``absolute_pressure`` P [Pa], polytropic ``exponent`` n [1].
     """
     return volume / (exponent * absolute_pressure)

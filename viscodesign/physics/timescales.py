@@ -1,4 +1,4 @@
-"""Characteristic times of the fluid and its network."""
+"""Characteristic times of the fluid in its network."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ def viscous_elastic_time(
     .. math:: t_f = \frac{\mu \, \partial a/\partial p}{a_0 \epsilon_1^2},
               \quad a_0 = \pi r_c^2, \quad \epsilon_1 = 2 r_c / l
 
-    ``total_tube_length`` l is the length of all tubes together [m].
+    ``viscosity`` mu [Pa s], ``area_per_pressure`` da/dp [m^2/Pa], ``tube_radius`` r_c [m],
+    ``total_tube_length`` l of all tubes together [m]. Order of magnitude of a chain of bellows.
     Source: the paper, section 2.1 (0.157 s for its leg, which is the value of air).
     """
     a_0 = math.pi * tube_radius**2
@@ -26,11 +27,11 @@ def viscous_elastic_time(
 def slowest_network_time(conductance: np.ndarray, compliance: np.ndarray, *, sealed: bool) -> float:
     """Slowest time constant of one connected resistor-capacitor network [s].
 
-    ``conductance`` (B, B): symmetric, of the nodes with volume, fixed pressures
-    and junctions eliminated [m3/(Pa s)]; ``compliance`` (B,) [m3/Pa]. The inverse
-    of the smallest eigenvalue of conductance against compliance; a sealed network
-    has one eigenvalue zero, its mean pressure, which is left out. An eigenvalue below
-    round-off of the largest one counts as that much: the time is then a lower bound.
+    ``conductance`` (B, B): symmetric, of the nodes with volume, fixed pressures and junctions
+    eliminated [m^3/(Pa s)]; ``compliance`` (B,) [m^3/Pa]. The inverse of the smallest generalized
+    eigenvalue of conductance and compliance; the zero eigenvalue of a sealed network, its mean
+    pressure, is left out. An eigenvalue below the rounding error of the largest one is replaced by
+    it, and the time is then a lower bound.
     """
     root = 1.0 / np.sqrt(compliance)
     rates = np.linalg.eigvalsh(root[:, None] * conductance * root[None, :])

@@ -166,7 +166,7 @@ def integrate(
     chosen = (solver_catalogue()[solver] if moves else QuasiStatic)(problem, tolerance)
     fallbacks = Fallbacks(chosen, list(solver_catalogue().values()) if moves else [])
     edges = problem.schedule.edges
-    work = Work()
+    work = Work(progress=progress and (lambda time: progress(time / edges[-1])))
     start = consistent(problem, start, edges[0], problem.schedule.pieces[0])
     record = _Record(start, len(problem.equations.rates), store or ArrayStore())
     failure: SolveError | None = None
@@ -192,7 +192,7 @@ def integrate(
     return Solution(
         *record.joined(),
         record.done + 1,
-        work,
+        replace(work, progress=None),
         failure if early else None,
         interrupt.asked and early,
         interrupt.asked,

@@ -1,4 +1,4 @@
-"""What accuracy costs in time: every sensible setting, measured against a reference."""
+"""The accuracy study: error and time of a grid of settings, measured against a reference."""
 
 from __future__ import annotations
 
@@ -15,79 +15,79 @@ from viscodesign.results.accuracy_study import AccuracyStudy, Model, Point, with
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.solve_once import Progress
-from viscodesign.studies.bench import Bench, StudyInterruptedError
-from viscodesign.studies.explorer import Explorer
-from viscodesign.studies.models import models_of
-from viscodesign.studies.reference import make_reference
+from viscodesign.studies.grid import AccuracyGrid
+from viscodesign.studies.models import allowed_models
+from viscodesign.studies.reference import solve_reference
+from viscodesign.studies.timed_runs import StudyInterruptedError, TimedRuns
 
-USUAL_LIMIT_S = 60.0
+DEFAULT_LIMIT_S = 60.0
 
 
 def accuracy(
-    scene: Scene, *, limit: float = USUAL_LIMIT_S, progress: Progress | None = None
+    scene: Scene, *, limit: float = DEFAULT_LIMIT_S, progress: Progress | None = None
 ) -> AccuracyStudy:
     """Measure what accuracy costs in time.
 
-    ``limit``: wall time of the whole study [s]. ``progress`` is told the part of it
-    that is over. An interrupt is no exception: the study ends there, labelled. Raises
-    `SpecError` for a scene without a bounded solution, `SolveError` where it cannot be
-    solved with all the effects that it allows, or not within the limit.
+    ``limit``: wall time of the whole study [s]. ``progress`` is called with the fraction of it
+    that has passed. An interrupt raises nothing: the study is returned as far as it got, with
+    status "interrupted". Raises `SpecError` for a scene without a bounded solution,
+    `SolveError` if it cannot be solved with all its effects, or not within the limit.
     """
     quantities = SceneQuantities(scene)
     with gentle_interrupt() as interrupt:
         refuse_beyond_numbers(quantities)
         selection = select_effects(quantities)
         refuse_unsolvable(quantities, selection.taken)
-        bench = Bench(quantities, selection, limit, interrupt, progress)
-        return _studied(bench)
+        runs = TimedRuns(quantities, selection, limit, interrupt, progress)
+        return _study(runs)
 
 
-def _studied(bench: Bench) -> AccuracyStudy:
-    quantities, selection = bench.quantities, bench.selection
-    models, notes = models_of(selection)
-    study = _empty(bench, models, notes)
+def _study(runs: TimedRuns) -> AccuracyStudy:
+    quantities, selection = runs.quantities, runs.selection
+    models, notes = allowed_models(selection)
+    study = _empty(runs, models, notes)
     smallest = min(study.errors)
     least = math.ceil(MINIMUM_EDGES / quantities.body.sections)
     try:
-        gauge = make_reference(bench, least, smallest)
+        reference = solve_reference(runs, least, smallest)
     except (StudyInterruptedError, KeyboardInterrupt):
-        return replace(study, status="interrupted", spent_s=bench.spent_s)
-    explorer = Explorer(bench, gauge, least, smallest)
-    study = replace(study, reference=gauge.reference)
+        return replace(study, status="interrupted", spent_s=runs.spent_s)
+    grid = AccuracyGrid(runs, reference, least, smallest)
+    study = replace(study, reference=reference.reference)
     start: Point | None = None
     try:
         suggested = suggest_settings(quantities, selection.effects)
-        start = explorer.try_one(_taken(models), suggested)
-        explorer.explore(models)
+        start = grid.measure_one(_auto_model(models), suggested)
+        grid.measure(models)
     except (StudyInterruptedError, KeyboardInterrupt):
         study = replace(study, status="interrupted")
-    points = with_dominated(explorer.points)
+    points = with_dominated(grid.points)
     return replace(
         study,
         points=points,
-        start=None if start is None else points[explorer.points.index(start)],
-        notes=(*notes, *_reference_notes(study), *explorer.notes, *explorer.skipped_notes()),
-        spent_s=bench.spent_s,
+        start=None if start is None else points[grid.points.index(start)],
+        notes=(*notes, *_reference_notes(study), *grid.notes),
+        spent_s=runs.spent_s,
     )
 
 
-def _empty(bench: Bench, models: tuple[Model, ...], notes: tuple[str, ...]) -> AccuracyStudy:
-    scene, body = bench.quantities.scene, bench.quantities.body
+def _empty(runs: TimedRuns, models: tuple[Model, ...], notes: tuple[str, ...]) -> AccuracyStudy:
+    scene, body = runs.quantities.scene, runs.quantities.body
     return AccuracyStudy(
         name=scene.name,
         version=__version__,
         spec_sha256=scene.source.sha256,
         status="complete",
         length=body.length,
-        requested_rel=bench.quantities.accuracy,
+        requested_rel=runs.quantities.accuracy,
         models=models,
-        taken=_names(bench.selection),
+        taken=_names(runs.selection),
         reference=None,
         points=(),
         start=None,
         notes=notes,
-        limit_s=bench.limit_s,
-        spent_s=bench.spent_s,
+        limit_s=runs.limit_s,
+        spent_s=runs.spent_s,
     )
 
 
@@ -95,8 +95,8 @@ def _names(selection: Selection) -> tuple[str, ...]:
     return tuple(effect.name for effect in selection.effects)
 
 
-def _taken(models: tuple[Model, ...]) -> Model:
-    """What the spec's `effects` take."""
+def _auto_model(models: tuple[Model, ...]) -> Model:
+    """The model with the effects that the spec's `effects` include."""
     return next(model for model in models if "auto" in (model.name, *model.also))
 
 
@@ -105,7 +105,7 @@ def _reference_notes(study: AccuracyStudy) -> tuple[str, ...]:
     if found is None or found.is_converged:
         return ()
     return (
-        f"the reference stands still only to {found.convergence_rel:.1e} of the length within "
-        f"this time; errors below {found.smallest_error_m / study.length:.1e} are told as at "
-        "most that. A larger --limit makes it finer",
+        f"the reference has converged to {found.convergence_rel:.1e} of the length only; errors "
+        f"below {found.smallest_error_m / study.length:.1e} are upper bounds. Increase --limit "
+        "for a finer reference",
     )

@@ -19,7 +19,7 @@ ROWS = np.array([-2e4, 0.0, 3e4, 6e4])
 LINEAR = LinearWall(SX(REST), SX(COMPLIANCE), SX(1e-5), SX(2e-6))
 WALLS: dict[str, Wall] = {
     "linear": LINEAR,
-    "collapsing": CollapsingWall(LINEAR, SX(FLOOR), SX(FADE), SX(bellow.GIVE)),
+    "collapsing": CollapsingWall(LINEAR, SX(FLOOR), SX(FADE), SX(bellow.RESIDUAL_COMPLIANCE)),
     "measured": MeasuredWall(
         SX(REST),
         PiecewiseCubic.monotone(ROWS, np.array([-9e-7, 0.0, 3.6e-6, 5.4e-6])),

@@ -39,7 +39,7 @@ def test_the_floor_is_not_passed_before_the_vacuum(
 ) -> None:
     """The walls that have met still give way, but not by that much."""
     floor, fade = bellow.collapse_pressures(REST, soft, fraction, AMBIENT)
-    give = bellow.wall_give(REST, soft, fraction, AMBIENT)
+    give = bellow.residual_compliance(REST, soft, fraction, AMBIENT)
     found = float(bellow.effective_pressure(pressure, floor, fade, np, give))
     assert found >= pressure * (1 + 1e-12)
     plain = -(1 - fraction) * REST / soft
@@ -49,13 +49,13 @@ def test_the_floor_is_not_passed_before_the_vacuum(
 def test_walls_that_have_met_give_way_by_a_hundredth() -> None:
     far = np.array([-1e7, -2e7])
     slope = np.diff(effective(far)) / np.diff(far)
-    assert slope == pytest.approx(bellow.GIVE, rel=1e-2)
+    assert slope == pytest.approx(bellow.RESIDUAL_COMPLIANCE, rel=1e-2)
 
 
 def test_it_follows_its_formula() -> None:
     pressure = np.linspace(FLOOR - 5 * FADE, START - 1.0, 40)
     u = (FADE - (pressure - FLOOR)) / FADE
-    expected = FLOOR + FADE * (1 - bellow.GIVE * u**3) / (1 + u + u**2)
+    expected = FLOOR + FADE * (1 - bellow.RESIDUAL_COMPLIANCE * u**3) / (1 + u + u**2)
     assert effective(pressure) == pytest.approx(expected, rel=1e-12)
 
 
@@ -105,7 +105,7 @@ def test_numbers_and_symbols_agree() -> None:
 def test_the_walls_meet_a_little_above_the_floor(fraction: float, ambient: float) -> None:
     """Where the linear law has the fraction left, and what gives way down to the vacuum."""
     floor, fade = bellow.collapse_pressures(REST, COMPLIANCE, fraction, ambient)
-    give = bellow.wall_give(REST, COMPLIANCE, fraction, ambient)
+    give = bellow.residual_compliance(REST, COMPLIANCE, fraction, ambient)
     plain = -(1 - fraction) * REST / COMPLIANCE
     assert floor == pytest.approx(plain + give / (1 - give) * max(ambient + plain, 0.0))
     assert fade == pytest.approx(min(fraction, (1 - fraction) / 2) * REST / COMPLIANCE)
@@ -115,16 +115,16 @@ def test_the_walls_meet_a_little_above_the_floor(fraction: float, ambient: float
 @pytest.mark.parametrize("compliance", [1e-13, 1e-11, 1e-9])
 def test_a_bellow_at_rest_is_open_however_soft(fraction: float, compliance: float) -> None:
     floor, fade = bellow.collapse_pressures(REST, compliance, fraction, 101325.0)
-    give = bellow.wall_give(REST, compliance, fraction, 101325.0)
+    give = bellow.residual_compliance(REST, compliance, fraction, 101325.0)
     assert floor + fade < 0.0
-    assert 0.0 < give <= bellow.GIVE
+    assert 0.0 < give <= bellow.RESIDUAL_COMPLIANCE
     assert float(bellow.effective_pressure(0.0, floor, fade, np, give)) == 0.0
 
 
 def test_without_a_stated_floor_a_bellow_empties_over_a_small_part() -> None:
     floor, fade = bellow.collapse_pressures(REST, COMPLIANCE, 0.0, 0.0)
     assert floor == pytest.approx(-REST / COMPLIANCE)
-    assert fade == pytest.approx(bellow.SMALLEST_FADE * REST / COMPLIANCE)
+    assert fade == pytest.approx(bellow.FADE_WITHOUT_FLOOR * REST / COMPLIANCE)
 
 
 def test_a_held_section_has_less_compliance() -> None:

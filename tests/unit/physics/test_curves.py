@@ -78,10 +78,10 @@ def test_rising_points_make_a_rising_curve_between_them(steps: list[float], seed
 def test_a_straight_line_stays_one() -> None:
     """Points of one line leave nothing but value and slope, so a run pays for no row."""
     line = PiecewiseCubic.monotone(X, 3e-9 * X)
-    assert line._corners() == []
+    assert line._kinks() == []
     far = np.array([-1e6, -1.0, 7.0, 1e7])
     assert line(far) == pytest.approx(3e-9 * far, rel=1e-12, abs=1e-18)
-    assert len(CURVE._corners()) == len(X)
+    assert len(CURVE._kinks()) == len(X)
 
 
 def test_two_points_are_a_line() -> None:

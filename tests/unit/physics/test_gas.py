@@ -77,10 +77,10 @@ def test_compliance_is_what_a_volume_takes_up() -> None:
 
 def test_beyond_a_thin_vacuum_a_gas_thins_no_further() -> None:
     """An input may ask for less than nothing; the gas keeps a density, continuously."""
-    edge = -AMBIENT * (1 - gas.VACUUM)
+    edge = -AMBIENT * (1 - gas.MIN_PRESSURE_RATIO)
     for exponent in (1.0, 1.4):
         thin = gas.density_ratio(edge, AMBIENT, exponent)
-        assert thin == pytest.approx(gas.VACUUM ** (1 / exponent))
+        assert thin == pytest.approx(gas.MIN_PRESSURE_RATIO ** (1 / exponent))
         assert gas.density_ratio(-2 * AMBIENT, AMBIENT, exponent) == pytest.approx(thin)
         for law, slope in ((gas.density_integral, thin), (gas.specific_work, 1 / thin)):
             below = law(edge - 100.0, AMBIENT, exponent)

@@ -19,9 +19,9 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run, solve, tip_difference
 from viscodesign.solve.transient import solver_catalogue
-from viscodesign.studies import bench as bench_module
-from viscodesign.studies import explorer as explorer_module
-from viscodesign.studies.models import models_of
+from viscodesign.studies import grid as grid_module
+from viscodesign.studies import timed_runs as timed_runs_module
+from viscodesign.studies.models import allowed_models
 
 SMALL = ("bellows.count=4", "run={duration: 0.5 s, output_interval: 20 ms}",
          "input={kind: table, rows: [[0, 0], [0.1, 4 kPa], [0.2, 4 kPa], [0.3, -2 kPa]]}")  # fmt: skip
@@ -37,7 +37,7 @@ FREE = (
 def _quick_solvers_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """A solver in Python would take most of the time of these tests."""
     kinds = {name: kind for name, kind in solver_catalogue().items() if name != "radau"}
-    monkeypatch.setattr(explorer_module, "solver_catalogue", lambda: kinds)
+    monkeypatch.setattr(grid_module, "solver_catalogue", lambda: kinds)
 
 
 @cache
@@ -120,21 +120,23 @@ def test_without_steps_there_is_one_point_and_no_error() -> None:
 
 
 def test_forms_are_those_that_the_spec_allows() -> None:
-    pinned, notes = models_of(selected(PINNED)[1])
+    pinned, notes = allowed_models(selected(PINNED)[1])
     assert [(model.name, model.also) for model in pinned] == [("auto", ("everything", "II"))]
     assert "IV (uniform, quasi-static)" in notes[0]
     _, selection = selected(FREE)
-    free = {name: model for model in models_of(selection)[0] for name in (model.name, *model.also)}
+    free = {
+        name: model for model in allowed_models(selection)[0] for name in (model.name, *model.also)
+    }
     assert set(free) == {"auto", "everything", "II", "III"}
     assert free["III"].effects == ("pressure_distribution", "feedback")  # and no damping alone
     assert "inertia" in free["II"].effects
     every = {frozenset(model.effects) for model in free.values()}
-    assert len(every) == len(models_of(selection)[0])
+    assert len(every) == len(allowed_models(selection)[0])
 
 
 def test_what_a_scene_cannot_do_without_stays() -> None:
     _, selection = selected("effects=auto", "run.start=rest", "loads.tip_force.x=0.1 N")
-    names = {name for m in models_of(selection)[0] for name in (m.name, *m.also)}
+    names = {name for m in allowed_models(selection)[0] for name in (m.name, *m.also)}
     assert "III" not in names
     assert "IV" not in names
 
@@ -148,11 +150,11 @@ def test_settings_are_measured_a_few_times_where_they_are_quick(
         calls.append(given[2])  # type: ignore[arg-type]
         return solve(*given)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(bench_module, "solve", counted)
+    monkeypatch.setattr(timed_runs_module, "solve", counted)
     study = accuracy(leg(*SMALL, FLOW), limit=60.0)
     for point in study.points:
         asked = [s for s in calls if (s.solver, s.tolerance) == (point.solver, point.tolerance)]
-        assert 1 <= len(asked) <= 2 * bench_module.MOST_REPEATS
+        assert 1 <= len(asked) <= 2 * timed_runs_module.MAX_REPEATS
     assert len(calls) < 12 * len(study.points)
 
 
@@ -164,7 +166,7 @@ def test_an_interrupt_keeps_the_points(monkeypatch: pytest.MonkeyPatch) -> None:
         calls.append(run)
         return replace(run, solution=replace(run.solution, interrupted=len(calls) == 20))
 
-    monkeypatch.setattr(bench_module, "solve", interrupted)
+    monkeypatch.setattr(timed_runs_module, "solve", interrupted)
     study = accuracy(leg(*SMALL, FLOW), limit=60.0)
     assert study.status == "interrupted"
     assert study.reference is not None
@@ -176,19 +178,21 @@ def test_an_interrupt_keeps_the_points(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_an_interrupt_during_a_short_solve_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:
     """The solve is done before it could obey, but the study is not."""
     calls: list[int] = []
+    sent: list[int] = []
 
     def disturbed(*given: object) -> Run:
         calls.append(0)
         *rest, watch, workspace = given
 
         def interrupting(fraction: float) -> None:
-            if len(calls) == 3:
+            if len(calls) == 3 and not sent:
+                sent.append(signal.SIGINT)
                 os.kill(os.getpid(), signal.SIGINT)
             watch(fraction)  # type: ignore[operator]
 
         return solve(*rest, interrupting, workspace)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(bench_module, "solve", disturbed)
+    monkeypatch.setattr(timed_runs_module, "solve", disturbed)
     before = signal.getsignal(signal.SIGINT)
     study = accuracy(leg(*SMALL, FLOW), limit=60.0)
     assert study.status == "interrupted"
@@ -201,21 +205,21 @@ def test_an_interrupt_during_a_short_solve_is_heard(monkeypatch: pytest.MonkeyPa
 def test_time_that_is_over_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """Once no trial may take any of the time left, what was not measured is said."""
     full = studied(PINNED)
-    monkeypatch.setattr("viscodesign.studies.explorer.SHARE_OF_REST", 0.0)
+    monkeypatch.setattr(grid_module, "RULES", replace(grid_module.RULES, share_of_rest=0.0))
     study = accuracy(leg(*SMALL, PINNED))
     assert len(study.points) < len(full.points)
-    assert any("want of time" in note or "given up" in note for note in study.notes)
+    assert any("skipped: time limit" in note or "given up" in note for note in study.notes)
 
 
 def test_no_time_at_all_says_what_to_do() -> None:
-    with pytest.raises(SolveError, match=r"does not fit into the 0\.01 s of the study.*--limit"):
+    with pytest.raises(SolveError, match=r"does not fit into the time limit of 0\.01 s.*--limit"):
         accuracy(leg(*SMALL, PINNED), limit=0.01)
 
 
 def test_a_scene_that_cannot_be_solved_says_so() -> None:
     deep = ("bellows.extension_per_pressure=600 mm", "effects={others: off}",
             "input={kind: constant, value: -100 kPa}")  # fmt: skip
-    with warnings.catch_warnings(), pytest.raises(SolveError, match="there is no reference"):
+    with warnings.catch_warnings(), pytest.raises(SolveError, match="no reference solution"):
         accuracy(leg("bellows.count=4", "run.duration=0.1 s", *deep))
 
 
@@ -232,3 +236,10 @@ def test_points_have_what_the_table_needs() -> None:
     assert np.all(frame["solve_s"] > 0)
     assert np.all(frame["build_s"] > 0)
     assert np.allclose(frame["tip_error_m"] / studied(FLOW).length, frame["tip_error_rel"])
+
+
+def test_no_alarm_interrupts_a_solve(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A time limit ends a solve in its progress callback, in any thread and on any system."""
+    monkeypatch.setattr(signal, "setitimer", None)
+    with pytest.raises(SolveError, match="does not fit into the time limit"):
+        accuracy(leg(*SMALL, PINNED, "run.duration=50 s"), limit=0.3)

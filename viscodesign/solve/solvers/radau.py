@@ -164,6 +164,8 @@ class _RadauStretch:
             if method.step() is not None and method.status == "failed":
                 break
             self.work.steps += 1
+            if self.work.progress is not None:
+                self.work.progress(method.t)
             dense = method.dense_output()
             while len(found) < end - begin and edges[begin + 1 + len(found)] <= method.t:
                 time = edges[begin + 1 + len(found)]
