@@ -26,13 +26,9 @@ class Work:
     residual_calls: int = 0
     jacobian_calls: int = 0
     compile_s: float = 0.0
-<<<<<<< HEAD
     """Wall time of building integrators [s]."""
-=======
-    """Wall time spent on making integrators, which is building, not solving [s]."""
     progress: Callable[[float], None] | None = None
     """Called with the time [s] after a step, by solvers whose steps are slow; may raise."""
->>>>>>> a06c125 (Measure the accuracy study on a grid, without alarm signals)
 
 
 class Solver(ABC):
