@@ -86,7 +86,7 @@ class Column:
 
     def title(self, tolerance: float) -> str:
         """A row of it in words."""
-        edges = f"{self.edges} edge{'s' * (self.edges != 1)} a section"
+        edges = f"{self.edges} edge{'s' * (self.edges != 1)} per section"
         return f"{self.model.title}; {self.solver}, {edges}, tolerance {tolerance_words(tolerance)}"
 
 
