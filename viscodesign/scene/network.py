@@ -47,7 +47,7 @@ class TubeWall(SpecPart):
     poissons_ratio: Fraction = Field(0.5, ge=0, le=0.5, description="Poisson's ratio")
 
 
-class FeedLine(SpecPart):
+class FeedLineSpec(SpecPart):
     """A tube from the pump to each inlet of the actuator."""
 
     length: Length = Field(gt=0, description="Length of the line")
@@ -64,7 +64,7 @@ class Network(SpecPart):
         default_factory=dict, description="Changed tubes of a named layout, such as 'R1-R2'"
     )
     tubes: tuple[TubeEntry, ...] | None = Field(None, description="All tubes of a custom layout")
-    feed_line: FeedLine | None = Field(None, description="Tube from the pump to each inlet")
+    feed_line: FeedLineSpec | None = Field(None, description="Tube from the pump to each inlet")
     tube_wall: TubeWall | None = Field(None, description="Elastic wall of the tubes")
     entrance_loss: Fraction = Field(
         0.5, ge=0, le=10, description="Entrance loss of a tube, in dynamic pressures"
@@ -114,7 +114,7 @@ class Network(SpecPart):
         return graph if self.feed_line is None else _with_feed_lines(graph, self.feed_line)
 
 
-def _with_feed_lines(graph: Graph, line: FeedLine) -> Graph:
+def _with_feed_lines(graph: Graph, line: FeedLineSpec) -> Graph:
     """The graph with a feed line and a junction between each inlet and its tubes."""
     joints = {name: "feed" if len(graph.inlets) == 1 else f"feed_{name}" for name in graph.inlets}
     if taken := sorted(set(joints.values()) & set(graph.nodes)):
