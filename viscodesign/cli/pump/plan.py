@@ -1,4 +1,4 @@
-"""`viscodesign pump plan`: a spec in, its plunger's motion and what speaks against it out."""
+"""`viscodesign pump plan`: a spec in, its plunger's motion and its limits out."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Turn wanted pressures into plunger motion, and judge whether the pump can do it.
+    """Turn wanted pressures into plunger motion, and check it against the pump's limits.
 
-    Follows the spec through its coupled model, holds torque, speed, travel, suction,
-    resolution and battery against what the motion asks at each pressure, names the smallest
-    changes where something fails, and follows what the pump would do instead. Writes
-    plan.csv, plan.json and plan.png. Ends with code 4 where the plan is infeasible.
+    Simulates the spec with its coupled model; checks torque, speed, travel, suction,
+    resolution and battery at the pressure of each moment; names the smallest changes where
+    a limit is exceeded; and simulates what the pump would do instead. Writes plan.csv,
+    plan.json and plan.png. Exits with 4 where the plan is infeasible.
     """
     from viscodesign import load, plan
     from viscodesign.cli.output import json_text, say

@@ -1,4 +1,4 @@
-"""A pump's record: a table with the simulator's columns, whole rows whatever happens."""
+"""A pump's record: a table with the simulator's columns, only whole rows whatever happens."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from viscodesign._version import __version__
 from viscodesign.pump.play.servo_state import Sample, ServoState
 from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
-FLUSH = 1.0
-"""Rows are on the disk this long after they were read, at the latest [s]."""
+FLUSH_INTERVAL_S = 1.0
+"""Rows reach the disk this long after they were read, at the latest."""
 RUNNING = "running"
 
 
 class Record:
-    """The CSV that grows with each sample, and the JSON beside it that says what it is.
+    """A CSV that grows with each sample, and beside it a JSON document that describes it.
 
-    The JSON says "running" from the first moment on, so that a record whose writer was killed
-    is not taken for a complete one.
+    The document says "running" from the start, so that a record whose writer was killed is not
+    taken for a complete one.
     """
 
     def __init__(
@@ -57,11 +57,11 @@ class Record:
         row = [first, *(value() for value in self._more.values()), *others]
         self._line([_number(value) for value in row])
         self.rows += 1
-        if time.monotonic() - self._flushed >= FLUSH:
+        if time.monotonic() - self._flushed >= FLUSH_INTERVAL_S:
             self.flush()
 
     def state(self, status: str, **more: Any) -> None:
-        """Write the JSON anew: whether the table is complete, and what is known of the run."""
+        """Write the document again: whether the table is complete, and what is known of it."""
         self.flush()
         document = {
             "record": self.path.name,
@@ -119,41 +119,43 @@ def recorded(
             record.flush()
 
 
+SERVO_CHANNELS: dict[tuple[str, str], Callable[[ServoState, int], float]] = {
+    ("position", "counts"): lambda state, goal: state.position,
+    ("goal", "counts"): lambda state, goal: goal,
+    ("load", "rel"): lambda state, goal: state.load,
+    ("voltage", "v"): lambda state, goal: state.voltage,
+    ("temperature", "degc"): lambda state, goal: state.temperature,
+}
+"""Quantity and unit of each servo's columns, with what gives its value."""
+
+
 def columns(inlets: Sequence[str], more: Sequence[str] = ()) -> list[str]:
     """Names of the columns; time and pressures as in `trajectory.csv`."""
-    names = ["time_s", *more]
-    names += [_named("inlet_pressure", inlets, inlet, "pa") for inlet in inlets]
-    names += [_named("wanted_pressure", inlets, inlet, "pa") for inlet in inlets]
-    for inlet in inlets:
-        names += [
-            _named("position", inlets, inlet, "counts"),
-            _named("goal", inlets, inlet, "counts"),
-            _named("load", inlets, inlet, "rel"),
-            _named("voltage", inlets, inlet, "v"),
-            _named("temperature", inlets, inlet, "degc"),
-        ]
-    return names
 
+    def named(quantity: str, inlet: str, unit: str) -> str:
+        # Only several inlets need their names.
+        return f"{quantity}_{unit}" if len(inlets) == 1 else f"{quantity}_{inlet}_{unit}"
 
-def _named(quantity: str, inlets: Sequence[str], inlet: str, unit: str) -> str:
-    """As `trajectory.csv` has it: only several inlets need their names."""
-    return f"{quantity}_{unit}" if len(inlets) == 1 else f"{quantity}_{inlet}_{unit}"
+    pressures = ("inlet_pressure", "wanted_pressure")
+    return [
+        "time_s",
+        *more,
+        *(named(pressure, inlet, "pa") for pressure in pressures for inlet in inlets),
+        *(named(what, inlet, unit) for inlet in inlets for what, unit in SERVO_CHANNELS),
+    ]
 
 
 def values(moment: float, sample: Sample) -> list[float | None]:
     """One row; pressures are gauge, None where nothing is known."""
     row: list[float | None] = [moment, *sample.pressure, *sample.wanted]
     for servo, state in sample.servos.items():
-        row += [*_of_servo(state, sample.goals.get(servo, state.goal))]
+        goal = sample.goals.get(servo, state.goal)
+        row += [value(state, goal) for value in SERVO_CHANNELS.values()]
     return row
 
 
-def _of_servo(state: ServoState, goal: int) -> tuple[float, ...]:
-    return (state.position, goal, state.load, state.voltage, state.temperature)
-
-
 def _number(value: float | None) -> str:
-    """As few digits as give the number again; empty where there is none."""
+    """As few digits as reproduce the number; empty where there is none."""
     if value is None:
         return ""
     return repr(round(float(value), 6)) if isinstance(value, float) else str(value)

@@ -14,7 +14,7 @@ import pytest
 
 from tests.unit.pump.samples import sample, servo
 from viscodesign.errors import UsageError
-from viscodesign.pump.sessions.record_file import FLUSH, columns, recorded
+from viscodesign.pump.sessions.record_file import FLUSH_INTERVAL_S, columns, recorded
 
 FACTS = {"board": "simulated", "simulated": True}
 
@@ -63,7 +63,7 @@ def test_a_killed_writer_leaves_whole_rows_and_a_partial_label(tmp_path: Path) -
         "import os, signal, sys, pathlib\n"
         "import viscodesign.pump.sessions.record_file as r\n"
         "from tests.unit.pump.samples import sample\n"
-        "r.FLUSH = 0.0\n"
+        "r.FLUSH_INTERVAL_S = 0.0\n"
         "with r.recorded(pathlib.Path(sys.argv[1]), ['inlet'], {}) as record:\n"
         "    for k in range(100):\n"
         "        record.add(0.1 * k, sample())\n"
@@ -96,7 +96,7 @@ def test_rows_are_flushed_once_a_second(tmp_path: Path, monkeypatch: pytest.Monk
     with recorded(path, ["inlet"], FACTS) as record:
         record.add(0.0, sample())
         assert len(path.read_text().splitlines()) == 1
-        now[0] += FLUSH
+        now[0] += FLUSH_INTERVAL_S
         record.add(0.1, sample())
         assert len(path.read_text().splitlines()) == 3
 
