@@ -1,6 +1,6 @@
-"""`viscodesign pump`: one module per command; whoever adds a file adds a command.
+"""`viscodesign pump`: one module per command; adding a file adds a command.
 
-A file whose name begins with an underscore is shared by them and is none itself.
+Files whose names begin with an underscore are shared by them.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ pump = typer.Typer(
     name="pump",
     no_args_is_help=True,
     rich_markup_mode=None,
-    help="Plan a profile, and play it on the real pump or a simulated one.",
+    help="Plan a profile, and play it on a real pump or a simulated one.",
 )
 
 for _name in sorted(m.name for m in pkgutil.iter_modules(__path__) if not m.name.startswith("_")):

@@ -93,20 +93,20 @@ def command(
         playback: Playback = "loop" if loop else "once" if play else "none"
         session = UploadSession.prepare(scene, tolerance, playback, achievable, advance)
     files = _write(session, export, picture, force)
-    told, lines, report = session.document(), session.description(), None
+    document, lines, report = session.document(), session.description(), None
     if files:
-        told |= {"status": "written", "files": [str(file) for file in files]}
+        document |= {"status": "written", "files": [str(file) for file in files]}
     if dry_run:
-        told["status"], lines = "dry run", rehearse_upload(session).text.splitlines()
+        document["status"], lines = "dry run", rehearse_upload(session).text.splitlines()
     elif playable:
         report = _perform(session, address, yes, quiet)
-        told |= report.document()
+        document |= report.document()
         lines = [] if report.result else [VOLATILE]
     if export is not None:
         lines.append("a sketch that plays the header stands in its first lines")
     lines += [f"written: {file}" for file in files]
     if json:
-        say(json_text(told))
+        say(json_text(document))
     elif lines and not quiet:
         say("\n".join(lines))
     if report is not None:

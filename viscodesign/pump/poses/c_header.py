@@ -20,10 +20,10 @@ _HEAD = """\
  * Made by viscodesign; changes are lost when it is made again.
 {facts}
  *
- * Servo {phantom} must not exist: its moves keep the time of waits and slow moves. Nothing
- * watches the pressure while this plays; the torque limit is the only guard.
+ * Servo {phantom} must not exist: its moves time waits and slow moves. Nothing monitors the
+ * pressure while this plays; only the torque limit caps it.
  *
- * A sketch that plays it from power-on (library Bioloid of the ArbotiX):
+ * A sketch that plays it from power-on (with the Bioloid library of the ArbotiX):
  *
  *   #include <ax12.h>
  *   #include <BioloidController.h>
@@ -32,7 +32,7 @@ _HEAD = """\
  *   void setup() {{
  *     for (int id = 1; id <= {servos}; id++) ax12SetRegister2(id, 34, TORQUE_LIMIT);
  *     for (int id = 1; id <= {servos}; id++) ax12SetRegister2(id, 32, MOVING_SPEED);
- *     // A servo that is not read would jump: wait for each.
+ *     // A servo that cannot be read would jump: wait for each.
  *     for (int id = 1; id <= {servos}; id++) while (ax12GetRegister(id, 36, 2) < 0) delay(100);
  *     bioloid.poseSize = {phantom};
  *     bioloid.readPose();                        // begin where the plunger is
@@ -67,10 +67,10 @@ def poses_h(
     ``moving_speed`` as their registers take them.
     """
     phantom = len(sequence.poses[0])
-    told = "\n".join(f" * {name}: {_plain(words)}" for name, words in facts.items())
+    listed = "\n".join(f" * {name}: {_plain(words)}" for name, words in facts.items())
     head = _HEAD.format(
         title=_plain(title),
-        facts=told,
+        facts=listed,
         phantom=phantom,
         servos=phantom - 1,
         again=_AGAIN if looped else _ONCE,

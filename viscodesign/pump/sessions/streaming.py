@@ -77,7 +77,8 @@ def stream(
     is what the plunger does at any end. ``achievable`` plays what the pump can do where it
     cannot do all of it; ``without_sensor`` moves inlets whose pressure is not measured.
     ``confirm`` is given the plan before anything moves and has to return True (a simulated
-    board needs none); ``on_tick`` is given every tick. A stream that a rule or Ctrl-C ended is
+    board needs none); ``on_tick`` is given every tick, and an exception that it raises ends the
+    stream in a hold. A stream that a rule or Ctrl-C ended is
     a report with that status, not an exception; what does not begin raises `UsageError`,
     `SpecError` or `PumpError`.
     """
@@ -267,11 +268,11 @@ class StreamSession:
             facts["standing"] = [str(one) for one in result.standing]
             facts["ticks"] = stream.ticks.document()
             facts["measured_against_plan"] = self.tracking.document()
-            told = {"reason": result.reason, "rule": result.rule, "hold_verified": result.sure}
-            log.event("ended", status=result.status, **told, **facts)
+            outcome = {"reason": result.reason, "rule": result.rule, "hold_verified": result.sure}
+            log.event("ended", status=result.status, **outcome, **facts)
             if result.status != "complete":
                 tell("\n".join(result_lines(result)))
-            record.state(result.status, **told, **facts)
+            record.state(result.status, **outcome, **facts)
         kept = f"the record so far is in {record.path.parent}"
         return PlaybackReport(self.scene.name, result, facts, kept)
 
