@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
+from viscodesign.cli.options import Debug, Force, Json, NoPlots, Overrides, Quiet, RunFolder, Spec
 from viscodesign.cli.simulate import folder_name
 from viscodesign.errors import InterruptedRunError, UsageError
 
@@ -24,12 +24,7 @@ Examples:
 def command(
     spec: Spec,
     overrides: Overrides = None,
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output", "-o", metavar="DIR", help="Output folder; runs/<name> by default."
-        ),
-    ] = None,
+    output: RunFolder = None,
     budget: Annotated[
         str | None,
         typer.Option(
@@ -41,10 +36,8 @@ def command(
     limit: Annotated[
         str, typer.Option("--limit", metavar="TIME", help="Time limit of the whole study.")
     ] = "60 s",
-    no_plots: Annotated[bool, typer.Option("--no-plots", help="Skip the picture.")] = False,
-    force: Annotated[
-        bool, typer.Option("--force", help="Write even if the folder holds other files.")
-    ] = False,
+    no_plots: NoPlots = False,
+    force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,

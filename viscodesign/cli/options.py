@@ -25,6 +25,12 @@ Output = Annotated[
     Path | None,
     typer.Option("--output", "-o", metavar="DIR", help="Write the results to this folder."),
 ]
+RunFolder = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="DIR", help="Output folder; runs/<name> by default."),
+]
+NoPlots = Annotated[bool, typer.Option("--no-plots", help="Skip the pictures.")]
+Force = Annotated[bool, typer.Option("--force", help="Write even if the folder holds other files.")]
 Quiet = Annotated[
     bool, typer.Option("--quiet", "-q", help="Print errors only (and the JSON document).")
 ]

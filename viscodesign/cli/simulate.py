@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
+from viscodesign.cli.options import Debug, Force, Json, NoPlots, Overrides, Quiet, RunFolder, Spec
 from viscodesign.errors import InterruptedRunError, ViscodesignError
 
 if TYPE_CHECKING:
@@ -30,12 +30,7 @@ class RunFailedError(ViscodesignError):
 def command(
     spec: Spec,
     overrides: Overrides = None,
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output", "-o", metavar="DIR", help="Output folder; runs/<name> by default."
-        ),
-    ] = None,
+    output: RunFolder = None,
     prove: Annotated[
         bool,
         typer.Option(
@@ -45,10 +40,8 @@ def command(
     no_verify: Annotated[
         bool, typer.Option("--no-verify", help="Skip the estimate of the tip error.")
     ] = False,
-    no_plots: Annotated[bool, typer.Option("--no-plots", help="Skip the pictures.")] = False,
-    force: Annotated[
-        bool, typer.Option("--force", help="Write even if the folder holds other files.")
-    ] = False,
+    no_plots: NoPlots = False,
+    force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,

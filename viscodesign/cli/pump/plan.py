@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
-import typer
-
-from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
+from viscodesign.cli.options import Debug, Force, Json, NoPlots, Overrides, Quiet, RunFolder, Spec
 from viscodesign.cli.simulate import RunFailedError, folder_name
 from viscodesign.errors import PumpError
 
@@ -28,14 +26,9 @@ class InfeasiblePlanError(PumpError):
 def command(
     spec: Spec,
     overrides: Overrides = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", metavar="DIR", help="The folder; runs/<name> by default."),
-    ] = None,
-    no_plots: Annotated[bool, typer.Option("--no-plots", help="Draw no picture.")] = False,
-    force: Annotated[
-        bool, typer.Option("--force", help="Write into a folder that holds other files.")
-    ] = False,
+    output: RunFolder = None,
+    no_plots: NoPlots = False,
+    force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,
