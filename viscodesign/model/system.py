@@ -1,14 +1,14 @@
 """The coupled model as sums that effects add to.
 
-A system starts from what no scene can do without: elastic energy of the rod,
-intrinsic strains by pressure, and a volume in every bellow. Each effect then adds
-its term: an energy, a dissipation, a stored volume, a pressure drop along a tube; or
-it puts a finer law in the place of a simple one: of the fluid, of a bellow's wall.
-What nobody added is absent: without kinetic energy the rod is algebraic, without any
+A system starts from what every scene needs: elastic energy of the rod, intrinsic
+strains by pressure, and a volume in every bellow. Each effect then adds its term: an
+energy, a dissipation, a stored volume, a pressure drop along a tube; or it replaces a
+simple law by a finer one: of the fluid, of a bellow's wall.
+What no effect added is absent: without kinetic energy the rod is algebraic, without any
 load it is a row of arcs, without pressure drops each connected network has one
 pressure.
 
-Amounts of fluid are told as volume at the density of ambient pressure; so are flows.
+Amounts of fluid are stated as volume at ambient density; so are flows.
 """
 
 from __future__ import annotations
@@ -22,51 +22,39 @@ import numpy as np
 
 from viscodesign.model.bellow_law import BellowLaw, in_pairs
 from viscodesign.model.bellow_wall import LinearWall, SnappingWall, Wall
-from viscodesign.model.fluid import FluidLaw, Gas, Incompressible, Liquid
+from viscodesign.model.fluid import FluidLaw, Incompressible
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, RodDiscretisation, RodParameters
-from viscodesign.model.scene_number import PARAMETER_VALUE, SCENE_NUMBER
+from viscodesign.model.scene_number import PARAMETER_VALUE
+from viscodesign.model.syringes import SyringeParameters, SyringeSymbols
 
 SX = ca.SX
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number of a scene, and what stands for it in formulas."""
+    """A number of a scene, and its symbol in formulas."""
 
     symbol: SX
     value: float = field(metadata=PARAMETER_VALUE)
 
 
 @dataclass(frozen=True)
-class Syringe:
-    """A closed vessel with a plunger, in the place of a source of pressure."""
-
-    full_volume: float = field(metadata=SCENE_NUMBER)
-    """Volume in front of the plunger at its start [m3]."""
-    bulk_modulus: float | None = field(metadata=SCENE_NUMBER)
-    """Of a liquid [Pa]; None for a gas, which follows ``exponent``."""
-    exponent: float = 1.0
-    cushion: float = field(default=0.0, metadata=SCENE_NUMBER)
-    """Gas beside a liquid, of the full volume, at the baseline pressure [m3]."""
-
-
-@dataclass(frozen=True)
-class Source:
+class InletSource:
     """One inlet: a smooth formula inside each interval of the run."""
 
     value: Callable[[SX, SX], SX]
     """(time, piece coefficients) -> pressure above the baseline [Pa], or, with a
     ``syringe``, volume that its plunger has pushed out [m3]."""
     coefficients: int
-    syringe: Syringe | None = None
+    syringe: SyringeParameters | None = None
 
 
 class System:
     """Symbols and sums of one coupled model; `formulate` turns it into equations.
 
     Effects join first; what follows from all of them is then computed once, for all
-    nodes together, and kept.
+    nodes together.
     """
 
     def __init__(
@@ -74,7 +62,7 @@ class System:
         graph: Graph,
         body: Body,
         bellow: BellowLaw,
-        sources: Mapping[str, Source],
+        sources: Mapping[str, InletSource],
         baseline: float,
         ambient: float,
         rod: RodDiscretisation,
@@ -103,18 +91,15 @@ class System:
         self.pressure = {name: SX.sym(f"pressure_{name}") for name in graph.bellows_along_tubes()}
         self.junction_pressure = {name: SX.sym(f"pressure_{name}") for name in graph.junctions}
         self.inlet_pressure: dict[str, SX] = {}
-        self.syringes: dict[str, Syringe] = {}
-        self.pushed: dict[str, SX] = {}
-        """Volume that each syringe's plunger has pushed out, a symbol [m3]."""
-        self.pushed_value: dict[str, SX] = {}
+        self.syringes: dict[str, SyringeSymbols] = {}
         self._connect(sources)
         # Resultants of each section, positive in tension and in bending to the right.
         self.normal_force = [SX.sym(f"normal_force_{j + 1}") for j in range(graph.sections)]
         self.moment = [SX.sym(f"moment_{j + 1}") for j in range(graph.sections)]
         self.flow = {tube.name: SX.sym(f"flow_{tube.name}") for tube in graph.tubes}
 
-        # What a node holds [m3 at ambient density]: a stand-in for `stored`, by which its
-        # mass can be named before all laws are known.
+        # Content of a node [m3 at ambient density]: a stand-in for `stored`, so that its
+        # mass can be used before all laws are known.
         self.amount = {name: SX.sym(f"amount_{name}") for name in graph.bellows}
 
         # Laws that an effect may replace.
@@ -122,7 +107,7 @@ class System:
         self.wall: Wall = self.linear_wall()
         self.filled_swelling = SX(0)
         self.swelling: dict[str, SX] = {}
-        """Volume of every bellow beyond that at rest [m3], where pressure does not settle it."""
+        """Volume of every bellow beyond that at rest [m3], where pressure does not determine it."""
 
         # The sums that effects join.
         self.kinetic_energy = SX(0)
@@ -130,20 +115,20 @@ class System:
         self.tip_moment = SX(0)
         self.dissipation_power = SX(0)
         self.extra_volume = {name: SX(0) for name in graph.bellows}
-        """What a bellow stores beyond the law of its wall [m3]."""
+        """Volume of a bellow beyond the law of its wall [m3]."""
         self.tube_volume: dict[str, SX] = {}
-        """What tubes store, at a node [m3]; `tube_energy` with it [J]."""
+        """Volume that elastic tubes give a node [m3]; `tube_energy` belongs to it [J]."""
         self.tube_energy = SX(0)
         self.drop: dict[str, SX] = {}
-        """Loss of pressure along a tube as a function of its flow [Pa]."""
+        """Pressure drop along a tube as a function of its flow [Pa]."""
         self.inertance: dict[str, SX] = {}
-        """Pressure per rate of flow of a tube [kg/m4]."""
+        """Pressure per rate of change of a tube's flow [kg/m4]."""
 
         self.wide: frozenset[str] = frozenset()
-        """Tubes that hardly resist: no error of pressure may pass for a flow through them."""
+        """Tubes of so little resistance that an error of pressure must not turn into a flow."""
 
     def parameter(self, name: str, value: float) -> SX:
-        """A named number of the scene as a symbol, so that one build serves many values."""
+        """A named number of the scene as a symbol, so that the same formulas serve many values."""
         if name not in self._parameters:
             self._parameters[name] = Parameter(SX.sym(name), float(value))
         return self._parameters[name].symbol
@@ -155,7 +140,7 @@ class System:
         return ca.vertcat(*symbols), values
 
     def settle(self) -> None:
-        """Work out what depends on all sums, so that each parameter in it has its value."""
+        """Compute what depends on all sums, so that every parameter in it is registered."""
         for tube in self.graph.tubes:
             self.driving_pressure(tube.start, tube.end)
         for name in self.graph.nodes:
@@ -163,22 +148,20 @@ class System:
         for name in (*self.pressure, *self.storing_nodes()):
             self.carried_energy(name)
             self.stored(name)
-        for name in self.syringes:
-            self.plunger_pressure(name)
         self.swelling_defects()
         self.fluid_energy()
 
     # -- the network ----------------------------------------------------------
 
     def node_pressure(self, node: str) -> SX:
-        """Gauge pressure of a node of the network, whatever its kind [Pa]."""
+        """Gauge pressure of a node of the network of any kind [Pa]."""
         for kind in (self.pressure, self.junction_pressure, self.inlet_pressure):
             if node in kind:
                 return kind[node]
         raise KeyError(node)
 
     def driving_pressure(self, start: str, end: str) -> SX:
-        """What drives the flow from one node to another, over the fluid's density [Pa]."""
+        """Driving pressure of the flow from one node to another, density included [Pa]."""
         return self._driving(start) - self._driving(end)
 
     def _driving(self, node: str) -> SX:
@@ -186,11 +169,11 @@ class System:
         return pressure - self.load_factor * self.head(node)
 
     def head(self, node: str) -> SX:
-        """Weight of the fluid from the clamp down to a node, taken as a pressure [Pa]."""
+        """Hydrostatic pressure from the clamp down to a node [Pa]."""
         return -self._load_per_amount.get(node, SX(0))
 
     def carried_energy(self, node: str) -> SX:
-        """Kinetic energy that a unit amount of fluid brings to a node [Pa]."""
+        """Kinetic energy of a unit amount of fluid at a node [Pa]."""
         return self._kinetic_per_amount.get(node, SX(0))
 
     @cached_property
@@ -206,16 +189,16 @@ class System:
         return dict(zip(self.amount, ca.vertsplit(slopes), strict=True))
 
     def specific_work(self, node: str) -> SX:
-        """Work that a unit amount of fluid can do at a node, its height included [Pa]."""
+        """Work that a unit amount of fluid can do at a node, including its height [Pa]."""
         return self.fluid.specific_work(self.node_pressure(node)) - self.head(node)
 
     def wall_volume(self, node: str) -> SX:
-        """Volume that the walls around a node give it [m3]; zero at a bare junction."""
+        """Volume between the walls around a node [m3]; zero at a rigid junction."""
         volume = self.tube_volume.get(node, SX(0))
         if node in self.pressure:
             volume += self._bellow_volumes[node]
         if node in self.syringes:
-            volume += self.barrel_volume(node)
+            volume += self.syringes[node].volume(self._is_stiff)
         return volume
 
     @cached_property
@@ -224,7 +207,7 @@ class System:
         return dict(zip(self.pressure, ca.vertsplit(volumes), strict=True))
 
     def volume(self, node: str) -> SX:
-        """The same, with what the rod's resultants add [m3]."""
+        """The same with the volume that the rod's resultants add [m3]."""
         return self.wall_volume(node) + self.extra_volume.get(node, SX(0))
 
     def stored(self, node: str) -> SX:
@@ -234,115 +217,41 @@ class System:
         return self._stored[node]
 
     def _amount_at(self, node: str) -> SX:
-        if self._has_own_fluid(node):
-            # The barrel's own fluid yields, that of the network does not.
+        if node in self.syringes and self._is_stiff:
+            # The barrel's own fluid is compressible, that of the network is not.
             return self.volume(node)
         return self.volume(node) * self.fluid.density(self.node_pressure(node))
 
+    @property
+    def _is_stiff(self) -> bool:
+        """Whether the network's fluid is incompressible."""
+        return isinstance(self.fluid, Incompressible)
+
     def store(self, node: str, volume: SX, compliance: SX) -> None:
-        """Let tubes give a node a volume [m3], and more of it per pressure [m3/Pa]."""
+        """Give a node the volume of elastic tubes [m3], and their compliance [m3/Pa]."""
         if node in self.inlet_pressure and node not in self.syringes:
-            return  # an ideal source fills it, and nobody is later for it
+            return  # an ideal source fills it without delay
         pressure = self.node_pressure(node)
         self.tube_volume[node] = self.tube_volume.get(node, SX(0)) + volume + compliance * pressure
         self.tube_energy += compliance * pressure**2 / 2
 
     def storing_nodes(self) -> list[str]:
-        """Nodes besides the bellows that hold fluid: junctions of soft tubes, syringes."""
+        """Nodes other than bellows that store fluid: junctions of elastic tubes, syringes."""
         own = {**self.junction_pressure, **self.syringes}
         return [name for name in own if name in self.tube_volume or name in self.syringes]
 
     @cached_property
     def net_inflow(self) -> dict[str, SX]:
-        """Sum of the tube flows into every node; out of an inlet it is negative [m3/s]."""
+        """Sum of the tube flows into every node [m3/s]; negative where an inlet delivers."""
         totals = {name: SX(0) for name in self.graph.nodes}
         for tube in self.graph.tubes:
             totals[tube.end] += self.flow[tube.name]
             totals[tube.start] -= self.flow[tube.name]
         return totals
 
-    # -- syringes -------------------------------------------------------------
+    # -- bellows --------------------------------------------------------------
 
-    def barrel_volume(self, name: str) -> SX:
-        """Volume in front of a plunger; where the network's fluid is stiff, at ambient density."""
-        left = self._space(name)
-        if not self._has_own_fluid(name):
-            return left
-        return left * self.barrel_fluid(name).density(self.inlet_pressure[name])
-
-    def _space(self, name: str) -> SX:
-        """Volume of fluid in front of a plunger [m3]."""
-        full = self.parameter(f"syringe.{name}", self.syringes[name].full_volume)
-        return full - self.pushed[name] - self._cushion_volume(name)
-
-    def _cushion_amount(self, name: str) -> SX | None:
-        """The gas beside a barrel's liquid, as volume at ambient density [m3]; None without."""
-        cushion = self.syringes[name].cushion
-        if not cushion:
-            return None
-        volume = self.parameter(f"syringe.{name}.cushion", cushion)
-        return volume * self._cushion_gas.density(self.baseline)
-
-    @property
-    def _cushion_gas(self) -> Gas:
-        """It keeps the liquid's temperature."""
-        return Gas(self.ambient, 1.0)
-
-    def _cushion_volume(self, name: str) -> SX:
-        amount = self._cushion_amount(name)
-        if amount is None:
-            return SX(0)
-        return amount / self._cushion_gas.density(self.inlet_pressure[name])
-
-    def cushion_energy(self, name: str) -> SX:
-        """What the gas beside a barrel's liquid stores [J].
-
-        Minus the integral of the plunger's work per volume over the gas's volume, by parts.
-        """
-        amount = self._cushion_amount(name)
-        if amount is None:
-            return SX(0)
-        pressure = self.inlet_pressure[name]
-        work = self._cushion_gas.specific_work(pressure)
-        stored = amount * work - self._cushion_volume(name) * self.plunger_pressure(name)
-        if self._has_own_fluid(name):
-            # The plunger's work per volume is p + p2/(2 K): the liquid yields as well.
-            modulus = self.parameter(f"syringe.{name}.bulk_modulus", self._modulus(name))
-            stored += amount * self.ambient * (pressure - work) / modulus
-        return stored
-
-    def _modulus(self, name: str) -> float:
-        modulus = self.syringes[name].bulk_modulus
-        assert modulus is not None, "a gas has no cushion"
-        return modulus
-
-    def barrel_fluid(self, name: str) -> FluidLaw:
-        """The fluid in a barrel, which always yields: the plunger's position is given."""
-        syringe = self.syringes[name]
-        if syringe.bulk_modulus is None:
-            return Gas(self.ambient, syringe.exponent)
-        return Liquid(self.parameter(f"syringe.{name}.bulk_modulus", syringe.bulk_modulus))
-
-    def barrel_energy(self, name: str) -> SX:
-        """What the barrel's own fluid stores; zero where the network's law covers it [J]."""
-        if not self._has_own_fluid(name):
-            return SX(0)
-        law, pressure = self.barrel_fluid(name), self.inlet_pressure[name]
-        return self._space(name) * (
-            pressure * law.density(pressure) - law.density_integral(pressure)
-        )
-
-    def plunger_pressure(self, name: str) -> SX:
-        """Work per volume that a plunger pushes out [Pa]."""
-        pressure = self.inlet_pressure[name]
-        if not self._has_own_fluid(name):
-            return pressure
-        return self.barrel_fluid(name).density_integral(pressure)
-
-    def _has_own_fluid(self, node: str) -> bool:
-        return node in self.syringes and isinstance(self.fluid, Incompressible)
-
-    def _connect(self, sources: Mapping[str, Source]) -> None:
+    def _connect(self, sources: Mapping[str, InletSource]) -> None:
         used = 0
         for name, source in sources.items():
             piece = self.pieces[used : used + source.coefficients]
@@ -351,12 +260,11 @@ class System:
             if source.syringe is None:
                 self.inlet_pressure[name] = self.baseline + value
                 continue
-            self.syringes[name] = source.syringe
-            self.inlet_pressure[name] = SX.sym(f"pressure_{name}")
-            self.pushed[name] = SX.sym(f"pushed_{name}")
-            self.pushed_value[name] = value
-
-    # -- bellows --------------------------------------------------------------
+            syringe = SyringeSymbols(
+                name, source.syringe, value, self.baseline, self.ambient, self.parameter
+            )
+            self.syringes[name] = syringe
+            self.inlet_pressure[name] = syringe.pressure
 
     def linear_wall(self) -> LinearWall:
         """The paper's laws of a bellow."""
@@ -369,7 +277,7 @@ class System:
         )
 
     def let_snap(self, wall: SnappingWall, filled: float) -> None:
-        """Give every bellow a law by which the pressure follows from its swelling.
+        """Let the pressure of every bellow be a function of its swelling, a new unknown.
 
         ``filled``: swelling at the pressure at which sealed parts were filled [m3].
         """
@@ -377,13 +285,17 @@ class System:
         self.filled_swelling = self.parameter("filled_swelling", filled)
         self.swelling = {name: SX.sym(f"swelling_{name}") for name in self.pressure}
 
+    def plunger_pressures(self) -> list[SX]:
+        """Work per volume that every plunger pushes out [Pa]."""
+        return [syringe.plunger_pressure(self._is_stiff) for syringe in self.syringes.values()]
+
     @property
     def wall_argument(self) -> dict[str, SX]:
-        """What the laws of the bellows' walls are functions of: pressure, or swelling."""
+        """Argument of the laws of the bellows' walls: pressure, or swelling."""
         return self.swelling or self.pressure
 
     def swelling_defects(self) -> SX:
-        """Pressure of every swelling less the bellow's own (B,) [Pa]; none where none swells."""
+        """Pressure of every swelling minus the bellow's own (B,) [Pa]; empty without swellings."""
         if not isinstance(self.wall, SnappingWall):
             return SX(0, 1)
         pressure = ca.vertcat(*self.pressure.values())
@@ -391,33 +303,32 @@ class System:
 
     @cached_property
     def intrinsic_curvature(self) -> SX:
-        """Curvature of every section that its pressures ask for (S,) [1/m]."""
+        """Curvature of every section under its pressures alone (S,) [1/m]."""
         left, right = self._columns
         return self.wall.curvature(left) - self.wall.curvature(right)
 
     @cached_property
     def intrinsic_stretch(self) -> SX:
-        """Stretch of every section that its pressures ask for (S,) [1]."""
+        """Stretch of every section under its pressures alone (S,) [1]."""
         left, right = self._columns
         return self.wall.stretch(left) + self.wall.stretch(right)
 
     @cached_property
     def _columns(self) -> tuple[SX, SX]:
-        """What the laws of the left and the right bellows depend on, clamp first (S,)."""
+        """Arguments of the left and the right bellows' laws, clamp first (S,)."""
         left, right = zip(*in_pairs(self.graph, self.wall_argument), strict=True)
         return ca.vertcat(*left), ca.vertcat(*right)
 
     def fluid_energy(self) -> SX:
-        """Energy of walls and fluid whose rate is the work of what flows in [J]."""
+        """Energy of walls and fluid, whose rate is the power of the inflow [J]."""
         energy = self.tube_energy
-        energy += sum(
-            (self.barrel_energy(n) + self.cushion_energy(n) for n in self.syringes), SX(0)
-        )
+        syringes = [s.energies(self._is_stiff) for s in self.syringes.values()]
+        energy += sum((own + cushion for own, cushion in syringes), SX(0))
         energy += ca.sum1(self.wall.energy(ca.vertcat(*self.wall_argument.values())))
         for name in (*self.pressure, *self.storing_nodes()):
             pressure = self.node_pressure(name)
             energy += pressure * (self.volume(name) - self.wall_volume(name))
-            if not isinstance(self.fluid, Incompressible):
+            if not self._is_stiff:
                 energy += self.stored(name) * self.fluid.specific_work(pressure)
                 energy -= pressure * self.volume(name)
         return energy

@@ -14,7 +14,8 @@ from viscodesign.model.chain import Chain
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import Body
-from viscodesign.model.system import Source, Syringe, System
+from viscodesign.model.syringes import SyringeParameters
+from viscodesign.model.system import InletSource, System
 from viscodesign.model.unknowns import Sizes
 from viscodesign.postprocess.sample_times import with_samples
 from viscodesign.scene.inputs.syringe import SyringeInput
@@ -129,15 +130,15 @@ def _floor(quantities: SceneQuantities, effects: Sequence[Effect]) -> float | No
     return quantities.bellow.floor_volume if held and "gas_compressibility" in names else None
 
 
-def _source(scene: Scene, name: str) -> Source:
+def _source(scene: Scene, name: str) -> InletSource:
     source, syringe = scene.inputs[name], None
     if isinstance(source, SyringeInput):
         fluid = scene.fluid
         modulus, exponent = fluid.bulk_modulus, fluid.polytropic_exponent
         # Beside a gas it is the same gas, and part of the full volume.
         cushion = 0.0 if fluid.is_gas else source.cushion
-        syringe = Syringe(source.full_volume, modulus, exponent, cushion)
-    return Source(
+        syringe = SyringeParameters(source.full_volume, modulus, exponent, cushion)
+    return InletSource(
         lambda time, piece: source.expression(time, piece, ca), source.coefficients, syringe
     )
 
