@@ -103,10 +103,10 @@ def test_no_effect_is_lost_on_the_way(name: str) -> None:
 
 
 def test_old_structures_make_room() -> None:
-    for count in range(2, 2 * (formulation.MOST_KEPT + 3), 2):
+    for count in range(2, 2 * (formulation.MAX_STRUCTURES + 3), 2):
         quantities = SceneQuantities(leg(SHORT, f"bellows.count={count}", "effects={others: off}"))
         build(quantities, select_effects(quantities).effects, Settings(4, 1e-4))
-    assert len(formulation._kept) == formulation.MOST_KEPT
+    assert len(formulation._kept) == formulation.MAX_STRUCTURES
 
 
 class _Stiffer(Effect):

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.model.network_equations import SNAPS_AT_ONCE, two_pressures
+from viscodesign.model.network_equations import SNAPS_WITHOUT_FLOW, two_pressures
 from viscodesign.physics import bellow
 from viscodesign.scene.bellows import snaps
 
@@ -43,7 +43,7 @@ def refuse_unsolvable(quantities: SceneQuantities, active: frozenset[str]) -> No
     """
     at_once = "pressure_distribution" not in active
     if at_once and "material_curve" in active and snaps(quantities.scene.bellows):
-        raise SpecError.plain(SNAPS_AT_ONCE)
+        raise SpecError.plain(SNAPS_WITHOUT_FLOW)
     for component in quantities.graph.components() if at_once else []:
         inlets = [name for name in component.inlets if name not in quantities.barrels]
         if len(inlets) > 1:

@@ -1,8 +1,8 @@
-"""Work of forces along paths: which a run has, and its rate where one is known.
+"""Work of forces along paths at the boundary of the model, and its rate where one is known.
 
-The rate of a path is known where it depends on states and time alone. Else, where the force
-does, the work is taken by parts: force times path at the ends, less the path's integral over
-the force. What is left has no rate, and is summed over the solved times.
+The rate of a path is known where it depends on states and time alone. Otherwise, where the
+force does, the work is integrated by parts: force times path at the ends, minus the integral
+of the path over the force. The rest has no rate, and is summed over the solved times.
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ FORCE_AND_PATH = {
 
 
 @dataclass(frozen=True)
-class Way:
+class WorkSplit:
     """How the parts of one work are integrated."""
 
     by_parts: np.ndarray
-    """(n,) where the integral needs force times path at the ends of every smooth stretch."""
+    """(n,) where the work needs force times path at the ends of every smooth stretch."""
     sampled: np.ndarray
-    """(n,) where there is no rate at all."""
+    """(n,) where no rate is known, so that it is summed over samples."""
 
 
 @dataclass(frozen=True)
-class Clock:
-    """What moves with time: of the unknowns, the states alone have rates."""
+class MotionRates:
+    """Rates of change along the motion: of the unknowns, only states have known ones."""
 
     time: SX
     states: SX
@@ -44,34 +44,34 @@ class Clock:
     ode: SX
 
     def rate(self, value: SX) -> SX:
-        """Along the motion, of what depends on states and time."""
+        """Rate of change of a quantity that depends on states and time alone."""
         return ca.jacobian(value, self.time) + ca.jtimes(value, self.states, self.ode)
 
-    def tells(self, values: SX) -> np.ndarray:
-        """Which of them (n,) depend on nothing but states and time."""
+    def has_rate(self, values: SX) -> np.ndarray:
+        """Which of them (n,) depend on states and time alone."""
         rows, _ = ca.jacobian(values, self.algebraics).sparsity().get_triplet()
         return ~np.isin(np.arange(values.numel()), rows)
 
 
-def rates_and_ways(
-    clock: Clock, outputs: Mapping[str, SX], names: list[str]
-) -> tuple[dict[str, SX], dict[str, Way]]:
+def works_and_splits(
+    motion: MotionRates, outputs: Mapping[str, SX], names: list[str]
+) -> tuple[dict[str, SX], dict[str, WorkSplit]]:
     """Rates [W] of the named works, as far as they have any, and how all are integrated."""
-    rates, ways = {}, {}
+    rates, splits = {}, {}
     for name in names:
         force, path = (outputs[value] for value in FORCE_AND_PATH[name])
         if not force.numel():
             continue
-        direct = clock.tells(path)
-        by_parts = clock.tells(force) & ~direct
-        if not clock.states.numel():
+        direct = motion.has_rate(path)
+        by_parts = motion.has_rate(force) & ~direct
+        if not motion.states.numel():
             # No integrator: what depends on time alone has integrals all the same.
-            direct, by_parts = direct & clock.tells(force), np.zeros_like(by_parts)
-        rates[name] = _chosen(force * clock.rate(path), direct) - _chosen(
-            path * clock.rate(force), by_parts
+            direct, by_parts = direct & motion.has_rate(force), np.zeros_like(by_parts)
+        rates[name] = _chosen(force * motion.rate(path), direct) - _chosen(
+            path * motion.rate(force), by_parts
         )
-        ways[name] = Way(by_parts, ~(direct | by_parts))
-    return rates, ways
+        splits[name] = WorkSplit(by_parts, ~(direct | by_parts))
+    return rates, splits
 
 
 def _chosen(values: SX, which: np.ndarray) -> SX:

@@ -3,8 +3,8 @@
     dx/dt = ode(x, z, t),   0 = alg(x, z, t)
 
 Every unknown is divided by its size, every algebraic equation by the size of its
-terms, so that one tolerance means the same for all. Which unknowns exist follows
-from what the effects added:
+terms, so that one tolerance means the same for all. Which unknowns exist depends on
+the terms that effects have added:
 
 ===========================  ==============================================
 kinetic energy               positions and velocities are states
@@ -21,157 +21,35 @@ no pressure drops            one pressure per connected network
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from contextlib import AbstractContextManager
-from dataclasses import dataclass, fields
-from typing import Concatenate, ParamSpec
-
 import casadi as ca
-import numpy as np
 
-from viscodesign.model.boundary_work import Clock, Way, rates_and_ways
+from viscodesign.model.boundary_work import MotionRates, WorkSplit, works_and_splits
+from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.fluid import Incompressible
-from viscodesign.model.graph import Component
 from viscodesign.model.jacobian import jacobian
 from viscodesign.model.lru_cache import ONE_AT_A_TIME, LruCache
-from viscodesign.model.network_equations import NetworkEquations, NetworkForm
-from viscodesign.model.rod_equations import RodEquations, RodForm
+from viscodesign.model.network_equations import NetworkEquations
+from viscodesign.model.rod_equations import RodEquations
 from viscodesign.model.structure import structure_of, without_numbers
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes, SizeSymbols, Unknowns, column, substitute
 
 SX = ca.SX
-P = ParamSpec("P")
 
 
-MOST_KEPT = 16
-"""Structures whose formulas are kept for the next scene of the same kind."""
-NUMBERS = 6
-"""Of what follows from the parameters alone, before the sizes of the unknowns."""
-MOST_COMPILED = 12
-"""Compiled functions that are kept with each."""
+MAX_STRUCTURES = 16
+"""Structures whose formulas are cached for the next scene of the same kind."""
+MAX_COMPILED = 12
+"""Compiled functions that are cached with each."""
 
-
-@dataclass(frozen=True)
-class Formulas:
-    """The equations of one structure: symbols alone, good for every scene of its kind."""
-
-    rod_form: RodForm
-    network_form: NetworkForm
-    states: Unknowns
-    algebraics: Unknowns
-    statics: Unknowns
-    """Unknowns of the equilibrium: pressures, flows that are not formulas, the rod's shape."""
-    time: SX
-    pieces: SX
-    parameters: SX
-    ode: SX
-    alg: SX
-    rates: dict[str, SX]
-    """Powers whose integrals the balances need [W]; those of time alone stand last."""
-    quadrature: SX
-    """The first of them, over the size of an energy: what an integrator integrates."""
-    timed_quadrature: SX
-    """The rest, which are formulas of the time."""
-    ways: dict[str, Way]
-    """How works of forces along paths are integrated, by name."""
-    function: ca.Function
-    """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> (ode, alg)."""
-    static_function: ca.Function
-    """(y, t, pieces, load_factor, sealed_volumes, parameters) -> (residual, Jacobian,
-    amounts beyond rest, intrinsic curvatures, intrinsic stretches)."""
-    algebraic_function: ca.Function
-    """Like `function`, returning (alg, d alg/d z)."""
-    output_function: ca.Function
-    """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
-    quantity_function: ca.Function
-    """parameters -> (sealed_volumes, rest_amounts, filled_amounts, motion time, swing time,
-    energy size, and the sizes of all blocks of states, algebraics and statics)."""
-    fed: tuple[Component, ...]
-    driven: tuple[str, ...]
-    """Inlets whose pressure is given, in the order of the state `inflow`."""
-    sealed: tuple[Component, ...]
-    storing: tuple[str, ...]
-    """Nodes besides the bellows that hold fluid."""
-    incompressible: bool
-    """Whether an amount in a bellow is its volume."""
-    _compiled: LruCache[ca.Function]
-
-    def compiled(
-        self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
-    ) -> ca.Function:
-        """What a function makes of these formulas and hashable arguments, made once.
-
-        It gets the symbols alone and no scene's numbers, and its result is shared by scenes and
-        threads: it must have no state, as integrators have.
-        """
-        return self._compiled.get((make, args), lambda: make(self._symbolic, *args))  # type: ignore[call-arg]
-
-    def lent(
-        self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
-    ) -> AbstractContextManager[ca.Function]:
-        """The same for what has a state: nobody else has it inside of the context."""
-        return self._compiled.lend((make, args), lambda: make(self._symbolic, *args))  # type: ignore[call-arg]
-
-    @property
-    def _symbolic(self) -> Formulas:
-        return self
-
-    def with_numbers(self, values: np.ndarray) -> Equations:
-        """The equations of a scene with these parameter values."""
-        found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
-        sealed, rest, filled, motion, swing, energy = found[:NUMBERS]
-        groups = [self.states, self.algebraics, self.statics]
-        ends = NUMBERS + np.cumsum([0, *(len(group.blocks) for group in groups)])
-        sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
-        own = {f.name: getattr(self, f.name) for f in fields(self)}
-        names = ("states", "algebraics", "statics")
-        return Equations(
-            **{**own, **dict(zip(names, sized, strict=True))},
-            formulas=self,
-            parameter_values=values,
-            sealed_volumes=sealed,
-            rest_amounts=rest,
-            filled_amounts=filled,
-            swing_time=float(swing[0]),
-            motion_time=float(motion[0]),
-            energy_size=float(energy[0]),
-        )
-
-
-@dataclass(frozen=True)
-class Equations(Formulas):
-    """Formulas with the numbers of one scene: everything that a solver needs to know."""
-
-    formulas: Formulas
-    """The same without numbers."""
-    parameter_values: np.ndarray
-    sealed_volumes: np.ndarray
-    """What each sealed part was filled with [m3 at ambient density]."""
-    rest_amounts: np.ndarray
-    """What bellows and storing nodes hold at zero gauge [m3]."""
-    filled_amounts: np.ndarray
-    """The same at the baseline, with nothing loading and no plunger pushed in."""
-    swing_time: float
-    """Time in which the inlets may change by all of their pressure [s]."""
-    motion_time: float
-    """Time in which the rod moves by itself: the size of its velocities is length over it [s]."""
-    energy_size: float
-    """By which energies are divided in `quadrature` [J]."""
-
-    @property
-    def _symbolic(self) -> Formulas:
-        return self.formulas
-
-
-_kept: LruCache[Formulas] = LruCache(MOST_KEPT)
+_kept: LruCache[Formulas] = LruCache(MAX_STRUCTURES)
 
 
 def formulate(system: System, sizes: Sizes) -> Equations:
     """Turn a system's sums into equations.
 
-    Derivatives and substitutions are made once for every structure and kept; a system
-    that differs from an earlier one by its numbers alone takes them over.
+    Derivatives and substitutions are made once for every structure and cached; a system
+    that differs from an earlier one by its numbers alone reuses them.
     Raises `SpecError` where one pressure per network is asked for and two inlets
     feed the same network.
     """
@@ -188,7 +66,7 @@ def formulate(system: System, sizes: Sizes) -> Equations:
 
 
 class _Formulation:
-    """One pass over a system; kept together because every step needs the same symbols."""
+    """One pass over a system; in one class since every step needs the same symbols."""
 
     def __init__(self, system: System, sizes: SizeSymbols) -> None:
         self.system = system
@@ -208,8 +86,8 @@ class _Formulation:
             expressions = substitute(expressions, step)
         return expressions
 
-    def _balances(self) -> tuple[list[SX], dict[str, SX], dict[str, SX], dict[str, Way]]:
-        """(ode, alg), rates, outputs and ways of works, in the unknowns."""
+    def _balances(self) -> tuple[list[SX], dict[str, SX], dict[str, SX], dict[str, WorkSplit]]:
+        """(ode, alg), rates, outputs and splits of works, in the unknowns."""
         network, rod = self.network.dynamics(), self.rod.dynamics()
         rates = self.network.rates() | self.rod.rates()
         outputs = self.network.outputs(self.rod.conjugate_volumes()) | self.rod.outputs()
@@ -220,15 +98,15 @@ class _Formulation:
         rates = dict(zip(rates, resolved[2:count], strict=True))
         outputs = dict(zip(outputs, resolved[count:], strict=True))
         x, z = self.states.vector, self.algebraics.vector
-        clock = Clock(self.system.time, x, z, resolved[0])
-        works, ways = rates_and_ways(clock, outputs, self.network.works())
+        motion = MotionRates(self.system.time, x, z, resolved[0])
+        works, splits = works_and_splits(motion, outputs, self.network.works())
         rates = {name: rate for name, rate in (rates | works).items() if not rate.is_zero()}
         timed = {name for name, rate in rates.items() if not ca.depends_on(rate, ca.vertcat(x, z))}
         rates = dict(sorted(rates.items(), key=lambda item: item[0] in timed))
-        return list(ca.cse(resolved[:2])), rates, outputs, ways
+        return list(ca.cse(resolved[:2])), rates, outputs, splits
 
     def _quadratures(self, rates: dict[str, SX]) -> tuple[SX, SX]:
-        """Rates over the size of an energy: that depend on unknowns, and on time alone."""
+        """Rates over the size of an energy: those that depend on unknowns, those on time alone."""
         unknowns, size = ca.vertcat(self.states.vector, self.algebraics.vector), self._energy_size()
         scaled = [rate / size for rate in rates.values()]
         moving = [rate for rate in scaled if ca.depends_on(rate, unknowns)]
@@ -240,7 +118,7 @@ class _Formulation:
     def _statics(self) -> list[SX]:
         rod = self.system.rod
         defects = self.network.equilibrium() + self.rod.equilibrium()
-        amounts = self.network.departures()
+        amounts = self.network.content.departures()
         return self._resolve(
             [column(defects), amounts, rod.intrinsic_curvature, rod.intrinsic_stretch],
             (self.statics,),
@@ -248,11 +126,12 @@ class _Formulation:
 
     def _quantities(self) -> list[SX]:
         """Numbers that follow from the parameters alone."""
-        nodes = [*self.system.pressure, *self.network.storing]
+        content = self.network.content
+        nodes = [*self.system.pressure, *content.storing]
         return [
-            self.network.filled(),
-            self.network.rest_amounts(nodes),
-            self.network.filled_amounts(nodes),
+            content.filled(),
+            content.rest_amounts(nodes),
+            content.filled_amounts(nodes),
             self.sizes.time,
             self.sizes.swing,
             self._energy_size(),
@@ -265,7 +144,7 @@ class _Formulation:
 
     def formulas(self) -> Formulas:
         """Assemble, resolve and compile."""
-        (ode, alg), rates, outputs, ways = self._balances()
+        (ode, alg), rates, outputs, splits = self._balances()
         quadrature, timed = self._quadratures(rates)
         static, *static_values = self._statics()
         system, network = self.system, self.network
@@ -276,7 +155,7 @@ class _Formulation:
             system.time,
             system.pieces,
             system.load_factor,
-            network.sealed_volumes,
+            network.content.sealed_volumes,
             parameters,
         ]
         return Formulas(
@@ -287,13 +166,13 @@ class _Formulation:
             statics=self.statics,
             time=system.time,
             pieces=system.pieces,
-            parameters=ca.vertcat(system.load_factor, network.sealed_volumes, parameters),
+            parameters=ca.vertcat(system.load_factor, network.content.sealed_volumes, parameters),
             ode=ode,
             alg=alg,
             rates=rates,
             quadrature=quadrature,
-            timed_quadrature=timed,
-            ways=ways,
+            time_only_quadrature=timed,
+            work_splits=splits,
             function=ca.Function("balances", [x, z, *tail], [ode, alg]),
             static_function=ca.Function(
                 "equilibrium", [y, *tail], [static, jacobian(static, y), *static_values]
@@ -307,12 +186,12 @@ class _Formulation:
                 list(outputs),
             ),
             quantity_function=ca.Function("quantities", [parameters], quantities),
-            fed=network.fed,
-            driven=tuple(network.driven),
-            sealed=network.sealed,
+            fed=network.content.fed,
+            driven=tuple(network.content.driven),
+            sealed=network.content.sealed,
             storing=tuple(network.storing),
             incompressible=isinstance(system.fluid, Incompressible),
-            _compiled=LruCache(MOST_COMPILED),
+            _compiled=LruCache(MAX_COMPILED),
         )
 
 

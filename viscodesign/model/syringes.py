@@ -1,4 +1,4 @@
-"""Syringes in the place of pressure sources: what a barrel holds, stores, and asks of its plunger."""
+"""Syringes in the place of pressure sources: what a barrel stores, and the work of its plunger."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Balances that must hold in every run: amount of fluid, and energy.
 
-Both are kept in a ledger that is told consecutive rows, as many at a time as there are.
+Both are kept by a ledger that takes consecutive rows, any number at a time.
 """
 
 from __future__ import annotations
@@ -13,35 +13,42 @@ import numpy as np
 from viscodesign.model.boundary_work import FORCE_AND_PATH
 from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm
-from viscodesign.postprocess.path_integral import group_ends
-from viscodesign.postprocess.work_integrals import ENERGIES, EnergyTable
+from viscodesign.postprocess.work_integrals import ENERGIES, EnergyTable, group_ends
 from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.problem import Problem, evaluate_at
 from viscodesign.solve.statics import Start, consistent
 
-STANDSTILL = 1e-3
-"""Part of what is stored below which nothing of the fluid moves: round-off is told against it."""
-STILL = 1e-4
-"""Part of what is stored as energy below which next to nothing moves. Steps need not tell such a
-motion's energy: its balance is told where it holds, and else not told, rather than over what is
-stored."""
-UNSURE = 1e-4
-"""Part of the work by which the solved times may misjudge what is summed over them, and the
-balance still be told."""
-ROUND_OFF = 1e-8
-"""Part of what is stored below which all is round-off, and what is left of an equilibrium."""
-NOTHING = 1e-9
-"""The same of what the bellows might store."""
-MOST_STEPS_BETWEEN = 20
-"""Steps between two solved times, on average, up to which these show all that happens."""
-SAME = 1e-9
-"""Part of its size by which an input may differ between both sides of a corner and not jump."""
+
+@dataclass(frozen=True)
+class BalanceTolerances:
+    """From where on a balance says something."""
+
+    fluid_at_rest: float = 1e-3
+    """Part of the contents below which no fluid moves: round-off is relative to that."""
+    energy_at_rest: float = 1e-4
+    """Part of the stored energy below which next to nothing moves. Steps need not resolve the
+    energy of such a motion: its balance is stated where it holds, and omitted elsewhere, rather
+    than made relative to what is stored."""
+    sampling: float = 1e-4
+    """Part of the work by which samples may misjudge works that are summed over them, for the
+    balance to be stated."""
+    energy_round_off: float = 1e-8
+    """Part of the stored energy below which all is round-off, and the residual of equilibria."""
+    storage_round_off: float = 1e-9
+    """The same of what the bellows might store."""
+    steps_per_sample: int = 20
+    """Steps between two samples, on average, up to which these resolve the motion."""
+    jump_rel: float = 1e-9
+    """Part of its size by which an input may change at a corner without a jump."""
+
+
+TOLERANCES = BalanceTolerances()
 
 Rows = Mapping[str, np.ndarray]
 
 
 @dataclass(frozen=True)
-class Block:
+class SolvedEdges:
     """Consecutive solved edges: scaled unknowns (n, m), integrals (nq, m), named outputs (m, n)."""
 
     first: int
@@ -53,25 +60,25 @@ class Block:
 
 
 class Ledger:
-    """Both balances of a run, kept up from block to block."""
+    """Both balances of a run, updated block by block."""
 
     def __init__(self, problem: Problem) -> None:
         self._fluid = FluidLedger(problem)
         self._energy = EnergyLedger(problem)
 
-    def add(self, block: Block) -> None:
-        """Take in the edges that follow those before."""
+    def add(self, block: SolvedEdges) -> None:
+        """Add the edges that follow those before."""
         self._fluid.add(block)
         self._energy.add(block)
 
     def invariants(self, steps: int) -> Invariants:
-        """What holds over all edges told, to which an integrator came in ``steps``."""
+        """Errors of the balances over all edges, which an integrator reached in ``steps``."""
         energy, coupling = self._energy.balance(steps)
         return Invariants(self._fluid.imbalance(), energy, coupling)
 
 
 class FluidLedger:
-    """Largest difference between what flowed in and what is stored, over what moved."""
+    """Largest difference between inflow and storage, over the amount that moved."""
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
@@ -87,8 +94,8 @@ class FluidLedger:
         self._inflow = np.zeros(len(self._fed))
         self._moved = self._held = 0.0
 
-    def add(self, block: Block) -> None:
-        """Take in the edges that follow those before."""
+    def add(self, block: SolvedEdges) -> None:
+        """Add the edges that follow those before."""
         stored = block.rows["stored"]
         if not stored.size:
             return
@@ -99,7 +106,7 @@ class FluidLedger:
         self._add_fed(block, stored)
         self._add_sealed(stored)
 
-    def _add_fed(self, block: Block, stored: np.ndarray) -> None:
+    def _add_fed(self, block: SolvedEdges, stored: np.ndarray) -> None:
         states = self._problem.equations.states
         if "inflow" not in states.blocks:
             return
@@ -124,26 +131,26 @@ class FluidLedger:
         self._apart[k] = max(self._apart[k], float(np.max(np.abs(gained - came))))
 
     def imbalance(self) -> float:
-        """Over all edges told."""
-        # Where nothing moves, round-off is told against what is stored.
-        moved = max(self._moved, STANDSTILL * self._held)
+        """Relative to the amount that moved, over all edges."""
+        # Where nothing moves, round-off is relative to what is stored.
+        moved = max(self._moved, TOLERANCES.fluid_at_rest * self._held)
         scale = np.full(len(self._apart), moved)
         scale[: len(self._fed)] = np.maximum(moved, self._inflow)
         return float(np.max(self._apart / scale, initial=0.0)) if moved else 0.0
 
 
 def holding_columns(problem: Problem, component: Component) -> list[int]:
-    """Where a component's nodes stand among those that hold fluid."""
+    """Columns of a component's nodes among those that store fluid."""
     own = set(component.nodes)
     names = [*problem.bellows_along_tubes, *problem.equations.storing]
     return [k for k, name in enumerate(names) if name in own]
 
 
 class EnergyLedger:
-    """Energy stored, less all work done; what an integrator cannot integrate is summed here.
+    """Energy stored minus all work done; works without a rate are summed here.
 
-    Where an input jumps and pressures follow at once, the model does not say what the jump
-    costs: the balance then holds on each side of it.
+    Where an input jumps and pressures follow instantly, the model does not determine the work
+    of the jump: the balance then holds on each side of it.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -153,16 +160,16 @@ class EnergyLedger:
         self._stretches = np.array([0, *pieces.changes, len(pieces)])
         """Edges at which a stretch of smooth input begins, and the last of all."""
         uniform = problem.equations.network_form is NetworkForm.UNIFORM
-        # Else what is stored are states, and what jumps is no part of the ledger.
-        self._may_jump = uniform or "plunger" in problem.equations.ways
+        # Otherwise contents are states, and what jumps is not part of the balance.
+        self._may_jump = uniform or "plunger" in problem.equations.work_splits
         self._stretch = 0
-        """Number of the one at hand."""
+        """Index of the current stretch."""
         self._first = 0
         """Edge of the first row kept."""
         self._kept = np.zeros((0, self._table.width))
-        """Rows from the end of the last whole group of intervals on."""
+        """Rows from the end of the last complete group of intervals."""
         self._opening: np.ndarray | None = None
-        """The row in which the stretch at hand began."""
+        """The row with which the current stretch began."""
         self._edges = 0
         self._summed = self._unsure = 0.0
         self._off = self._worst = 0.0
@@ -171,8 +178,8 @@ class EnergyLedger:
         self._low, self._high = np.full((2, len(ENERGIES)), [[np.inf], [-np.inf]])
         self._is_coupled = False
 
-    def add(self, block: Block) -> None:
-        """Take in the edges that follow those before."""
+    def add(self, block: SolvedEdges) -> None:
+        """Add the edges that follow those before."""
         time = self._problem.schedule.edges[block.first :][: block.integrals.shape[1]]
         rows = self._table.of(time, block.rows, block.integrals)
         self._note_sizes(rows, block)
@@ -194,13 +201,13 @@ class EnergyLedger:
         self._kept = at_hand
 
     def _ends(self, stretch_end: int, last: int) -> np.ndarray:
-        """Ends of the whole groups that follow, up to the last edge told."""
+        """Ends of the complete groups that follow, up to the last edge available."""
         if self._table.sums:
             return group_ends(self._first, stretch_end, last)
         return np.arange(self._first + 1, min(stretch_end, last) + 1)
 
-    def _note_sizes(self, rows: np.ndarray, block: Block) -> None:
-        """What is the scale of an imbalance."""
+    def _note_sizes(self, rows: np.ndarray, block: SolvedEdges) -> None:
+        """Update the scales of an imbalance."""
         energies = self._table.energies(rows)
         self._edges += len(rows)
         self._low = np.minimum(self._low, energies.min(axis=0))
@@ -212,16 +219,16 @@ class EnergyLedger:
         self._largest[name] = max(self._largest[name], float(np.max(np.abs(values))))
 
     def _close(self, rows: np.ndarray, cuts: np.ndarray) -> None:
-        """Take in whole groups of intervals of a stretch, which end at rows ``cuts``."""
+        """Balance complete groups of intervals of a stretch, which end at rows ``cuts``."""
         table, opening = self._table, self._opening
         assert opening is not None
         works: dict[str, np.ndarray] = {}
         ends = rows[cuts]
         for name in FORCE_AND_PATH:
-            told = table.told(name, ends)
+            integrated = table.integrated(name, ends)
             parts, unsure = table.summed(name, rows, cuts)
             summed = np.concatenate([[0.0], np.cumsum(parts)])
-            works[name] = self._works[name] + told - told[0] + summed
+            works[name] = self._works[name] + integrated - integrated[0] + summed
             self._summed += float(np.abs(parts).sum())
             self._unsure += float(unsure.sum())
             self._works[name] = float(works[name][-1])
@@ -234,8 +241,8 @@ class EnergyLedger:
         self._note("pump", works["pump"] + works["plunger"])
         self._note("coupling", works["coupling"])
 
-    def _after(self, block: Block, edge: int, row: np.ndarray) -> np.ndarray:
-        """The row with which a stretch begins: another than ended the one before, at a jump."""
+    def _after(self, block: SolvedEdges, edge: int, row: np.ndarray) -> np.ndarray:
+        """The row with which a stretch begins; at a jump it differs from the last one before."""
         problem, k = self._problem, edge - block.first
         if not self._may_jump:
             return row
@@ -253,29 +260,32 @@ class EnergyLedger:
         return np.asarray(rows[0])
 
     def balance(self, steps: int) -> tuple[float | None, float | None]:
-        """Imbalance over the work done, and the work of unpaired coupling [J]."""
+        """Imbalance over the work done (None if unknown), and the work of unpaired coupling [J]."""
         if len(self._kept) > 1:  # the run ended within a group
             self._close(self._kept, np.array([0, len(self._kept) - 1]))
             self._kept = self._kept[-1:]
         coupled = self._works["coupling"] if self._is_coupled else None
-        # Where nothing comes in, energies turn into each other.
+        # Without inflow, energies are converted into each other.
         swing = float(np.max(self._high - self._low))
         moved = max(self._largest["pump"], self._largest["coupling"], swing)
         stored, size = self._largest["stored"], self._problem.equations.energy_size
-        scale = max(moved, ROUND_OFF * stored, NOTHING * size)
-        # Samples that are rarer than the swings look smooth and are not.
-        rare = steps > MOST_STEPS_BETWEEN * self._edges
-        if (self._summed if rare else self._unsure) > UNSURE * scale:
+        scale = max(
+            moved, TOLERANCES.energy_round_off * stored, TOLERANCES.storage_round_off * size
+        )
+        # Samples that are sparser than the oscillation look smooth and are not.
+        rare = steps > TOLERANCES.steps_per_sample * self._edges
+        if (self._summed if rare else self._unsure) > TOLERANCES.sampling * scale:
             return None, coupled
         imbalance = self._worst / scale
-        still = moved < STILL * max(stored, STILL * size)
-        return None if still and imbalance > UNSURE else imbalance, coupled
+        at_rest = TOLERANCES.energy_at_rest
+        still = moved < at_rest * max(stored, at_rest * size)
+        return None if still and imbalance > TOLERANCES.sampling else imbalance, coupled
 
 
 def _jumps(rows: Rows, k: int, after: Rows) -> bool:
-    """Whether any inlet has another value after a corner, at row ``k``, than before."""
+    """Whether the value of any inlet changes at a corner, at row ``k``."""
     for name in ("inlet_pressure", "pushed"):
         apart = np.abs(after[name][0] - rows[name][k])
-        if np.any(apart > SAME * np.max(np.abs(rows[name]), initial=0.0)):
+        if np.any(apart > TOLERANCES.jump_rel * np.max(np.abs(rows[name]), initial=0.0)):
             return True
     return False

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.postprocess.conservation import Block, Ledger
+from viscodesign.postprocess.conservation import Ledger, SolvedEdges
 from viscodesign.postprocess.inlet_supply import Given
 from viscodesign.postprocess.outputs import Outputs, read_outputs
 from viscodesign.postprocess.terminations import first_ending
@@ -114,10 +114,10 @@ class _Reader:
             self._last_shape = None if due[-1] else shape[-1:]
         self.count = stop
 
-    def _block(self, outputs: Outputs, end: int) -> Block:
+    def _block(self, outputs: Outputs, end: int) -> SolvedEdges:
         """A stretch's own edges up to ``end``, for the balances."""
         own, edges, found = outputs.rows_to(end), slice(outputs.begin, end), self._solution
-        return Block(
+        return SolvedEdges(
             outputs.begin,
             found.states[:, edges],
             found.algebraics[:, edges],

@@ -1,35 +1,43 @@
-"""Solved times between the outputs, where works must be summed over them."""
+"""Solved times between the outputs, for works that are summed over samples."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from viscodesign.model.formulation import Equations
+from viscodesign.model.equations import Equations
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.problem import Schedule
 
-PER_SWING = 64
-"""Samples in the time of an input's swing."""
-PER_MOTION = 2
-"""The same in the rod's own time, of which its first period takes almost two (1.8)."""
-MOST_SAMPLES = 20_000
-"""Samples of a run beyond its outputs: they cost little beside its steps, but not nothing."""
-MOST_GRADED = 2_000
-"""The same of those behind corners."""
-SAME = 1e-9
-"""Part of its size by which an input may differ on both sides of a corner and not jump."""
-GRADES = 12
-"""Samples in the first interval behind a corner, each twice as far from it as the one before."""
+
+@dataclass(frozen=True)
+class SamplingRule:
+    """How densely a motion is sampled between its outputs."""
+
+    per_swing: int = 64
+    """Samples in the time of an input's swing."""
+    per_motion_time: int = 2
+    """Samples in the rod's time scale, of which its first period takes almost two (1.8)."""
+    max_samples: int = 20_000
+    """Samples beyond the outputs: they cost little beside a run's steps, but not nothing."""
+    max_graded: int = 2_000
+    """The same of those after corners."""
+    jump_rel: float = 1e-9
+    """Part of its size by which an input may change at a corner without a jump."""
+    grades: int = 12
+    """Samples in the first interval after a jump, each twice as far from it as the one before."""
+
+
+SAMPLING = SamplingRule()
 
 
 def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool) -> Schedule:
-    """The schedule, with edges so close that polynomials between them tell what happens.
+    """The schedule, with edges so close that polynomials between them resolve the motion.
 
-    Nothing is added where an integrator tells all work, nor where nothing moves.
+    Nothing is added where an integrator gives all work, nor where nothing moves.
     """
-    if not any(way.sampled.any() for way in equations.ways.values()):
+    if not any(split.sampled.any() for split in equations.work_splits.values()):
         return schedule
     edges = schedule.edges
     corners = schedule.pieces.changes
@@ -39,35 +47,35 @@ def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool)
         return schedule
     extra = [_even(edges, _spacing(equations, duration))]
     begins = [0, *corners.tolist()]
-    if len(begins) * GRADES <= MOST_GRADED:
-        # Elsewhere they would but make an integrator begin with tiny steps.
+    if len(begins) * SAMPLING.grades <= SAMPLING.max_graded:
+        # At other corners they would only force an integrator to tiny steps.
         sudden = [k for k in begins if _jumps(schedule, equations, k) or (not k and starts_at_rest)]
         extra.append(_graded(np.union1d(edges, extra[0]), edges[sudden]))
     return _refined(schedule, np.concatenate(extra))
 
 
 def _jumps(schedule: Schedule, equations: Equations, edge: int) -> bool:
-    """Whether any inlet's value is another behind an edge than before it."""
+    """Whether the value of any inlet changes at an edge."""
     output = equations.output_function
     names = output.name_out()
     unknowns = np.zeros(equations.states.count), np.zeros(equations.algebraics.count)
     tail = 1.0, equations.sealed_volumes, equations.parameter_values
     before = schedule.pieces[edge - 1] if edge else schedule.initial_piece
-    told = []
+    both = []
     for piece in (before, schedule.pieces[edge]):
         values = output.call([*unknowns, schedule.edges[edge], piece, *tail])
         inlets = [values[names.index(name)] for name in ("inlet_pressure", "pushed")]
-        told.append(np.concatenate([np.array(value).ravel() for value in inlets]))
-    sizes = np.maximum(*np.abs(told))
-    return bool(np.any(np.abs(told[1] - told[0]) > SAME * sizes))
+        both.append(np.concatenate([np.array(value).ravel() for value in inlets]))
+    sizes = np.maximum(*np.abs(both))
+    return bool(np.any(np.abs(both[1] - both[0]) > SAMPLING.jump_rel * sizes))
 
 
 def _spacing(equations: Equations, duration: float) -> float:
     swing = equations.swing_time or duration
-    spacing = swing / PER_SWING
+    spacing = swing / SAMPLING.per_swing
     if equations.rod_form is RodForm.DYNAMIC:
-        spacing = min(spacing, equations.motion_time / PER_MOTION)
-    return max(spacing, duration / MOST_SAMPLES)
+        spacing = min(spacing, equations.motion_time / SAMPLING.per_motion_time)
+    return max(spacing, duration / SAMPLING.max_samples)
 
 
 def _even(edges: np.ndarray, spacing: float) -> np.ndarray:
@@ -80,9 +88,9 @@ def _even(edges: np.ndarray, spacing: float) -> np.ndarray:
 
 
 def _graded(edges: np.ndarray, corners: np.ndarray) -> np.ndarray:
-    """Times in the interval behind each corner, ever denser towards it."""
+    """Times in the interval after each corner, ever denser towards it."""
     after = edges[np.searchsorted(edges, corners) + 1]
-    share = 0.5 ** np.arange(1, GRADES + 1)
+    share = 0.5 ** np.arange(1, SAMPLING.grades + 1)
     return np.asarray((corners[:, None] + np.outer(after - corners, share)).ravel())
 
 

@@ -1,7 +1,7 @@
-"""Whether small motions about a run's start grow by themselves.
+"""Linear stability of a run's initial equilibrium.
 
 Coefficients that are not reciprocal can feed work into a motion (`not_reciprocal`): the
-model then is weakly unstable under load, which no numerical damping may hide.
+model then is weakly unstable under load, which numerical damping must not hide.
 """
 
 from __future__ import annotations
@@ -10,41 +10,41 @@ import casadi as ca
 import numpy as np
 import scipy.linalg
 
-from viscodesign.model.formulation import Formulas
+from viscodesign.model.equations import Formulas
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.statics import Start
 
-MOST_STATES = 400
-"""States up to which eigenvalues are sought: their cost grows with the third power."""
-SURELY_GROWS = 1e-6
-"""Growth beside the slowest swing, or the fastest decay of what does not swing, from which it is
-no round-off."""
+MAX_STATES = 400
+"""States up to which eigenvalues are computed: their cost grows with the third power."""
+GROWTH_REL_TOL = 1e-6
+"""Growth rate, over the slowest frequency, or over the fastest decay where nothing oscillates, from
+which it is not round-off."""
 
 
 def growth_notices(problem: Problem, start: Start) -> list[Notice]:
-    """A warning where a small motion about the start grows, with its rate and frequency."""
+    """A warning where the initial equilibrium is unstable, with growth rate and frequency."""
     equations = problem.equations
     moving = equations.rod_form is RodForm.DYNAMIC
-    if not moving or equations.states.count > MOST_STATES:
+    if not moving or equations.states.count > MAX_STATES:
         return []
     values = eigenvalues(problem, start)
     fastest = values[int(np.argmax(values.real))]
     swings = values[np.abs(values.imag) > 0.0]
     scale = np.min(np.abs(swings)) if swings.size else np.max(np.abs(values))
-    if fastest.real <= SURELY_GROWS * scale or fastest.real <= 0.0:
+    if fastest.real <= GROWTH_REL_TOL * scale or fastest.real <= 0.0:
         return []
     message = (
-        f"small motions about the first shape grow by themselves, at {fastest.real:.4g} 1/s and "
-        f"{abs(fastest.imag):.5g} rad/s: the coupling feeds work into them, as its coefficients "
-        "are not reciprocal"
+        f"the initial equilibrium is linearly unstable: perturbations grow at {fastest.real:.4g} "
+        f"1/s and {abs(fastest.imag):.5g} rad/s, since the coefficients of the coupling are not "
+        "reciprocal and feed work into them"
     )
     return [Notice("self_excited", message, "bellows", 0.0)]
 
 
 def eigenvalues(problem: Problem, start: Start) -> np.ndarray:
-    """Of the motion linearised about a start, pressures of inlets held (nx,) [1/s]."""
+    """Eigenvalues (nx,) of the motion linearised about a start, inlets held [1/s]."""
     e = problem.equations
     function = e.compiled(_linearised)
     arguments = (start.states, start.algebraics, 0.0, problem.schedule.initial_piece)

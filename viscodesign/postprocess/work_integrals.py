@@ -1,13 +1,17 @@
-"""What the energy balance needs of a motion, edge by edge."""
+"""Works that no integrator integrates, and the energies that they are balanced against.
+
+A work is the integral of a force along a path, both known at the solved times only. Groups of
+intervals share one polynomial; comparing it with two of half the degree gives the uncertainty.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
 from viscodesign.model.boundary_work import FORCE_AND_PATH
-from viscodesign.postprocess.path_integral import path_integrals
 from viscodesign.solve.problem import Problem
 
 ENERGIES = ("fluid_energy", "kinetic_energy", "load_energy", "elastic_energy")
@@ -15,8 +19,25 @@ ENERGIES = ("fluid_energy", "kinetic_energy", "load_energy", "elastic_energy")
 Rows = Mapping[str, np.ndarray]
 
 
+@dataclass(frozen=True)
+class PathIntegralRule:
+    """How works are summed over samples."""
+
+    group: int = 4
+    """Intervals that share one polynomial; the last group of a stretch may have up to three
+    more."""
+    error_share: float = 1 / 4
+    """Error of a polynomial's integral over its distance from that of two of half the degree: a
+    fifteenth where these are quadratic and all is smooth, more where barely resolved."""
+    linear_error_share: float = 1 / 6
+    """The same of a single straight line, over the change of the force times that of the path."""
+
+
+RULE = PathIntegralRule()
+
+
 class EnergyTable:
-    """What the energy balance needs of every edge, as one row of numbers."""
+    """Energies and works of every edge, as one row of numbers."""
 
     def __init__(self, problem: Problem) -> None:
         equations = problem.equations
@@ -24,12 +45,12 @@ class EnergyTable:
         self._rates = list(equations.rates)
         self._by_parts: dict[str, np.ndarray] = {}
         self._sampled: dict[str, np.ndarray] = {}
-        for name, way in equations.ways.items():
+        for name, split in equations.work_splits.items():
             order = problem.places if name == "coupling" else slice(None)
-            self._by_parts[name] = np.flatnonzero(way.by_parts[order])
-            self._sampled[name] = np.flatnonzero(way.sampled[order])
+            self._by_parts[name] = np.flatnonzero(split.by_parts[order])
+            self._sampled[name] = np.flatnonzero(split.sampled[order])
         self.sums = any(map(len, self._sampled.values()))
-        """Whether anything is summed over rows, rather than integrated."""
+        """Whether any work is summed over rows, rather than integrated."""
         self._spans: dict[str, slice] = {}
         self.width = 0
         for part, count in self._parts():
@@ -44,7 +65,7 @@ class EnergyTable:
             yield from (("force of " + name, len(which)), ("path of " + name, len(which)))
 
     def of(self, time: np.ndarray, values: Rows, integrals: np.ndarray) -> np.ndarray:
-        """Rows (m, width) of edges whose outputs are (m, n), whose integrals (nq, m)."""
+        """Rows (m, width) of edges with outputs (m, n) and integrals (nq, m)."""
         rows = np.zeros((len(time), self.width))
         rows[:, self._spans["time"]] = time[:, None]
         rows[:, self._spans["integrals"]] = self._size * integrals.T
@@ -64,23 +85,23 @@ class EnergyTable:
         return rows
 
     def energies(self, rows: np.ndarray) -> np.ndarray:
-        """Stored (m, kinds) [J]."""
+        """Stored energies (m, kinds) [J]."""
         return np.asarray(rows[:, self._spans["energies"]])
 
     def lost(self, rows: np.ndarray) -> np.ndarray:
-        """Lost since the start (m,) [J]."""
+        """Energy dissipated since the start (m,) [J]."""
         lost = self._integral("tube_loss", rows) + self._integral("material_loss", rows)
         return np.asarray(lost)
 
-    def told(self, work: str, rows: np.ndarray) -> np.ndarray:
-        """A work as far as it needs no sum over rows (m,) [J], up to a constant."""
+    def integrated(self, work: str, rows: np.ndarray) -> np.ndarray:
+        """The part of a work that needs no sum over rows (m,) [J], up to a constant."""
         ends = self._spans.get("ends of " + work, slice(0, 0))
         return np.asarray(self._integral(work, rows) + rows[:, ends].sum(axis=1))
 
     def summed(
         self, work: str, rows: np.ndarray, cuts: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """The rest of it between rows ``cuts`` (g + 1,), and its uncertainty (g,) [J]."""
+        """Its other part between rows ``cuts`` (g + 1,), and the uncertainty of that (g,) [J]."""
         span = self._spans.get("force of " + work, slice(0, 0))
         if span.start == span.stop:
             return np.zeros(len(cuts) - 1), np.zeros(len(cuts) - 1)
@@ -91,3 +112,53 @@ class EnergyTable:
         if rate not in self._rates:
             return np.zeros(len(rows))
         return np.asarray(rows[:, self._spans["integrals"].start + self._rates.index(rate)])
+
+
+def group_ends(first: int, last: int, stop: int) -> np.ndarray:
+    """Ends, up to edge ``stop``, of the groups of intervals from edge ``first`` to ``last``.
+
+    ``first`` may be the end of any group but the last.
+    """
+    ends = np.arange(first + RULE.group, min(last, stop) + 1, RULE.group)
+    ends = ends[ends + RULE.group <= last]
+    return np.append(ends, last) if stop >= last > first else ends
+
+
+def path_integrals(
+    time: np.ndarray, force: np.ndarray, path: np.ndarray, cuts: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Integrals (g,) of force d(path) over groups of intervals, and their uncertainties (g,).
+
+    ``time`` (m,); ``force``, ``path`` (m, n), summed over columns; the groups extend from one of
+    the rows ``cuts`` (g + 1,) to the next. Inside a group both are polynomials through their
+    values.
+    """
+    sizes = np.diff(cuts)
+    found, unsure = np.zeros((2, len(sizes)))
+    for size in np.unique(sizes):
+        which = np.flatnonzero(sizes == size)
+        rows = cuts[which, None] + np.arange(size + 1)
+        found[which], unsure[which] = _groups(time[rows], force[rows], path[rows])
+    return found, unsure
+
+
+def _groups(time: np.ndarray, force: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The same for groups of equal size: (g, k + 1), (g, k + 1, n)."""
+    whole = _polynomial(time, force, path)
+    if time.shape[1] == 2:
+        change = np.sum((force[:, 1] - force[:, 0]) * (path[:, 1] - path[:, 0]), axis=1)
+        return whole, RULE.linear_error_share * np.abs(change)
+    middle = time.shape[1] // 2
+    halves = slice(0, middle + 1), slice(middle, None)
+    parts = sum(_polynomial(time[:, h], force[:, h], path[:, h]) for h in halves)
+    return whole, RULE.error_share * np.abs(whole - parts)
+
+
+def _polynomial(time: np.ndarray, force: np.ndarray, path: np.ndarray) -> np.ndarray:
+    degree = np.arange(time.shape[1])
+    share = (time - time[:, :1]) / (time[:, -1:] - time[:, :1])
+    inverse = np.linalg.inv(share[:, :, None] ** degree)
+    # Of monomials: the integral of s^i d(s^j) from 0 to 1 is j/(i + j).
+    monomials = degree[None, :] / np.maximum(degree[:, None] + degree[None, :], 1)
+    weights = np.swapaxes(inverse, 1, 2) @ monomials @ inverse
+    return np.asarray(np.sum(force * (weights @ path), axis=(1, 2)))

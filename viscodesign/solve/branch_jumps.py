@@ -15,7 +15,7 @@ from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import splu
 
 from viscodesign.errors import SolveError
-from viscodesign.model.formulation import Formulas
+from viscodesign.model.equations import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch

@@ -9,7 +9,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.formulation import Equations, Formulas
+from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.unknowns import Unknowns

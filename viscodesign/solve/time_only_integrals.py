@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.formulation import Formulas
+from viscodesign.model.equations import Formulas
 from viscodesign.solve.problem import Problem
 
 
@@ -41,7 +41,7 @@ def timed_integrals(problem: Problem, first: int, count: int) -> np.ndarray:
     Parts are halved, each by itself, until that changes little: an input may do all its
     work in a millionth of an interval.
     """
-    sums = np.zeros((problem.equations.timed_quadrature.numel(), count))
+    sums = np.zeros((problem.equations.time_only_quadrature.numel(), count))
     if not sums.size:
         return sums
     for begin in range(0, count, RULE.intervals_at_once):
@@ -125,4 +125,4 @@ def _by_owner(values: np.ndarray, owner: np.ndarray, count: int) -> np.ndarray:
 def _rates(equations: Formulas) -> ca.Function:
     """(time, pieces, numbers) -> timed rates over the size of an energy (n,)."""
     arguments = [equations.time, equations.pieces, equations.parameters]
-    return ca.Function("timed", arguments, [equations.timed_quadrature])
+    return ca.Function("timed", arguments, [equations.time_only_quadrature])

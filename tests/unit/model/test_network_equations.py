@@ -11,7 +11,7 @@ from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.model.network_equations import _reduce
+from viscodesign.model.tube_flows import reduce_incidence
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
 
@@ -50,7 +50,7 @@ def test_reducing_an_incidence_matrix_keeps_what_it_says(nodes: int, more: int, 
     rows = random.permutation(nodes)[: int(random.integers(1, nodes))]
     before = matrix[rows]
     after = before.copy()
-    pivots = _reduce(after)
+    pivots = reduce_incidence(after)
     assert set(np.unique(after)) <= {-1.0, 0.0, 1.0}
     assert np.array_equal(after[:, pivots], np.eye(len(rows)))
     # What satisfies the one satisfies the other.
@@ -58,8 +58,8 @@ def test_reducing_an_incidence_matrix_keeps_what_it_says(nodes: int, more: int, 
     assert together == len(rows) == np.linalg.matrix_rank(before)
 
 
-def test_nothing_to_reduce() -> None:
-    assert _reduce(np.zeros((0, 3))) == []
+def test_nothing_toreduce_incidence() -> None:
+    assert reduce_incidence(np.zeros((0, 3))) == []
 
 
 @pytest.mark.parametrize("effects", [FAST, IMPLICIT])

@@ -8,7 +8,7 @@ from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.postprocess.conservation import Block, Ledger
+from viscodesign.postprocess.conservation import Ledger, SolvedEdges
 from viscodesign.postprocess.motion import read_motion
 from viscodesign.postprocess.outputs import read_outputs
 from viscodesign.results.trajectory import Invariants
@@ -84,7 +84,7 @@ def test_blocks_do_not_matter() -> None:
             cut = slice(k, k + length)
             told = {name: values[cut] for name, values in rows.items()}
             unknowns = found.states[:, cut], found.algebraics[:, cut]
-            ledger.add(Block(k, *unknowns, found.integrals[:, cut], told))
+            ledger.add(SolvedEdges(k, *unknowns, found.integrals[:, cut], told))
         again = ledger.invariants(found.work.steps)
         assert again.energy_imbalance_rel == pytest.approx(wanted.energy_imbalance_rel, rel=1e-6)
         assert again.coupling_work_j == pytest.approx(wanted.coupling_work_j, rel=1e-9)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg, problem_of
-from viscodesign.postprocess.sample_times import GRADES, MOST_SAMPLES, PER_SWING
+from viscodesign.postprocess.sample_times import SAMPLING
 from viscodesign.simulation.build_problem import schedule
 from viscodesign.solve.problem import Problem
 
@@ -37,15 +37,15 @@ def test_outputs_and_inputs_stay_where_they_were(changes: tuple[str, ...]) -> No
     every = np.arange(len(middles))
     assert np.array_equal(found.pieces[every], plain.pieces[interval])
     swing = equations.swing_time or 2.0
-    assert np.max(np.diff(found.edges)) <= swing / PER_SWING * (1 + 1e-9)
-    assert len(found.edges) <= MOST_SAMPLES
+    assert np.max(np.diff(found.edges)) <= swing / SAMPLING.per_swing * (1 + 1e-9)
+    assert len(found.edges) <= SAMPLING.max_samples
 
 
 def test_samples_crowd_behind_a_jump_alone() -> None:
     edges = made(COUPLED, FEW, JUMP).schedule.edges
     gaps = np.diff(edges)
     behind = int(np.searchsorted(edges, 0.5))
-    assert gaps[behind : behind + GRADES] == pytest.approx(
-        gaps[behind] * np.array([1.0, *2.0 ** np.arange(GRADES - 1)])
+    assert gaps[behind : behind + SAMPLING.grades] == pytest.approx(
+        gaps[behind] * np.array([1.0, *2.0 ** np.arange(SAMPLING.grades - 1)])
     )
     assert gaps[0] > 100 * gaps[behind]

@@ -92,7 +92,7 @@ def test_a_rod_without_inertia_has_no_swing_to_tell_of() -> None:
 
 def test_beyond_what_is_affordable_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     problem, here = start("effects={inertia: on, others: off}")
-    monkeypatch.setattr(stability, "MOST_STATES", problem.equations.states.count - 1)
+    monkeypatch.setattr(stability, "MAX_STATES", problem.equations.states.count - 1)
     monkeypatch.setattr(stability, "eigenvalues", lambda *_: pytest.fail("it was computed"))
     assert growth_notices(problem, here) == []
 

@@ -19,7 +19,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.model.formulation import Formulas
+from viscodesign.model.equations import Formulas
 from viscodesign.solve.numerics.newton import integrator_linear_solver
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.integrate import Radau as ScipyRadau
 
 from viscodesign.errors import SolveError
-from viscodesign.model.formulation import Formulas
+from viscodesign.model.equations import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate

@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.model.formulation import Equations, Formulas
+from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.solve.numerics.symbolic_lu import Elimination, has_whole_diagonal
 from viscodesign.solve.problem import Bound, Problem

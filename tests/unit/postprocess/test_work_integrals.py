@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from viscodesign.postprocess.path_integral import GROUP, group_ends, path_integrals
+from viscodesign.postprocess.work_integrals import RULE, group_ends, path_integrals
 
 
 def column(values: np.ndarray) -> np.ndarray:
@@ -25,7 +25,7 @@ def test_groups_cover_a_stretch(last: int, wanted: list[int]) -> None:
         assert group_ends(first, last, 99).tolist() == later
 
 
-@pytest.mark.parametrize("size", range(1, GROUP + 4))
+@pytest.mark.parametrize("size", range(1, RULE.group + 4))
 def test_exact_for_polynomials_at_any_times(size: int) -> None:
     time = np.sort(np.random.default_rng(size).uniform(0, 2, size + 1))
     found, _ = path_integrals(time, column(time**size), column(3 * time), np.array([0, size]))
@@ -45,7 +45,7 @@ def test_columns_add_up_and_the_path_counts() -> None:
 @pytest.mark.parametrize("count", [9, 17, 33, 129])
 def test_the_uncertainty_bounds_the_error(count: int) -> None:
     time = np.linspace(0.0, 2 * np.pi, count)
-    cuts = np.arange(0, count, GROUP)
+    cuts = np.arange(0, count, RULE.group)
     found, unsure = path_integrals(time, column(np.cos(time)), column(np.sin(time)), cuts)
     exact = (time / 2 + np.sin(2 * time) / 4)[cuts]
     assert np.all(np.abs(np.cumsum(found) - exact[1:]) <= np.cumsum(unsure))
@@ -54,7 +54,7 @@ def test_the_uncertainty_bounds_the_error(count: int) -> None:
 
 def test_a_loop_of_a_steady_force_costs_nothing() -> None:
     angle = np.linspace(0.0, 2 * np.pi, 65)
-    cuts = np.arange(0, 65, GROUP)
+    cuts = np.arange(0, 65, RULE.group)
     found, unsure = path_integrals(angle, np.full((65, 1), 7.0), column(np.sin(angle)), cuts)
     assert found.sum() == pytest.approx(0.0, abs=1e-12)
     assert unsure.sum() <= 1e-12
