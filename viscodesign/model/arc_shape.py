@@ -1,4 +1,4 @@
-"""The unloaded rod in closed form: one circular arc a section."""
+"""The unloaded rod in closed form: one circular arc per section."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ def arc_nodes(
 
     ``curvature`` (T, S) [1/m per reference length], ``stretch`` (T, S) total
     stretch lambda [1]. Returns positions (T, K, 2) [m] and angles (T, K) [rad],
-    K = S * points_per_section, the clamp left out. Exact to round-off.
+    K = S * points_per_section, without the clamp. Exact to round-off.
     """
     times, sections = curvature.shape
     part = section_length * np.arange(1, points_per_section + 1) / points_per_section

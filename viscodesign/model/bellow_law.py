@@ -1,4 +1,4 @@
-"""How pressures strain the rod, and what a bellow stores: equations (1), (9), (10)."""
+"""Linear laws of a bellow: strains and volume under pressure, equations (1), (9) and (10)."""
 
 from __future__ import annotations
 
@@ -25,21 +25,22 @@ class BellowLaw:
 
 
 @dataclass(frozen=True)
-class Place:
-    """Where a bellow sits: its section (from 0 at the clamp) and its side."""
+class BellowPlace:
+    """Position of a bellow: its section (from 0 at the clamp) and its side."""
 
     section: int
     side: float
-    """+1 left of the axis, -1 right: the paper's R."""
+    """+1 left of the axis, -1 right (R in the paper)."""
 
 
-def places(graph: Graph) -> dict[str, Place]:
+def places(graph: Graph) -> dict[str, BellowPlace]:
     """Section and side of every bellow, by name."""
     return {
-        name: Place(int(name[1:]) - 1, 1.0 if name[0] == "L" else -1.0) for name in graph.bellows
+        name: BellowPlace(int(name[1:]) - 1, 1.0 if name[0] == "L" else -1.0)
+        for name in graph.bellows
     }
 
 
 def in_pairs(graph: Graph, values: dict[str, SX]) -> list[tuple[SX, SX]]:
-    """(left, right) value of every section, clamp first."""
+    """Values (left, right) of every section, clamp first."""
     return [(values[f"L{j + 1}"], values[f"R{j + 1}"]) for j in range(graph.sections)]

@@ -1,7 +1,7 @@
-"""What a bellow does under its pressure alone: volume, and strain of its section.
+"""Laws of a bellow's wall: volume and strains of its section as functions of its pressure.
 
-A wall is a law of one bellow, the same for all. Per section the strains of its two
-bellows add: curvature of the left less that of the right, stretch of both.
+All bellows have the same law. The strains of a section's two bellows add up: curvature
+of the left minus that of the right, stretch of both.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ SX = ca.SX
 class Wall(ABC):
     """Volume, strains and energy of one bellow as functions of its gauge pressure.
 
-    Of a `SnappingWall` they are functions of its swelling.
+    For a `SnappingWall` they are functions of its swelling.
     """
 
     @abstractmethod
@@ -29,11 +29,11 @@ class Wall(ABC):
 
     @abstractmethod
     def curvature(self, pressure: SX) -> SX:
-        """Intrinsic curvature of the section that this bellow adds, from the left [1/m]."""
+        """Contribution of a left bellow to its section's intrinsic curvature [1/m]."""
 
     @abstractmethod
     def stretch(self, pressure: SX) -> SX:
-        """Intrinsic stretch of the section that this bellow adds [1]."""
+        """Contribution of a bellow to its section's intrinsic stretch [1]."""
 
     @abstractmethod
     def energy(self, pressure: SX) -> SX:
@@ -64,15 +64,15 @@ class LinearWall(Wall):
 
 @dataclass(frozen=True)
 class CollapsingWall(Wall):
-    """The linear laws down to where the walls meet; below, pressure does ever less."""
+    """The linear laws down to where the walls touch; below, pressure has ever less effect."""
 
     linear: LinearWall
     floor: SX
-    """Gauge pressure of the floor [Pa]."""
+    """Gauge pressure of the minimum volume [Pa]."""
     fade: SX
-    """Range above the floor in which the walls meet [Pa]."""
+    """Range above the floor in which the walls come into contact [Pa]."""
     give: SX
-    """Part of the compliance that is left when they have met [1]."""
+    """Remaining part of the compliance when they are in full contact [1]."""
 
     def volume(self, pressure: SX) -> SX:
         return self.linear.volume(self._effective(pressure))
@@ -96,7 +96,7 @@ class CollapsingWall(Wall):
 
 @dataclass(frozen=True)
 class MeasuredWall(Wall):
-    """Laws through measured points: cubics per pressure, zero at zero gauge."""
+    """Laws through measured points: cubics in pressure, zero at zero gauge."""
 
     rest_volume: SX
     volume_curve: PiecewiseCubic
@@ -122,18 +122,18 @@ class MeasuredWall(Wall):
 class SnappingWall(Wall):
     """Laws through measured points between which the pressure falls as the bellow swells.
 
-    Under such a pressure the swelling is not settled: the laws are functions of the
-    swelling, the volume beyond that at rest [m3].
+    Pressure does not determine the swelling there: the laws are functions of the swelling,
+    the volume beyond that at rest [m3].
     """
 
     rest_volume: SX
     pressure_curve: PiecewiseCubic
-    """Gauge pressure [Pa] of the swelling; the others, too."""
+    """Gauge pressure [Pa] as a function of the swelling, as are the other laws."""
     curvature_curve: PiecewiseCubic
     stretch_curve: PiecewiseCubic
 
     def pressure(self, swelling: SX) -> SX:
-        """Gauge pressure that holds a swelling [Pa]."""
+        """Gauge pressure in equilibrium with a swelling [Pa]."""
         return SX(self.pressure_curve(swelling, ca))
 
     def volume(self, swelling: SX) -> SX:

@@ -16,7 +16,7 @@ accurate to higher order for smoothly varying strain:
   h lambda sinc(kappa h / 2), with the edge's own total curvature kappa.
 
 The moment E I c is an unknown of its own: the system stays sparse, the number of
-operations linear in the number of edges. With no load the chain lies on the exact
+operations linear in the number of edges. Without load the chain lies exactly on the
 arcs for any number of edges.
 """
 

@@ -1,4 +1,4 @@
-"""What the balances need to know of the fluid: how its density follows pressure."""
+"""Laws of the fluid for the balances: density as a function of pressure."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ SX = ca.SX
 
 
 class FluidLaw(ABC):
-    """A barotropic fluid; amounts are told as volume at the density of ambient pressure."""
+    """A barotropic fluid; amounts are stated as volume at ambient density."""
 
     @abstractmethod
     def density(self, pressure: SX) -> SX:
-        """Density over that at ambient pressure [1]."""
+        """Density, relative to that at ambient pressure [1]."""
 
     @abstractmethod
     def density_integral(self, pressure: SX) -> SX:
-        """Integral of the density over pressure, from zero gauge [Pa]: drives tube flow."""
+        """Integral of the density over pressure, from zero gauge [Pa]; drives tube flow."""
 
     @abstractmethod
     def specific_work(self, pressure: SX) -> SX:
-        """Integral of one over the density [Pa]: work that an amount of fluid can do."""
+        """Integral of the inverse density over pressure [Pa]: work per amount of fluid."""
 
 
 @dataclass(frozen=True)
 class Incompressible(FluidLaw):
-    """Density never changes: amounts are volumes."""
+    """Constant density: amounts are volumes."""
 
     def density(self, pressure: SX) -> SX:
         del pressure
@@ -62,7 +62,7 @@ class Gas(FluidLaw):
 
 @dataclass(frozen=True)
 class Liquid(FluidLaw):
-    """A liquid of constant bulk modulus [Pa]: 1 + p/K of its ambient density."""
+    """A liquid of constant bulk modulus K [Pa]: density 1 + p/K, relative to ambient."""
 
     bulk_modulus: SX
 

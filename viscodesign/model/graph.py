@@ -1,4 +1,4 @@
-"""The network as a graph: inlets, bellows and junctions joined by tubes."""
+"""The network as a graph: inlets, bellows and junctions connected by tubes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Tube:
 
 @dataclass(frozen=True)
 class Component:
-    """What is connected, directly or through others."""
+    """A connected part of the network."""
 
     inlets: tuple[str, ...]
     bellows: tuple[str, ...]
@@ -36,7 +36,7 @@ class Component:
 
     @property
     def fed(self) -> bool:
-        """Whether an inlet reaches it; if not, it is sealed."""
+        """Whether it has an inlet; if not, it is sealed."""
         return bool(self.inlets)
 
 
@@ -67,8 +67,8 @@ class Graph:
     def bellows_along_tubes(self) -> tuple[str, ...]:
         """All bellows, in the order in which the tubes reach them.
 
-        Unknowns in this order do not know which column is called right: swapping the
-        columns of a scene mirrors its motion to the last digit.
+        In this order the unknowns do not depend on which column is called right: swapping
+        the columns of a scene mirrors its motion to the last digit.
         """
         own = set(self.bellows)
         reached = (end for tube in self.tubes for end in (tube.start, tube.end) if end in own)
@@ -95,7 +95,11 @@ class Graph:
         )
 
     def _roots(self) -> dict[str, str]:
-        """A representative of every node's component."""
+        """A representative of every node's component, by union-find.
+
+        `scipy.sparse.csgraph` would give the same, but its import takes longer than reading a
+        spec does, which needs the components.
+        """
         parent = {node: node for node in self.nodes}
 
         def find(node: str) -> str:
@@ -109,7 +113,7 @@ class Graph:
         return {node: find(node) for node in self.nodes}
 
     def remarks(self) -> list[str]:
-        """What is legal but worth knowing: dead ends, parallel tubes, bellows without a tube."""
+        """Legal but noteworthy: dead ends, parallel tubes, bellows without a tube."""
         degree = Counter(end for tube in self.tubes for end in (tube.start, tube.end))
         pairs = Counter(frozenset((tube.start, tube.end)) for tube in self.tubes)
         remarks = [

@@ -7,27 +7,27 @@ import numpy as np
 
 SX = ca.SX
 
-MOST_DENSE = 64
-"""Rows that may be differentiated each by itself."""
-WORTH = 2
-"""How many times fewer passes make it worth while to part the rows."""
+MAX_LONG_ROWS = 64
+"""Rows that may be differentiated one by one."""
+MIN_SAVING = 2
+"""Ratio of passes without and with separate rows from which separating them pays."""
 
 
 def jacobian(rows: SX, unknowns: SX) -> SX:
     """Derivatives of ``rows`` (m, 1) by ``unknowns`` (n, 1), sparse (m, n).
 
     CasADi differentiates along columns that share no row, all at once. One row that depends on
-    all unknowns, as the volume of a long section does, lets no two columns go together: it
-    takes a pass for every unknown. Such rows are taken apart and differentiated backwards.
+    all unknowns, as the volume of a long section does, prevents that: every unknown takes a
+    pass of its own. Such rows are separated and differentiated in reverse mode.
     """
     pattern = ca.jacobian_sparsity(rows, unknowns)
     lengths = np.bincount(np.array(pattern.row(), dtype=int), minlength=pattern.size1())
     order = np.argsort(lengths, kind="stable")
-    # Passes without the k longest rows: as many as the next one is long, and one for each of them.
-    most = min(MOST_DENSE, len(order) - 1)
+    # Passes with the k longest rows separate: the length of the next row, and one for each of them.
+    most = min(MAX_LONG_ROWS, len(order) - 1)
     passes = [int(lengths[order[-k - 1]]) + k for k in range(most + 1)]
     dense = int(np.argmin(passes)) if passes else 0
-    if not dense or WORTH * passes[dense] > passes[0]:
+    if not dense or MIN_SAVING * passes[dense] > passes[0]:
         return ca.jacobian(rows, unknowns)
     long, short = np.sort(order[-dense:]), np.sort(order[:-dense])
     parts = [ca.jacobian(rows[own.tolist()], unknowns) for own in (short, long)]

@@ -1,4 +1,4 @@
-"""Things that take long to make, kept for the next who asks, in whichever thread."""
+"""A cache of things that take long to make, shared by all threads."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from typing import Generic, TypeVar
 Made = TypeVar("Made")
 
 ONE_AT_A_TIME = threading.RLock()
-"""Held while formulas are made: CasADi lets go of Python's own lock meanwhile."""
+"""Held while formulas are made, since CasADi releases Python's own lock meanwhile."""
 
 
 class LruCache(Generic[Made]):
-    """What was made by key; of more than ``most`` the one longest unused is dropped.
+    """Results by key; beyond ``most``, the least recently used one is dropped.
 
-    What it holds is shared between threads, hence must have no state. What has one is lent.
+    Cached results are shared between threads, hence must be stateless. Stateful ones are lent.
     """
 
     def __init__(self, most: int) -> None:
@@ -26,7 +26,7 @@ class LruCache(Generic[Made]):
         self._lendable: OrderedDict[Hashable, list[Made]] = OrderedDict()
 
     def get(self, key: Hashable, make: Callable[[], Made]) -> Made:
-        """The thing of this key, made if it is not there."""
+        """The result for this key, made if missing."""
         with ONE_AT_A_TIME:
             if key not in self._kept:
                 self._kept[key] = make()
@@ -37,9 +37,9 @@ class LruCache(Generic[Made]):
 
     @contextmanager
     def lend(self, key: Hashable, make: Callable[[], Made]) -> Iterator[Made]:
-        """A thing of this key that is nobody else's inside; afterwards it may be lent again.
+        """A result for this key, used exclusively inside the context and lent again afterwards.
 
-        What failed inside is not: nobody knows the state that it is in.
+        One that raised inside is discarded, since its state is unknown.
         """
         with ONE_AT_A_TIME:
             free = self._lendable.get(key)

@@ -36,7 +36,7 @@ MINIMUM_EDGES = 4
 
 @dataclass(frozen=True)
 class Body:
-    """The actuator as a beam, in SI: everything the rod needs to know."""
+    """The actuator as a beam, in SI."""
 
     length: float = field(metadata=SCENE_NUMBER)
     sections: int

@@ -1,10 +1,9 @@
-"""What two systems of equal formulas share: everything but the values of their scenes' numbers.
+"""The structure of a system: everything but the values of its scene's numbers.
 
-Formulas are made once for a structure and serve every scene that has it. So whatever they are
-made of must be part of the structure. Nobody keeps a list of that: all that can be reached
-from a system is taken in, attribute by attribute, but for fields marked as `SCENE_NUMBER`.
-What formulates is then given a system in which just these are not a number, so that it
-cannot use by mistake what it does not see.
+Formulas are made once for a structure and serve every scene that has it, so whatever they are
+made of must be part of its key. No list of that is kept: the key covers every attribute that
+can be reached from a system, except for fields marked as `SCENE_NUMBER`. Formulas are then
+made from a copy in which these fields are NaN, so that none can be used by mistake.
 """
 
 from __future__ import annotations
@@ -27,16 +26,16 @@ SX = ca.SX
 
 
 def structure_of(system: object) -> Hashable:
-    """A key that two systems share just where they have the same formulas."""
+    """A key that two systems share exactly if they have the same formulas."""
     walk = _Walk()
-    told = walk.tell(system)
+    key = walk.key_of(system)
     expressions = SX(ca.veccat(*walk.expressions))
     function = ca.Function("all", ca.symvar(expressions), [expressions])
-    return told, function.serialize()
+    return key, function.serialize()
 
 
 def without_numbers(thing: Any) -> Any:
-    """A copy in which scene numbers are not a number; what holds none of them stays as it is."""
+    """A copy in which scene numbers are NaN; objects without any are not copied."""
     if is_dataclass(thing) and not isinstance(thing, type):
         numbers = _number_fields(thing)
         held = {f.name: getattr(thing, f.name) for f in fields(thing) if f.init}
@@ -59,22 +58,22 @@ def _blank(number: float | None) -> float | None:
 
 
 def _counts(number: float | None) -> float | str | None:
-    """What of a scene's number is structure: that it is absent, zero or infinite."""
+    """The structural part of a scene's number: whether it is absent, zero or infinite."""
     if number is None:
         return "absent"
     return number if number == 0.0 or not math.isfinite(number) else None
 
 
 class _Walk:
-    """One pass over all that can be reached from an object."""
+    """One pass over everything that can be reached from an object."""
 
     def __init__(self) -> None:
         self.expressions: list[SX] = []
         self._met: dict[int, int] = {}
         self._alive: list[object] = []
 
-    def tell(self, value: Any) -> Hashable:
-        """A key for a value; expressions are gathered, and told of by their sparsity."""
+    def key_of(self, value: Any) -> Hashable:
+        """A key for a value; expressions are gathered, and represented by their sparsity."""
         if value is None or isinstance(value, str | bytes | int | float | Enum | type):
             return type(value), value
         if isinstance(value, SX):
@@ -85,13 +84,13 @@ class _Walk:
         if isinstance(value, np.ndarray):
             return np.ndarray, value.dtype.str, value.shape, value.tobytes()
         if isinstance(value, Mapping):
-            return type(value), tuple((self.tell(k), self.tell(v)) for k, v in value.items())
+            return type(value), tuple((self.key_of(k), self.key_of(v)) for k, v in value.items())
         if isinstance(value, Set):
-            return type(value), frozenset(self.tell(item) for item in value)
+            return type(value), frozenset(self.key_of(item) for item in value)
         if isinstance(value, list | tuple):
-            return type(value), tuple(self.tell(item) for item in value)
+            return type(value), tuple(self.key_of(item) for item in value)
         if isinstance(value, FunctionType):
-            return value  # by itself: no two functions are known to be equal
+            return value  # by identity: no two functions are known to be equal
         return self._object(value)
 
     def _object(self, value: Any) -> Hashable:
@@ -100,14 +99,14 @@ class _Walk:
         self._met[id(value)] = len(self._met)
         self._alive.append(value)
         if isinstance(value, MethodType):
-            return MethodType, value.__func__, self.tell(value.__self__)
+            return MethodType, value.__func__, self.key_of(value.__self__)
         if isinstance(value, ca.DM):
             return ca.DM, value.serialize()
         numbers = _number_fields(value)
         for name in _derived(type(value)):
-            getattr(value, name)  # or a key would tell what had been asked for before
+            getattr(value, name)  # or the key would depend on what had been computed before
         return type(value), tuple(
-            (name, self.tell(own) if name not in numbers else numbers[name] and _counts(own))
+            (name, self.key_of(own) if name not in numbers else numbers[name] and _counts(own))
             for name, own in sorted(vars(value).items())
         )
 
@@ -120,7 +119,7 @@ def _pattern(value: SX) -> Hashable:
 
 
 def _number_fields(value: object) -> dict[str, bool]:
-    """Names of a dataclass' fields of scene numbers, and whether their kind counts."""
+    """Names of a dataclass' fields of scene numbers, and whether being absent or zero counts."""
     if not is_dataclass(value):
         return {}
     kinds = {f.name: f.metadata for f in fields(value)}

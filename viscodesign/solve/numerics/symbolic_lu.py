@@ -1,9 +1,13 @@
-"""Sparse elimination written out as straight-line formulas, pivots on the diagonal.
+"""Sparse LU written out as straight-line formulas, with pivots on the diagonal.
 
 For a system that is solved thousands of times with one pattern, formulas without any
 search or index cost a third of a general sparse solver. Pivots on the diagonal suit
-the matrices of a step of an implicit method: masses, compliances and stiffnesses
-stand there.
+the matrices of a step of an implicit method, which have masses, compliances and
+stiffnesses there.
+
+CasADi's own symbolic factorisations do not replace it: for the system of a step of the paper's
+leg, ``qr_sparse`` needs 41,325 operations, this elimination 10,922. SuperLU (through SciPy)
+only gives the order of the unknowns, since its factors are numbers.
 """
 
 from __future__ import annotations
@@ -19,29 +23,29 @@ SX = ca.SX
 
 
 def has_whole_diagonal(pattern: ca.Sparsity) -> bool:
-    """Whether no entry on the diagonal of a square pattern is zero by structure."""
+    """Whether no diagonal entry of a square pattern is structurally zero."""
     rows, columns = (np.array(k, dtype=int) for k in pattern.get_triplet())
     return int(np.sum(rows == columns)) == pattern.size1()
 
 
-class Elimination:
+class SymbolicLU:
     """Factors and solutions of matrices of one pattern.
 
-    ``pattern``: of a square matrix with a diagonal that has no structural zero.
-    Raises `ValueError` where it has one.
+    ``pattern``: of a square matrix without structural zeros on the diagonal.
+    Raises `ValueError` where there is one.
     """
 
     def __init__(self, pattern: ca.Sparsity) -> None:
         size = pattern.size1()
         rows, columns = (np.array(k, dtype=int) for k in pattern.get_triplet())
         if not has_whole_diagonal(pattern):
-            raise ValueError("a pivot on the diagonal is zero by structure")
+            raise ValueError("a diagonal entry is structurally zero")
         self.pattern = pattern
         order = _minimum_degree(size, rows, columns)
         place = np.argsort(order)
         self._order = order.tolist()
         self._fill = _Fill.of(size, place[rows], place[columns])
-        # Where the matrix's own entries stand among those of its factors.
+        # Indices of the matrix's own entries among those of its factors.
         self._own = [
             self._fill.index[pair]
             for pair in zip(place[rows].tolist(), place[columns].tolist(), strict=True)
@@ -49,7 +53,7 @@ class Elimination:
         self.solution = self._solution()
 
     def factors(self, matrix: SX) -> SX:
-        """L (unit diagonal left out) and U as one column of their entries."""
+        """Entries of L (without its unit diagonal) and U as one column."""
         values = SX.zeros(self._fill.count)
         values[self._own] = matrix.nz[:]
         for pivot in self._fill.pivots:
@@ -89,12 +93,12 @@ class _Pivot:
     rows: list[int]
     rows_upper: list[int]
     targets: list[int]
-    """Entries that lower times upper changes, column by column."""
+    """Entries that the product of lower and upper changes, column by column."""
 
 
 @dataclass(frozen=True)
 class _Fill:
-    """Entries of the factors, with what elimination fills in."""
+    """Entries of the factors, fill-in included."""
 
     index: dict[tuple[int, int], int]
     pivots: list[_Pivot]

@@ -17,7 +17,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.jacobian import jacobian
-from viscodesign.solve.numerics.symbolic_lu import Elimination, has_whole_diagonal
+from viscodesign.solve.numerics.symbolic_lu import SymbolicLU, has_whole_diagonal
 from viscodesign.solve.problem import Bound, Problem
 from viscodesign.solve.solvers import rodas
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
@@ -262,7 +262,7 @@ def step_function(equations: Formulas) -> ca.Function:
     mass[states : states + algebraics] = 0
     slopes, drift = jacobian(rates, y), ca.jacobian(rates, t)
     matrix = ca.sparsify(ca.diag(mass)) / (h * rodas.GAMMA) - slopes
-    elimination = Elimination(matrix.sparsity())
+    elimination = SymbolicLU(matrix.sparsity())
     factors = elimination.factors(matrix)
     stages: list[SX] = []
     for i in range(rodas.STAGES):
