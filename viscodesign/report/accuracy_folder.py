@@ -7,7 +7,7 @@ from pathlib import Path
 
 from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import STUDY_FILES
-from viscodesign.results.accuracy_study import COLUMNS, AccuracyStudy
+from viscodesign.results.accuracy_study import POINT_COLUMNS, AccuracyStudy
 
 
 def write_study(
@@ -34,4 +34,4 @@ def write_study(
 def points_csv(study: AccuracyStudy) -> bytes:
     """Every point with every digit."""
     points = [asdict(point) for point in study.points]
-    return csv_table(COLUMNS, ([point[name] for name in COLUMNS] for point in points))
+    return csv_table(POINT_COLUMNS, ([point[name] for name in POINT_COLUMNS] for point in points))

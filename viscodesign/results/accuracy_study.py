@@ -15,9 +15,9 @@ from viscodesign.results.findings import json_ready
 if TYPE_CHECKING:
     import pandas as pd
 
-ERRORS = (1e-2, 1e-3, 1e-4)
+STATED_ERRORS = (1e-2, 1e-3, 1e-4)
 """Tip errors, in actuator lengths, whose cost every study states."""
-COLUMNS = (
+POINT_COLUMNS = (
     "model", "edges", "tolerance", "solver", "solve_s", "build_s", "tip_error_m",
     "tip_error_rel", "dominated",
 )  # fmt: skip
@@ -148,7 +148,7 @@ class AccuracyStudy:
     @property
     def errors(self) -> tuple[float, ...]:
         """The errors whose cost is stated, largest first, in actuator lengths."""
-        return tuple(sorted({*ERRORS, self.requested_rel}, reverse=True))
+        return tuple(sorted({*STATED_ERRORS, self.requested_rel}, reverse=True))
 
     @property
     def front(self) -> list[Point]:
@@ -191,8 +191,8 @@ class AccuracyStudy:
         """All points: the columns of `accuracy.csv`."""
         import pandas as pd
 
-        rows = [[asdict(point)[name] for name in COLUMNS] for point in self.points]
-        return pd.DataFrame(rows, columns=list(COLUMNS))
+        rows = [[asdict(point)[name] for name in POINT_COLUMNS] for point in self.points]
+        return pd.DataFrame(rows, columns=list(POINT_COLUMNS))
 
     def document(self, budget_s: float | None = None) -> dict[str, Any]:
         """The study as one document; ``budget`` is there where a time [s] is given."""

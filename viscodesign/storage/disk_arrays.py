@@ -18,7 +18,7 @@ import numpy as np
 
 from viscodesign.errors import ViscodesignError
 
-IN_MEMORY = 8 * 2**20
+MOST_BYTES_IN_MEMORY = 8 * 2**20
 """Bytes up to which an array stays in memory."""
 BLOCK = 4096
 """Rows that are processed at once."""
@@ -36,7 +36,7 @@ class ArrayStore:
     bytes up to which an array needs no file.
     """
 
-    def __init__(self, folder: Path | None = None, in_memory: int = IN_MEMORY) -> None:
+    def __init__(self, folder: Path | None = None, in_memory: int = MOST_BYTES_IN_MEMORY) -> None:
         self.folder = folder
         self.in_memory = in_memory
 
@@ -147,12 +147,12 @@ def release_pages(array: np.ndarray) -> None:
 def rows_at(array: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """Copy scattered rows of an array, releasing the pages of one that is on disk."""
     parts = []
-    for some in blocks(len(rows), array, rows=SCATTERED):
+    for some in blocks(len(rows), array, rows=SCATTERED_ROWS):
         parts.append(array[rows[some]])
     return np.concatenate([array[:0], *parts])
 
 
-SCATTERED = 256
+SCATTERED_ROWS = 256
 """Scattered rows that are read at once; each one brings its neighbours into memory."""
 
 

@@ -15,7 +15,7 @@ from viscodesign.report.accuracy_folder import write_study
 from viscodesign.report.folder import STUDY_FILES
 from viscodesign.report.run_folder import write_run
 
-COLUMNS = "model,edges,tolerance,solver,solve_s,build_s,tip_error_m,tip_error_rel,dominated"
+POINT_COLUMNS = "model,edges,tolerance,solver,solve_s,build_s,tip_error_m,tip_error_rel,dominated"
 
 
 def names(folder: Path) -> set[str]:
@@ -32,7 +32,7 @@ def test_all_files_are_written_and_returned_in_order(tmp_path: Path) -> None:
 def test_the_table_has_exactly_its_columns_and_every_digit(tmp_path: Path) -> None:
     study = made_study()
     table = write_study(study, tmp_path, plots=False)[0].read_text()
-    assert table.splitlines()[0] == COLUMNS
+    assert table.splitlines()[0] == POINT_COLUMNS
     rows = list(csv.DictReader(table.splitlines()))
     assert len(rows) == len(study.points)
     for row, point in zip(rows, study.points, strict=True):
@@ -66,7 +66,7 @@ def test_a_study_without_a_point_has_a_table_and_a_document(tmp_path: Path) -> N
     bare = made_study(points=(), start=None, reference=None, status="interrupted")
     write_study(bare, tmp_path)
     assert names(tmp_path) == {"accuracy.csv", "accuracy.json"}
-    assert (tmp_path / "accuracy.csv").read_text() == COLUMNS + "\n"
+    assert (tmp_path / "accuracy.csv").read_text() == POINT_COLUMNS + "\n"
     told = json.loads((tmp_path / "accuracy.json").read_text())
     assert told["status"] == "interrupted"
     assert told["reference"] is None

@@ -9,7 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.studies import POINTS, made_study, point
-from viscodesign.results.accuracy_study import COLUMNS, spread, tolerance_words, with_dominated
+from viscodesign.results.accuracy_study import (
+    POINT_COLUMNS,
+    spread,
+    tolerance_words,
+    with_dominated,
+)
 
 # Few values, so that equal times and equal errors are common.
 PAIRS = st.lists(st.tuples(st.integers(1, 6), st.integers(1, 6)), max_size=25)
@@ -78,7 +83,7 @@ def test_a_setting_in_words() -> None:
 
 def test_the_frame_has_the_columns_of_the_file() -> None:
     frame = made_study().frame()
-    assert tuple(frame.columns) == COLUMNS
+    assert tuple(frame.columns) == POINT_COLUMNS
     assert len(frame) == len(POINTS)
     assert frame["dominated"].tolist() == [False, False, False, False, True, False, True]
 

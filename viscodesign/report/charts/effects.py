@@ -33,15 +33,15 @@ if TYPE_CHECKING:
 
 LEFT, BOTTOM, PLOT_WIDTH, RIGHT = 2.05, 0.5, 4.6, 0.3
 WIDTH = LEFT + PLOT_WIDTH + RIGHT
-ROW, LEGEND = 0.36, 0.5
-NUMBER = 0.75
+ROW_HEIGHT, LEGEND_HEIGHT = 0.36, 0.5
+NUMBER_WIDTH = 0.75
 """Space to the right of the longest bar, for its number; all in inches."""
-BAR = 0.36
+BAR_THICKNESS = 0.36
 """Thickness of a bar, as a share of its row."""
 MEASURED, ESTIMATED = to_hex(SEQUENTIAL(0.25)), FAINT
 HATCH = "/////"
-LINE: Any = {"color": ACCENT, "lw": 1.4, "ls": (0, (5, 2))}
-DEEPEST = 1e-5
+BUDGET_LINE: Any = {"color": ACCENT, "lw": 1.4, "ls": (0, (5, 2))}
+SMALLEST_BAR = 1e-5
 """Smallest displacement that is drawn as a bar, as a share of the requested error."""
 
 
@@ -72,8 +72,10 @@ def draw_effects(trajectory: Trajectory, path: Path) -> None:
     """One row per effect, the largest displacement on top; the requested error as a line."""
     rows = effect_rows(trajectory)
     budget = 1e3 * trajectory.accuracy.requested_m
-    height = ROW * len(rows)
-    with picture(path, WIDTH, BOTTOM + height + LEGEND + head_room(trajectory, WIDTH)) as made:
+    height = ROW_HEIGHT * len(rows)
+    with picture(
+        path, WIDTH, BOTTOM + height + LEGEND_HEIGHT + head_room(trajectory, WIDTH)
+    ) as made:
         axes = axes_at(made, LEFT, BOTTOM, PLOT_WIDTH, height)
         limits = _limits(rows, budget)
         axes.set(xscale="log", xlim=limits, ylim=(len(rows) - 0.5, -0.5))
@@ -83,7 +85,7 @@ def draw_effects(trajectory: Trajectory, path: Path) -> None:
         axes.xaxis.set_minor_locator(NullLocator())
         axes.grid(axis="x", color="#e6e6e6", lw=0.6)
         axes.set_axisbelow(True)
-        axes.axvline(budget, zorder=4, **LINE)
+        axes.axvline(budget, zorder=4, **BUDGET_LINE)
         for k, row in enumerate(rows):
             _draw_row(axes, k, row, limits[0])
         _draw_names(axes, rows, budget)
@@ -112,17 +114,17 @@ def effect_rows(trajectory: Trajectory) -> list[EffectRow]:
 def _limits(rows: Iterable[EffectRow], budget: float) -> tuple[float, float]:
     """Limits of the axis, around all bars and the requested error."""
     moves = [m for row in rows for m in (row.estimated, row.measured) if m and math.isfinite(m)]
-    seen = [budget, *(m for m in moves if m > DEEPEST * budget)]
+    seen = [budget, *(m for m in moves if m > SMALLEST_BAR * budget)]
     low = 10.0 ** math.floor(math.log10(0.5 * min(seen)))
-    return low, low * (max(seen) / low) ** (PLOT_WIDTH / (PLOT_WIDTH - NUMBER))
+    return low, low * (max(seen) / low) ** (PLOT_WIDTH / (PLOT_WIDTH - NUMBER_WIDTH))
 
 
 def _draw_row(axes: Axes, k: int, row: EffectRow, low: float) -> None:
     if not row.estimated and not row.measured and not row.note:
         _write(axes, low, k, "none")
         return
-    _draw_bar(axes, k + BAR / 2, row.estimated, row.is_included, ESTIMATED, "")
-    _draw_bar(axes, k - BAR / 2, row.measured, row.is_included, MEASURED, row.note)
+    _draw_bar(axes, k + BAR_THICKNESS / 2, row.estimated, row.is_included, ESTIMATED, "")
+    _draw_bar(axes, k - BAR_THICKNESS / 2, row.measured, row.is_included, MEASURED, row.note)
 
 
 def _draw_bar(
@@ -134,12 +136,12 @@ def _draw_bar(
         words = note if move is None else f"{move:.2g}" if move else "none"
         _write(axes, low, y, words)
         return
-    end = min(move, low * (high / low) ** (1 - NUMBER / PLOT_WIDTH))
+    end = min(move, low * (high / low) ** (1 - NUMBER_WIDTH / PLOT_WIDTH))
     edge = colour if colour == MEASURED else GREY
     style: dict[str, Any] = (
         {"color": colour} if taken else {"facecolor": "white", "edgecolor": edge, "hatch": HATCH}
     )
-    axes.barh(y, end - low, BAR, left=low, zorder=3, linewidth=0.8, **style)
+    axes.barh(y, end - low, BAR_THICKNESS, left=low, zorder=3, linewidth=0.8, **style)
     _write(axes, end, y, f"{move:.3g}" if math.isfinite(move) else "unbounded")
 
 
@@ -171,7 +173,7 @@ def _draw_legend(made: Figure, budget: float, top: float) -> None:
         Patch(facecolor=ESTIMATED, label="estimated"),
         Patch(facecolor=INK, label="included: filled"),
         Patch(facecolor="white", edgecolor=INK, hatch=HATCH, label="neglected: hatched"),
-        Line2D([], [], **LINE, label=f"requested error: {budget:.3g} mm"),
+        Line2D([], [], **BUDGET_LINE, label=f"requested error: {budget:.3g} mm"),
     ]
     made.legend(
         handles=handles, loc="lower left", ncols=3, borderaxespad=0, columnspacing=1.4,

@@ -38,7 +38,7 @@ WIDTH = BAR_LEFT + 0.65
 PANEL_TITLE = 0.22
 LEGEND_ROW = 0.2
 """All in inches."""
-DISCRETE = 16
+MOST_DISCRETE_SECTIONS = 16
 """Up to this number of sections, each has its own field in the colour bar."""
 
 
@@ -67,7 +67,7 @@ def draw_pressures(trajectory: Trajectory, path: Path) -> None:
 
 
 def _section_colours(sections: int) -> Normalize:
-    if sections > DISCRETE:
+    if sections > MOST_DISCRETE_SECTIONS:
         return Normalize(1, sections)
     return BoundaryNorm(np.arange(sections + 1) + 0.5, SEQUENTIAL.N)
 
@@ -144,14 +144,14 @@ def _draw_bar(made: Figure, trajectory: Trajectory, norm: Normalize) -> None:
     ticks = _section_ticks(sections)
     bar.set_ticks([float(tick) for tick in ticks], labels=[str(tick) for tick in ticks])
     bar.minorticks_off()
-    bar.ax.tick_params(length=0 if sections <= DISCRETE else 3)
+    bar.ax.tick_params(length=0 if sections <= MOST_DISCRETE_SECTIONS else 3)
     bar.outline.set_edgecolor(FAINT)
     bar.outline.set_linewidth(0.4)
 
 
 def _section_ticks(sections: int) -> list[int]:
     """All of few; of many the first and about ten round numbers."""
-    if sections <= DISCRETE:
+    if sections <= MOST_DISCRETE_SECTIONS:
         return list(range(1, sections + 1))
     rounds = (m * 10**e for e in range(9) for m in (1, 2, 5))
     step = next(step for step in rounds if sections <= 10 * step)

@@ -30,13 +30,13 @@ KEY_WIDTH = 2.2
 """In inches."""
 LARGEST_DECADE = 9
 """Ratios beyond ten to this, up or down, are drawn at the edge."""
-EDGE = 0.022
+EDGE_DISTANCE = 0.022
 """Distance of what lies outside from the edge, of the plane's side."""
-NEAR = 0.012
+SAME_PLACE = 0.012
 """Points nearer than this, of the plane's side, are one mark."""
-LINE = 0.004
+HALF_LINE = 0.004
 """Half the room of the lines between quadrants, of the plane's side."""
-MOST_DIRECT, MOST_NAMES = 5, 3
+MOST_NAMED_MARKS, MOST_NAMES_PER_MARK = 5, 3
 """So many marks, of so many names, have the names themselves beside them; more have numbers."""
 
 
@@ -55,7 +55,9 @@ def draw_plane(classifications: Sequence[Classification], path: Path) -> None:
     places = [_place(found) for found in classifications]
     decades = (_decades([x for x, _ in places]), _decades([y for _, y in places]))
     marks = _marks(classifications, places, decades)
-    direct = len(marks) <= MOST_DIRECT and all(len(mark.names) <= MOST_NAMES for mark in marks)
+    direct = len(marks) <= MOST_NAMED_MARKS and all(
+        len(mark.names) <= MOST_NAMES_PER_MARK for mark in marks
+    )
     width = LEFT + SIZE + (RIGHT if direct else KEY_WIDTH)
     with picture(path, width, BOTTOM + SIZE + ABOVE) as made:
         axes = axes_at(made, LEFT, BOTTOM, SIZE, SIZE)
@@ -99,7 +101,7 @@ def _marks(
         symbol = _symbol(place, decades)
         name = shown(found.name, 32)
         for k, mark in enumerate(marks):
-            if symbol == mark.symbol and math.hypot(x - mark.x, y - mark.y) < NEAR:
+            if symbol == mark.symbol and math.hypot(x - mark.x, y - mark.y) < SAME_PLACE:
                 marks[k] = Mark(mark.x, mark.y, symbol, (*mark.names, name))
                 break
         else:
@@ -109,7 +111,7 @@ def _marks(
 
 def _inside(logarithm: float, ends: tuple[int, int]) -> float:
     part = (logarithm - ends[0]) / (ends[1] - ends[0])
-    return float(np.clip(part, EDGE, 1 - EDGE))
+    return float(np.clip(part, EDGE_DISTANCE, 1 - EDGE_DISTANCE))
 
 
 def _symbol(place: tuple[float, float], decades: tuple[tuple[int, int], tuple[int, int]]) -> str:
@@ -130,8 +132,8 @@ def _draw_quadrants(axes: Axes, decades: tuple[tuple[int, int], tuple[int, int]]
     axes.axhline(y, color=FAINT, lw=1)
     axes.axvline(x, color=FAINT, lw=1)
     boxes = [
-        Box(x - LINE, 0, x + LINE, 1, faint=True),
-        Box(0, y - LINE, 1, y + LINE, faint=True),
+        Box(x - HALF_LINE, 0, x + HALF_LINE, 1, faint=True),
+        Box(0, y - HALF_LINE, 1, y + HALF_LINE, faint=True),
     ]
     for quadrant, (right, up) in CORNERS.items():
         place = (0.98 if right else 0.02, 0.98 if up else 0.02)

@@ -23,12 +23,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-SHOWN = 8
-GAP = 0.12
+MOST_SNAPSHOTS = 8
+BELLOW_GAP = 0.12
 """Part of a section's length left between neighbouring bellows."""
-MIDDLE = 0.08
+AXIS_GAP = 0.08
 """Part of the half width left free on either side of the axis."""
-EDGED = 24
+MOST_EDGED_SECTIONS = 24
 """With more sections than this a bellow's edge would hide its colour."""
 WIDTH, SIDE, FOOT = 6.6, 0.2, 0.62
 """The figure, its margins, and the foot with scale and colour bar [inch]."""
@@ -69,7 +69,7 @@ def draw_shapes(trajectory: Trajectory, path: Path) -> None:
 
 
 def _snapshots(trajectory: Trajectory) -> Snapshots:
-    instants = spread_instants(trajectory, SHOWN, pressures=True)
+    instants = spread_instants(trajectory, MOST_SNAPSHOTS, pressures=True)
     axis, rows = trajectory.shape[instants] * 1e3, trajectory.shape_rows[instants]
     return Snapshots(
         time_labels(trajectory.time[rows]),
@@ -84,12 +84,12 @@ def _blocks(trajectory: Trajectory, axis: np.ndarray) -> np.ndarray:
     """Quadrangles (N, B, 4, 2) beside axes (N, K, 2) [mm], in the order of the bellows."""
     arc = trajectory.arc / trajectory.arc[-1] * trajectory.sections
     section = np.arange(trajectory.sections)
-    ends = np.stack((section + GAP / 2, section + 1 - GAP / 2))
+    ends = np.stack((section + BELLOW_GAP / 2, section + 1 - BELLOW_GAP / 2))
     point = _interpolated(ends, arc, axis)
     out = _interpolated(ends, arc, normals(axis)) * 0.5e3 * trajectory.width
     columns = {}
     for side, sign in (("R", 1.0), ("L", -1.0)):
-        near, far = point + MIDDLE * sign * out, point + sign * out
+        near, far = point + AXIS_GAP * sign * out, point + sign * out
         columns[side] = np.stack((near[:, 0], near[:, 1], far[:, 1], far[:, 0]), axis=2)
     return np.stack([columns[b[0]][:, int(b[1:]) - 1] for b in trajectory.bellows], axis=1)
 
@@ -141,7 +141,7 @@ def _draw_snapshots(
     axes: Axes, snapshots: Snapshots, strip: Strip, colours: Colormap, norm: Normalize
 ) -> None:
     origin = np.array(strip.origins)
-    many = snapshots.blocks.shape[1] > 2 * EDGED
+    many = snapshots.blocks.shape[1] > 2 * MOST_EDGED_SECTIONS
     blocks = (snapshots.blocks + origin[:, None, None]).reshape(-1, 4, 2)
     shown = PolyCollection(
         list(blocks), cmap=colours, norm=norm, edgecolors="face" if many else INK, linewidths=0.3

@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-SHOWN = 7
-LARGEST = np.array((4.6, 4.8))
-SMALLEST = np.array((3.2, 2.0))
+MOST_INSTANTS = 7
+LARGEST_AXES = np.array((4.6, 4.8))
+SMALLEST_AXES = np.array((3.2, 2.0))
 """Size of the axes, x and z [inch]."""
 LEFT, BOTTOM, RIGHT = 0.62, 0.5, 0.85
 """Room around the axes [inch]; the colour bar stands to their right."""
@@ -43,10 +43,10 @@ ZOOM_RANGE = (1e-3, 0.12)
 
 def draw_tip(trajectory: Trajectory, path: Path) -> None:
     """Equal axes in mm, the clamp at the top, z downwards as the actuator hangs."""
-    instants = spread_instants(trajectory, SHOWN)
+    instants = spread_instants(trajectory, MOST_INSTANTS)
     bodies = outline(trajectory.shape[instants], trajectory.width) * 1e3
     low, high = _limits(trajectory, bodies)
-    width, height = np.maximum((high - low) * _scale(low, high), SMALLEST).tolist()
+    width, height = np.maximum((high - low) * _scale(low, high), SMALLEST_AXES).tolist()
     zoomed = _is_small(trajectory)
     right = LEFT + width + (ZOOM_GAP + ZOOM if zoomed else 0.0)
     full = right + RIGHT
@@ -106,13 +106,13 @@ def _limits(trajectory: Trajectory, bodies: np.ndarray) -> tuple[np.ndarray, np.
     high = np.maximum(points.max(axis=0), (half, 0.0))
     margin = 0.04 * float(np.max(high - low))
     low, high = low - margin, high + margin
-    short = np.maximum(SMALLEST / _scale(low, high) - (high - low), 0.0)
+    short = np.maximum(SMALLEST_AXES / _scale(low, high) - (high - low), 0.0)
     return low - short / 2, high + short / 2
 
 
 def _scale(low: np.ndarray, high: np.ndarray) -> float:
     """Inches for a millimetre."""
-    return float(np.min(LARGEST / (high - low)))
+    return float(np.min(LARGEST_AXES / (high - low)))
 
 
 def _clamp_size(trajectory: Trajectory) -> tuple[float, float]:

@@ -1,4 +1,4 @@
-"""What a picture draws of a run that has more rows than it has room for."""
+"""Reducing long runs to what a picture can show."""
 
 from __future__ import annotations
 
@@ -7,24 +7,24 @@ import numpy as np
 from viscodesign.storage.disk_arrays import blocks, extremes
 
 MOST_ROWS = 40_000
-"""Rows up to which a run is drawn as it is."""
-FIELDS = 1000
-"""Parts of a long run's time, of which each curve shows the lowest and the highest."""
-STRETCHES = 40
-"""Parts of a long path that are drawn, each with all its rows."""
-FIRST = 0.25
-"""Part of what is drawn of a long path that stands together at its beginning."""
+"""Number of rows up to which a run is drawn in full."""
+ENVELOPE_FIELDS = 1000
+"""Number of time intervals of a long run; of each, lowest and highest values are drawn."""
+PATH_STRETCHES = 40
+"""Number of excerpts of a long path, each drawn in full."""
+BEGINNING_SHARE = 0.25
+"""Share of the drawn rows that is used for the beginning of a long path."""
 
 
 def envelope(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Times (n,) and curves (n, m) that fill the same places as rows (T, m).
+    """Times (n,) and curves (n, m) that cover the same area as rows (T, m).
 
-    Of a long run the lowest and the highest of every field, by turns: nothing that
-    sticks out is lost, however short it is.
+    Of a long run, the lowest and highest value of every interval in turn, so that no peak
+    is lost, however short it is.
     """
     if len(time) <= MOST_ROWS:
         return time, values
-    size = -(-len(time) // FIELDS)
+    size = -(-len(time) // ENVELOPE_FIELDS)
     found = [
         (time[rows.start], time[rows.stop - 1], part.min(axis=0), part.max(axis=0))
         for rows in blocks(len(time), time, values, rows=size)
@@ -36,25 +36,27 @@ def envelope(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 
 def stretches(values: np.ndarray) -> list[slice]:
-    """Stretches of rows (T, m) that show where a long path runs; of a short one all rows.
+    """Excerpts of rows (T, m) that show where a long path runs; all rows of a short one.
 
-    A long one at the beginning, then some spread over the run to its end, and where
-    columns are at their lowest and highest. Each is drawn whole, since a path without some
+    A long excerpt at the beginning, then some spread over the run to its end, and those with
+    the lowest and highest values of the columns. Each is complete, since a path without some
     of its rows is another path.
     """
     count = len(values)
     if count <= MOST_ROWS:
         return [slice(0, count)]
-    size = int((1 - FIRST) * MOST_ROWS) // STRETCHES
+    size = int((1 - BEGINNING_SHARE) * MOST_ROWS) // PATH_STRETCHES
     low, high = extremes(values)
-    wanted = [int(k) for k in np.linspace(0, count - size, STRETCHES)]
+    wanted = [int(k) for k in np.linspace(0, count - size, PATH_STRETCHES)]
     wanted += [k - size // 2 for k in _where(values, low, high)]
     inside = sorted(min(max(k, 0), count - size) for k in wanted)
-    return _joined([slice(0, int(FIRST * MOST_ROWS)), *(slice(k, k + size) for k in inside)])
+    return _joined(
+        [slice(0, int(BEGINNING_SHARE * MOST_ROWS)), *(slice(k, k + size) for k in inside)]
+    )
 
 
 def _where(values: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[int]:
-    """The first rows at which columns are at their lowest and highest."""
+    """The first rows with the lowest and highest value of each column."""
     found: dict[tuple[int, int], int] = {}
     for rows in blocks(len(values), values):
         hits = np.stack((values[rows] == low, values[rows] == high))
@@ -65,7 +67,7 @@ def _where(values: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[int]:
 
 
 def _joined(parts: list[slice]) -> list[slice]:
-    """Stretches in the order of their beginnings, those that touch made one."""
+    """Excerpts, sorted by their beginning, with those that touch merged."""
     found = parts[:1]
     for part in parts[1:]:
         if part.start <= found[-1].stop:

@@ -1,21 +1,21 @@
-"""Labels beside points, placed so that they hide neither each other nor the points."""
+"""Labels placed beside points so that they hide neither each other nor the points."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-CHARACTER, LINE = 0.6, 1.3
-"""Width of a usual character and height of a line, of the font's size."""
+CHARACTER_WIDTH, LINE_HEIGHT = 0.6, 1.3
+"""Typical width of a character and height of a line, per font size."""
 POINTS = 72.0
-MARK = 5.0
-"""Half the room of a mark [pt]."""
+HALF_MARK = 5.0
+"""Half the space of a mark [pt]."""
 DISTANCES = (6.0, 16.0, 30.0, 48.0, 70.0)
-"""From a point to its label [pt]; from the second on a line leads there."""
-FARTHER = 1e-6
-"""What the next distance costs, in parts of the plane: less than to hide anything."""
+"""From a point to its label [pt]; from the second on, a line connects them."""
+DISTANCE_COST = 1e-6
+"""Cost of the next distance, as an area: less than that of hiding anything."""
 FAINT_COST = 1e-4
-"""Of an area's cost, for a box that may be crossed rather than go farther."""
+"""Factor on the cost of hiding a thin line, which is better than a larger distance."""
 DIRECTIONS = (
     (1, 0), (-1, 0), (0, 1), (0, -1), (0.8, 0.6), (0.8, -0.6), (-0.8, 0.6), (-0.8, -0.6),
 )  # fmt: skip
@@ -23,7 +23,7 @@ DIRECTIONS = (
 
 @dataclass(frozen=True)
 class Box:
-    """A rectangle in parts of the plane's side."""
+    """A rectangle, in fractions of the side of the plane."""
 
     left: float
     bottom: float
@@ -39,7 +39,7 @@ class Box:
         return max(across, 0.0) * max(up, 0.0)
 
     def outside(self) -> float:
-        """Area beyond the plane, roughly."""
+        """Approximate area outside the plane."""
         beyond = (-self.left, -self.bottom, self.right - 1, self.top - 1)
         return sum(max(part, 0.0) for part in beyond)
 
@@ -55,16 +55,16 @@ class Label:
     across: str
     upright: str
     step: int
-    """Which of the distances; above the first a line leads from the point to it."""
+    """Index of the distance; above 0, a line connects it to the point."""
 
 
 def text_box(
     text: str, place: tuple[float, float], across: str, upright: str, size: float, side: float
 ) -> Box:
-    """About the room of a text of ``size`` [pt] on a plane of ``side`` [inch]."""
+    """Approximate space of a text of ``size`` [pt] on a plane of ``side`` [inch]."""
     lines = text.split("\n")
-    width = max(len(line) for line in lines) * CHARACTER * size / POINTS / side
-    height = len(lines) * LINE * size / POINTS / side
+    width = max(len(line) for line in lines) * CHARACTER_WIDTH * size / POINTS / side
+    height = len(lines) * LINE_HEIGHT * size / POINTS / side
     left = place[0] - {"left": 0.0, "center": 0.5, "right": 1.0}[across] * width
     bottom = place[1] - {"bottom": 0.0, "center": 0.5, "top": 1.0}[upright] * height
     return Box(left, bottom, left + width, bottom + height)
@@ -78,14 +78,14 @@ def place_labels(
     size: float,
     side: float,
 ) -> list[Label]:
-    """One label for each point (in parts of ``side`` [inch]), near it where it hides least."""
-    mark = MARK / POINTS / side
+    """One label per point (in fractions of ``side`` [inch]), where it hides least."""
+    mark = HALF_MARK / POINTS / side
     boxes = [*taken, *(Box(x - mark, y - mark, x + mark, y + mark) for x, y in points)]
     labels = []
     for point, text in zip(points, texts, strict=True):
         choices = _choices(point, text, size, side)
         costs = [
-            box.outside() + sum(_cost(box, other) for other in boxes) + FARTHER * label.step
+            box.outside() + sum(_cost(box, other) for other in boxes) + DISTANCE_COST * label.step
             for label, box in choices
         ]
         best = min(range(len(choices)), key=lambda k: (round(costs[k], 9), k))

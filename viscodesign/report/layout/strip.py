@@ -1,4 +1,4 @@
-"""Frames of different sizes at one scale in rows, as on a strip of film."""
+"""Frames of different sizes, at one scale, arranged in rows."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 LABEL_WIDTH, LABEL_HEIGHT = 0.86, 0.24
-"""Room for the words above a frame [inch]."""
+"""Space for the label above a frame [inch]."""
 GAP, ROW_GAP = 0.12, 0.22
-"""Least room between frames, and between rows [inch]."""
+"""Smallest distance between frames, and between rows [inch]."""
 TALLEST = 1.9
-"""Largest drawn length of the actuator [inch]."""
+"""Largest length of the actuator as drawn [inch]."""
 HIGHEST = 6.5
 """Largest height of the strip [inch]."""
 MOST_ROWS = 3
@@ -31,20 +31,23 @@ class Strip:
     """Where the frames go; places in mm from the upper left corner, z pointing down."""
 
     scale: float
-    """Inches for a millimetre."""
+    """Inches per millimetre."""
     height: float
-    """Of the whole [inch]."""
+    """Height of the strip [inch]."""
     origins: list[tuple[float, float]]
-    """The place of each frame's clamp."""
+    """Position of the clamp in each frame."""
     label_levels: list[float]
-    """The middle of each frame's words."""
+    """Vertical centre of the label of each frame."""
 
 
 def arrange(frames: Sequence[Frame], length: float, width: float) -> Strip:
-    """Place frames in as many rows as draw them largest; ``length`` [mm], ``width`` [inch]."""
+    """Arrange frames in the number of rows that draws them largest.
+
+    ``length`` of the actuator [mm], ``width`` of the strip [inch].
+    """
     choices = [_rows(frames, count) for count in range(1, min(MOST_ROWS, len(frames)) + 1)]
     scales = [_scale(rows, TALLEST / length, width) for rows in choices]
-    # More rows must be worth their room on the page.
+    # More rows have to be worth their space on the page.
     best = max(range(len(choices)), key=lambda k: (scales[k] * 0.93**k, -k))
     return _placed(choices[best], scales[best], width)
 
@@ -75,7 +78,7 @@ def _row_width(row: list[Frame], scale: float) -> float:
 
 
 def _sides(frame: Frame, scale: float) -> tuple[float, float]:
-    """Room to the left and to the right of the clamp's middle [inch], words included."""
+    """Space to the left and right of the middle of the clamp [inch], with the label."""
     return max(-frame.left * scale, LABEL_WIDTH / 2), max(frame.right * scale, LABEL_WIDTH / 2)
 
 
@@ -102,7 +105,7 @@ def _placed(rows: list[list[Frame]], scale: float, width: float) -> Strip:
 
 
 def _gap(rows: list[list[Frame]], scale: float, width: float) -> float:
-    """What is left of the fullest rows' width, shared out, within reason."""
+    """Distance between frames: the free width of the fullest row, shared out, up to a limit."""
     spare = [
         GAP + (width - _row_width(row, scale)) / (len(row) - 1) for row in rows if len(row) > 1
     ]

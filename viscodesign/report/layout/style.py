@@ -1,4 +1,4 @@
-"""One look for every picture: readable in print, safe for the colour-blind."""
+"""One style for every picture: readable in print, safe for the colour-blind."""
 
 from __future__ import annotations
 
@@ -47,22 +47,22 @@ ACCENT = "#d55e00"
 INLET_COLOURS = (ACCENT, "#cc79a7", "#000000", "#e69f00")
 """Okabe-Ito colours that do not occur in `SEQUENTIAL`."""
 SEQUENTIAL = ListedColormap(mpl.colormaps["viridis"](np.linspace(0.0, 0.9, 256)))
-"""Without its last, palest part, which vanishes on paper."""
+"""Without its palest part, which is invisible on paper."""
 DIVERGING = mpl.colormaps["RdBu_r"]
 
 TIME_DIGITS = (-4, 5)
-"""Powers of ten between which times are written out: there is room for five digits."""
+"""Powers of ten between which times are written in full; five digits fit."""
 TITLE_ROOM = 0.34
 BANNER_LINE = 0.17
 BANNER_LINES = 3
 POINTS = 72.0
-CHARACTER = 0.6
-"""Width of a usual character, of the font's size."""
+CHARACTER_WIDTH = 0.6
+"""Typical width of a character, per font size."""
 
 
 @contextlib.contextmanager
 def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
-    """A figure in inches, written whole to ``path`` at the end; no global state is left.
+    """A figure in inches, written completely to ``path`` at the end; leaves no global state.
 
     The ending of ``path`` tells the format (png, pdf, svg; png without one).
     """
@@ -87,7 +87,7 @@ def head_room(trajectory: Trajectory, width: float) -> float:
 
 
 def head(made: Figure, trajectory: Trajectory, words: str, left: float) -> None:
-    """Title from ``left`` [inch]; above it, for a run that did not reach its end, why."""
+    """Title from ``left`` [inch]; for an incomplete run, the reason above it."""
     width, height = made.get_size_inches()
     lines = _banner_lines(trajectory, width)
     top = height - BANNER_LINE * len(lines)
@@ -117,11 +117,11 @@ def _banner_lines(trajectory: Trajectory, width: float) -> list[str]:
 
 def _characters(width: float, size: float) -> int:
     """How many characters of ``size`` [pt] fit into ``width`` [inch]."""
-    return max(8, int(width * POINTS / (CHARACTER * size)))
+    return max(8, int(width * POINTS / (CHARACTER_WIDTH * size)))
 
 
 def shown(text: str, limit: int) -> str:
-    """One line of at most ``limit`` characters, each of which the font has."""
+    """One line of at most ``limit`` characters, with those that the font lacks replaced."""
     known = _font_characters()
     line = " ".join(text.split())
     line = "".join(c if ord(c) in known else "\N{WHITE SQUARE}" for c in line)

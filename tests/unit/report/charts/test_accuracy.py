@@ -5,20 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.text import Text
 
 from tests.studies import MODELS, POINTS, REFERENCE, STEPLESS, made_study, point
+from tests.unit.report.charts.conftest import words
 from viscodesign.report.charts.accuracy import draw_accuracy
 from viscodesign.report.charts.accuracy_axes import percent_words, time_words
 from viscodesign.report.charts.accuracy_key import COLOURS
 from viscodesign.report.charts.accuracy_labels import MOST_LABELS
-from viscodesign.report.layout.style import ACCENT, RC
+from viscodesign.report.layout.style import ACCENT
 from viscodesign.results.accuracy_study import AccuracyStudy, Model
 
 Drawn = Callable[[AccuracyStudy], Figure]
@@ -45,28 +44,15 @@ CASES: dict[str, Callable[[], AccuracyStudy]] = {
 
 
 @pytest.fixture
-def drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Drawn:
-    """Draws a study and returns the figure as it was saved, at a low resolution."""
-    figures: list[Figure] = []
-    save = Figure.savefig
-
-    def keep(figure: Figure, *words: Any, **options: Any) -> None:
-        figures.append(figure)
-        save(figure, *words, **options)
+def drawn(tmp_path: Path, figures: list[Figure]) -> Drawn:
+    """Draws a study and returns the figure as it was saved."""
 
     def draw(study: AccuracyStudy) -> Figure:
         draw_accuracy(study, tmp_path / "accuracy.png")
         assert (tmp_path / "accuracy.png").read_bytes().startswith(b"\x89PNG")
         return figures[-1]
 
-    monkeypatch.setattr(Figure, "savefig", keep)
-    monkeypatch.setitem(RC, "savefig.dpi", 40)
     return draw
-
-
-def words(figure: Figure) -> list[str]:
-    texts: list[Text] = figure.findobj(Text)
-    return [text.get_text() for text in texts]
 
 
 def marks(figure: Figure) -> list[Line2D]:

@@ -5,18 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
-from matplotlib.text import Text
 
 from tests.trajectories import VERDICTS, ablated_run, verdict
-from viscodesign.report.charts.effects import DEEPEST, MEASURED, draw_effects, effect_rows
-from viscodesign.report.layout.style import ACCENT, RC
+from tests.unit.report.charts.conftest import words
+from viscodesign.report.charts.effects import MEASURED, SMALLEST_BAR, draw_effects, effect_rows
+from viscodesign.report.layout.style import ACCENT
 from viscodesign.results.findings import EffectAblation
 from viscodesign.results.trajectory import Accuracy, Trajectory
 
@@ -46,22 +45,14 @@ CASES = {
 
 
 @pytest.fixture
-def drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Drawn:
-    """Draws a run and returns the figure as it was saved, at a low resolution."""
-    figures: list[Figure] = []
-    save = Figure.savefig
-
-    def keep(figure: Figure, *words: Any, **options: Any) -> None:
-        figures.append(figure)
-        save(figure, *words, **options)
+def drawn(tmp_path: Path, figures: list[Figure]) -> Drawn:
+    """Draws a run and returns the figure as it was saved."""
 
     def draw(trajectory: Trajectory) -> Figure:
         draw_effects(trajectory, tmp_path / "effects.png")
         assert (tmp_path / "effects.png").read_bytes().startswith(b"\x89PNG")
         return figures[-1]
 
-    monkeypatch.setattr(Figure, "savefig", keep)
-    monkeypatch.setitem(RC, "savefig.dpi", 40)
     return draw
 
 
@@ -77,11 +68,6 @@ def bars(figure: Figure) -> dict[tuple[int, bool], Rectangle]:
 
 def names(figure: Figure) -> list[str]:
     return [label.get_text() for label in figure.axes[0].get_yticklabels()]
-
-
-def words(figure: Figure) -> list[str]:
-    texts: list[Text] = figure.findobj(Text)
-    return [text.get_text() for text in texts]
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -159,4 +145,4 @@ def test_rounding_does_not_stretch_the_axis(drawn: Drawn) -> None:
     )
     figure = drawn(ablated_run(proof=proof, effects=(VERDICTS[8], VERDICTS[10])))
     low, _ = figure.axes[0].get_xlim()
-    assert low > 0.1 * DEEPEST * 0.545
+    assert low > 0.1 * SMALLEST_BAR * 0.545

@@ -6,42 +6,20 @@ import math
 from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
-from typing import Any
 
 import pytest
 from matplotlib.figure import Figure
-from matplotlib.text import Text
 
 from tests.trajectories import CLASSIFICATION
+from tests.unit.report.charts.conftest import words
 from viscodesign.errors import UsageError
 from viscodesign.report.charts.quadrants import draw_plane, power_of_ten
 from viscodesign.report.layout.label_placement import place_labels, text_box
-from viscodesign.report.layout.style import RC
 from viscodesign.results.findings import Classification, Scales
 
 
 def spec(name: str, t_f: float, t_i: float, t_s: float = 1.0) -> Classification:
     return replace(CLASSIFICATION, name=name, scales=Scales(t_s, t_f, t_i, 1.0))
-
-
-@pytest.fixture
-def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
-    """The figures that were saved."""
-    kept: list[Figure] = []
-    save = Figure.savefig
-
-    def keep(figure: Figure, *words: Any, **options: Any) -> None:
-        kept.append(figure)
-        save(figure, *words, **options)
-
-    monkeypatch.setattr(Figure, "savefig", keep)
-    monkeypatch.setitem(RC, "savefig.dpi", 40)
-    return kept
-
-
-def words(figure: Figure) -> list[str]:
-    texts: list[Text] = figure.findobj(Text)
-    return [text.get_text() for text in texts]
 
 
 def markers(figure: Figure) -> list[str]:
