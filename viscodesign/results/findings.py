@@ -125,6 +125,9 @@ class RetryAttempt:
     """Why the solver had stopped."""
 
 
+Finding = Verdict | EffectAblation | Notice | RetryAttempt
+
+
 def json_ready(value: Any) -> Any:
     """A value as JSON has it: non-finite numbers become null, tuples and arrays lists."""
     if isinstance(value, (np.generic, np.ndarray)):
@@ -139,19 +142,9 @@ def json_ready(value: Any) -> Any:
     return number if math.isfinite(number) else None
 
 
-def verdict_documents(verdicts: Iterable[Verdict]) -> list[dict[str, Any]]:
-    """Verdicts as objects."""
-    return [json_ready(asdict(verdict)) for verdict in verdicts]
-
-
-def ablation_documents(ablations: Iterable[EffectAblation]) -> list[dict[str, Any]]:
-    """Proofs as objects: name, taken, estimated_m, measured_m, solve_s, note."""
-    return [json_ready(asdict(ablation)) for ablation in ablations]
-
-
-def notice_documents(notices: Iterable[Notice]) -> list[dict[str, Any]]:
-    """Warnings as objects: code, message, where, time_s."""
-    return [json_ready(asdict(notice)) for notice in notices]
+def documents(findings: Iterable[Finding]) -> list[dict[str, Any]]:
+    """Findings as objects of JSON, under the names of their fields."""
+    return [dict(json_ready(asdict(found))) for found in findings]
 
 
 def classification_document(found: Classification) -> dict[str, Any]:
@@ -164,7 +157,7 @@ def classification_document(found: Classification) -> dict[str, Any]:
         "quadrant": found.quadrant,
         "meaning": found.meaning,
         "cutoff_frequency_hz": found.cutoff_frequency_hz,
-        "warnings": notice_documents(found.warnings),
+        "warnings": documents(found.warnings),
     }
     return dict(json_ready(document))
 
@@ -175,6 +168,6 @@ def check_document(
     """The results of a check, under the names of a run's summary."""
     return {
         **classification_document(found),
-        "effects": verdict_documents(verdicts),
+        "effects": documents(verdicts),
         "facts": list(facts),
     }

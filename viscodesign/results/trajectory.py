@@ -26,11 +26,9 @@ from viscodesign.results.findings import (
     Notice,
     RetryAttempt,
     Verdict,
-    ablation_documents,
     classification_document,
+    documents,
     json_ready,
-    notice_documents,
-    verdict_documents,
 )
 from viscodesign.results.motion_arrays import MotionArrays
 
@@ -160,14 +158,14 @@ class Trajectory(MotionArrays):
                 for key, value in classification_document(self.classification).items()
                 if key not in ("name", "warnings")
             },
-            "effects": verdict_documents(self.effects),
-            **({"proof": ablation_documents(self.proof)} if self.proof else {}),
+            "effects": documents(self.effects),
+            **({"proof": documents(self.proof)} if self.proof else {}),
             "accuracy": asdict(self.accuracy),
             "cost": asdict(self.cost),
             "invariants": asdict(self.invariants),
-            "ladder": [json_ready(asdict(attempt)) for attempt in self.ladder],
+            "ladder": documents(self.ladder),
             "settings": dict(self.settings),
-            "warnings": notice_documents(self.warnings),
+            "warnings": documents(self.warnings),
         }
         return dict(json_ready(document))
 

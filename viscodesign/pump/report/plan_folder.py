@@ -11,7 +11,7 @@ import numpy as np
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import PLAN_FILES
-from viscodesign.results.findings import json_ready, notice_documents
+from viscodesign.results.findings import documents, json_ready
 
 QUANTITIES = {
     "pressure_pa": "pressure",
@@ -98,6 +98,6 @@ def plan_document(plan: PumpPlan) -> dict[str, Any]:
             "tip_error_m": plan.error_m,
         },
         "effects": [v.name for v in plan.wanted_run.effects if v.taken],
-        "warnings": notice_documents(plan.warnings),
+        "warnings": documents(plan.warnings),
     }
     return dict(json_ready(document))

@@ -16,6 +16,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.font_manager import findfont, get_font
 
+from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import replaced
 
@@ -55,9 +56,6 @@ TIME_DIGITS = (-4, 5)
 TITLE_ROOM = 0.34
 BANNER_LINE = 0.17
 BANNER_LINES = 3
-POINTS = 72.0
-CHARACTER_WIDTH = 0.6
-"""Typical width of a character, per font size."""
 
 
 @contextlib.contextmanager
