@@ -1,4 +1,4 @@
-"""The report of the effects study, computed from its lines alone."""
+"""The report of the effects study, computed from its result lines only."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ import numpy as np
 Record = dict[str, Any]
 
 LARGE = 0.1
-"""Part of the accuracy from which an estimate is held against the measurement."""
+"""Fraction of the requested accuracy from which an estimate is compared with the measurement."""
 FACTOR = 3.0
 CLAIMS = {"within": 0.95, "median": 1 / 3, "estimates": 0.80}
 
 
 def write_report(path: Path) -> None:
-    """Write a Markdown page and a figure beside the lines."""
+    """Write a Markdown page and a figure beside the result lines."""
     records = read(path)
     page = path.with_suffix(".md")
     text = "\n".join(report_lines(records, path.with_suffix(".png").name))
@@ -29,31 +29,31 @@ def write_report(path: Path) -> None:
 
 
 def read(path: Path) -> list[Record]:
-    """All lines that are there."""
+    """All result lines of a file."""
     if not path.exists():
         return []
     return [json.loads(line) for line in path.read_text().splitlines()]
 
 
 def of_kind(records: list[Record], kind: str) -> list[Record]:
-    """Lines of one kind."""
+    """Result lines of one kind."""
     return [r for r in records if r["kind"] == kind]
 
 
 def _measured(records: list[Record]) -> list[Record]:
-    """Proofs that were compared to the end of the run."""
+    """Ablations that were measured to the end of the run."""
     return [p for p in of_kind(records, "proof") if p["measured"] is not None and not p["note"]]
 
 
 def report_lines(records: list[Record], figure: str) -> list[str]:
-    """The whole page."""
+    """The page."""
     costs, choices = of_kind(records, "cost"), of_kind(records, "choice")
     proofs = _measured(records)
     return [
         "# Does `effects: auto` choose well?",
         "",
-        f"{len(of_kind(records, 'end'))} scenes drawn over the whole plane "
-        "(`benchmarks/scene_draw.py`), each solved with the effects that it calls for and with "
+        f"{len(of_kind(records, 'end'))} scenes drawn at random over the whole plane of timescales "
+        "(`benchmarks/scene_draw.py`), each solved with automatically selected effects and with "
         "everything on; regenerate with `python benchmarks/effects_study.py`.",
         f"Python {platform.python_version()}, {platform.machine()}, "
         f"{_versions()}; one process per scene.",
@@ -74,7 +74,7 @@ def report_lines(records: list[Record], figure: str) -> list[str]:
         "",
         f"![choice and estimates]({figure})",
         "",
-        "## Scenes that miss",
+        "## Scenes that fail",
         "",
         *_misses(records),
     ]
@@ -103,8 +103,8 @@ def _choice_lines(choices: list[Record]) -> list[str]:
     apart = np.array([c["distance_over_accuracy"] for c in whole])
     within = float(np.mean(apart <= 1.0))
     return [
-        "Largest distance of the two tips over all output times, in parts of the accuracy asked "
-        "for; both solved with a tolerance twenty times smaller than the scene's.",
+        "Largest distance of the two tips over all output times, relative to the requested "
+        "accuracy; both solved with a tolerance twenty times smaller than the scene's.",
         "",
         "| claim | measured |",
         "|---|---|",
@@ -119,7 +119,7 @@ def _cost_lines(costs: list[Record]) -> list[str]:
     for name, keys in (
         ("solving", ["solve_s"]),
         ("building and solving", ["build_s", "solve_s"]),
-        ("choosing, building and solving", ["choose_s", "build_s", "solve_s"]),
+        ("selecting, building and solving", ["choose_s", "build_s", "solve_s"]),
     ):
         auto, every = (
             np.array([sum(c[which][k] for k in keys) for c in costs]) for which in ("auto", "all")
@@ -137,12 +137,12 @@ def _cost_lines(costs: list[Record]) -> list[str]:
         *rows,
         "",
         f"Unknowns: auto has {100 * unknowns:.3g} % of those of everything on (median). "
-        "Choosing is the estimate of every effect, which both have to make.",
+        "Selection is the estimate of every effect, which both cases need.",
     ]
 
 
 def _ratios(proofs: list[Record]) -> np.ndarray:
-    """Estimate over measurement, where either is large."""
+    """Ratio of estimate to measurement, where either is large."""
     pairs = np.array([[p["estimated"], p["measured"]] for p in proofs])
     large = pairs.max(axis=1) > LARGE
     return np.asarray(pairs[large, 0] / np.maximum(pairs[large, 1], 1e-300))
@@ -154,10 +154,10 @@ def _near(ratios: np.ndarray) -> float:
 
 def _estimate_lines(proofs: list[Record]) -> list[str]:
     lines = [
-        "Every effect switched alone, solved again, and the move of the tip compared with the "
-        "printed estimate, where either exceeds a tenth of the accuracy.",
+        "Each effect is switched by itself, the scene is solved again, and the tip displacement is "
+        "compared with the estimate, where either exceeds a tenth of the accuracy.",
         "",
-        "| effect | cases | within a factor 3 | median of estimate over measurement |",
+        "| effect | cases | within a factor 3 | median ratio of estimate to measurement |",
         "|---|---|---|---|",
     ]
     for name in sorted({p["effect"] for p in proofs}):
@@ -200,9 +200,9 @@ def draw_figure(records: list[Record], path: Path) -> None:
         apart = [max(c["distance_over_accuracy"], 1e-4) for c in own]
         left.loglog(ratio, apart, marker, ms=5, alpha=0.75, label=f"quadrant {quadrant}")
     left.axhline(1.0, color="black", lw=1, ls="--")
-    left.text(0.99, 1.15, "accuracy asked for", transform=left.get_yaxis_transform(), ha="right")
+    left.text(0.99, 1.15, "requested accuracy", transform=left.get_yaxis_transform(), ha="right")
     left.set_xlabel("building and solving, over that of everything on")
-    left.set_ylabel("distance to the tip of everything on, in accuracies")
+    left.set_ylabel("distance to the tip of everything on, relative to the accuracy")
     left.legend(loc="lower right", fontsize="small")
     proofs = _measured(records)
     pairs = np.array([[p["measured"], p["estimated"]] for p in proofs])
@@ -214,8 +214,8 @@ def draw_figure(records: list[Record], path: Path) -> None:
     right.plot(line, line, color="black", lw=1)
     right.set_xlim(1e-3, 1e4)
     right.set_ylim(1e-3, 1e4)
-    right.set_xlabel("measured move of the tip, in accuracies")
-    right.set_ylabel("estimated move, in accuracies")
+    right.set_xlabel("measured tip displacement, relative to the accuracy")
+    right.set_ylabel("estimated move, relative to the accuracy")
     right.legend(loc="upper left", fontsize="small", title="band: a factor of 3")
     figure.savefig(path, dpi=110)
     plt.close(figure)

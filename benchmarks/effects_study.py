@@ -1,11 +1,11 @@
-"""Does `effects: auto` choose well? A hundred scenes, each against everything on.
+"""Does `effects: auto` select well? A hundred scenes, each compared with all effects on.
 
-    python benchmarks/effects_study.py            # run what is missing, then report
-    python benchmarks/effects_study.py --report   # report what is there
+    python benchmarks/effects_study.py            # run missing scenes, then report
+    python benchmarks/effects_study.py --report   # report existing results
 
-Every scene runs in a process of its own, with a limit on its time. Results go to one
-line of JSON each as they come; a second call goes on where the first ended. The
-report (Markdown and a figure) is computed from these lines alone.
+Every scene runs in its own process with a time limit. Each result is written as one line of
+JSON when it is ready; a second call resumes. The report (Markdown and a figure) is computed
+from these lines only.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from scene_runs import drawn, options, run_all, say
 HERE = Path(__file__).parent
 RESULTS = HERE / "results" / "effects_study.jsonl"
 FINER = 20
-"""By how much the tolerance is cut where two tips are compared."""
+"""Factor by which the tolerance is reduced where two tips are compared."""
 REPEATS = 3
-"""Costs are the least of so many runs."""
+"""Costs are the minimum of this many runs."""
 LIMIT = 180.0
-"""Time for one scene [s]."""
+"""Time limit of one scene [s]."""
 
 
 def main() -> None:
@@ -41,7 +41,7 @@ def main() -> None:
 
 
 def study(seed: int, index: int) -> Iterator[Record]:
-    """Lines of one scene: cost of both, distance of their tips, and every effect's proof."""
+    """Result lines of one scene: both costs, the distance of the tips, and every ablation."""
     from viscodesign import simulate
 
     scenes = {"auto": drawn(seed, index), "all": drawn(seed, index, ["effects={others: on}"])}
@@ -87,7 +87,7 @@ def _facts(scene: Any) -> Record:
 
 
 def _cost(scene: Any) -> Record:
-    """Wall times of choosing, building and solving at the scene's own accuracy [s]."""
+    """Wall times of selecting, building and solving at the scene's own accuracy [s]."""
     from viscodesign.effects.select import select_effects
     from viscodesign.estimate.scene_quantities import SceneQuantities
     from viscodesign.simulation.build_problem import suggest_settings

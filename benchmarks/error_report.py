@@ -1,4 +1,4 @@
-"""The report of the error study, computed from its lines alone."""
+"""The report of the error study, computed from its result lines only."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Found(NamedTuple):
 
     judged: list[Record]
     unsure: list[Record]
-    """With a stated error, but no reference good enough to hold it against."""
+    """With a stated error, but no reference that is accurate enough."""
     silent: list[Record]
     """Without a stated error."""
     plain: dict[int, Record]
@@ -37,7 +37,7 @@ class Found(NamedTuple):
 
 
 def write_report(path: Path) -> None:
-    """Write a Markdown page and a figure beside the lines."""
+    """Write a Markdown page and a figure beside the result lines."""
     found = sort_out(read(path))
     text = "\n".join(report_lines(found, path.with_suffix(".png").name))
     path.with_suffix(".md").write_text(text + "\n")
@@ -47,7 +47,7 @@ def write_report(path: Path) -> None:
 
 
 def sort_out(records: list[Record]) -> Found:
-    """Who is judged, and who is not."""
+    """The scenes that can be compared, and the others."""
     runs = [r for r in records if r["kind"] == "run"]
     stated = [r for r in runs if r["estimated_tip_error_m"] is not None]
     return Found(
@@ -71,28 +71,28 @@ def ratio(run: Record) -> float:
 
 
 def report_lines(found: Found, figure: str) -> list[str]:
-    """The whole page."""
+    """The page."""
     return [
-        "# Is the printed error the error?",
+        "# Is the stated error right?",
         "",
-        f"{len(found.ends)} scenes drawn over the whole plane (`benchmarks/scene_draw.py`), each "
-        "solved by `simulate(scene)` with the effects that it calls for and its own accuracy. "
-        "Held against it is a solution with every effect on, made ever finer (edges halved and "
-        "tolerance cut to a tenth each time) until it moves by less than a hundredth of the "
-        "accuracy asked for, and where the stated error is small by less than a tenth of that. "
+        f"{len(found.ends)} scenes drawn at random over the plane of timescales "
+        "(`benchmarks/scene_draw.py`), each solved by `simulate(scene)` with automatically selected effects. "
+        "Each is compared with a solution with all effects, refined (edges doubled and "
+        "tolerance divided by ten each time) until it moves by less than a hundredth of the "
+        "requested accuracy, and where the stated error is small by less than a tenth of that. "
         "Regenerate with `python benchmarks/error_study.py`: `--references`, then without, "
         "`--sharpen`, and without again.",
         f"{_versions(found.judged)}; one process per scene.",
         "",
-        f"Judged: {len(found.judged)} scenes. Not judged: {len(found.unsure)}, whose reference is "
-        f"not converged to a tenth of the stated or the true error. No error stated: "
+        f"Compared: {len(found.judged)} scenes. Not compared: {len(found.unsure)}, whose reference "
+        f"has not converged to a tenth of the stated or the true error. No error stated: "
         f"{len(_without_error(found))}.",
         "",
         "## The claims",
         "",
         *_claim_lines(found.judged),
         "",
-        "## True error over stated error",
+        "## Ratio of true to stated error",
         "",
         *_quantile_lines(found.judged),
         "",
@@ -106,11 +106,11 @@ def report_lines(found: Found, figure: str) -> list[str]:
         "",
         f"![stated and true error]({figure})",
         "",
-        "## Scenes that miss",
+        "## Scenes that fail",
         "",
         *_misses(found.judged),
         "",
-        "## Scenes not judged",
+        "## Scenes not compared",
         "",
         *_not_judged(found),
     ]
@@ -127,7 +127,7 @@ def _percent(share: float) -> str:
 
 def _claim_lines(judged: list[Record]) -> list[str]:
     if not judged:
-        return ["No scene is judged yet."]
+        return ["No scene has been compared yet."]
     ratios = np.array([ratio(r) for r in judged])
     bare = np.array([ratio(_without_floor(r)) for r in judged])
     floored = sum(_without_floor(r) != r for r in judged)
@@ -145,21 +145,21 @@ def _claim_lines(judged: list[Record]) -> list[str]:
         f"| the stated error is at most ten times the true one in {_percent(SHARP)} | "
         f"{_percent(np.mean(ratios * TIGHT >= 1))} | {_percent(np.mean(bare * TIGHT >= 1))} |",
         "",
-        "**These are not independent numbers.** The factors of the three parts were chosen on the "
-        f"same scenes, and the floor of omitted effects, {UNSEEN:g} of the accuracy asked for, "
+        "**These numbers are not independent.** The factors of the three parts were chosen on the "
+        f"same scenes, and the floor of omitted effects, {UNSEEN:g} of the requested accuracy, "
         "after an earlier run of them had shown true errors above the stated ones (the largest "
-        "0.0048 of the accuracy asked for; it comes with feedback, of which the sketch shows next "
-        f"to nothing there). The last column takes the omitted part of the {floored} scenes that "
+        "0.0048 of the requested accuracy; it comes with feedback, which the estimate hardly "
+        f"shows there). The last column takes the omitted part of the {floored} scenes that "
         "state just the floor as zero. Scenes of another seed have not been run.",
         "",
-        f"The true error is below the accuracy asked for in {_percent(_met(judged))}; "
+        f"The true error is below the requested accuracy in {_percent(_met(judged))}; "
         f"{unmet} of the judged runs say that they missed it.",
         *([f"True errors above the stated ones reach {max(missed):.2g} of it."] if missed else []),
     ]
 
 
 def _without_floor(run: Record) -> Record:
-    """The same, with no omitted part where that is just the floor."""
+    """The scenes without the omitted part where it is just the floor."""
     omitted = run["omitted_m"]
     if not omitted or not np.isclose(omitted, UNSEEN * run["requested_m"], rtol=1e-9):
         return run
@@ -196,12 +196,12 @@ def _table(head: list[str], rows: list[list[str]]) -> list[str]:
 
 
 def share(run: Record, part: str) -> float:
-    """What one part makes of the stated error."""
+    """Share of one part in the stated error."""
     return float((run[f"{part}_m"] or 0.0) / run["estimated_tip_error_m"])
 
 
 def largest_part(run: Record) -> str:
-    """The part that makes the most of the stated error."""
+    """The largest part of the stated error."""
     return max(PARTS, key=lambda part: share(run, part))
 
 
@@ -220,7 +220,7 @@ def _part_lines(judged: list[Record]) -> list[str]:
 
 
 def _cost_lines(found: Found) -> list[str]:
-    """What knowing the error costs, over the first solution alone."""
+    """Cost of the error estimate relative to the first solution."""
     runs = [r for r in (*found.judged, *found.unsure) if r["index"] in found.plain]
     if not runs:
         return []
@@ -260,12 +260,12 @@ def _misses(judged: list[Record]) -> list[str]:
         ]
         for r in over
     ]
-    head = ["scene", "true over stated", "true, in accuracies", "stated", *PARTS, "solver"]
+    head = ["scene", "true / stated", "true, relative to the accuracy", "stated", *PARTS, "solver"]
     return _table(head, rows)
 
 
 def _without_error(found: Found) -> list[tuple[int, str]]:
-    """Scenes that state no error, and what they said instead."""
+    """Scenes without a stated error, and their reasons."""
     heard = {r["index"] for r in (*found.judged, *found.unsure, *found.silent)}
     said = [(r["index"], str(r["failure"])) for r in found.silent]
     gone = [(r["index"], r["note"] or "said nothing") for r in found.ends]
@@ -285,13 +285,11 @@ def _why_unsure(run: Record) -> str:
     if run["reference_m"] is None:
         return f"no reference; stated {stated:.3g} accuracies"
     own, true = (run[key] / run["requested_m"] for key in ("reference_m", "true_m"))
-    return (
-        f"stated {stated:.3g} accuracies, {true:.3g} off a reference that last moved by {own:.3g}"
-    )
+    return f"stated {stated:.3g}, true {true:.3g}, uncertainty of the reference {own:.3g}"
 
 
 def draw_figure(found: Found, path: Path) -> None:
-    """Stated against true error, and how often the one is how much of the other."""
+    """Stated against true error, and the distribution of their ratio."""
     import matplotlib.pyplot as plt
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.4), layout="constrained")
@@ -339,5 +337,5 @@ def _draw_ratios(axes: Axes, judged: list[Record]) -> None:
     for at, name in ((1.0, "1:1"), (WORST, "2:1"), (1 / TIGHT, "1:10")):
         axes.annotate(name, (at, 0.03), xytext=(3, 0), textcoords="offset points")
     axes.set_ylim(0, 1.02)
-    axes.set_xlabel("true error over stated error")
-    axes.set_ylabel("part of the scenes below")
+    axes.set_xlabel("ratio of true to stated error")
+    axes.set_ylabel("fraction of the scenes below")

@@ -1,14 +1,14 @@
-"""Is the printed error the error? A hundred scenes, each against a converged reference.
+"""Is the stated error right? A hundred scenes, each compared with a converged reference.
 
-    python benchmarks/error_study.py --references   # make what is missing of the references
-    python benchmarks/error_study.py                # run what is missing, compare, report
-    python benchmarks/error_study.py --sharpen      # finer references where errors are small
-    python benchmarks/error_study.py --report       # report what is there
+    python benchmarks/error_study.py --references   # compute missing references
+    python benchmarks/error_study.py                # run missing scenes, compare, report
+    python benchmarks/error_study.py --sharpen      # refine references where errors are small
+    python benchmarks/error_study.py --report       # report existing results
 
-A reference has every effect on and is solved at ever finer settings until two solutions
-in a row agree, first to a part of the accuracy asked for, and, sharpened, to a part of
-the error stated. Against it stands `simulate(scene)` as a user calls it. The report
-(Markdown and a figure) is computed from the lines of JSON alone.
+A reference has all effects on and is refined until two successive solutions agree, first to a
+fraction of the requested accuracy and, with --sharpen, to a fraction of the stated error. It is
+compared with `simulate(scene)` as a user calls it. The report (Markdown and a figure) is computed
+from the result lines only.
 """
 
 from __future__ import annotations
@@ -37,21 +37,23 @@ RESULTS = HERE / "results" / "error_study.jsonl"
 REFERENCES = HERE / ".references"
 EVERYTHING = ("effects={others: on}",)
 AGREED = 0.01
-"""Distance of two solutions in a row, in accuracies asked for, that ends refinement."""
+"""Distance of two solutions in a row, relative to the accuracy asked for, that ends refinement."""
 LIMIT, REFERENCE_LIMIT = 120.0, 240.0
-"""Time for one scene [s]."""
+"""Time limit of one scene [s]."""
 UNKNOWN = {"true_m": None, "true_at_s": None, "reference_m": None}
 FINEST = 1e-12
-"""Tolerance below which round-off is all that is solved."""
+"""Tolerance below which solutions are dominated by rounding errors."""
 
 
 def main() -> None:
     """Run and report."""
     parser = options(__doc__.splitlines()[0], LIMIT, RESULTS)
-    parser.add_argument("--references", action="store_true", help="make the references")
-    parser.add_argument("--sharpen", action="store_true", help="make those better that judge ill")
-    parser.add_argument("--plain", action="store_true", help="without verification, cost alone")
-    parser.add_argument("--folder", type=Path, default=REFERENCES, help="where references are")
+    parser.add_argument("--references", action="store_true", help="compute the references")
+    parser.add_argument(
+        "--sharpen", action="store_true", help="refine references that are too coarse"
+    )
+    parser.add_argument("--plain", action="store_true", help="without verification, cost only")
+    parser.add_argument("--folder", type=Path, default=REFERENCES, help="folder of the references")
     given = parser.parse_args()
     if given.references or given.sharpen:
         make_references(given)
@@ -67,7 +69,7 @@ def main() -> None:
 
 
 def make_references(given: argparse.Namespace) -> None:
-    """Make one, or all that are missing; what a stopped process had reached is kept."""
+    """Compute one, or all missing ones; results of a stopped process are kept."""
     if given.only is not None:
         stated = _stated(given.output) if given.sharpen else {}
         say(refine(given.seed, given.only, given.folder, stated.get(given.only)))
@@ -86,17 +88,17 @@ def _stated(results: Path) -> dict[int, float]:
 
 
 def reference_path(folder: Path, index: int) -> Path:
-    """Where one scene's reference is kept."""
+    """File of one scene's reference."""
     return folder / f"scene_{index}.npz"
 
 
 def run_path(folder: Path, index: int) -> Path:
-    """Where the tip that is held against it is kept."""
+    """File of the tip that is compared with it."""
     return folder / f"run_{index}.npz"
 
 
 def refine(seed: int, index: int, folder: Path, stated_m: float | None) -> Iterator[Record]:
-    """Solve with everything on, each time finer, until two solutions in a row agree."""
+    """Solve with all effects and refine until two successive solutions agree."""
     from viscodesign.effects.select import select_effects
     from viscodesign.estimate.scene_quantities import SceneQuantities
     from viscodesign.simulation.build_problem import suggest_settings
@@ -142,7 +144,7 @@ def _finer(settings: Settings) -> Settings:
 
 
 def distance(one: np.ndarray, other: np.ndarray) -> float:
-    """Largest distance of two tips (T, 3) over the times that both have [m]."""
+    """Largest distance of two tips (T, 3) over their common times [m]."""
     return float(_apart(one, other).max())
 
 
@@ -153,7 +155,7 @@ def _apart(one: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 
 def _keep(path: Path, run: Run, **more: float) -> None:
-    """Write a solution, in whole or not at all."""
+    """Write a solution, completely or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     partial = path.with_suffix(".part.npz")
     settings = json.dumps(asdict(run.settings))
@@ -171,7 +173,7 @@ def _kept(path: Path) -> tuple[Settings, np.ndarray, float]:
 
 
 def study(seed: int, index: int, folder: Path) -> Iterator[Record]:
-    """Lines of one scene: what is stated, what is true, what it cost, and without checking."""
+    """Result lines of one scene: stated and true error, and cost with and without verification."""
     from viscodesign import simulate
 
     folder.mkdir(parents=True, exist_ok=True)
@@ -195,14 +197,14 @@ def study(seed: int, index: int, folder: Path) -> Iterator[Record]:
         "taken": [v.name for v in run.effects if v.taken],
         "settings": dict(run.settings),
     }
-    # In a process of its own, where nothing is built yet.
+    # In its own process, where nothing has been built yet.
     command = [sys.executable, __file__, "--plain", "--only", str(index), "--seed", str(seed)]
     said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=LIMIT)
     yield json.loads(said.stdout)
 
 
 def made_with() -> str:
-    """Versions of what solves here."""
+    """Versions of the software."""
     import casadi
     import scipy
 
@@ -215,7 +217,7 @@ def made_with() -> str:
 
 
 def plain(seed: int, index: int) -> Record:
-    """What the first solution costs, by itself."""
+    """Cost of the first solution only."""
     from viscodesign import simulate
 
     scene = drawn(seed, index)
@@ -234,7 +236,7 @@ def _facts(scene: Any, run: Any) -> Record:
 
 
 def compare(results: Path, folder: Path) -> None:
-    """Write into every run's line how far it is from the reference as it is now."""
+    """Write the distance from the current reference into the line of every run."""
     records = read(results)
     for record in records:
         if record["kind"] == "run":
@@ -245,7 +247,7 @@ def compare(results: Path, folder: Path) -> None:
 
 
 def _compared(folder: Path, index: int) -> Record | None:
-    """Largest distance from the reference, its own uncertainty [m], and when; None without."""
+    """Largest distance from the reference, its time, and the uncertainty of the reference [m]."""
     paths = run_path(folder, index), reference_path(folder, index)
     if not all(path.exists() for path in paths):
         return None

@@ -1,7 +1,7 @@
-"""How viscodesign's cost grows with the work.
+"""How the cost of viscodesign grows with the size of the problem.
 
     python benchmarks/growth.py            # measure what is missing, then report
-    python benchmarks/growth.py --report   # report what is there
+    python benchmarks/growth.py --report   # report existing results
 
 Five families, each from configs/leg_16_straight_air.yaml, at its accuracy of 0.5 %:
 
@@ -39,7 +39,7 @@ RESULTS = HERE / "results" / "growth.jsonl"
 TIME_LIMIT = 240.0
 """Wall time of one point [s]."""
 WARM_RUNS, PATIENCE = 3, 20.0
-"""Warm solutions at most, and the time after which no other is begun [s]."""
+"""Maximum number of warm solutions, and the time after which none is started [s]."""
 FEWEST_EDGES = 16
 Record = dict[str, Any]
 
@@ -62,11 +62,15 @@ FAMILIES: dict[str, list[int]] = {
 def main() -> None:
     """Measure and report."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--report", action="store_true", help="measure nothing")
-    parser.add_argument("--only", nargs=2, metavar=("FAMILY", "SIZE"), help="one point, here")
+    parser.add_argument("--report", action="store_true", help="only report")
+    parser.add_argument(
+        "--only", nargs=2, metavar=("FAMILY", "SIZE"), help="one point, in this process"
+    )
     parser.add_argument("--families", nargs="*", default=list(FAMILIES), choices=list(FAMILIES))
-    parser.add_argument("--largest", type=int, default=10**9, help="leave out larger sizes")
-    parser.add_argument("--timeout", type=float, default=TIME_LIMIT, help="seconds for one point")
+    parser.add_argument("--largest", type=int, default=10**9, help="skip larger sizes")
+    parser.add_argument(
+        "--timeout", type=float, default=TIME_LIMIT, help="time limit of one point in seconds"
+    )
     parser.add_argument("--output", type=Path, default=RESULTS)
     given = parser.parse_args()
     if given.only:
@@ -80,7 +84,7 @@ def main() -> None:
 
 
 def measure_all(given: argparse.Namespace) -> None:
-    """Measure the points that have no line yet; after one that is late, none that is larger."""
+    """Measure the points without a line; after one that exceeds the limit, no larger one."""
     given.output.parent.mkdir(parents=True, exist_ok=True)
     lines = given.output.read_text().splitlines() if given.output.exists() else []
     done = {(r["family"], r["size"]): r for r in map(json.loads, lines)}
@@ -103,7 +107,7 @@ def _told(record: Record) -> str:
 
 
 def _in_process(family: str, size: int, limit: float) -> Record:
-    """One point in a process of its own."""
+    """One point in its own process."""
     command = [sys.executable, __file__, "--only", family, str(size)]
     alone = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
     try:
@@ -118,7 +122,7 @@ def _in_process(family: str, size: int, limit: float) -> Record:
 
 
 def overrides(family: str, size: int) -> tuple[list[str], int]:
-    """What turns the published leg into a point's scene, and its edges per section."""
+    """Overrides of the published leg for a point, and its edges per section."""
     dynamic = family not in ("bellows_arcs", "duration_arcs")
     changes = [DYNAMIC, "loads={gravity: on}"] if dynamic else [ARCS]
     if family.startswith("duration"):
@@ -159,7 +163,7 @@ def measure(family: str, size: int) -> Record:
     settings = replace(suggest_settings(quantities, effects), edges_per_section=edges)
     runs = [solve(quantities, effects, settings)]
     while len(runs) <= WARM_RUNS and (len(runs) == 1 or time.perf_counter() - began < PATIENCE):
-        # Another scene of this structure: a scene's own equations are kept along with it.
+        # Another scene of this structure, since equations are cached with their scene.
         runs.append(solve(SceneQuantities(scene), effects, settings))
     last, warm = runs[-1], runs[1:]
     equations = last.problem.equations

@@ -1,4 +1,4 @@
-"""The report of growth.py: a table and a figure, computed from its lines alone."""
+"""The report of growth.py: a table and a figure, computed from its result lines only."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import numpy as np
 
 Record = dict[str, Any]
 SMALLEST_FITTED = {"bellows": 16, "edges": 32, "duration": 10}
-"""Size from which on an exponent is fitted: below, fixed costs rule."""
+"""Size from which an exponent is fitted; below it, fixed costs dominate."""
 LARGEST_EXPONENT = 1.15
-"""What the time to solve may grow with, over the bellows."""
+"""Largest acceptable exponent of the solve time over the number of bellows."""
 TITLES = {
     "bellows_arcs": "Bellows, quasi-static arcs",
     "bellows_dynamic": "Bellows, dynamic with gravity",
@@ -45,7 +45,7 @@ def read(path: Path) -> dict[str, list[Record]]:
 
 
 def write_report(path: Path) -> None:
-    """Markdown and figure beside the lines."""
+    """Markdown and figure beside the result lines."""
     families = read(path)
     parts = [ABOUT, f"![Growth]({path.stem}.png)\n", _summary(families)]
     parts.append(_aim(families))
@@ -55,7 +55,7 @@ def write_report(path: Path) -> None:
 
 
 def told(power: float) -> str:
-    """An exponent in two digits, or that there is none."""
+    """An exponent with two digits, or "not fitted"."""
     return "not fitted" if power != power else f"{power:.2f}"
 
 
@@ -86,8 +86,10 @@ def _summary(families: dict[str, list[Record]]) -> str:
 
 
 def _aim(families: dict[str, list[Record]]) -> str:
-    """How the growth with the bellows stands to what was aimed at."""
-    words = [f"The aim over the bellows is an exponent of at most {LARGEST_EXPONENT:g}."]
+    """The growth with the number of bellows compared with the target."""
+    words = [
+        f"The target over the number of bellows is an exponent of at most {LARGEST_EXPONENT:g}."
+    ]
     for family in (f for f in families if f.startswith("bellows")):
         records, smallest = families[family], _smallest(family)
         whole, steps = (exponent(records, key, smallest) for key in ("solve_s", "steps"))
@@ -97,9 +99,9 @@ def _aim(families: dict[str, list[Record]]) -> str:
             f"{told(whole - steps)} the work of one."
         )
     words.append(
-        "A long run is cut to tell its progress: it starts afresh there, with short steps, and "
-        "every length of a cut has an integrator of its own to build. What else makes more steps "
-        "of more bellows has not been traced."
+        "A long run is split into chunks to report progress: it restarts there with short steps, "
+        "and every chunk length needs its own integrator. The other reasons for more steps with "
+        "more bellows have not been investigated."
     )
     return " ".join(words) + "\n"
 

@@ -1,7 +1,7 @@
-"""Where the time goes when the published leg's 8 s are simulated.
+"""Time profile of a simulation of the published leg (8 s).
 
     python benchmarks/leg_profile.py            # measure, then report
-    python benchmarks/leg_profile.py --report   # report what is there
+    python benchmarks/leg_profile.py --report   # report existing results
 
 Every round has a process of its own that does, step by step and once, what
 `viscodesign simulate configs/leg_16_straight_air.yaml` does; the page tells the median of
@@ -35,7 +35,7 @@ SCENE = HERE.parent / "configs" / "leg_16_straight_air.yaml"
 RESULTS = HERE / "results" / "leg_profile.jsonl"
 ROUNDS = 7
 PROBES = 500
-"""Linear systems that are solved to time one."""
+"""Number of linear solves in a timing."""
 CYCLES, FREQUENCY = 100, 0.5
 """Of the quasi-static leg: periods of its sine, and their frequency [Hz]."""
 QUASI_STATIC = (
@@ -51,7 +51,7 @@ def main() -> None:
     """Measure and report."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=ROUNDS)
-    parser.add_argument("--report", action="store_true", help="measure nothing")
+    parser.add_argument("--report", action="store_true", help="only report")
     parser.add_argument("--one", action="store_true", help=argparse.SUPPRESS)
     given = parser.parse_args()
     if given.one:
@@ -86,7 +86,7 @@ class Watch:
 
 
 def measure() -> Record:
-    """All parts of one round."""
+    """All timings of one round."""
     watch = Watch()
     with watch("import"):
         from viscodesign import load, simulate
@@ -200,7 +200,7 @@ def quasi_static() -> Record:
 
 
 def write_report(rounds: list[Record]) -> None:
-    """`leg_profile.md` beside the lines."""
+    """`leg_profile.md` beside the result lines."""
     last = rounds[-1]
     parts = {name: _median(r["parts"][name] for r in rounds) for name in last["parts"]}
     inside = {name: _median(r["inside"][name] for r in rounds) for name in last["inside"]}
@@ -210,7 +210,7 @@ def write_report(rounds: list[Record]) -> None:
     per_cycle = _median(r["quasi_static"]["ms_per_cycle"] for r in rounds)
     verifying = _ms(_median(r["verify_s"] for r in rounds))
     lines = [
-        "# Where the leg's time goes",
+        "# Time profile of the leg",
         "",
         "`configs/leg_16_straight_air.yaml`, 8 s, at its own accuracy of 0.5 %. Median of "
         f"{len(rounds)} fresh processes, one thread, Python {last['machine']['python']}, "

@@ -1,4 +1,4 @@
-"""Scenes drawn at random over the whole plane of timescales, the same for the same seed.
+"""Scenes drawn at random over the whole plane of timescales, reproducible by seed.
 
 ======================  ==========================================================
 length                  5 mm to 1 m (logarithmic), height 0.1 to 0.35 of it
@@ -36,13 +36,13 @@ GRAVITY = 9.80665
 ROOM = 293.15
 AMBIENT = 101325.0
 LARGEST_LOAD = 0.5
-"""Largest dead load times length squared over bending stiffness."""
+"""Largest load times length squared over bending stiffness."""
 
 Spec = dict[str, Any]
 
 
 def draw(seed: int, index: int) -> Spec:
-    """One complete spec, in SI, as a plain mapping."""
+    """A complete spec in SI units as a plain mapping."""
     random = np.random.default_rng((seed, index))
     high = _log(random, 1e3, 80e3)
     count = 2 * round(_log(random, 1, 32))
@@ -113,7 +113,7 @@ def _elastic_time(body: Spec) -> float:
 
 
 def _bellows(random: np.random.Generator, body: Spec, count: int, high: float) -> Spec:
-    """Coefficients by what they do at the high pressure."""
+    """Coefficients from their effect at the high pressure."""
     section = body["length"] / (count / 2)
     size = min(0.6 * section, 0.5 * body["height"])
     height, stream = 0.3 * body["height"], 0.9 * body["width"]
@@ -131,13 +131,13 @@ def _bellows(random: np.random.Generator, body: Spec, count: int, high: float) -
 
 
 def _keep_coefficients(bellows: Spec, lift: float) -> None:
-    """Strains per pressure stay what they are in a body that is made stiffer."""
+    """Keep the strains per pressure in a body that is made stiffer."""
     for key in ("angle_per_pressure", "extension_per_pressure"):
         bellows[key] *= lift
 
 
 def _feed_back(random: np.random.Generator, body: Spec, bellows: Spec) -> None:
-    """A part of the reciprocal coupling that leaves half of the compliance when blocked."""
+    """Reciprocal coupling, scaled to leave half of the compliance when blocked."""
     modulus, stream = body["youngs_modulus"], bellows["length"]
     section = body["length"] / (bellows["count"] / 2)
     compliance = stream * bellows["area_per_pressure"]
@@ -188,7 +188,7 @@ def _network(random: np.random.Generator, body: Spec, count: int) -> Spec:
 
 
 def _tree(random: np.random.Generator, count: int) -> list[Spec]:
-    """Every bellow hangs on one that is joined already; now and then on a junction."""
+    """Connect every bellow to one that is already connected, sometimes by a junction."""
     names = [str(n) for n in random.permutation(bellow_names(count // 2))]
     joined, tubes = [names[0]], [{"from": "inlet", "to": names[0]}]
     for k, name in enumerate(names[1:]):
@@ -222,7 +222,7 @@ def _fluid(random: np.random.Generator) -> str | Spec:
 
 
 def _input(random: np.random.Generator, high: float, swing: float) -> tuple[Spec, float]:
-    """A profile that swings within ``swing`` [s], and how long to follow it."""
+    """A profile with a swing time of ``swing`` [s], and the duration of the run."""
     low = -min(high, 80e3) * random.uniform(0.0, 1.0)
     kind = str(random.choice(["step", "ramp", "sine", "double_sigmoid", "square"]))
     if kind == "step":

@@ -1,4 +1,4 @@
-"""What the studies over drawn scenes share: a process per scene, a limit, lines of JSON.
+"""Shared by the studies of drawn scenes: a process per scene, a time limit, lines of JSON.
 
 Every scene runs in a process of its own, which prints a line of JSON for whatever it
 finds. The lines go to one file as they come, closed by an `end` line with the wall time
@@ -27,33 +27,37 @@ Record = dict[str, Any]
 
 
 def options(title: str, timeout: float, output: Path) -> argparse.ArgumentParser:
-    """Options of every study; ``timeout`` [s] and ``output`` are what they start with."""
+    """Options of every study; ``timeout`` [s] and ``output`` are defaults."""
     parser = argparse.ArgumentParser(description=title)
     parser.add_argument("--scenes", type=int, default=100)
     parser.add_argument("--seed", type=int, default=2026)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--timeout", type=float, default=timeout, help="seconds for one scene")
-    parser.add_argument("--only", type=int, help="run one scene here, and print its lines")
-    parser.add_argument("--report", action="store_true", help="run nothing")
+    parser.add_argument(
+        "--timeout", type=float, default=timeout, help="time limit of one scene in seconds"
+    )
+    parser.add_argument(
+        "--only", type=int, help="run one scene in this process and print its lines"
+    )
+    parser.add_argument("--report", action="store_true", help="only report")
     parser.add_argument("--output", type=Path, default=output)
     return parser
 
 
 def say(records: Iterable[Record]) -> None:
-    """Print lines as they come, for the process that waits for them."""
+    """Print lines as they come, for the parent process."""
     for record in records:
         print(json.dumps(record), flush=True)
 
 
 def read(path: Path) -> list[Record]:
-    """All lines that are there."""
+    """All result lines of a file."""
     if not path.exists():
         return []
     return [json.loads(line) for line in path.read_text().splitlines()]
 
 
 def run_all(given: argparse.Namespace, script: str, more: Sequence[str] = ()) -> None:
-    """Run the scenes that have no `end` line yet; ``more`` are options of the process."""
+    """Run the scenes without an `end` line; ``more`` are options of the process."""
     given.output.parent.mkdir(parents=True, exist_ok=True)
     done = {r["index"] for r in read(given.output) if r["kind"] == "end"}
     wanted = [k for k in range(given.scenes) if k not in done]
@@ -64,7 +68,7 @@ def run_all(given: argparse.Namespace, script: str, more: Sequence[str] = ()) ->
 
 
 def _in_process(given: argparse.Namespace, script: str, more: Sequence[str], index: int) -> str:
-    """One scene's lines; what a killed process had said is kept."""
+    """Lines of one scene, those of a killed process included."""
     command = [sys.executable, script, "--only", str(index), "--seed", str(given.seed), *more]
     began = time.monotonic()
     try:
@@ -81,7 +85,7 @@ def _in_process(given: argparse.Namespace, script: str, more: Sequence[str], ind
 
 
 def drawn(seed: int, index: int, overrides: Sequence[str] = ()) -> Scene:
-    """One drawn scene, read as a spec from a file would be."""
+    """One drawn scene, read like a spec from a file."""
     from scene_draw import draw
 
     from viscodesign import load
