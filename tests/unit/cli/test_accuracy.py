@@ -54,7 +54,7 @@ def test_a_real_study_of_a_small_scene(call: Call, tmp_path: Path, leg: Path) ->
     assert told["recommended"]["tip_error_rel"] <= 0.005
 
 
-def test_prices_and_recommendation_in_words(
+def test_costs_and_recommendation_in_words(
     call: Call, given: Given, tmp_path: Path, leg: Path
 ) -> None:
     asked = given(made_study())
@@ -96,7 +96,7 @@ def test_a_bounded_error_and_an_error_not_reached_say_so() -> None:
     assert "none: no setting in this study reaches the requested 0.0001 %" in text
 
 
-def test_many_notes_are_told_in_part() -> None:
+def test_of_many_notes_some_are_printed() -> None:
     notes = tuple(f"note {k}" for k in range(9))
     text = "\n".join(cost_lines(made_study(notes=notes), None, Path("x"), []))
     assert "note 4" in text
@@ -135,7 +135,7 @@ def test_a_budget_names_the_most_accurate_setting(
         ("-1", "must be above zero, such as '20 ms'; got '-1'"),
     ],
 )
-def test_a_time_that_is_none_is_refused_before_anything_else(
+def test_an_invalid_time_is_refused_first(
     call: Call, tmp_path: Path, option: str, time: str, words: str
 ) -> None:
     outcome = call("accuracy", tmp_path / "none.yaml", f"{option}={time}")
@@ -162,7 +162,9 @@ def test_quiet_says_nothing(call: Call, given: Given, tmp_path: Path, leg: Path)
     assert (outcome.status, outcome.out, outcome.err) == (0, "", "")
 
 
-def test_a_bad_place_costs_no_time(call: Call, given: Given, tmp_path: Path, leg: Path) -> None:
+def test_an_unusable_folder_is_refused_before_solving(
+    call: Call, given: Given, tmp_path: Path, leg: Path
+) -> None:
     (tmp_path / "mine.txt").write_text("")
     asked = given(made_study())
     outcome = call("accuracy", leg, "-o", tmp_path)

@@ -19,7 +19,7 @@ def test_every_bundled_spec_is_valid(call: Call, spec: Path) -> None:
     assert {"scales", "ratios", "quadrant", "effects", "warnings"} <= set(document)
 
 
-def test_a_person_reads_verdicts_network_and_warnings(call: Call, leg: Path) -> None:
+def test_the_text_has_decisions_network_and_warnings(call: Call, leg: Path) -> None:
     outcome = call("check", leg)
     assert (outcome.status, outcome.err) == (0, "")
     for words in ("quadrant III", "t_net", "pressure_distribution", "gravity", "16 bellows"):

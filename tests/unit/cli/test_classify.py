@@ -19,7 +19,7 @@ def test_one_object_for_each_spec(call: Call) -> None:
     assert found[1]["scales"]["t_i"] is None  # a constant input never swings
 
 
-def test_a_person_reads_a_table(call: Call, leg: Path) -> None:
+def test_the_text_is_a_table(call: Call, leg: Path) -> None:
     outcome = call("classify", leg, CONFIGS / "leg_16_straight_water.yaml")
     heading, first, second = outcome.out.splitlines()[:3]
     assert heading.split()[:3] == ["spec", "quadrant", "t_s"]

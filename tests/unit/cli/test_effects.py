@@ -65,7 +65,7 @@ def test_every_effect_has_a_page(call: Call, name: str) -> None:
 
 
 @pytest.mark.usefixtures("with_buoyancy")
-def test_a_new_effect_is_told_with_nothing_else_touched(call: Call) -> None:
+def test_a_new_effect_is_described_without_further_changes(call: Call) -> None:
     assert "buoyancy" in call("effects").out
     lines = call("effects", "buoyancy").out.splitlines()
     assert lines[:2] == [

@@ -43,7 +43,7 @@ def test_an_existing_file_is_not_overwritten(call: Call, tmp_path: Path) -> None
     assert [p.name for p in tmp_path.iterdir()] == ["leg.yaml"]
 
 
-def test_a_misspelt_template_is_met_with_the_nearest(call: Call, tmp_path: Path) -> None:
+def test_a_misspelt_template_gets_a_suggestion(call: Call, tmp_path: Path) -> None:
     outcome = call("init", tmp_path / "a.yaml", "--template", "branched_three")
     assert outcome.status == 2
     assert "did you mean 'branched_tree'?" in outcome.err

@@ -46,7 +46,7 @@ def test_an_error_is_one_message_and_its_exit_code(
     assert outcome.err in ("broken\n", "interrupted\n")
 
 
-def test_a_surprise_is_one_line_that_names_debug(
+def test_an_internal_error_is_one_line_that_names_debug(
     call: Call, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(entry, "_run", _raising(ZeroDivisionError("by zero\nsecond line")))

@@ -16,12 +16,12 @@ def test_what_is_not_finite_becomes_null() -> None:
     assert json.loads(text) == {"a": None, "b": [None, 1.5], "c": {"d": None}}
 
 
-def test_control_codes_are_spelt_out(capsys: pytest.CaptureFixture[str]) -> None:
+def test_control_codes_are_escaped(capsys: pytest.CaptureFixture[str]) -> None:
     output.say("leg\x1b[2J\tnext\nline")
     assert capsys.readouterr().out == "leg\\x1b[2J\tnext\nline\n"
 
 
-def test_a_closed_pipe_is_no_error_of_ours(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_closed_pipe_is_not_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("builtins.print", _refuse(BrokenPipeError()))
     with pytest.raises(output.ReaderGoneError):
         output.say("x")

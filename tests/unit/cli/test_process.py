@@ -23,7 +23,7 @@ def test_python_m_viscodesign() -> None:
 
 @PIPES
 @pytest.mark.parametrize("words", [["--help"], ["init", "--list"], ["schema"], ["check"]])
-def test_a_reader_that_leaves_early_is_met_with_silence(words: list[str]) -> None:
+def test_a_reader_that_leaves_early_causes_no_message(words: list[str]) -> None:
     spec = [str(CONFIGS / "leg_16_straight_air.yaml")] if words == ["check"] else []
     process = subprocess.Popen(
         [*COMMAND, *words, *spec], stdout=subprocess.PIPE, stderr=subprocess.PIPE

@@ -104,7 +104,7 @@ def test_warnings_go_to_stderr_beside_json(
     assert json.loads(quiet.out)["name"] == "leg"
 
 
-def test_the_proof_is_asked_for_and_told(
+def test_prove_measures_effects_and_prints_them(
     call: Call, tmp_path: Path, leg: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[object] = []
@@ -127,7 +127,7 @@ def test_the_proof_is_asked_for_and_told(
     assert len(json.loads((tmp_path / "summary.json").read_text())["proof"]) == len(ABLATIONS)
 
 
-def test_the_proof_is_in_the_document_and_its_alarm_beside_it(
+def test_measured_effects_are_in_the_document_and_warnings_beside_it(
     call: Call, tmp_path: Path, leg: Path, solved: Callable[[Trajectory], None]
 ) -> None:
     solved(ablated_run())
@@ -138,7 +138,7 @@ def test_the_proof_is_in_the_document_and_its_alarm_beside_it(
     assert (quiet.out, quiet.err) == ("", "")
 
 
-def test_a_real_proof(call: Call, tmp_path: Path) -> None:
+def test_measured_effects_of_a_real_run(call: Call, tmp_path: Path) -> None:
     spec = CONFIGS / "leg_4_air.yaml"
     outcome = call("simulate", spec, "-o", tmp_path, "--set", "run.duration=0.1 s", "--prove")
     assert outcome.status == 0

@@ -41,7 +41,7 @@ def test_the_table_has_exactly_its_columns_and_every_digit(tmp_path: Path) -> No
         assert row["dominated"] == ("true" if point.dominated else "false")
 
 
-def test_the_document_tells_all_that_is_known() -> None:
+def test_the_document_is_complete() -> None:
     study = made_study()
     told = study.document(0.02)
     assert set(told) >= {
@@ -95,7 +95,7 @@ def test_a_run_goes_where_a_study_was(tmp_path: Path) -> None:
     assert "accuracy.csv" in names(tmp_path)
 
 
-def test_a_folder_of_other_things_is_not_written_into(tmp_path: Path) -> None:
+def test_a_folder_with_other_files_is_refused(tmp_path: Path) -> None:
     (tmp_path / "a.txt").write_text("mine")
     with pytest.raises(UsageError, match=r"holds other files \(a\.txt\)"):
         write_study(made_study(), tmp_path)

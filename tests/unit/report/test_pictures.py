@@ -81,7 +81,7 @@ def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str, picture: st
     assert max(width, height) < 9
 
 
-def test_the_tip_s_picture_names_axes_ends_and_time(drawn: Drawn) -> None:
+def test_the_picture_of_the_tip_labels_axes_ends_and_time(drawn: Drawn) -> None:
     figure = drawn("leg", "tip")
     expected = {"x [mm]", "z [mm], down from the clamp", "time [s]", "start", "end"}
     assert expected <= words(figure)

@@ -88,7 +88,7 @@ def test_pictures_are_left_out_and_old_ones_removed(tmp_path: Path) -> None:
     assert not list(tmp_path.glob("*.png"))
 
 
-def test_folders_with_other_files_are_not_written_without_a_word(tmp_path: Path) -> None:
+def test_folders_with_other_files_need_force(tmp_path: Path) -> None:
     (tmp_path / "thesis.txt").write_text("precious")
     with pytest.raises(UsageError, match=r"other files \(thesis\.txt\)"):
         write_run(trajectory(), tmp_path, plots=False)

@@ -169,12 +169,12 @@ def test_an_old_picture_of_effects_goes_when_none_are_drawn(tmp_path: Path) -> N
     assert names(tmp_path) == {*RUN_TABLES, "summary.json"}
 
 
-def test_a_picture_of_effects_alone_is_no_stranger(tmp_path: Path) -> None:
+def test_a_picture_of_effects_alone_is_accepted(tmp_path: Path) -> None:
     (tmp_path / EFFECTS_PICTURE).write_bytes(b"a picture")
     assert prepare_folder(tmp_path) == tmp_path
 
 
-def test_a_folder_of_other_things_is_not_written_into(run: Trajectory, tmp_path: Path) -> None:
+def test_a_folder_with_other_files_is_refused(run: Trajectory, tmp_path: Path) -> None:
     for name in ("a.txt", "b", "c.csv", "d"):
         (tmp_path / name).write_text("mine")
     with pytest.raises(UsageError, match=r"\(a\.txt, b, c\.csv, \.\.\.\).*-o DIR, or --force"):
@@ -213,7 +213,7 @@ def test_a_table_is_read_back_to_the_last_digit(run: Trajectory) -> None:
     assert np.array_equal(np.array(rows[1:], dtype=float), values)
 
 
-def test_half_a_surrogate_pair_in_a_name_is_no_obstacle(made: Made, tmp_path: Path) -> None:
+def test_a_lone_surrogate_in_a_name_is_escaped(made: Made, tmp_path: Path) -> None:
     write_run(made(name="leg \ud800"), tmp_path)
     assert json.loads((tmp_path / "summary.json").read_text())["name"] == "leg \ud800"
 

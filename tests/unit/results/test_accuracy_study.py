@@ -56,7 +56,7 @@ def test_the_cost_of_an_error_is_its_cheapest_setting() -> None:
     assert study.recommended == study.points[2]
 
 
-def test_within_a_budget_the_most_accurate_is_taken() -> None:
+def test_within_a_budget_the_most_accurate_is_chosen() -> None:
     study = made_study()
     assert study.most_accurate(0.0005) is None
     assert study.most_accurate(0.02) == study.points[3]
@@ -64,7 +64,7 @@ def test_within_a_budget_the_most_accurate_is_taken() -> None:
     assert study.most_accurate(100.0) == study.points[5]
 
 
-def test_other_effects_than_those_taken_are_told_as_changes() -> None:
+def test_differences_from_the_selected_effects_are_stated_as_changes() -> None:
     assert made_study().recommended_changes == ()
     assert made_study(requested_rel=0.3).recommended_changes == (
         "effects.damping=off", "effects.inertia=off", "effects.pressure_distribution=off",
@@ -91,7 +91,7 @@ def test_the_frame_has_the_columns_of_the_file() -> None:
 @pytest.mark.parametrize(
     ("tolerance", "words"), [(1e-2, "1e-2"), (3e-5, "3e-5"), (1.25e-4, "1.25e-4")]
 )
-def test_tolerances_are_written_as_people_do(tolerance: float, words: str) -> None:
+def test_tolerances_are_written_in_short_form(tolerance: float, words: str) -> None:
     assert tolerance_words(tolerance) == words
 
 

@@ -36,7 +36,7 @@ def test_a_summary_has_its_sections_and_no_number_that_json_lacks() -> None:
     assert set(document["warnings"][0]) == {"code", "message", "where", "time_s"}
 
 
-def test_a_proof_is_told_only_where_there_is_one() -> None:
+def test_measured_effects_are_in_the_summary_only_if_there_are_any() -> None:
     assert "proof" not in made_run().summary()
     proof = ablated_run().summary()["proof"]
     assert [p["name"] for p in proof] == [p.name for p in ABLATIONS]

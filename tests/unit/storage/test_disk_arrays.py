@@ -53,14 +53,14 @@ def test_rows_without_columns_need_no_disk() -> None:
 
 
 @pytest.mark.parametrize("in_memory", [0, 10_000])
-def test_a_table_that_is_cut_grows_on(in_memory: int) -> None:
+def test_an_array_that_was_cut_can_grow_again(in_memory: int) -> None:
     table = filled(ArrayStore(in_memory=in_memory))
     table.cut(7)
     table.append(ROWS[:2])
     assert np.array_equal(table.array(), np.concatenate([ROWS[:7], ROWS[:2]]))
 
 
-def test_nothing_is_seen_of_it_in_its_folder(tmp_path: Path) -> None:
+def test_the_file_is_invisible_in_its_folder(tmp_path: Path) -> None:
     table = filled(ArrayStore(tmp_path, in_memory=0))
     found = table.array()
     del table
@@ -70,7 +70,7 @@ def test_nothing_is_seen_of_it_in_its_folder(tmp_path: Path) -> None:
         found[0] = 1.0
 
 
-def test_pages_that_were_let_go_come_again() -> None:
+def test_released_pages_are_read_again() -> None:
     found = filled(ArrayStore(in_memory=0)).array()
     for array in (found, found[3:].T, ROWS):
         before = array.copy()

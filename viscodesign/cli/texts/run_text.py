@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from viscodesign.cli.texts.check_text import notice_lines, percent, quadrant_lines
@@ -23,8 +23,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         ("tip error", _tip_error(trajectory)),
         ("error breakdown", _error_parts(trajectory)),
         *(("retry", _retry(attempt)) for attempt in trajectory.ladder[:MOST_RETRIES]),
-        ("included", ", ".join(v.name for v in trajectory.effects if v.taken) or "none"),
-        ("neglected", ", ".join(v.name for v in trajectory.effects if not v.taken) or "none"),
+        *_decisions(trajectory),
         ("files", f"{folder}: {', '.join(file.name for file in files)}"),
     ]
     return [
@@ -36,6 +35,13 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
 
 MOST_RETRIES = 6
 """Retries that are printed; all of them are in `summary.json`."""
+
+
+def _decisions(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
+    for decision in ("included", "neglected", "not applicable"):
+        names = [v.name for v in trajectory.effects if v.decision == decision]
+        if names or decision != "not applicable":
+            yield decision, ", ".join(names) or "none"
 
 
 def _retry(attempt: RetryAttempt) -> str:

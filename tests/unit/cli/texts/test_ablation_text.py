@@ -46,7 +46,7 @@ def test_every_effect_beside_its_measurement(
         (0.0, False, "0 % no change"),
     ],
 )
-def test_a_measurement_is_held_against_the_budget(
+def test_a_measurement_is_compared_with_the_budget(
     measured: float, taken: bool, meaning: str
 ) -> None:
     assert row(EffectAblation("inertia", taken, measured, measured, 1.0)).endswith(meaning)
@@ -62,9 +62,7 @@ def test_a_measurement_is_held_against_the_budget(
         (0.001 * BUDGET, 0.05 * BUDGET, ""),
     ],
 )
-def test_an_estimate_that_is_far_off_is_named(
-    estimated: float, measured: float, words: str
-) -> None:
+def test_a_wrong_estimate_is_named(estimated: float, measured: float, words: str) -> None:
     told = row(EffectAblation("inertia", False, estimated, measured, 1.0))
     assert told.endswith(words or ("within budget", "no change")[measured == 0.0])
 

@@ -39,7 +39,7 @@ def test_a_run_in_a_dozen_lines(trajectory: Trajectory) -> None:
     assert "runs/leg: trajectory.csv, summary.json" in text
 
 
-def test_what_was_tried_where_a_solver_stopped_is_told(trajectory: Trajectory) -> None:
+def test_retries_are_printed(trajectory: Trajectory) -> None:
     assert "retry" not in _summary(trajectory)
     rungs = (
         RetryAttempt(0.25, "order 2 at most", False, "the steps shrink to nothing"),
@@ -50,7 +50,7 @@ def test_what_was_tried_where_a_solver_stopped_is_told(trajectory: Trajectory) -
     assert "retry            at 0.25 s: Rodas5P instead, succeeded" in text
 
 
-def test_of_many_attempts_the_first_are_told(trajectory: Trajectory) -> None:
+def test_of_many_retries_the_first_are_printed(trajectory: Trajectory) -> None:
     rungs = tuple(RetryAttempt(0.1 * k, f"attempt {k}", False, "") for k in range(MOST_RETRIES + 3))
     text = _summary(replace(trajectory, ladder=rungs))
     assert text.count("  retry ") == MOST_RETRIES
@@ -95,7 +95,7 @@ def test_a_constant_input_has_no_swing(classification: Classification) -> None:
 
 
 @pytest.mark.parametrize("columns", [None, "60", "80", "100"])
-def test_verdicts_are_a_table_and_then_reasons(
+def test_decisions_are_a_table_followed_by_reasons(
     monkeypatch: pytest.MonkeyPatch, columns: str | None
 ) -> None:
     if columns is not None:
@@ -136,5 +136,5 @@ def test_an_effect_is_one_line_of_the_table_and_taken_ones_come_first() -> None:
         (math.nan, "unknown"),
     ],
 )
-def test_a_share_says_no_more_than_it_means(part: float, shown: str) -> None:
+def test_shares_are_bounded_where_they_mean_little(part: float, shown: str) -> None:
     assert share(part) == shown

@@ -102,7 +102,7 @@ def test_solvers_differ_by_mark_and_meshes_by_size(drawn: Drawn) -> None:
     assert found[4].get_markersize() > found[3].get_markersize()
 
 
-def test_the_recommended_one_has_a_ring_and_words(drawn: Drawn) -> None:
+def test_the_recommended_setting_has_a_ring_and_a_label(drawn: Drawn) -> None:
     figure = drawn(made_study())
     (circle,) = ring(figure)
     assert float(circle.get_xdata()[0]) == 0.012  # type: ignore[index, arg-type]
@@ -111,7 +111,7 @@ def test_the_recommended_one_has_a_ring_and_words(drawn: Drawn) -> None:
     assert ring(drawn(made_study(requested_rel=1e-7))) == []
 
 
-def test_what_was_asked_for_is_a_line_with_its_number(drawn: Drawn) -> None:
+def test_the_requested_error_is_a_labelled_line(drawn: Drawn) -> None:
     figure = drawn(made_study())
     assert "requested: 0.5 %" in words(figure)
     dashed = [line for line in figure.axes[0].lines if line.get_linestyle() == "--"]
@@ -125,7 +125,7 @@ def test_the_front_is_a_staircase_through_its_points(drawn: Drawn) -> None:
     assert {(one.solve_s, one.tip_error_rel) for one in study.front} <= corners
 
 
-def test_the_front_is_labelled_but_not_without_end(drawn: Drawn) -> None:
+def test_the_front_has_a_limited_number_of_labels(drawn: Drawn) -> None:
     told = words(drawn(made_study()))
     assert {"no time steps", "1 edge, tol 1e-2", "1 edge, tol 1e-4", "2 edges, tol 1e-6"} <= set(
         told
@@ -134,7 +134,7 @@ def test_the_front_is_labelled_but_not_without_end(drawn: Drawn) -> None:
     assert len(crowd) <= MOST_LABELS + 1
 
 
-def test_what_the_reference_cannot_tell_is_said(drawn: Drawn) -> None:
+def test_errors_below_that_of_the_reference_are_marked(drawn: Drawn) -> None:
     assert any("upper bounds" in text for text in words(drawn(made_study())))
     known = replace(REFERENCE, smallest_error_m=1e-12)
     assert not any("upper bounds" in text for text in words(drawn(made_study(reference=known))))

@@ -81,7 +81,7 @@ def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
     assert not any("mathdefault" in text for text in words(figure))
 
 
-def test_a_row_for_every_effect_the_largest_first_the_absent_last() -> None:
+def test_one_row_per_effect_largest_first_not_applicable_last() -> None:
     rows = [row.name for row in effect_rows(ablated_run())]
     assert rows == [
         "pressure_distribution", "flow_regime", "gas_compressibility", "gravity", "inertia",
@@ -89,7 +89,7 @@ def test_a_row_for_every_effect_the_largest_first_the_absent_last() -> None:
     ]  # fmt: skip
 
 
-def test_bars_end_at_the_moves_in_mm(drawn: Drawn) -> None:
+def test_bars_end_at_the_displacements_in_mm(drawn: Drawn) -> None:
     found = bars(drawn(ablated_run()))
     ends = {key: bar.get_x() + bar.get_width() for key, bar in found.items()}
     assert ends[0, True] == pytest.approx(98.7)
@@ -109,7 +109,7 @@ def test_measured_and_estimated_differ_in_colour_the_decision_in_hatching(drawn:
     assert to_hex(found[taken, False].get_facecolor()) != MEASURED
 
 
-def test_the_error_asked_for_is_a_line_with_its_number(drawn: Drawn) -> None:
+def test_the_requested_error_is_a_labelled_line(drawn: Drawn) -> None:
     figure = drawn(ablated_run())
     (line,) = figure.axes[0].lines
     assert list(line.get_xdata()) == pytest.approx([0.545, 0.545])
@@ -118,7 +118,7 @@ def test_the_error_asked_for_is_a_line_with_its_number(drawn: Drawn) -> None:
     assert any(text.endswith("[mm]") for text in words(figure))
 
 
-def test_an_effect_left_out_beyond_the_error_asked_for_stands_out(drawn: Drawn) -> None:
+def test_a_neglected_but_significant_effect_stands_out(drawn: Drawn) -> None:
     figure = drawn(ablated_run())
     wrong = [label for label in figure.axes[0].get_yticklabels() if label.get_color() == ACCENT]
     assert [label.get_text() for label in wrong] == ["gravity\nNEGLECTED BUT SIGNIFICANT"]
@@ -126,7 +126,7 @@ def test_an_effect_left_out_beyond_the_error_asked_for_stands_out(drawn: Drawn) 
     assert "feedback\nneglected" in names(figure)
 
 
-def test_what_has_no_bar_is_told_in_words(drawn: Drawn) -> None:
+def test_effects_without_a_bar_are_described(drawn: Drawn) -> None:
     figure = drawn(ablated_run())
     place = {text.get_text(): text for text in figure.axes[0].texts}
     told = [(text.get_text(), text.xy[1]) for text in figure.axes[0].texts]  # type: ignore[attr-defined]

@@ -84,13 +84,13 @@ def test_any_number_of_specs(figures: list[Figure], tmp_path: Path, count: int) 
 
 
 @pytest.mark.parametrize("ending", ["png", "pdf", "svg", "PNG"])
-def test_the_ending_tells_the_format(tmp_path: Path, ending: str) -> None:
+def test_the_suffix_selects_the_format(tmp_path: Path, ending: str) -> None:
     draw_plane([CLASSIFICATION], tmp_path / f"plane.{ending}")
     start = (tmp_path / f"plane.{ending}").read_bytes()[:5]
     assert start in (b"\x89PNG\r", b"%PDF-", b"<?xml")
 
 
-def test_a_folder_in_the_picture_s_place_is_refused(tmp_path: Path) -> None:
+def test_a_folder_at_the_path_of_the_picture_is_refused(tmp_path: Path) -> None:
     (tmp_path / "plane.png").mkdir()
     with pytest.raises(UsageError, match=r"plane\.png: Is a directory"):
         draw_plane([CLASSIFICATION], tmp_path / "plane.png")
