@@ -83,6 +83,16 @@ class Sent:
             for place in range(2, len(given), length + 1):
                 yield given[place], start, given[place + 1 : place + 1 + length]
 
+    def sets_limit_of(self) -> set[int]:
+        """Servos of whose torque limit it writes one byte or both."""
+        limit = registers.TORQUE_LIMIT
+        both = {limit.address, limit.address + 1}
+        return {
+            servo
+            for servo, start, data in self.writes()
+            if both & {*range(start, start + len(data))}
+        }
+
     def register(self, register: registers.Register) -> dict[int, int]:
         """By servo, what it writes into a register."""
         return {
@@ -106,6 +116,7 @@ class Rig:
     pins: dict[str, bool] = field(default_factory=dict)
     """Levels of digital pins."""
     duration: float = 1.5
+    max_lag: float = 3.0
 
     def __post_init__(self) -> None:
         self.clock = SteppedClock()
@@ -130,7 +141,7 @@ class Rig:
             Switches.of(self.spec, self.ids),
             self.clock,
         )
-        self.wish = StopRequest()
+        self.request = StopRequest()
         self.rows: list[TickReport] = []
         self.see: Callable[[TickReport], None] = self.rows.append
         self.stream: Stream | None = None
@@ -165,10 +176,11 @@ class Rig:
         self.stream = Stream(
             self.pump,
             self.profile(),
-            self.wish,
+            self.request,
             lambda shown: self.see(shown),
             rate=RATE,
             on_stop=self.on_stop,
+            max_lag=self.max_lag,
         )
         return self.stream.play()
 

@@ -76,7 +76,7 @@ def rehearsal() -> Rehearsal:
 
 def test_the_profile_is_played_to_its_end(rehearsal: Rehearsal) -> None:
     assert rehearsal.ending.status == "complete"
-    assert rehearsal.ending.sure
+    assert rehearsal.ending.verified
     assert rehearsal.skipped == 0
     assert rehearsal.time[-1] == pytest.approx(8.0, abs=1.5 / RATE)
 

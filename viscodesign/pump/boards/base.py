@@ -24,6 +24,8 @@ class Goal:
     """Speed register, 1 to 1023 (0 would be full speed, and is refused)."""
     torque: int | None = None
     """Torque limit register, 1 to 1023; None leaves it as it is."""
+    held: int | None = None
+    """Torque limit in force, which ``torque`` differs from in one byte: only that one is sent."""
 
     def __post_init__(self) -> None:
         if not 0 <= self.count <= 1023:

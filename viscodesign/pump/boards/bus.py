@@ -48,6 +48,8 @@ class BusBoard(Board):
         start = registers.GOAL_POSITION.address
         for blocks in _by_length(goals):
             self.wire.tell(packets.sync_write(start, blocks))
+        if high := {servo: _high(goal.torque) for servo, goal in goals.items() if _is_high(goal)}:
+            self.wire.tell(packets.sync_write(registers.TORQUE_LIMIT.address + 1, high))
 
     def halt(self) -> None:
         """No program runs on it."""
@@ -67,6 +69,19 @@ def _by_length(goals: Mapping[int, Goal]) -> list[dict[int, bytes]]:
 
 
 def _block(goal: Goal) -> bytes:
-    """Goal position, moving speed and, where given, torque limit, which lie side by side."""
+    """Goal position, moving speed and what is to be sent of the torque limit, side by side."""
     data = registers.GOAL_POSITION.encode(goal.count) + registers.MOVING_SPEED.encode(goal.speed)
-    return data if goal.torque is None else data + registers.TORQUE_LIMIT.encode(goal.torque)
+    if goal.torque is None or _is_high(goal):
+        return data
+    return data + registers.TORQUE_LIMIT.encode(goal.torque)[: 2 if goal.held is None else 1]
+
+
+def _is_high(goal: Goal) -> bool:
+    """Whether only the high byte of the torque limit is to be sent, which lies apart."""
+    if goal.torque is None or goal.held is None:
+        return False
+    return goal.torque // 256 != goal.held // 256
+
+
+def _high(torque: int | None) -> bytes:
+    return bytes([(torque or 0) // 256])

@@ -5,7 +5,7 @@ Needs no spec, so that `pump stop` works with none.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from viscodesign.errors import PumpError
@@ -17,7 +17,7 @@ from viscodesign.pump.play.servo_state import ServoState, read_servo, write_regi
 
 HOLD_SPEED = 20
 """Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
-NEAR = 40
+HOLD_TOLERANCE = 40
 """A held plunger stands this close to its goal, or it is not held [counts]."""
 PAUSE = 0.02
 """Between tries [s]."""
@@ -34,7 +34,7 @@ class FinalServoState:
     """How one servo was left."""
 
     servo: int
-    sure: bool
+    verified: bool
     """Whether it was read back."""
     words: str
 
@@ -48,15 +48,19 @@ def hold(
     clock: Clock,
     *,
     positions: dict[int, int] | None = None,
+    goals: Mapping[int, int] | None = None,
     within: float = PATIENCE,
 ) -> list[FinalServoState]:
     """Send every servo to where it is, and read back that it holds that goal.
 
     ``positions`` of a moment ago, for a servo that takes commands but whose replies do not come
-    through; they are brought up to date. A servo without torque is left so: nothing drives it.
+    through; they are brought up to date. ``goals`` that hold it where it is under its load, where
+    they are known. A servo without torque is left so: nothing drives it.
     """
-    where = {} if positions is None else positions
-    return _for_each(servos, clock, within, lambda servo: _hold(board, servo, where))
+    where, aims = positions if positions is not None else {}, goals or {}
+    return _for_each(
+        servos, clock, within, lambda servo: _hold(board, servo, where, aims.get(servo))
+    )
 
 
 def release(
@@ -76,7 +80,7 @@ def _for_each(
     while waiting:
         for servo in waiting:
             left[servo] = attempt(servo)
-        waiting = [servo for servo in waiting if not left[servo].sure]
+        waiting = [servo for servo in waiting if not left[servo].verified]
         if clock.now() >= deadline:
             break
         if waiting:
@@ -84,7 +88,7 @@ def _for_each(
     return [left[servo] for servo in servos]
 
 
-def _hold(board: Board, servo: int, last: dict[int, int]) -> FinalServoState:
+def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> FinalServoState:
     """One try. The position is read first, so that no goal is far from the plunger."""
     try:
         state = read_servo(board, servo)
@@ -97,12 +101,14 @@ def _hold(board: Board, servo: int, last: dict[int, int]) -> FinalServoState:
         return FinalServoState(
             servo, True, f"shut itself off ({state.complaint or 'torque limit 0'})"
         )
+    near = aim is not None and abs(aim - state.position) <= HOLD_TOLERANCE
+    goal = aim if aim is not None and near else state.position
     try:
-        board.move({servo: Goal(state.position, HOLD_SPEED)})
+        board.move({servo: Goal(goal, HOLD_SPEED)})
     except PumpError as error:
         return FinalServoState(servo, False, f"no hold could be sent: {error}")
     try:
-        return _verified(servo, state.position, read_servo(board, servo))
+        return _verified(servo, goal, read_servo(board, servo))
     except PumpError as error:
         return FinalServoState(servo, False, f"hold sent, but not verified: {error}")
 
@@ -112,7 +118,7 @@ def _verified(servo: int, goal: int, state: ServoState) -> FinalServoState:
         return FinalServoState(
             servo, False, f"hold at {goal} counts was sent, but it did not take it"
         )
-    if abs(state.position - goal) > NEAR:
+    if abs(state.position - goal) > HOLD_TOLERANCE:
         return FinalServoState(servo, False, f"holds {goal} counts, but is at {state.position}")
     told = f"holds at {goal} counts, verified"
     return FinalServoState(

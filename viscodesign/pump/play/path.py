@@ -20,7 +20,7 @@ SHORTEST = 0.1
 
 
 @dataclass(frozen=True)
-class Course:
+class TargetPath:
     """Set-points against time from the first tick on; S servos."""
 
     profile: Profile
@@ -75,7 +75,7 @@ def top_speed(profile: Profile) -> float:
     return float((rise / np.diff(profile.time)).max(initial=0.0))
 
 
-def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> Course:
+def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> TargetPath:
     """A profile behind a slow way to its first counts.
 
     ``present``: position of each servo [counts]; ``lead``: part of the profile that lies before
@@ -92,10 +92,10 @@ def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> C
         counts=np.concatenate((here[None], profile.counts)),
         pressure=np.concatenate((profile.pressure[:1], profile.pressure)),
     )
-    return Course(joined, begins, begins + lead)
+    return TargetPath(joined, begins, begins + lead)
 
 
-def way_back(profile: Profile, goals: Mapping[int, int], home: int) -> Course:
+def way_back(profile: Profile, goals: Mapping[int, int], home: int) -> TargetPath:
     """Slowly from the goals in force to home; no pressure is expected on the way."""
     servos = profile.servos
     here = np.array([float(goals[servo]) for servo in servos])
@@ -103,4 +103,4 @@ def way_back(profile: Profile, goals: Mapping[int, int], home: int) -> Course:
     way = max(float(np.max(np.abs(there - here))) / LEAD_SPEED, SHORTEST)
     counts, none = np.stack((here, there)), np.zeros((2, len(servos)))
     back = Profile(profile.inlets, servos, np.array([0.0, way]), counts, none)
-    return Course(back, math.inf, math.inf)
+    return TargetPath(back, math.inf, math.inf)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.boards.base import Board, Goal
@@ -15,8 +16,7 @@ from viscodesign.pump.play.preflight import FoundServo, blocking_faults, identif
 from viscodesign.pump.play.safety_rules import Stop
 from viscodesign.pump.play.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.play.torque_limit import (
-    TorqueSaturation,
-    following_limit,
+    TorqueLimits,
     free_speed,
     torque_limit,
 )
@@ -29,6 +29,8 @@ SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
 TOP_SPEED = 1023
 Pressed = dict[int, frozenset[str]]
 """Ends whose switch is pressed, by servo."""
+LIMIT_STEPS = 6
+"""Readings in which a torque limit may be lowered at the end of a motion."""
 TAKEN = 3
 """The goal of a servo that gets its torque may be its position of a moment later [counts]."""
 
@@ -64,8 +66,7 @@ class Pump:
         """Goals in force [counts]."""
         self.positions: dict[int, int] = {}
         """Last read [counts]."""
-        self.saturation = TorqueSaturation()
-        """Of the servos, as last read."""
+        self.limits = TorqueLimits()
         self.read_at = -math.inf
         """When, about: between question and answer [s of the clock]."""
         self.sent_at = -math.inf
@@ -151,40 +152,40 @@ class Pump:
         to that and the pressure cap, where the board can. Nothing it does may loosen it.
         """
         self._refuse(goals)
-        limits = {} if paces is None or not self.board.limits_torque else self._limits(paces)
-        self.board.move(
-            {
-                servo: Goal(goal, speed_register(speeds[servo]), limits.get(servo))
-                for servo, goal in goals.items()
-            }
-        )
+        needed = {servo: torque_limit(self.settings, pace) for servo, pace in (paces or {}).items()}
+        self._send(goals, {s: speed_register(speed) for s, speed in speeds.items()}, needed)
         self.goals |= goals
         self.sent_at = self.clock.now()
 
     def allowed(self, goals: Mapping[int, int]) -> dict[int, int]:
-        """The same goals; after an alarm, of a plunger that would not draw back, where it stays.
+        """The same goals within travel; after an alarm a plunger that would not draw back stays.
 
         So one that is drawn out beyond home keeps no other one from being drawn back to it.
         """
+        low, high = self.settings.travel
         if self.alarm is None:
-            return dict(goals)
+            return {s: min(max(goal, low), high) for s, goal in goals.items()}
         kept = self.goals
         return {
             s: goal if self._draws_back(goal - kept[s]) else kept[s] for s, goal in goals.items()
         }
 
-    def _limits(self, paces: Mapping[int, float]) -> dict[int, int]:
-        """Torque limits to be sent; none where none changes notably.
+    def _send(
+        self, goals: Mapping[int, int], speeds: Mapping[int, int], needed: Mapping[int, int]
+    ) -> bool:
+        """Goals [counts], speeds (registers) and torque limits that change; whether some do.
 
         A servo that shut itself off, or that may be about to, keeps what it has.
         """
-        held = self.saturation.writable(self.clock.now())
-        limits = {
-            servo: following_limit(held[servo], torque_limit(self.settings, paces[servo]))
-            for servo in self.servos
-            if servo in held
-        }
-        return limits if any(limits[servo] != held[servo] for servo in limits) else {}
+        limits: dict[int, int] = {}
+        if needed and self.board.limits_torque:
+            limits = self.limits.changes(needed, self.clock.now())
+        held = self.limits.in_force
+        self.limits.sent |= {servo: (held[servo], limit) for servo, limit in limits.items()}
+        self.board.move(
+            {s: Goal(g, speeds[s], limits.get(s), held.get(s)) for s, g in goals.items()}
+        )
+        return bool(limits)
 
     def _refuse(self, goals: Mapping[int, int]) -> None:
         low, high = self.settings.travel
@@ -210,22 +211,54 @@ class Pump:
 
     def look(self) -> tuple[dict[int, ServoState], tuple[float | None, ...], Pressed]:
         """Servos, pressures [Pa gauge] and pressed switches, read now."""
+        states = self._read()
+        return states, self.gauges.read(), self.switches.read(self.board)
+
+    def _read(self) -> dict[int, ServoState]:
         before = self.clock.now()
         states = {servo: read_servo(self.board, servo) for servo in self.servos}
         self.positions = {servo: state.position for servo, state in states.items()}
         self.read_at = (before + self.clock.now()) / 2
-        self.saturation.note(states, self.read_at)
-        return states, self.gauges.read(), self.switches.read(self.board)
+        for servo in self.limits.revived(states):
+            # It shut itself off while its limit was on the way: it has to stay off.
+            self.board.set(servo, registers.TORQUE_LIMIT, 0)
+            states[servo] = replace(states[servo], torque_limit=0)
+        self.limits.sent = {}
+        self.limits.update(states, self.read_at)
+        return states
 
-    def hold(self) -> list[FinalServoState]:
-        """Stand where it is, read back; nothing is sent where the torque was never on."""
+    def hold(self, *, in_place: bool = True) -> list[FinalServoState]:
+        """Stand where it is, read back; nothing is sent where the torque was never on.
+
+        Unless ``in_place``, the goals in force are kept: those that a load asks for. Torque
+        limits that a motion had raised are lowered again.
+        """
         if not self.armed:
             return [
                 FinalServoState(s, True, "untouched: its torque was never on") for s in self.servos
             ]
-        left = hold(self.board, self.servos, self.clock, positions=self.positions)
-        self.goals |= self.positions
-        return left
+        goals = None if in_place else self.goals
+        left = hold(self.board, self.servos, self.clock, positions=self.positions, goals=goals)
+        self.goals = {s: self.positions[s] if in_place else self.goals[s] for s in self.servos}
+        if not all(one.verified for one in left) or not self.board.limits_torque:
+            return left
+        try:
+            self._lower_limits()
+        except PumpError as error:
+            return [replace(one, verified=False, words=f"{one.words}, but {error}") for one in left]
+        return hold(self.board, self.servos, self.clock, positions=self.positions, goals=self.goals)
+
+    def _lower_limits(self) -> None:
+        """To what a plunger at rest needs, byte by byte."""
+        rest = torque_limit(self.settings)
+        for _ in range(LIMIT_STEPS):
+            self._read()
+            sent = [
+                self._send({servo: self.goals[servo]}, {servo: HOLD_SPEED}, {servo: rest})
+                for servo in self.limits.in_force
+            ]
+            if not any(sent):
+                return
 
     def release(self) -> list[FinalServoState]:
         """Torque off, read back; pressure may push the plunger back then."""

@@ -6,6 +6,7 @@ sent; it answers with a reason, or None.
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -19,6 +20,8 @@ IN_SUCCESSION = 2
 """Samples that must agree where one alone may be noise."""
 SILENCE = 0.25
 """Without a whole round of replies this long, the pump stops [s]."""
+LATE = 8
+"""Samples in succession in which a stream may be too far behind; then it is not catching up."""
 LOST = 3
 """Replies lost in succession that stop the pump."""
 LOWEST_VOLTAGE = 10.0
@@ -289,6 +292,25 @@ class Silence(Guard):
         return f"nothing was heard for {1e3 * gap:.0f} ms; allowed are {1e3 * self.longest:.0f} ms"
 
 
+@dataclass
+class BehindProfile(Guard):
+    """A stream that stays behind its profile plays something else than was planned."""
+
+    rule = "behind_profile"
+    may_retreat = True
+    max_lag: float
+    """[ticks]"""
+    behind: InSuccession = field(default_factory=lambda: InSuccession(LATE))
+
+    def check(self, sample: Sample) -> str | None:
+        if not self.behind.note(sample.lag > self.max_lag):
+            return None
+        return (
+            f"{sample.lag:.1f} ticks behind the profile (limit {self.max_lag:g}) in {LATE} "
+            "samples: the link or this computer is too slow for the rate; lower --rate"
+        )
+
+
 class Watch:
     """All rules; the first that is broken is kept, whatever the others say later."""
 
@@ -311,13 +333,26 @@ class Watch:
                 yield Stop(guard.rule, reason, guard.trusted, guard.may_retreat)
 
 
-def stream_rules(pump: PumpSpec, reach: int) -> list[Guard]:
-    """What a profile is watched by; ``reach`` is one tick's travel [counts]."""
-    return [PressureCap(pump.max_pressure), SensorFrozen(), *retreat_rules(pump, reach)]
+def stream_rules(pump: PumpSpec, reach: int, max_lag: float = math.inf) -> list[Guard]:
+    """What monitors a profile; ``reach`` is one tick's travel [counts].
+
+    Where several are broken at once, the first one is told: causes before consequences.
+    """
+    return [
+        Silence(),
+        BehindProfile(max_lag),
+        PressureCap(pump.max_pressure),
+        SensorFrozen(),
+        *_axis_rules(pump, reach),
+    ]
 
 
 def retreat_rules(pump: PumpSpec, reach: int) -> list[Guard]:
     """What remains while the plunger is drawn back, which makes room for the pressure."""
+    return [Silence(), *_axis_rules(pump, reach)]
+
+
+def _axis_rules(pump: PumpSpec, reach: int) -> list[Guard]:
     low, high = pump.travel
     return [
         LimitSwitches(),
@@ -327,5 +362,4 @@ def retreat_rules(pump: PumpSpec, reach: int) -> list[Guard]:
         Obedience(),
         Overheating(),
         LowBattery(),
-        Silence(),
     ]

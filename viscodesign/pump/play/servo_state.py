@@ -113,3 +113,5 @@ class Sample:
     """Goals in force [counts]."""
     next_goals: Mapping[int, int]
     """Goals that are to follow [counts]."""
+    lag: float = 0.0
+    """How far behind the plan the stream is [ticks]."""

@@ -1,4 +1,4 @@
-"""Set-points in real time: read, judge, send, once a tick; and whatever happens, stand."""
+"""Set-points in real time: read, judge, send, once a tick; and whatever happens, come to rest."""
 
 from __future__ import annotations
 
@@ -9,18 +9,41 @@ from typing import Literal
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.pump.play.hold import FinalServoState
-from viscodesign.pump.play.path import Course, led_in, top_speed, way_back
+from viscodesign.pump.play.path import TargetPath, led_in, top_speed, way_back
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.play.safety_rules import Guard, Stop, Watch, retreat_rules, stream_rules
+from viscodesign.pump.play.safety_rules import (
+    Guard,
+    InSuccession,
+    Stop,
+    Watch,
+    retreat_rules,
+    stream_rules,
+)
 from viscodesign.pump.play.servo_state import Sample
-from viscodesign.pump.play.setpoints import SetPoints
-from viscodesign.pump.play.ticks import Ticks
+from viscodesign.pump.play.setpoints import (
+    CATCH_UP,
+    DEAD_BAND,
+    SETTLE_SPEED,
+    SETTLED,
+    PathProgress,
+    SetPoints,
+)
+from viscodesign.pump.play.ticks import SLICE, Ticks
 from viscodesign.pump.play.torque_limit import free_speed
 from viscodesign.pump.profile import Profile
-from viscodesign.scene.pump import PumpSpec as Settings
 
+MAX_LAG = 3.0
+"""How far a stream may fall behind its profile for longer than a moment [ticks]."""
+SETTLE_TIME = 2.0
+"""For the last of a following error to go, at the end of a profile [s]."""
+SECOND_REQUEST_TIME = 3.0
+"""After a held stop request, how long a second one is waited for, which drops the torque [s]."""
 OnStop = Literal["hold", "release", "retract"]
 Status = Literal["complete", "interrupted", "stopped"]
+
+
+class RecordingError(PumpError):
+    """What observes the ticks cannot keep them: the disk is full, or gone."""
 
 
 @dataclass(frozen=True)
@@ -48,12 +71,12 @@ class StreamResult:
     """Whether the plunger may be drawn back."""
     standing: list[FinalServoState] = field(default_factory=list)
     retreat: str = ""
-    """Why drawing the plunger back did not go to its end, where it did not."""
+    """Why the plunger was not drawn back as far as intended, where it was not."""
 
     @property
-    def sure(self) -> bool:
+    def verified(self) -> bool:
         """Whether every servo was read back as it was left."""
-        return bool(self.standing) and all(one.sure for one in self.standing)
+        return bool(self.standing) and all(one.verified for one in self.standing)
 
 
 class Stream:
@@ -63,127 +86,224 @@ class Stream:
         self,
         pump: Pump,
         profile: Profile,
-        wish: StopRequest,
-        see: Callable[[TickReport], None],
+        request: StopRequest,
+        observe: Callable[[TickReport], None],
         *,
         rate: float,
         lead: float = 0.0,
         on_stop: OnStop = "hold",
+        max_lag: float = MAX_LAG,
     ) -> None:
-        """``rate`` of the ticks [Hz]; ``see`` is given every tick after its goals are sent.
+        """``rate`` of the ticks [Hz]; ``observe`` is given every tick after its goals are sent.
 
-        ``lead``: part of the profile that lies before the scene's own start [s].
+        ``lead``: part of the profile that lies before the scene's own start [s]. ``max_lag``: the
+        stream stops where it stays farther behind its profile than this [ticks].
         """
         self.pump = pump
         self.profile = profile
         self.lead = lead
-        self.wish = wish
-        self.see = see
+        self.request = request
+        self.observe = observe
         self.on_stop = on_stop
-        self.ending = StreamResult()
+        self.max_lag = max_lag
+        self.result = StreamResult()
         self.ticks = Ticks(pump.clock, 1.0 / rate)
         self.origin = 0.0
         """When the scene's own time begins [s of the clock]."""
 
     def play(self) -> StreamResult:
-        """Arm, go to the profile, and along it to its end, a stop or a wish.
+        """Arm, go to the profile, and along it to its end, a stop or a request to stop.
 
-        However this is left, by an exception too, the pump stands (or it is said that no hold
-        could be sent) and `ending` tells how.
+        However this is left, by an exception too, the pump is held (or it is said that no hold
+        could be sent) and `result` tells how.
         """
         try:
-            self.ending = self._forward()
+            self.result = self._forward()
+        except RecordingError as error:
+            self.result = StreamResult("stopped", str(error), "record")
         except PumpError as error:
-            self.ending = StreamResult("stopped", str(error), "replies", may_retreat=False)
+            self.result = StreamResult("stopped", str(error), "replies", may_retreat=False)
         except BaseException as error:
-            told = f"{type(error).__name__}: {error}".removesuffix(": ")
-            self.ending = StreamResult("stopped", told, "exception", may_retreat=False)
+            reason = f"{type(error).__name__}: {error}".removesuffix(": ")
+            self.result = StreamResult("stopped", reason, "exception", may_retreat=False)
             raise
         finally:
-            self._stand()
-        return self.ending
+            self._come_to_rest()
+        return self.result
 
     def _forward(self) -> StreamResult:
-        if self.wish.asked:
+        if self.request.asked:
             return self._interrupted()
+        self._refuse_targets()
         if not self.pump.armed:
             self.pump.arm(top_speed(self.profile))
-        course = led_in(self.profile, self.pump.goals, self.lead)
-        self.origin = self.pump.clock.now() + course.zero
-        return self._run(course, self._watch(course, stream_rules), 0)
+        path = led_in(self.profile, self.pump.goals, self.lead)
+        self.origin = self.pump.clock.now() + path.zero
+        guards = stream_rules(self.pump.settings, self._reach(path), self.max_lag)
+        return Run(self, path, guards, 0).go()
 
-    def _watch(self, course: Course, rules: Callable[[Settings, int], list[Guard]]) -> Watch:
-        return Watch(rules(self.pump.settings, course.reach(self.ticks.period)))
+    def _refuse_targets(self) -> None:
+        low, high = self.pump.settings.travel
+        counts = self.profile.counts
+        if counts.min() < low - DEAD_BAND or counts.max() > high + DEAD_BAND:
+            raise PumpError(
+                f"the profile goes from {counts.min():.0f} to {counts.max():.0f} counts, outside "
+                f"of travel [{low}, {high}]; nothing was sent"
+            )
 
-    def _run(self, course: Course, watch: Watch, heard: int) -> StreamResult:
-        """Ticks until the course is over, a rule is broken, or one more wish than was heard."""
-        self.pump.reach = course.reach(self.ticks.period)
-        free = free_speed(self.pump.settings)
-        points = SetPoints(course, self.ticks.period, free)
-        self.ticks.begin()
-        while self.ticks.elapsed <= course.duration:
-            if not self._untouched(heard):
-                return self._interrupted()
-            stop = self._tick(course, points, watch, heard)
-            if stop is not None:
-                return StreamResult("stopped", str(stop), stop.rule, stop.may_retreat)
-            self.ticks.wait(lambda: self._untouched(heard))
-        return StreamResult("complete", "played to its end")
+    def _reach(self, path: TargetPath) -> int:
+        return path.reach(CATCH_UP * self.ticks.period)
 
     def _interrupted(self) -> StreamResult:
-        return StreamResult("interrupted", f"asked to stop ({self.wish.first})")
+        return StreamResult("interrupted", f"asked to stop ({self.request.first})")
 
-    def _untouched(self, heard: int) -> bool:
-        return self.wish.times <= heard
+    def _come_to_rest(self) -> None:
+        """Hold first, whatever comes then; a request repeated at any time drops the torque."""
+        result = self.result
+        result.standing = self.pump.hold(in_place=result.status != "complete")
+        if result.may_retreat and result.verified and self.pump.armed:
+            if self.on_stop == "retract":
+                result.standing = self._retreat()
+            elif self.on_stop == "hold" and result.rule == "pressure_cap":
+                result.standing = self._retreat(self.pump.settings.max_pressure)
+        if result.status == "interrupted" and self.on_stop != "release" and self.pump.armed:
+            self._wait_for_second_request()
+        if self.on_stop == "release" or self.request.urgent:
+            result.standing = self.pump.release()
 
-    def _tick(self, course: Course, points: SetPoints, watch: Watch, heard: int) -> Stop | None:
-        """Read, judge, send, show."""
+    def _wait_for_second_request(self) -> None:
+        end = self.pump.clock.now() + SECOND_REQUEST_TIME
+        while not self.request.urgent and self.pump.clock.now() < end:
+            self.pump.clock.sleep(SLICE)
+
+    def _retreat(self, pressure: float | None = None) -> list[FinalServoState]:
+        """Draw the plungers back slowly, under all rules that still apply.
+
+        To home, or until no inlet is above a gauge ``pressure`` [Pa].
+        """
+        pump = self.pump
+        try:
+            path = way_back(self.profile, pump.goals, pump.settings.home)
+            heard = 1 if self.result.status == "interrupted" else 0
+            guards = retreat_rules(pump.settings, self._reach(path))
+            back = Run(self, path, guards, heard, pressure).go()
+        except PumpError as error:
+            back = StreamResult("stopped", str(error))
+        self.result.retreat = "" if back.status == "complete" else back.reason
+        return pump.hold()
+
+
+class Run:
+    """One way along a path, until its end, a stop, or one more request than was heard."""
+
+    def __init__(
+        self,
+        stream: Stream,
+        path: TargetPath,
+        guards: list[Guard],
+        heard: int,
+        relief: float | None = None,
+    ) -> None:
+        """``relief``: the way is over where no inlet is above this gauge pressure [Pa]."""
+        self.stream = stream
+        self.pump = stream.pump
+        self.ticks = stream.ticks
+        self.path = path
+        self.watch = Watch(guards)
+        self.heard = heard
+        self.relief = relief
+        self.progress = PathProgress(self.ticks.period)
+        self.points = SetPoints(path, self.ticks.period, free_speed(self.pump.settings))
+        self.relieved = False
+        self.settled = InSuccession()
+
+    def go(self) -> StreamResult:
+        """Ticks along the path, then until the plungers are at its end."""
+        self.ticks.begin()
+        while self.progress.place < self.path.duration or not self.settled.note(self._arrived()):
+            if not self._undisturbed():
+                return self.stream._interrupted()
+            if self.ticks.elapsed > self.path.duration + self._patience():
+                if self._arrived(DEAD_BAND):
+                    break
+                return self._short_of_target()
+            stop = self._tick()
+            if stop is not None:
+                return StreamResult("stopped", str(stop), stop.rule, stop.may_retreat)
+            if self.relieved:
+                break
+            self.ticks.wait(self._undisturbed)
+        if self.relief is not None and not self.relieved:
+            return StreamResult("stopped", "back at home, and the pressure is still above the cap")
+        return StreamResult("complete", "played to its end")
+
+    def _patience(self) -> float:
+        """After the end of the path [s]."""
+        return SETTLE_TIME + self.progress.lag * self.ticks.period
+
+    def _undisturbed(self) -> bool:
+        return self.stream.request.times <= self.heard
+
+    def _errors(self) -> dict[int, float]:
+        """By servo, from where it was last read to the end of the path [counts]."""
+        targets = zip(self.path.profile.servos, self.path.goals(self.path.duration), strict=True)
+        return {
+            servo: float(target) - self.pump.positions[servo]
+            for servo, target in targets
+            if self.pump.alarm is None
+        }
+
+    def _arrived(self, within: float = SETTLED) -> bool:
+        return all(abs(error) <= within for error in self._errors().values())
+
+    def _short_of_target(self) -> StreamResult:
+        errors = self._errors()
+        servo = max(errors, key=lambda one: abs(errors[one]))
+        return StreamResult(
+            "stopped",
+            f"not reached: servo {servo} stays {abs(errors[servo]):.0f} counts from its last "
+            "target; the plunger is blocked, or the torque limit too low for the pressure",
+            "not_reached",
+        )
+
+    def _tick(self) -> Stop | None:
+        """Read, judge, send, report."""
         states, pressure, pressed = self.pump.look()
         # Only now: what was read may have come late, and the goals are to be those of this moment.
         elapsed, read = self.ticks.now, self.pump.read_at - self.ticks.start
-        reach = self._reach(course, self.ticks.period)
-        points.learn(read, self.pump.positions)
-        goals, speeds = points.next(elapsed, self.pump.goals, reach)
+        commanded = self.progress.commanded(read)
+        ended = commanded >= self.path.duration
+        self.points.learn(commanded, self.pump.positions, SETTLED if ended else DEAD_BAND)
+        before = self.progress.place
+        place = self.progress.advance(elapsed)
+        self.pump.reach = self.path.reach(place - before)
+        goals, speeds = self.points.next(place, self.pump.goals, self.pump.reach)
         goals = self.pump.allowed(goals)
+        if ended:
+            speeds = dict.fromkeys(goals, SETTLE_SPEED)
         sample = Sample(
             time=self.pump.clock.now(),
             servos=states,
             pressure=pressure,
-            wanted=course.wanted(read),
+            wanted=self.path.wanted(commanded),
             pressed=pressed,
             goals=dict(self.pump.goals),
             next_goals=goals,
+            lag=self.progress.lag,
         )
-        stop = watch.check(sample)
+        self.relieved = self.relief is not None and _all_below(pressure, self.relief)
+        stop = self.watch.check(sample)
         self.pump.alarm = self.pump.alarm or stop
-        if stop is None and self._untouched(heard):
-            self.pump.set_goals(goals, speeds, course.paces(elapsed))
-        time = self.pump.read_at - self.origin
-        self.see(TickReport(time, sample, self.ticks.skipped, stop))
+        if stop is None and not self.relieved and self._undisturbed():
+            paces = self.path.paces(place)
+            self.pump.set_goals(
+                goals, speeds, {s: self.progress.pace * p for s, p in paces.items()}
+            )
+        time = self.pump.read_at - self.stream.origin
+        if not ended or stop is not None:
+            self.stream.observe(TickReport(time, sample, self.ticks.skipped, stop))
         return stop
 
-    def _reach(self, course: Course, period: float) -> int:
-        """One tick's travel, or what there was time for where the last goals were sent late."""
-        since = self.pump.clock.now() - self.pump.sent_at
-        return course.reach(min(since, period))
 
-    def _stand(self) -> None:
-        """Stand first, whatever comes then; a wish repeated meanwhile drops the torque."""
-        ending = self.ending
-        ending.standing = self.pump.hold()
-        if self.on_stop == "retract" and ending.may_retreat and ending.sure and self.pump.armed:
-            ending.standing = self._go_back()
-        if self.on_stop == "release" or self.wish.urgent:
-            ending.standing = self.pump.release()
-
-    def _go_back(self) -> list[FinalServoState]:
-        """Draw the plungers back to home, slowly and under all rules that still make sense."""
-        pump = self.pump
-        try:
-            course = way_back(self.profile, pump.goals, pump.settings.home)
-            heard = 1 if self.ending.status == "interrupted" else 0
-            back = self._run(course, self._watch(course, retreat_rules), heard)
-        except PumpError as error:
-            back = StreamResult("stopped", str(error))
-        self.ending.retreat = "" if back.status == "complete" else back.reason
-        return pump.hold()
+def _all_below(pressure: tuple[float | None, ...], cap: float) -> bool:
+    return all(p is None or p <= cap for p in pressure)

@@ -35,15 +35,29 @@ def torque_limit(pump: PumpSpec, speed: float = 0.0) -> int:
     )
     share = torque / stall_torque(servo, pump.supply_voltage)
     share += speed / free_speed(pump)
-    return min(math.ceil(FULL * ABOVE_CAP * share), FULL)
+    limit = min(math.ceil(FULL * ABOVE_CAP * share), FULL)
+    return limit if limit % 256 else limit + 1  # see `TorqueLimits`: no byte that tells is 0
 
 
 def following_limit(held: int, needed: int) -> int:
-    """Torque limit to go on with: the one in force while it is enough, and not notably more."""
+    """Torque limit to go on with: the one in force while it is enough, and not notably more.
+
+    What is returned differs from ``held`` in one of the register's two bytes, and is the next
+    step towards what is needed: see `TorqueLimits`.
+    """
     if needed <= held <= needed + NOTABLE:
         return held
     # A little more than needed, so that a speed that rises slowly does not raise it each tick.
-    return min(needed + NOTABLE // 4, FULL)
+    high, low = divmod(min(needed + NOTABLE // 4, FULL), 256)
+    low = max(low, 1)
+    # The low byte first where that is enough, so that what is reached is exact.
+    steps = [256 * (held // 256) + low] if held >= 256 and low != held % 256 else []
+    steps += [256 * high + held % 256] if high != held // 256 else []
+    enough = [step for step in steps if needed <= step <= FULL]
+    if enough:
+        return enough[0]
+    # Within the lowest 256 the low byte is written by way of a higher limit, for two ticks.
+    return max(steps) if steps else held + 256
 
 
 def free_speed(pump: PumpSpec) -> float:
@@ -59,36 +73,56 @@ def stalling_pressure(pump: PumpSpec, limit: int) -> float:
 
 
 @dataclass
-class TorqueSaturation:
-    """Which servos give all the torque that they are allowed, and since when.
+class TorqueLimits:
+    """Torque limits in force, and of which servos they may be changed.
 
-    A servo that does so for long shuts itself off: it sets its torque limit to 0, and whoever
-    writes that register gives it its torque back silently. Between reading a servo and writing
-    to it some milliseconds pass, so no limit is written to one that has been saturated for long.
+    A servo that gives all the torque it is allowed for long shuts itself off: it sets its torque
+    limit to 0, and whoever writes that register gives it its torque back. Between reading a
+    servo and writing to it some milliseconds pass. So nothing is written to one that has been
+    saturated for long; and where one shuts itself off in just these milliseconds, that is seen:
+    only one byte of the register is written at a time, so what is read next lacks the other.
     """
 
-    limits: dict[int, int] = field(default_factory=dict)
-    """Torque limits of servos that are well [1/1023 of stall]."""
-    since: dict[int, float] = field(default_factory=dict)
-    """When those that strain were first seen to [s of the clock]."""
+    in_force: dict[int, int] = field(default_factory=dict)
+    """By servo, as last read where it is well [1/1023 of stall]."""
+    saturated_since: dict[int, float] = field(default_factory=dict)
+    """[s of the clock]"""
+    sent: dict[int, tuple[int, int]] = field(default_factory=dict)
+    """By servo: the limit before the last change, and the one after it."""
 
-    def note(self, states: Mapping[int, ServoState], moment: float) -> None:
+    def update(self, states: Mapping[int, ServoState], moment: float) -> None:
         """What was read at a moment [s of the clock]."""
-        self.limits = {
+        self.in_force = {
             servo: state.torque_limit
             for servo, state in states.items()
             if state.torque and state.torque_limit > 0 and not state.errors
         }
         saturated = [servo for servo, state in states.items() if _saturated(state)]
-        self.since = {servo: self.since.get(servo, moment) for servo in saturated}
-
-    def writable(self, now: float) -> dict[int, int]:
-        """Torque limits in force of those servos that may be given another one."""
-        return {
-            servo: limit
-            for servo, limit in self.limits.items()
-            if now - self.since.get(servo, now) < LONGEST_SATURATION
+        self.saturated_since = {
+            servo: self.saturated_since.get(servo, moment) for servo in saturated
         }
+
+    def changes(self, needed: Mapping[int, int], now: float) -> dict[int, int]:
+        """Limits to be sent [1/1023 of stall]; none where none changes notably."""
+        limits = {
+            servo: following_limit(held, needed[servo])
+            for servo, held in self.in_force.items()
+            if servo in needed and now - self.saturated_since.get(servo, now) < LONGEST_SATURATION
+        }
+        return limits if any(limits[s] != self.in_force[s] for s in limits) else {}
+
+    def revived(self, states: Mapping[int, ServoState]) -> list[int]:
+        """Servos that had shut themselves off when their limit was changed."""
+        return [
+            servo
+            for servo, (before, after) in self.sent.items()
+            if servo in states and states[servo].torque_limit == _if_it_was_off(before, after) > 0
+        ]
+
+
+def _if_it_was_off(before: int, after: int) -> int:
+    """What a torque limit of 0 becomes by the one byte that was written."""
+    return after % 256 if after // 256 == before // 256 else after // 256 * 256
 
 
 def _saturated(state: ServoState) -> bool:

@@ -16,7 +16,7 @@ from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.transactions import NoReplyError
-from viscodesign.pump.play.hold import HOLD_SPEED, NEAR, FinalServoState
+from viscodesign.pump.play.hold import HOLD_SPEED, HOLD_TOLERANCE, FinalServoState
 from viscodesign.pump.play.pump import Pump, speed_register
 from viscodesign.pump.play.servo_state import read_servo
 from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
@@ -202,7 +202,7 @@ class PosePlayer:
                 return StreamResult(
                     "stopped", f"servo {servo} reports: {state.complaint}", "servo_alarm"
                 )
-            if abs(state.position - goal) > NEAR:
+            if abs(state.position - goal) > HOLD_TOLERANCE:
                 return StreamResult(
                     "stopped",
                     f"servo {servo} is at {state.position} counts, not at {goal}: it did not "

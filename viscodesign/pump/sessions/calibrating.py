@@ -148,7 +148,7 @@ class _CalibrationSteps:
             "Is it vented?",
         )
         for one in release(self.board, [servo], self.clock):
-            if not one.sure:
+            if not one.verified:
                 raise PumpError(str(one))
         outer, inner, home = (
             self.by_hand(

@@ -11,7 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from viscodesign._version import __version__
+from viscodesign.errors import UsageError
 from viscodesign.pump.play.servo_state import Sample, ServoState
+from viscodesign.pump.play.stream import RecordingError
 from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
 FLUSH_INTERVAL_S = 1.0
@@ -40,6 +42,8 @@ class Record:
         self._whole = 0
         """Bytes of whole rows in the file."""
         self._waiting = bytearray()
+        self.started = False
+        """Whether something may be moving: then a full disk is no fault of the command line."""
         self._more = more
         self._columns = columns(inlets, list(more))
         self._facts = dict(facts)
@@ -73,7 +77,18 @@ class Record:
             **self._facts,
             **more,
         }
-        write_bytes(self.beside, (json.dumps(document, indent=2) + "\n").encode())
+        with self._write_errors():
+            write_bytes(self.beside, (json.dumps(document, indent=2) + "\n").encode())
+
+    @contextlib.contextmanager
+    def _write_errors(self) -> Iterator[None]:
+        try:
+            with write_errors_as_usage(self.path):
+                yield
+        except UsageError as error:
+            if not self.started:
+                raise
+            raise RecordingError(f"{error} The record ends here") from error
 
     def _line(self, cells: Sequence[str]) -> None:
         self._waiting += (",".join(cells) + "\n").encode()
@@ -82,7 +97,7 @@ class Record:
         """All waiting rows, or none: a full disk leaves no half a row behind."""
         self._flushed = time.monotonic()
         left = bytes(self._waiting)
-        with write_errors_as_usage(self.path):
+        with self._write_errors():
             try:
                 while left:
                     left = left[self._table.write(left) :]
@@ -113,6 +128,7 @@ def recorded(
     with contextlib.closing(table):
         record = Record(path, table, inlets, facts, more or {})
         record.state(RUNNING)
+        record.started = True
         try:
             yield record
         finally:

@@ -98,7 +98,7 @@ def result_lines(result: StreamResult) -> list[str]:
     lines = [first, *(f"  {state}" for state in result.standing)]
     if result.retreat:
         lines.append(f"  not fully retracted: {result.retreat}")
-    if not result.sure:
+    if not result.verified:
         lines.append("  NOT VERIFIED: look at the pump, and switch its power off if in doubt")
     return lines
 
@@ -109,9 +109,10 @@ def result_document(result: StreamResult) -> dict[str, Any]:
         "status": result.status,
         "reason": result.reason,
         "rule": result.rule,
-        "hold_verified": result.sure,
+        "hold_verified": result.verified,
         "servos": [
-            {"id": one.servo, "verified": one.sure, "state": one.words} for one in result.standing
+            {"id": one.servo, "verified": one.verified, "state": one.words}
+            for one in result.standing
         ],
         "retreat": result.retreat,
     }
@@ -150,7 +151,7 @@ class PlaybackReport:
         if self.result is None:
             return
         kept = f"; {self.kept}" if self.kept else ""
-        if not self.result.sure or self.status == "stopped":
+        if not self.result.verified or self.status == "stopped":
             raise PumpError(f"stopped ({self.result.rule or 'hold not verified'}){kept}")
         if self.status == "interrupted":
             raise InterruptedRunError(f"interrupted{kept}")

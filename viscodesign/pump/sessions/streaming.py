@@ -264,11 +264,15 @@ class StreamSession:
             stream.play()
         finally:
             # After an exception too: the pump has come to rest, and everybody has to hear how.
-            result = stream.ending
+            result = stream.result
             facts["standing"] = [str(one) for one in result.standing]
             facts["ticks"] = stream.ticks.document()
             facts["measured_against_plan"] = self.tracking.document()
-            outcome = {"reason": result.reason, "rule": result.rule, "hold_verified": result.sure}
+            outcome = {
+                "reason": result.reason,
+                "rule": result.rule,
+                "hold_verified": result.verified,
+            }
             log.event("ended", status=result.status, **outcome, **facts)
             if result.status != "complete":
                 tell("\n".join(result_lines(result)))

@@ -37,7 +37,7 @@ def test_what_moves_stands(name: str, release: bool) -> None:
     board.line.drain()
     left = {one.servo: one for one in stop_all(board, range(1, 5), clock, release=release)}
     assert set(left) == {1, 2}
-    assert all(one.sure for one in left.values())
+    assert all(one.verified for one in left.values())
     before = pump.servos[0].position
     assert 250 < before < 350
     clock.sleep(3.0)
@@ -71,7 +71,7 @@ def test_a_loop_of_poses_ends_when_its_move_is_over() -> None:
     began = clock.now()
     left = stop_all(board, [1, 2], clock)
     assert [one.servo for one in left] == [1, 2]
-    assert all(one.sure for one in left)
+    assert all(one.verified for one in left)
     assert clock.now() - began < 40.0
     before = [servo.position for servo in pump.servos]
     clock.sleep(20.0)

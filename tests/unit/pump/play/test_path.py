@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from viscodesign.pump.play.path import AROUND, LEAD_SPEED, Course, led_in, way_back
+from viscodesign.pump.play.path import AROUND, LEAD_SPEED, TargetPath, led_in, way_back
 from viscodesign.pump.profile import Profile
 
 
@@ -56,7 +56,7 @@ def test_the_way_back_expects_no_pressure() -> None:
 def test_the_pace_is_the_steepest_part_about_a_moment_of_each_servo() -> None:
     uneven = profile([0.0, 10.0, 110.0, 110.0, 110.0], (1, 2))
     uneven.counts[:, 1] = [0.0, 0.0, 0.0, -30.0, 0.0]
-    course = Course(uneven, 0.0, 0.0)
+    course = TargetPath(uneven, 0.0, 0.0)
     assert course.paces(0.5) == {1: 10.0, 2: 0.0}
     assert course.paces(1.0 - 1.01 * AROUND) == {1: 10.0, 2: 0.0}
     assert course.paces(1.0 - 0.99 * AROUND) == {1: 100.0, 2: 0.0}

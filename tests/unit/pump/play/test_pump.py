@@ -113,7 +113,7 @@ def test_the_torque_limit_follows_cap_friction_and_speed() -> None:
 
 def test_release_is_read_back(armed: Rig) -> None:
     (left,) = armed.pump.release()
-    assert left.sure
+    assert left.verified
     assert not servo_of(armed).get(registers.TORQUE_ENABLE)
 
 

@@ -162,14 +162,14 @@ def test_a_silence_of_a_quarter_of_a_second() -> None:
 
 def test_every_rule_names_itself_and_leaves_a_healthy_pump_alone() -> None:
     rules = stream_rules(PumpSpec(syringe_diameter=0.0349), 3)
-    assert len({guard.rule for guard in rules}) == len(rules) == 10
+    assert len({guard.rule for guard in rules}) == len(rules) == 11
     assert all(guard.check(sample(time=0.01 * k)) is None for k in range(50) for guard in rules)
 
 
 def test_drawing_back_is_watched_by_all_but_the_pressure() -> None:
     pump = PumpSpec(syringe_diameter=0.0349)
     left_out = {g.rule for g in stream_rules(pump, 3)} - {g.rule for g in retreat_rules(pump, 3)}
-    assert left_out == {"pressure_cap", "sensor_frozen"}
+    assert left_out == {"behind_profile", "pressure_cap", "sensor_frozen"}
 
 
 # -- two inlets -----------------------------------------------------------------------------

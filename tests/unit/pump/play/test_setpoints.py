@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from viscodesign.pump.play.path import Course
+from viscodesign.pump.play.path import TargetPath
 from viscodesign.pump.play.pump import speed_register
-from viscodesign.pump.play.setpoints import LARGEST, SLOPE, SetPoints
+from viscodesign.pump.play.setpoints import LARGEST_LEAD, SLOPE, SetPoints
 from viscodesign.pump.profile import Profile
 
 PERIOD = 1 / 30
@@ -18,7 +18,7 @@ def points(speed: float) -> SetPoints:
     time = np.array([0.0, 10.0])
     counts = np.array([[500.0], [500.0 + 10.0 * speed]])
     profile = Profile(("inlet",), (1,), time, counts, np.zeros((2, 1)))
-    return SetPoints(Course(profile, 0.0, 0.0), PERIOD, FREE)
+    return SetPoints(TargetPath(profile, 0.0, 0.0), PERIOD, FREE)
 
 
 def test_a_slow_ramp_steps_by_single_counts_at_its_own_speed() -> None:
@@ -51,6 +51,6 @@ def test_what_a_load_holds_back_is_learnt_and_bounded() -> None:
     assert course.behind[1] == pytest.approx(3 * 0.25 * 8)
     for _ in range(100):
         course.learn(1.0, {1: 400})
-    assert course.behind[1] == LARGEST
+    assert course.behind[1] == LARGEST_LEAD
     course.learn(1.0, {1: 500})
-    assert course.behind[1] == LARGEST  # in place: what holds it there is kept
+    assert course.behind[1] == LARGEST_LEAD  # in place: what holds it there is kept

@@ -20,7 +20,7 @@ def test_the_board_plays_what_the_fit_says(ids: tuple[int, ...]) -> None:
     rig = PoseRig(ids)
     ending = rig.play()
     assert (ending.status, ending.reason) == ("complete", "played to its end")
-    assert ending.sure
+    assert ending.verified
     # What the firmware sends its servos, frame by frame, is what was measured.
     instants = FRAME * np.arange(rig.fit.frames + 1)
     stated = np.stack([np.interp(instants, rig.fit.time, c) for c in rig.fit.played.T], -1)
@@ -35,7 +35,7 @@ def test_a_loop_goes_round_until_it_is_halted() -> None:
     rig.stop_at = 3.3 * rig.fit.duration
     ending = rig.play()
     assert (ending.status, ending.reason) == ("interrupted", "asked to stop (SIGINT)")
-    assert ending.sure
+    assert ending.verified
     assert "cannot be interrupted" in rig.told[0]
     goals = np.array(rig.bench.goals)[:, 0]
     frames = rig.fit.frames
@@ -56,7 +56,7 @@ def test_a_halt_that_is_lost_is_sent_again() -> None:
     rig.stop_at = 1.0
     ending = rig.player.play()
     assert ending.status == "interrupted"
-    assert ending.sure
+    assert ending.verified
 
 
 def test_a_board_that_stays_deaf_is_told_with_the_power_switch() -> None:
@@ -67,7 +67,7 @@ def test_a_board_that_stays_deaf_is_told_with_the_power_switch() -> None:
     )
     rig.stop_at = 1.0
     ending = rig.player.play()
-    assert not ending.sure
+    assert not ending.verified
     assert "switch its power off" in ending.standing[0].words
 
 
@@ -79,7 +79,7 @@ def test_a_play_whose_answer_is_lost_is_not_sent_again_but_halted() -> None:
     ending = rig.player.play()
     assert ending.status == "stopped"
     assert "may have started" in ending.reason
-    assert ending.sure
+    assert ending.verified
     # Half a second until nobody answers, then the move that it was in.
     assert len(rig.bench.goals) <= 0.6 / FRAME + max(rig.fit.move_frames)
 
@@ -93,7 +93,7 @@ def test_what_is_left_of_half_a_packet_starts_nothing_unseen(cut: int) -> None:
     ending = rig.player.play()
     assert ending.status in ("complete", "stopped")
     # Behind an id the next header is a length of 255, which hangs the firmware for good.
-    assert ending.sure is (cut != 3)
+    assert ending.verified is (cut != 3)
     played = len(rig.bench.goals) > 0
     assert played == (ending.status == "complete")
 
@@ -102,7 +102,7 @@ def test_a_second_wish_to_stop_drops_the_torque_once_it_is_halted() -> None:
     rig = PoseRig(loop=True)
     rig.player.see = lambda elapsed: rig.wish.__dict__.update(times=2, first="SIGINT")
     ending = rig.play()
-    assert ending.sure
+    assert ending.verified
     assert "torque is off" in ending.standing[0].words
 
 
@@ -115,7 +115,7 @@ def test_one_fault_anywhere_ends_well_or_is_told(kind: type[faults.Fault]) -> No
             kind(rig.line.device.requests + request)  # type: ignore[attr-defined]
         )
         ending = rig.player.play()
-        assert ending.sure, (request, ending)
+        assert ending.verified, (request, ending)
         assert ending.status == "complete" or ending.reason
 
 
@@ -127,7 +127,7 @@ def test_a_pulled_cable_claims_no_hold() -> None:
     )
     ending = rig.player.play()
     assert ending.status == "stopped"
-    assert not ending.sure
+    assert not ending.verified
 
 
 def test_the_way_to_the_start_is_slow_and_torque_and_speed_are_limited() -> None:

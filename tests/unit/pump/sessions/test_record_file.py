@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+from io import FileIO
 from pathlib import Path
 
 import pandas as pd
@@ -14,6 +15,7 @@ import pytest
 
 from tests.unit.pump.samples import sample, servo
 from viscodesign.errors import UsageError
+from viscodesign.pump.play.stream import RecordingError
 from viscodesign.pump.sessions.record_file import FLUSH_INTERVAL_S, columns, recorded
 
 FACTS = {"board": "simulated", "simulated": True}
@@ -87,6 +89,21 @@ def test_a_full_disk_is_one_error_with_a_remedy(tmp_path: Path) -> None:
     path.symlink_to("/dev/full")
     with pytest.raises(UsageError, match="No space left"), recorded(path, ["inlet"], FACTS):
         pass
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+def test_a_disk_that_fills_up_on_the_way_is_no_usage_error(tmp_path: Path) -> None:
+    path = tmp_path / "record.csv"
+
+    def fill() -> None:
+        with FileIO("/dev/full", "w") as full, recorded(path, ["inlet"], FACTS) as record:
+            record._table = full
+            record.add(0.0, sample())
+            record.flush()
+
+    with pytest.raises(RecordingError, match="No space left") as raised:
+        fill()
+    assert raised.value.exit_code == 4
 
 
 def test_rows_are_flushed_once_a_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
