@@ -140,7 +140,7 @@ class Stream:
         path = led_in(self.profile, self.pump.goals, self.lead)
         self.origin = self.pump.clock.now() + path.zero
         guards = stream_rules(self.pump.settings, self._reach(path), self.max_lag)
-        return Run(self, path, guards, 0).go()
+        return PathRun(self, path, guards, 0).go()
 
     def _refuse_targets(self) -> None:
         low, high = self.pump.settings.travel
@@ -186,14 +186,14 @@ class Stream:
             path = way_back(self.profile, pump.goals, pump.settings.home)
             heard = 1 if self.result.status == "interrupted" else 0
             guards = retreat_rules(pump.settings, self._reach(path))
-            back = Run(self, path, guards, heard, pressure).go()
+            back = PathRun(self, path, guards, heard, pressure).go()
         except PumpError as error:
             back = StreamResult("stopped", str(error))
         self.result.retreat = "" if back.status == "complete" else back.reason
         return pump.hold()
 
 
-class Run:
+class PathRun:
     """One way along a path, until its end, a stop, or one more request than was heard."""
 
     def __init__(
