@@ -1,4 +1,4 @@
-"""What every effect of the catalogue promises, whoever wrote it."""
+"""The contract of effects: every member of the catalogue is held to it."""
 
 from __future__ import annotations
 

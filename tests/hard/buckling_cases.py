@@ -1,4 +1,4 @@
-"""Hard cases of columns: buckling, what comes after it, and snapping to the other side."""
+"""Hard cases of columns: buckling, postbuckling, and snap-through."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ ETA = 152.65
 
 
 def fold(run: Trajectory, first: float, speed: float, wanted: float) -> Iterator[Finding]:
-    """Curvature at which the branch is said to end."""
+    """Curvature at which the branch is reported to end."""
     said = re.search(r"after t = ([\d.]+) s", run.failure or "")
     found = first + speed * float(said[1]) if said else np.nan
     yield Finding("kappa0 L at the fold", found, wanted, 1e-4)
@@ -58,7 +58,7 @@ STEADY = 0.98
 """A load below Euler's, in Euler's loads."""
 LENGTHENING = "{kind: table, rows: [[0 s, 0], [2 s, 20 kPa]]}"
 PER_STRETCH = 1.8e6 / (0.047 * 16 / L)
-"""Pressure in all bellows that lengthens the column, over the stretch [Pa]."""
+"""Pressure in all bellows per stretch of the column [Pa]."""
 
 
 def too_long(run: Trajectory) -> Iterator[Finding]:
@@ -71,7 +71,7 @@ def too_long(run: Trajectory) -> Iterator[Finding]:
 
 
 ASIDE = 1e-3
-"""Imperfection: a force sideways [EI/L2]."""
+"""Imperfection: a lateral force [EI/L2]."""
 SLOPES = (20, 40, 60, 80, 100, 120)
 """End slopes of the perfect elastica [deg]."""
 BUCKLED = [elastica.buckled(np.radians(slope))[0] / elastica.EULER for slope in SLOPES]
@@ -87,22 +87,22 @@ BESIDE_A_FLUID = "effects={gravity: auto, pressure_distribution: on, others: off
 CASES: tuple[Case, ...] = (
     Case(
         "19a",
-        "1.1 times Euler's load, slightly aside",
-        "the bent, stable branch",
+        "1.1 times Euler's load, slightly imperfect",
+        "the stable, bent branch",
         (*compressed(1.1), INEXTENSIBLE, FINE),
         lambda run: tip(run, 1e-4, x=0.509533799298, phi=0.866452363899),
     ),
     Case(
         "19b",
         "8.9 times Euler's load",
-        "the tip turned by 176 degrees",
+        "the tip turns by 176 degrees",
         (*compressed(8.9), INEXTENSIBLE, FINE),
         lambda run: tip(run, 1e-4, phi=3.0676611267),
     ),
     Case(
         "19c",
         "a perfect column above Euler's load",
-        "no stable equilibrium is near",
+        "no stable equilibrium nearby",
         (*compressed(1.1, 0.0), INEXTENSIBLE),
         ending="refused",
         says=("no stable equilibrium", "% of the loads"),
@@ -117,7 +117,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "21a",
         "snap-through at 1.5 times Euler's load, without inertia",
-        "the fold is named, to 1e-4",
+        "the fold is reported, to 1e-4",
         (
             *bent((0, 0.5), (1, -0.5)),
             f"loads.tip_force.z={-1.5 * CRITICAL!r}",
@@ -133,7 +133,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "21b",
         "the same at twice Euler's load",
-        "the fold is named, to 1e-4",
+        "the fold is reported, to 1e-4",
         (
             *bent((0, 0.5), (1, -1.5)),
             f"loads.tip_force.z={-2.0 * CRITICAL!r}",
@@ -149,7 +149,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "21c",
         "the snap itself",
-        "inertia follows it to the mirrored shape",
+        "with inertia, the run follows it to the mirrored shape",
         (
             *bent((0, 2), (4, -2)),
             f"loads.tip_force.z={-1.5 * CRITICAL!r}",
@@ -161,8 +161,8 @@ CASES: tuple[Case, ...] = (
     *(
         Case(
             f"19{letter}",
-            f"{load:.4g} times Euler's load: {slope} degrees at the end",
-            "the elastica, its imperfection included",
+            f"{load:.4g} times Euler's load: {slope} degrees at the tip",
+            "the elastica, including the imperfection",
             (*compressed(load, ASIDE), INEXTENSIBLE, FINE),
             as_column(load),
         )
@@ -184,8 +184,8 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "21d",
-        "the snap at 1.5 times Euler's load beside a fluid that lags, without inertia",
-        "the fold is named, to 1e-4, however far the outputs are apart",
+        "the snap at 1.5 times Euler's load with lagging fluid, without inertia",
+        "the fold is reported, to 1e-4, for any output interval",
         (*SNAPPING, BESIDE_A_FLUID, FINE, "run={duration: 3 s, output_interval: 0.25 s}"),
         late_fold,
         ending="failed",
@@ -194,7 +194,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "21e",
         "a slow snap, where inertia may help",
-        "the run is done again in motion, and snaps",
+        "the run is repeated with inertia, and snaps",
         (
             *bent((0, 0.5), (60, -2.5)),
             *SNAPPING[-3:],
@@ -209,8 +209,8 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "21f",
-        "a perfect column that its fluid lengthens up to its critical load, without inertia",
-        "it does not stay straight beyond",
+        "a perfect column, lengthened by its fluid to its critical load, without inertia",
+        "it does not stay straight",
         (
             *columns(16, LENGTHENING, LENGTHENING),
             BESIDE_A_FLUID,

@@ -1,4 +1,4 @@
-"""A hard case: a scene, what must come of it, and what did."""
+"""A hard case: a scene, its expected outcome, and the actual one."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import solve
 
 VOLUME = 1e-8
-"""Imbalance of fluid allowed, relative."""
+"""Allowed relative imbalance of fluid volume."""
 ENERGY = 1e-4
-"""Imbalance of energy allowed at the default accuracy, of the work done."""
+"""Allowed imbalance of energy at the default accuracy, relative to the work done."""
 UNREFINED = 1e-2
-"""The same of a run that failed, whose first solution was never refined."""
+"""The same for a run that failed, whose first solution was never refined."""
 OVERSHOOT = 1e-3
-"""Share of the inlet's swing by which a pressure may leave its range, at the default accuracy."""
+"""Fraction of the inlet's swing by which a pressure may leave its range, at the default accuracy."""
 EXACT = "accuracy=0.0001 %"
-"""The one other accuracy of the table: for criteria of many digits."""
+"""The only other accuracy in the table: for criteria with many digits."""
 STIR = frozenset({"feedback", "fluid_inertance"})
 """Effects with which pressures may leave the range of the inlet's."""
 
@@ -35,7 +35,7 @@ Ending = Literal["complete", "failed", "refused"]
 
 @dataclass(frozen=True)
 class Finding:
-    """A number that was found, and the one that was wanted."""
+    """A number that was found, and the expected one."""
 
     what: str
     found: float
@@ -45,14 +45,14 @@ class Finding:
 
     @property
     def share(self) -> float:
-        """How much of what is allowed was used; not a number where nothing was found."""
+        """Deviation as a fraction of the allowed one; NaN where nothing was found."""
         if self.found == self.wanted:
             return 0.0
         return abs(self.found - self.wanted) / self.allowed if self.allowed else math.inf
 
     @property
     def holds(self) -> bool:
-        """Whether what was found is near enough."""
+        """Whether the deviation is within the allowed one."""
         return self.share <= 1.0
 
     def __str__(self) -> str:
@@ -60,17 +60,17 @@ class Finding:
 
 
 def relative(what: str, found: float, wanted: float, share: float) -> Finding:
-    """A finding that may be wrong by a share of what is wanted."""
+    """A finding with a relative tolerance."""
     return Finding(what, float(found), float(wanted), share * abs(float(wanted)))
 
 
 def at_most(what: str, found: float, limit: float) -> Finding:
-    """A finding whose size may not pass a limit."""
+    """A finding whose magnitude has a limit."""
     return Finding(what, float(found), 0.0, limit)
 
 
 def true(what: str, holds: bool) -> Finding:
-    """A finding that is a matter of yes or no."""
+    """A yes-or-no finding."""
     return Finding(what, float(bool(holds)), 1.0, 0.0)
 
 
@@ -84,10 +84,10 @@ Judge = Callable[[Trajectory], Iterable[Finding]]
 
 @dataclass(frozen=True)
 class Case:
-    """One row of the table: the paper's leg with single keys changed, and what it must do."""
+    """One row of the table: the paper's leg with single keys changed, and the expected outcome."""
 
     number: str
-    """Of the case, unique."""
+    """Its unique number."""
     name: str
     """What is hard about it."""
     must: str
@@ -95,13 +95,13 @@ class Case:
     changes: tuple[str, ...] = ()
     """Spec keys that differ from the configuration, as 'key=value'."""
     judge: Judge = lambda run: ()
-    """Findings beyond the invariants, which every case is held to."""
+    """Findings beyond the invariants that every case must satisfy."""
     ending: Ending = "complete"
     says: tuple[str, ...] = ()
-    """Words that the message of a case must hold that fails or is refused."""
+    """Words that the message must contain if the case fails or is refused."""
     config: str = "leg_16_straight_air"
     converges: bool = True
-    """Whether a solution of twice the fineness is to be compared, where one is affordable."""
+    """Whether to compare with a solution on half the mesh, where one is affordable."""
 
     def scene(self) -> Scene:
         """The scene; raises `SpecError` where the spec is refused."""
@@ -110,7 +110,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a case."""
+    """The outcome of a case."""
 
     case: Case
     ending: Ending
@@ -120,7 +120,7 @@ class Outcome:
 
     @property
     def complaints(self) -> list[str]:
-        """What is not as it must be."""
+        """Everything that is not as expected."""
         found = [str(finding) for finding in self.findings if not finding.holds]
         if self.ending != self.case.ending:
             found.append(f"it was to be {self.case.ending}, and is {self.ending}: {self.message}")
@@ -133,7 +133,7 @@ class Outcome:
 
 
 def outcome(case: Case) -> Outcome:
-    """Solve a case with the default settings, and judge it."""
+    """Solve a case with the default settings, and check it."""
     try:
         run = simulate(case.scene())
     except ViscodesignError as error:
@@ -160,7 +160,7 @@ def _balanced(run: Trajectory) -> Iterator[Finding]:
 
 
 def _within_range(case: Case, run: Trajectory) -> Iterator[Finding]:
-    """Without feedback and inertance pressures stay within the range of the inlets'."""
+    """Without feedback and inertance, pressures stay within the range of the inlets'."""
     taken = {verdict.name for verdict in run.effects if verdict.taken}
     scene = case.scene()
     sources = [source for source in scene.inputs.values() if source.gives_pressure]

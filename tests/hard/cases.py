@@ -1,4 +1,4 @@
-"""The table of hard cases: every one with its criterion, solved by the default settings."""
+"""The table of hard cases, each with its criterion, solved with default settings."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ LEFT_ITS_FLOOR = (
     "input={kind: trapezoid, low: -37.5 kPa, high: 64.4 kPa, rise: 0.394 ms, hold: 0, "
     "fall: 0.985 ms, rest: 0.394 ms}",
 )
-"""A thin gas that fills collapsed bellows: a linear estimate takes them for a hundred times softer."""
+"""A thin gas fills collapsed bellows, which a linear estimate takes to be a hundred times softer."""
 
 
 HEAVY_INSIDE = (
@@ -51,7 +51,7 @@ BLOWN_THROUGH = (
 
 
 def _as_at(accuracy: str, *changes: str) -> Judge:
-    """Held against the same scene at another accuracy: no farther apart than both state."""
+    """Compared with the same scene at another accuracy: no farther apart than both stated errors."""
 
     def judge(run: Trajectory) -> Iterator[Finding]:
         other = simulate(leg(*changes, f"accuracy={accuracy}"))
@@ -63,7 +63,7 @@ def _as_at(accuracy: str, *changes: str) -> Judge:
 
 
 def _all_losses_in(run: Trajectory) -> Iterator[Finding]:
-    """Held against the same scene with the loss of fast flow asked for by name."""
+    """Compared with the same scene with `flow_regime` switched on."""
     asked = simulate(leg(*LEFT_ITS_FLOOR, "effects={others: auto, flow_regime: on}"))
     apart = np.hypot(*(asked.tip - run.tip)[:, :2].T).max()
     stated = (run.accuracy.estimated_tip_error_m or 0.0) + (
@@ -76,8 +76,8 @@ def _all_losses_in(run: Trajectory) -> Iterator[Finding]:
 CASES: tuple[Case, ...] = (
     Case(
         "F1",
-        "steps without end, few allowed",
-        "fails soon, and says that its work is done",
+        "endless steps, few allowed",
+        "fails soon, and names the step limit",
         (
             "input={kind: sine, amplitude: 20 kPa, frequency: 0.3 Hz}",
             "run={duration: 26000 s, output_interval: 1000 s, start: rest, max_steps: 1000}",
@@ -87,8 +87,8 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "F2",
-        "a network beyond double precision, slower than any number tells",
-        "refused by the tubes' names",
+        "a network beyond double precision, too slow to represent",
+        "refused, naming the tubes",
         (
             "network={layout: straight, tube_radius: 0.3 mm, tube_length: 40 mm, changes: {R1-R2: {radius: 1 um}, inlet-R1: {radius: 100 mm}}}",
         ),
@@ -98,14 +98,14 @@ CASES: tuple[Case, ...] = (
     Case(
         "F3",
         "a rod that would turn a hundred times around",
-        "refused by the turn, not built for minutes",
+        "refused for the angle, not built for minutes",
         ("bellows.angle_per_pressure=9403", "effects.others=auto"),
         ending="refused",
         says=("bellows.angle_per_pressure", "rad"),
     ),
     Case(
         "F4",
-        "a sample of the input just before its corner",
+        "an output time just before a corner of the input",
         "complete",
         (
             "input={kind: table, rows: [[0, 0], [0.1, 1e4], [0.1000000001, -1e4], [0.2, 0]]}",
@@ -118,7 +118,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "F5",
         "a weight of 80,000 EI/l2, few steps allowed",
-        "the way to its equilibrium has a limit, too",
+        "the search for its equilibrium has a limit, too",
         (
             "loads.gravity={tilt: 5.7}",
             "actuator.density=1e9",
@@ -131,15 +131,15 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "F6",
-        "fast flow out of collapsed bellows, whose loss no linear estimate foresees",
-        "the run sees it, and takes the loss in",
+        "fast flow out of collapsed bellows, whose loss a linear estimate misses",
+        "the run detects it and includes the loss",
         LEFT_ITS_FLOOR,
         judge=_all_losses_in,
     ),
     Case(
         "F7",
         "an input that swings a thousand times faster than the rod it hardly moves",
-        "complete, its works added up as exactly as its motion",
+        "complete, its work integrated as accurately as its motion",
         (
             "effects={others: off, inertia: on, feedback: on}",
             "bellows.area_per_moment=2e-5",
@@ -151,7 +151,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "F8",
         "a pulse of a microsecond between outputs that are seconds apart",
-        "complete, its work seen",
+        "complete, its work included",
         (
             "effects={others: off}",
             "run={duration: 10 s, output_times: [1 ms, 5 s]}",
@@ -160,15 +160,15 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "F9",
-        "a light rod of much heavier fluid, told to a few percent",
-        "drawn out by its fluid as far as when told to a thousandth",
+        "a light rod with much heavier fluid, at an accuracy of a few percent",
+        "stretched by its fluid as far as at a tenth of a percent",
         (*HEAVY_INSIDE, "accuracy=4 %"),
         judge=_as_at("0.1 %", *HEAVY_INSIDE),
     ),
     Case(
         "F10",
-        "a gas that flows steadily from one inlet to another",
-        "at a high accuracy its density is taken in, at a low one the difference is stated",
+        "a steady flow of gas from one inlet to another",
+        "at high accuracy its compressibility is included, at low accuracy it is part of the stated error",
         (*BLOWN_THROUGH, "accuracy=3 %"),
         judge=_as_at("0.05 %", *BLOWN_THROUGH),
     ),

@@ -1,4 +1,4 @@
-"""Hard cases of a gas that yields, held against another integrator of the balance of its mass."""
+"""Hard cases of a compressible gas, against an independent integrator of its mass balance."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Law = Callable[[np.ndarray], np.ndarray]
 
 
 def pulse(drop: float) -> tuple[str, Callable[[float], float]]:
-    """The paper's pulse with a drop of its own [Pa], in words and as a function."""
+    """The paper's pulse with another drop [Pa], as an override and as a function."""
     words = (
         f"input={{kind: double_sigmoid, start: 40.41 kPa, drop: {drop!r}, fall_time: 0.5 s, "
         "rise_time: 4 s, transition: 0.875 s}"
@@ -74,7 +74,7 @@ def linear(p: np.ndarray) -> np.ndarray:
 
 
 def wall(changes: tuple[str, ...]) -> Law:
-    """Volume of a bellow whose walls meet [m3]."""
+    """Volume of a collapsing bellow [m3]."""
     law = Collapse.of(SceneQuantities(leg(*changes)))
     return lambda p: np.asarray(REST_VOLUME + law.wall(p)[0])
 
@@ -100,14 +100,14 @@ def gas(number: str, drop: float, exponent: float, hard: str, **digits: float) -
         yield at_most("mass imbalance", run.invariants.volume_imbalance_rel or 0.0, 1e-10)
 
     return Case(
-        number, hard, "another integrator's pressures; mass is kept to 1e-10", changes, judge
+        number, hard, "another integrator's pressures; mass conserved to 1e-10", changes, judge
     )
 
 
 CASES: tuple[Case, ...] = (
     Case(
         "16a",
-        "near vacuum, with what the scene calls for",
+        "near vacuum, with the effects that the scene needs",
         "no pressure below vacuum, no volume below the floor",
         ("effects=auto",),
         lambda run: [
@@ -119,7 +119,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "16b",
         "near vacuum, gas without collapse",
-        "ends by name at the floor",
+        "ends at the minimum volume, with a message",
         ("effects={gas_compressibility: on, collapse: off, others: off}",),
         ending="failed",
         says=("floor", "effects.collapse"),
@@ -127,7 +127,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "17",
         "gas, one-way",
-        "its mass is kept to 1e-10",
+        "mass conserved to 1e-10",
         (
             "effects={gas_compressibility: on, collapse: on, others: off}",
             "run={duration: 8 s, output_interval: 0.05 s}",
@@ -138,11 +138,11 @@ CASES: tuple[Case, ...] = (
         "17b",
         60e3,
         1.0,
-        "an isothermal gas in a pulse that empties nothing",
+        "an isothermal gas in a pulse that empties no bellow",
         R1=-14272.854,
         L1=25599.769,
     ),
-    gas("17c", 60e3, 1.4, "an adiabatic gas in it", R1=-14964.508, L1=22622.218),
+    gas("17c", 60e3, 1.4, "an adiabatic gas in the same pulse", R1=-14964.508, L1=22622.218),
     gas(
         "16c",
         141.3e3,

@@ -1,4 +1,4 @@
-"""Hard cases of time scales far apart: each limit is reached smoothly."""
+"""Hard cases of widely separated timescales: each limit is approached smoothly."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from viscodesign import Trajectory, simulate
 def grows(
     limit: tuple[str, ...], words: Callable[[float], tuple[str, ...]], *others: float
 ) -> Judge:
-    """The distance to a limit is proportional to what leads there.
+    """The distance to a limit is proportional to the parameter that leads there.
 
     ``limit``: what differs there; ``words``: what makes a run so far from it, and ``others``:
     how far runs are beside the case's own, which stands at 1.
@@ -50,12 +50,12 @@ def thin(factor: float) -> tuple[str, ...]:
 
 
 def thick(factor: float) -> tuple[str, ...]:
-    """A fluid so thick that nearly nothing flows."""
+    """A fluid so thick that hardly anything flows."""
     return ONE_WAY, fluid(1e5 / factor), TWO_SECONDS, EXACT
 
 
 def alternate(factor: float) -> str:
-    """Every second tube so many times as long as the others."""
+    """Every second tube longer than the others by this factor."""
     ends = zip(["inlet", *CHAIN], CHAIN, strict=False)
     return custom(*(f"{a} {b} {1 if k % 2 else factor}" for k, (a, b) in enumerate(ends)))
 
@@ -85,7 +85,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "2a",
         "1e12 times the mass",
-        "the rod does not move in the pulse",
+        "the rod does not move during the pulse",
         (
             "actuator.density=9.5e14",
             "effects={inertia: on, damping: on, pressure_distribution: on, others: off}",

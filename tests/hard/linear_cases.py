@@ -1,4 +1,4 @@
-"""Hard cases of linear networks, held against exact solutions of the same equations."""
+"""Hard cases of linear networks, against exact solutions of the same equations."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from viscodesign import Trajectory
 
 AMPLITUDE = 1e4
 RESOLVED = 1e-10
-"""Amplitude over the inlet's down to which pressures are held to a share of themselves."""
+"""Amplitude relative to the inlet's down to which pressures have a relative tolerance."""
 
 
 def chain_matrix(count: int, *, sealed: bool = False) -> np.ndarray:
-    """Rates of the paper's chain in air (count, count) [1/s], the inlet's pressure taken away."""
+    """Rates of the paper's chain in air (count, count) [1/s], relative to the inlet's pressure."""
     rates = np.diag(np.full(count - 1, 1.0), 1) + np.diag(np.full(count - 1, 1.0), -1)
     rates -= np.diag(rates.sum(axis=1))
     rates[0, 0] -= 0.0 if sealed else 1.0
@@ -36,7 +36,7 @@ def in_chain(run: Trajectory, names: list[str] = CHAIN) -> np.ndarray:
     return run.pressure[:, [run.bellows.index(name) for name in names]]
 
 
-# -- 5c: sealed, and not uniform ---------------------------------------------------------
+# -- 5c: sealed and nonuniform ---------------------------------------------------------
 
 FORCE = 100.0
 ISLAND = CHAIN[1:]
@@ -45,7 +45,7 @@ BENDS_VOLUME = LENGTH * 1.2e-6
 
 
 def relaxing(run: Trajectory) -> Iterator[Finding]:
-    """What a force's moments press out of some bellows flows to the others."""
+    """Fluid that the moments of a force displace from some bellows flows to the others."""
     middle = (np.arange(8) + 0.5) * L / 8
     pressed = BENDS_VOLUME / COMPLIANCE * FORCE * (L - middle)
     begun = {
@@ -93,7 +93,7 @@ def rung(radius: float, step: bool) -> tuple[tuple[str, ...], np.ndarray]:
 
 
 def ringing(radius: float, step: bool) -> Case:
-    """A case of it: after a step by the matrix exponential, in the pulse by Radau at 1e-12."""
+    """One such case: after a step by the matrix exponential, in the pulse by Radau at 1e-12."""
     words, rates = rung(radius, step)
     count = len(CHAIN)
     drive = chain_rates(radius, count)[1] / 1e4  # per pascal
@@ -156,7 +156,7 @@ def heard(frequency: float) -> Case:
     return Case(
         f"35{letter}",
         f"all bellows at {frequency:g} Hz",
-        "amplitudes down to 1e-10 of the inlet's, to 1e-4 of themselves",
+        "amplitudes down to 1e-10 of the inlet's, each to 1e-4",
         (
             ONE_WAY,
             AIR,
@@ -199,21 +199,21 @@ def as_exponential(run: Trajectory) -> Iterator[Finding]:
 CASES: tuple[Case, ...] = (
     Case(
         "3d",
-        "tubes by turns 1 and a millionth as long, after a step",
+        "tubes alternately 1 and a millionth as long, after a step",
         "the matrix exponential's pressures",
         CONTRAST,
         as_exponential,
     ),
     Case(
         "5c",
-        "a sealed chain under a force, its pressures not uniform",
-        "they even out by the matrix exponential, their sum stays",
+        "a sealed chain under a force, with nonuniform pressures",
+        "they equalise as the matrix exponential says; their sum stays",
         (
             STILL,
             custom("inlet R1 1", *(f"{a} {b} 1" for a, b in itertools.pairwise(ISLAND))),
             AIR,
             "effects={pressure_distribution: on, feedback: on, others: off}",
-            # Stiff, and moved by no pressure: then the moments are those of the straight rod.
+            # Stiff and unaffected by pressure, so that the moments are those of the straight rod.
             *(f"actuator.{way}_factor=1e6" for way in ("bending", "extension")),
             *(
                 f"bellows.{what}=0"
@@ -234,7 +234,7 @@ CASES: tuple[Case, ...] = (
         Case(
             f"11{letter}",
             f"{count} bellows: work",
-            "as many steps as for few, each linear in their number",
+            "as many steps as for few bellows, linear work per step",
             (
                 ONE_WAY,
                 AIR,

@@ -1,4 +1,4 @@
-"""Hard cases of the network: time scales, contrasts, jumps, sealed and branching parts."""
+"""Hard cases of the network: timescales, contrasts, jumps, sealed and branching parts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ONE_WAY = "effects={pressure_distribution: on, others: off}"
 CHAIN = chain_order(8)
 STEP = "input={kind: step, value: 1e5}"
 SWING = 1e-6
-"""Share of the inlet's swing to which pressures are held in exact cases."""
+"""Tolerance of pressures in exact cases, as a fraction of the inlet's swing."""
 
 
 def fluid(viscosity: float) -> str:
@@ -30,7 +30,7 @@ AIR, WATER = fluid(2e-5), fluid(1e-3)
 
 
 def until(duration: float, *times: float, start: str = "equilibrium") -> str:
-    """A run told at a few times."""
+    """A run with few output times."""
     told = (
         f", output_times: {[0.0, *times, duration]}"
         if times
@@ -40,7 +40,7 @@ def until(duration: float, *times: float, start: str = "equilibrium") -> str:
 
 
 def swing(run: Trajectory) -> float:
-    """Between all pressures that a run tells, at the inlets and inside [Pa]."""
+    """Range of all pressures of a run, at the inlets and inside [Pa]."""
     told = [run.pressure.ravel(), *run.inlet_pressure.values()]
     return float(np.ptp(np.concatenate(told)))
 
@@ -56,7 +56,7 @@ def pressures(
 
 
 def at(time: float, share: float = SWING, **wanted: float) -> Judge:
-    """The same as a judge."""
+    """The same as a criterion."""
     return lambda run: pressures(run, time, share, **wanted)
 
 
@@ -99,7 +99,7 @@ LOOPS = (
 
 
 def junction_flows(run: Trajectory) -> Iterator[Finding]:
-    """What comes to a junction leaves it."""
+    """What flows into a junction flows out."""
     flow = dict(zip(run.tubes, run.flow.T, strict=True))
     left = flow["inlet-j"] - flow["j-R1"] - flow["j-L1"]
     yield at_most(
@@ -120,7 +120,7 @@ def as_one_of(*changes: str, share: float = SWING) -> Judge:
 
 
 def gain(name: str, frequency: float, wanted: float) -> Judge:
-    """Amplitude of a bellow over the inlet's, in the last two periods."""
+    """Amplitude of a bellow relative to the inlet's, in the last two periods."""
 
     def judge(run: Trajectory) -> Iterator[Finding]:
         late = run.time >= run.time[-1] - 2 / frequency
@@ -133,7 +133,7 @@ def gain(name: str, frequency: float, wanted: float) -> Judge:
 
 
 def long_swing(run: Trajectory) -> Iterator[Finding]:
-    """The last of a thousand cycles has the phase and the mean of the exact ones, and the rest."""
+    """The last of a thousand cycles has the exact phase, mean and amplitude."""
     yield from pressures(run, 1e5, 1e-9, R1=-5545.395082138, L1=-10226.98012285)
     scene, turn = leg(*LONG_SINE), 2 * np.pi * 0.01
     exact = steady_swing(scene, turn)
@@ -176,13 +176,13 @@ LONG_SINE = (
 
 
 def settled(run: Trajectory) -> Iterator[Finding]:
-    """Back where the pulse began, everywhere, and for good."""
+    """Back where the pulse began, everywhere, and permanently."""
     late = run.pressure[run.time >= 2e3]
     yield at_most("pressure off 40410 Pa after the pulse", np.max(np.abs(late - 40410.0)), 1e-6)
 
 
 def cycles_alike(run: Trajectory) -> Iterator[Finding]:
-    """A cycle of the rod at the end of a long run is one of before."""
+    """A cycle of the rod at the end of a long run equals an early one."""
     early, late = run.tip[20 * 900 : 20 * 901 + 1], run.tip[-21:]
     stated = run.accuracy.estimated_tip_error_m or np.nan
     apart = np.hypot(*(late - early)[:, :2].T)
@@ -208,7 +208,7 @@ def shifted(run: Trajectory) -> Iterator[Finding]:
 
 
 def as_shifted(run: Trajectory) -> Iterator[Finding]:
-    """The same for an integrated network: to its tolerance, which was measured to be all."""
+    """The same for an integrated network, to its tolerance, which measurably is the whole error."""
     other = simulate(leg(ONE_WAY, EXACT, *GAUGE[2:]))
     yield at_most("angle apart", float(np.max(np.abs(run.tip[:, 2] - other.tip[:, 2]))), 1e-6)
     apart = float(np.max(np.abs(run.pressure - other.pressure - 140e3)))
@@ -224,7 +224,7 @@ GAUGE = (
 
 
 def tree(count: int) -> str:
-    """Every bellow hangs on the one of half its number."""
+    """Every bellow is connected to the one with half its number."""
     names = [f"{side}{j}" for j in range(1, count // 2 + 1) for side in "RL"]
     return custom(
         "inlet R1 1", *(f"{names[(k - 1) // 2]} {names[k]} 1" for k in range(1, count)), unit=5.0
@@ -260,14 +260,14 @@ CASES: tuple[Case, ...] = (
     Case(
         "3a",
         "one tube a million times as long",
-        "what leaks through it, to 1e-6",
+        "the leakage through it, to 1e-6",
         (ONE_WAY, AIR, EXACT, "network.changes={R2-R3: {length: 37.5 km}}", until(10.0)),
         at(10.0, R1=40409.99984817, R3=40258.17257455, L1=40258.17158767),
     ),
     Case(
         "3b",
         "one tube a millionth as long",
-        "as if its ends were one",
+        "as if its ends coincided",
         (ONE_WAY, AIR, EXACT, "network.changes={R2-R3: {length: 37.5 nm}}", until(10.0)),
         lambda run: [
             at_most(
@@ -279,7 +279,7 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "3c",
-        "tubes by turns 1 and a millionth as long",
+        "tubes alternately 1 and a millionth as long",
         "complete",
         (
             ONE_WAY,
@@ -296,7 +296,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "4",
         "an inlet 1e12 times as narrow",
-        "no drift but its own",
+        "no drift but the exact one",
         (ONE_WAY, AIR, EXACT, "network.changes={inlet-R1: {radius: 0.325 um}}", until(10.0)),
         at(10.0, 7e-9, R1=40261.52057907),
     ),
@@ -325,7 +325,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "6",
         "a junction without volume",
-        "no flow is lost in it",
+        "flows into it sum to zero",
         (
             "bellows.count=2",
             custom("inlet j 1", "j R1 0.1", "j L1 2"),
@@ -354,7 +354,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "7c",
         "two equal tubes side by side",
-        "as one of half the length",
+        "equivalent to one of half the length",
         (custom(*LISTED, "R3 R4 1"), ONE_WAY, AIR, EXACT, until(2.0, 0.5, 1.0)),
         as_one_of(
             "network.changes={R3-R4: {length: 18.75 mm}}", ONE_WAY, AIR, EXACT, until(2.0, 0.5, 1.0)
@@ -376,7 +376,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "9a",
         "a step at t = 0",
-        "no overshoot; the first pressures",
+        "no overshoot; correct initial pressures",
         (ONE_WAY, AIR, STEP, EXACT, until(0.1, 1e-3, start="rest")),
         lambda run: [
             *pressures(run, 1e-3, R1=8671.7196918497),
@@ -386,7 +386,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "9b",
         "a step within the run",
-        "as one at the start",
+        "the same as a step at the start",
         (ONE_WAY, AIR, "input={kind: step, value: 1e5, time: 1}", EXACT, until(1.1, 1.0, 1.001)),
         lambda run: [
             *pressures(run, 1.001, R1=8671.7196918497),
@@ -396,7 +396,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "9c",
         "a pulse a million times as steep",
-        "complete, monotone",
+        "complete and monotone",
         (
             ONE_WAY,
             AIR,
@@ -445,7 +445,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "12a",
         "a thousand slow swings, 1e5 s",
-        "no drift and no error of phase",
+        "no drift, no phase error",
         LONG_SINE,
         long_swing,
         converges=False,
@@ -460,8 +460,8 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "12c",
-        "swings that equal samples would all miss: 2000 of 1 Hz",
-        "complete; a cycle at the end is one of before",
+        "2000 swings at 1 Hz that uniform samples would all miss",
+        "complete; the last cycle equals an early one",
         (
             ONE_WAY,
             WATER,
@@ -491,7 +491,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "14b",
         "inertance, underdamped: tubes of 2 mm",
-        "it rings, and energy is kept",
+        "it rings, and energy is conserved",
         (
             "effects={fluid_inertance: on, others: off}",
             "fluid=water",
@@ -504,15 +504,15 @@ CASES: tuple[Case, ...] = (
     Case("15a", "a gauge pressure of 140 kPa", "pressures shift, angles stay", GAUGE, shifted),
     Case(
         "15c",
-        "the same while pressures differ from tube to tube",
-        "they shift and angles stay, to the error that is stated",
+        "the same with a pressure distribution",
+        "pressures shift, angles stay, to the stated error",
         (GAUGE[0], ONE_WAY, EXACT, *GAUGE[2:]),
         as_shifted,
     ),
     Case(
         "15b",
         "the same at rest",
-        "length and volume, and a warning",
+        "exact length and volume, and a warning",
         (
             "gauge_pressure=140 kPa",
             "input={kind: constant, value: 0}",
@@ -528,7 +528,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "18",
         "water at the published amplitude",
-        "warned of turbulence, with the number",
+        "a warning of turbulence with the Reynolds number",
         (ONE_WAY, "fluid={name: own water, viscosity: 1e-3, density: 1000}"),
         reynolds,
     ),
@@ -569,7 +569,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "40",
         "few outputs",
-        "the pressures of many",
+        "the same pressures as with many",
         (ONE_WAY, AIR, EXACT, until(4.0, 2.0)),
         as_one_of(ONE_WAY, AIR, EXACT, "run={duration: 4 s, output_interval: 10 ms}"),
     ),

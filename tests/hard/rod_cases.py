@@ -35,7 +35,7 @@ from viscodesign import Trajectory, simulate
 
 
 def mirrored(*swapped: str) -> Judge:
-    """Swapping the columns, and what else has a side, mirrors the motion to round-off."""
+    """Swapping the columns, and everything else that has a side, mirrors the motion to round-off."""
 
     def judge(run: Trajectory) -> Iterator[Finding]:
         yield from _mirror_image(run, 1e-12, *swapped)
@@ -44,7 +44,7 @@ def mirrored(*swapped: str) -> Judge:
 
 
 def nearly_mirrored(run: Trajectory) -> Iterator[Finding]:
-    """The same to the stated error: beyond 200 unknowns systems are solved by Householder's QR,
+    """The same to the stated error: beyond 200 unknowns, systems are solved by Householder QR,
     and CasADi's gives its factor a positive diagonal, for which a mirrored sign is another."""
     yield from _mirror_image(run, 2 * as_stated(run) * L, FINE)
 
@@ -71,7 +71,7 @@ def chain(*, swapped: bool = False) -> str:
 
 
 def ten_times_larger(run: Trajectory) -> Iterator[Finding]:
-    """The same actuator in other sizes, of the same dimensionless numbers."""
+    """The same actuator at another size, with the same dimensionless numbers."""
     scale = 10.0
     other = simulate(
         leg(
@@ -97,7 +97,7 @@ def ten_times_larger(run: Trajectory) -> Iterator[Finding]:
 
 
 def in_other_units(run: Trajectory) -> Iterator[Finding]:
-    """The same numbers, their units written otherwise."""
+    """The same numbers in other units."""
     other = simulate(
         leg(
             "run={duration: 1000 ms, output_interval: 500 ms}",
@@ -121,7 +121,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "22a",
         "curled once around",
-        "the tip comes back to the clamp",
+        "the tip returns to the clamp",
         (*bent((0, 2 * np.pi), (1, 2 * np.pi)), "effects={others: off}", SHORT),
         lambda run: [*tip(run, 1e-9, x=0.0, z=0.0, phi=2 * np.pi)],
         converges=False,
@@ -140,7 +140,7 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "22c",
-        "curled from once to ten times around",
+        "curling from once to ten times around",
         "at every full turn the tip is at the clamp",
         (
             *bent((0, 2 * np.pi), (9, 20 * np.pi)),
@@ -183,7 +183,7 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "25a",
-        "100 periods of an undamped rod let go under its weight",
+        "100 periods of an undamped rod released under its weight",
         "energy drifts by less than 1e-3",
         (
             STILL,
@@ -198,7 +198,7 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "26a",
-        "let go at once under its weight",
+        "released suddenly under its weight",
         "the vibration about the sag, to 3 digits",
         (
             STILL,
@@ -216,7 +216,7 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "26b",
-        "let go at once under 100 times its weight",
+        "released suddenly under 100 times its weight",
         "a large swing, to 3 digits",
         (
             STILL,
@@ -231,7 +231,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "27",
         "driven at its first frequency",
-        "linear growth, no damping of the steps",
+        "linear growth, no numerical damping",
         (
             *columns(
                 16,
@@ -251,7 +251,7 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "28a",
-        "self-excited: coefficients that are not reciprocal, loaded, undamped",
+        "self-excited: non-reciprocal coefficients, loaded, undamped",
         "the growth is reported",
         (
             STILL,
@@ -280,7 +280,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "29a",
         "negative compliance in bending",
-        "refused with its number",
+        "refused with its value",
         (COUPLED, "bellows.area_per_moment=9.16e-5"),
         ending="refused",
         says=("area_per_moment", "negative", "compliance"),
@@ -288,7 +288,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "29b",
         "negative compliance in extension",
-        "refused with its number",
+        "refused with its value",
         (COUPLED, "bellows.area_per_force=1.557e-6"),
         ending="refused",
         says=("area_per_force", "negative", "compliance"),
@@ -314,7 +314,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "30",
         "a coupling of the wrong sign",
-        "warned of",
+        "a warning",
         (
             COUPLED,
             "bellows.area_per_moment=-1.2e-6",
@@ -372,10 +372,10 @@ CASES: tuple[Case, ...] = (
         (chain(), SHORT, "loads.gravity={tilt: 30 deg}"),
         mirrored("loads.gravity={tilt: -30 deg}"),
     ),
-    Case("34", "ten times the size", "the same in its own lengths", (SHORT,), ten_times_larger),
+    Case("34", "ten times the size", "the same relative to its length", (SHORT,), ten_times_larger),
     Case(
         "34b",
-        "told in mm, kPa and ms",
+        "written in mm, kPa and ms",
         "the same to round-off",
         (SHORT,),
         in_other_units,

@@ -1,4 +1,4 @@
-"""Words and judges that the rod's hard cases share."""
+"""Overrides and criteria that the rod's hard cases share."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ CRITICAL = np.pi**2 / 4 * EI / L**2
 PER_PASCAL = 8 * 10.266 / 1.8e6
 """Angle of all sections per pressure of the left bellows above the right ones [rad/Pa]."""
 FINE = "accuracy=0.01 %"
-"""Of what vibrates for long."""
+"""Settings for long vibrations."""
 STATIC = "effects={gravity: auto, others: off}"
 IN_MOTION = "effects={gravity: auto, inertia: auto, damping: auto, others: off}"
 UNDAMPED = "effects={inertia: on, gravity: auto, others: off}"
@@ -28,7 +28,7 @@ SHORT = "run={duration: 1 s, output_interval: 0.5 s}"
 STILL = "input={kind: constant, value: 0}"
 INEXTENSIBLE = "actuator.extension_factor=1e6"
 DENSITY = f"actuator.density={0.269 / (0.03 * 0.02 * 0.47)!r}"
-"""Of the references: 0.269 kg/m, the paper's rounded mass per length."""
+"""As in the references: 0.269 kg/m, the paper's rounded mass per length."""
 PULSE = "run={duration: 2 s, output_interval: 0.05 s}"
 
 
@@ -75,7 +75,7 @@ def as_stated(run: Trajectory) -> float:
 
 
 def same_without(*changes: str) -> Judge:
-    """The tip is as in a scene that lacks an effect, to both stated errors."""
+    """The tip is as in a scene without an effect, to both stated errors."""
 
     def judge(run: Trajectory) -> Iterator[Finding]:
         other = simulate(leg(*changes))

@@ -1,4 +1,4 @@
-"""Hard cases of bellows whose pressure falls as they swell: they snap, one after another."""
+"""Hard cases of bellows whose pressure falls as they swell: they snap one after another."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ def law(swelling: np.ndarray) -> np.ndarray:
 
 
 def ramp(*points: tuple[float, float]) -> tuple[str, Source]:
-    """An input through points, in words and as a function."""
+    """An input through points, as an override and as a function."""
     rows = ", ".join(f"[{t!r} s, {p!r}]" for t, p in points)
     times, values = zip(*points, strict=True)
     return f"input={{kind: table, rows: [{rows}]}}", lambda t: float(np.interp(t, times, values))
 
 
 def swollen(times: np.ndarray, source: Callable[[float, float], float]) -> np.ndarray:
-    """Swellings (T, B) of a chain from rest; ``source``: (t, what it has given) -> pressure."""
+    """Swellings (T, B) of a chain from rest; ``source``: (t, volume delivered) -> pressure."""
     resist = resistance(VISCOSITY)
 
     def rates(t: float, y: np.ndarray) -> np.ndarray:
@@ -76,7 +76,7 @@ def followed(run: Trajectory, exact: np.ndarray) -> Iterator[Finding]:
 
 
 def under(source: Source) -> Judge:
-    """A pressure drives the chain."""
+    """The chain is driven by a pressure."""
 
     def judge(run: Trajectory) -> Iterator[Finding]:
         exact = swollen(run.time, lambda t, given: source(t))
@@ -88,15 +88,15 @@ def under(source: Source) -> Judge:
 
 
 SPEED, BORE, BARREL = 2e-3, 0.02, 0.1
-"""Of a syringe's plunger [m/s], its barrel's diameter and length [m]."""
+"""Speed of a syringe's plunger [m/s], diameter and length of its barrel [m]."""
 BULK = 2e9
 """Bulk modulus of its liquid [Pa]."""
 BEYOND = LENGTH * 1.5e-4
-"""A swelling beyond the last fall [m3]."""
+"""A swelling beyond the last falling part [m3]."""
 
 
 def pushed(run: Trajectory) -> Iterator[Finding]:
-    """A plunger gives the chain its volume, whatever the pressure."""
+    """The chain is driven by a plunger, which prescribes its volume."""
     section = np.pi * BORE**2 / 4
 
     def barrel(t: float, given: float) -> float:
@@ -110,7 +110,7 @@ def pushed(run: Trajectory) -> Iterator[Finding]:
 
 
 def one_after_another(run: Trajectory) -> Iterator[Finding]:
-    """When each passes the area of the last fall: no two at once."""
+    """When each passes the area of the last falling part: no two at once."""
     columns = [run.bellows.index(name) for name in ORDER]
     swelling = run.volume[:, columns] - run.volume[0, columns]
     big = swelling > BEYOND
@@ -144,7 +144,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "43b",
         "a syringe pushes a chain through its snaps",
-        "volumes are given, pressures fall and rise: another integrator's",
+        "prescribed volumes; another integrator's pressures, falling and rising",
         (
             f"bellows.count={COUNT}",
             CURVE,
@@ -158,7 +158,7 @@ CASES: tuple[Case, ...] = (
     ),
     Case(
         "43c",
-        "the same with all that the scene calls for",
+        "the same with all effects that the scene needs",
         "bellows snap one after another",
         (
             f"bellows.count={COUNT}",
@@ -173,7 +173,7 @@ CASES: tuple[Case, ...] = (
     Case(
         "43d",
         "a run that begins above the snap",
-        "refused: no steady state is come to without a snap",
+        "refused: no steady state is reached without a snap",
         (CURVE, FLUID, ALONE, "input={kind: constant, value: 30 kPa}"),
         ending="refused",
         says=("snaps", "run.start: rest"),
@@ -181,14 +181,14 @@ CASES: tuple[Case, ...] = (
     Case(
         "43e",
         "one pressure for a network that snaps",
-        "refused: only flow tells how fast it snaps",
+        "refused: only flow determines how fast it snaps",
         (CURVE, "effects={material_curve: on, others: off}"),
         ending="refused",
         says=("bellows.curve", "effects.pressure_distribution"),
     ),
     Case(
         "43f",
-        "sealed bellows filled on the way to the snap, beside a fed one",
+        "sealed bellows, filled up to near the snap, beside a fed one",
         "their pressure and volume stay",
         (
             f"bellows.count={COUNT}",

@@ -1,4 +1,4 @@
-"""Every hard case, solved by the default settings or refused by name."""
+"""Every hard case, solved with default settings or refused by name."""
 
 from __future__ import annotations
 

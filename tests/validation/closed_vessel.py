@@ -1,4 +1,4 @@
-"""A plunger on a closed vessel of barrel and bellows, worked out apart from the package."""
+"""A plunger on a closed vessel of barrel and bellows, computed independently of the package."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ AREA = np.pi * DIAMETER**2 / 4
 VISCOSITY, STIFF = 5e-4, 2e9
 COUNT = 4
 Ratio = Callable[[float], float]
-"""Density over that at ambient pressure, of gauge pressure."""
+"""Density relative to that at ambient pressure, as a function of gauge pressure."""
 
 
 def gas(exponent: float) -> tuple[str, Ratio]:
@@ -38,7 +38,7 @@ def syringe(plan: str) -> str:
 def steady_pressure(
     pushed: float, ratio: Ratio, network_ratio: Ratio, baseline: float = 0.0
 ) -> float:
-    """All of the vessel at one pressure: what barrel and bellows hold never changes."""
+    """The whole vessel at one pressure: the amount in barrel and bellows is constant."""
     full = AREA * START + DEAD
 
     def held(p: float, out: float) -> float:
@@ -50,7 +50,7 @@ def steady_pressure(
 
 
 def stiff(p: float) -> float:
-    """Density of a network that does not yield."""
+    """Density of an incompressible network."""
     del p
     return 1.0
 
@@ -91,7 +91,7 @@ def reference(
         return np.asarray(((AMBIENT + p) ** 2 - AMBIENT**2) / (2 * AMBIENT))  # n = 1 alone
 
     def rate(t: float, held: np.ndarray) -> np.ndarray:
-        # Scaled by the volume at rest, so that one tolerance fits all.
+        # Scaled by the rest volume, so that one tolerance fits all.
         p = pressures(held * REST_VOLUME, AREA * place(t))
         flow = -np.diff(potential(p)) * conductance
         return np.diff(np.concatenate([[0.0], flow, [0.0]])) / -REST_VOLUME

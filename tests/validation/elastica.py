@@ -1,4 +1,4 @@
-"""A clamped column under dead loads at its tip, by boundary values and by elliptic integrals.
+"""A clamped column under dead loads at its tip: boundary value problem and elliptic integrals.
 
 Lengths are in those of the column, forces in EI/L2. Nothing of the package is used.
 """
@@ -18,7 +18,7 @@ TOLERANCE = 1e-10
 
 @dataclass(frozen=True)
 class Tip:
-    """Where a column ends: across and along its first direction, and its angle from there."""
+    """The end of a column: across and along its initial direction, and its angle from it."""
 
     x: float
     z: float
@@ -26,7 +26,7 @@ class Tip:
 
 
 def critical(eta: float) -> float:
-    """First load that buckles a column of EA L2/EI = ``eta``: P (1 - P/eta) = pi2/4."""
+    """Critical load of a column with EA L2/EI = ``eta``: P (1 - P/eta) = pi2/4."""
     return float(eta / 2 * (1 - np.sqrt(1 - 4 * EULER / eta)))
 
 

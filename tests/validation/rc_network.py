@@ -1,4 +1,4 @@
-"""A small network of bellows and tubes of its own, to hold the package's against.
+"""A small, independent network of bellows and tubes to compare the package with.
 
 Nothing of the package is used: nodes store what a function of their pressure says, tubes
 let through what a function of the two end pressures says, `scipy` integrates.
@@ -17,16 +17,16 @@ Law = Callable[[np.ndarray], np.ndarray]
 Source = Callable[[float], float]
 
 LENGTH = 0.018
-"""Of a bellow along the stream [m]."""
+"""Length of a bellow along the flow [m]."""
 COMPLIANCE = LENGTH * 3.413e-9
-"""C of a bellow of the paper's leg [m3/Pa]."""
+"""Compliance C of a bellow of the paper's leg [m3/Pa]."""
 REST_VOLUME = 0.010 * 0.012 * LENGTH
 RADIUS = 3.25e-4
 TUBE = 0.0375
 AMBIENT = 101325.0
 MODULUS = 1.8e6
 INLET = -1
-"""Number of the inlet among a tube's ends."""
+"""Index of the inlet among the ends of tubes."""
 
 
 def resistance(viscosity: float, length: float = TUBE, radius: float = RADIUS) -> float:
@@ -35,18 +35,18 @@ def resistance(viscosity: float, length: float = TUBE, radius: float = RADIUS) -
 
 
 def only(*effects: str) -> str:
-    """Override that takes the network, the effects named, and nothing else."""
+    """Override that includes the network, the named effects, and nothing else."""
     named = ", ".join(f"{name}: on" for name in ("pressure_distribution", *effects))
     return f"effects={{{named}, others: off}}"
 
 
 def outputs(times: np.ndarray, start: str = "equilibrium") -> str:
-    """Override of a run that is told at ``times``."""
+    """Override of a run with outputs at ``times``."""
     return f"run={{duration: {float(times[-1])!r}, start: {start}, output_times: {times.tolist()}}}"
 
 
 def sine(mean: float, amplitude: float, frequency: float) -> tuple[str, Source]:
-    """Override of the input, and the same as a function of time; it starts at its lowest."""
+    """Override of the input, and the same as a function of time; it starts at its minimum."""
     words = f"input={{kind: sine, mean: {mean!r}, amplitude: {amplitude!r}, "
     words += f"frequency: {frequency!r}, phase: {-np.pi / 2!r}}}"
     return words, lambda t: mean - amplitude * np.cos(2 * np.pi * frequency * t)
@@ -54,7 +54,7 @@ def sine(mean: float, amplitude: float, frequency: float) -> tuple[str, Source]:
 
 @dataclass(frozen=True)
 class Network:
-    """Nodes 0..n-1 that hold fluid; tubes (start, end), `INLET` for the source."""
+    """Nodes 0..n-1 that store fluid; tubes (start, end), `INLET` for the source."""
 
     tubes: Sequence[tuple[int, int]]
     stiffness: Law
@@ -102,12 +102,12 @@ def step_response(
 
 
 def worst(found: np.ndarray, expected: np.ndarray) -> float:
-    """Largest difference over the swing of what is expected."""
+    """Largest difference, relative to the swing of the expected values."""
     return float(np.max(np.abs(found - expected)) / np.ptp(expected))
 
 
 def columns(count: int, left: str, right: str) -> tuple[str, ...]:
-    """Overrides: all left bellows on an inlet of their own, all right ones on another."""
+    """Overrides: one inlet for all left bellows, another for all right ones."""
     tubes = ", ".join(
         f"{{from: {inlet}, to: {inlet[0].upper()}{j + 1}}}"
         for inlet in ("left", "right")

@@ -1,4 +1,4 @@
-"""Natural frequencies: of beams by their characteristic equation, of a motion by a fit."""
+"""Natural frequencies: of beams from the characteristic equation, of a motion by a fit."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def rayleigh_frequencies(slenderness: float, count: int) -> np.ndarray:
 
 
 def fitted_frequencies(time: np.ndarray, motion: np.ndarray, guess: np.ndarray) -> np.ndarray:
-    """Angular frequencies whose cosines, with a constant, make up a motion that is let go.
+    """Angular frequencies whose cosines, with a constant, make up a released motion.
 
     Amplitudes follow by least squares for every trial of the frequencies.
     """

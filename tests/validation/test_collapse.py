@@ -1,4 +1,4 @@
-"""Bellows whose walls meet, against the stated law and an integrator of its own.
+"""Collapsing bellows, against the stated law and an independent integrator.
 
 Above p_f + c a bellow follows its pressure p, below p_f + c (1 - e u^3)/(1 + u + u^2) with
 u = (c - (p - p_f))/c, e = 0.01; c = k V_0/C for a collapse fraction k, and p_f is the floor
@@ -27,7 +27,7 @@ from tests.validation.rc_network import (
 from viscodesign import simulate
 
 EMPTY = REST_VOLUME / COMPLIANCE
-"""Suction at which the linear law has no volume left [Pa]."""
+"""Suction at which the volume of the linear law is zero [Pa]."""
 AMBIENT = 101325.0
 GIVE = 0.01
 FINE = "accuracy=1e-6"
@@ -38,13 +38,13 @@ TIMES = np.linspace(0.05, 8.0, 160)
 
 
 def bounds(fraction: float) -> tuple[float, float]:
-    """Pressure of the floor, and range of fading above it [Pa]."""
+    """Pressure at the floor, and range above it over which the compliance fades [Pa]."""
     floor = -(1 - fraction) * EMPTY
     return floor + GIVE / (1 - GIVE) * (AMBIENT + floor), (fraction or 0.05) * EMPTY
 
 
 def followed(pressure: np.ndarray, fraction: float) -> np.ndarray:
-    """The pressure that a bellow still follows [Pa]."""
+    """The effective pressure [Pa]."""
     floor, fade = bounds(fraction)
     u = (fade - (pressure - floor)) / fade
     with np.errstate(over="ignore"):
@@ -65,7 +65,7 @@ def pulse(t: float) -> float:
     return float(40410 - 141300 * fall + 141300 * rise)
 
 
-def test_law_has_no_kink_and_falls_to_its_floor() -> None:
+def test_law_is_smooth_and_falls_to_its_floor() -> None:
     floor, fade = bounds(0.1)
     for p in (floor + fade, floor, floor - 1e4):
         step = 1e-2
@@ -130,7 +130,7 @@ def test_far_from_the_floor_nothing_changes(pressures: tuple[float, float]) -> N
 
 
 def test_far_from_the_floor_nothing_changes_in_motion() -> None:
-    """But for the integrator's own steps, which round-off may choose otherwise."""
+    """Except for the integrator's steps, which round-off may change."""
     words = "input={kind: sine, mean: 5 kPa, amplitude: 25 kPa, frequency: 1 Hz}"
     common = ("bellows.count=4", FLUID, words, "run={duration: 2 s}", "accuracy=1e-7")
     with_, without = (simulate(leg(*common, e), verify=False) for e in (COLLAPSE, only()))

@@ -1,4 +1,4 @@
-"""Effects of the network that meet in one scene, against an integrator of its own."""
+"""Network effects combined in one scene, against an independent integrator."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ FINE = "accuracy=1e-6"
 def ringing_bellow(
     radius: float, step: float, lost: Callable[[float], float], times: np.ndarray
 ) -> np.ndarray:
-    """Pressure (T,) of one bellow behind one tube that loses ``lost`` of its flow."""
+    """Pressure (T,) of one bellow behind one tube with the loss ``lost`` of its flow."""
     inertance = 4 / 3 * DENSITY * TUBE / (np.pi * radius**2)
     size = step * np.sqrt(COMPLIANCE / inertance)
 
@@ -72,7 +72,7 @@ def test_turbulence_damps_a_ringing_bellow(viscosity: float) -> None:
 
 
 def test_gas_in_bellows_that_collapse_under_the_published_pulse() -> None:
-    """Down to 435 Pa absolute: mass is (V_0 + C p_e) P/P_0, and a tube lets through what P^2 says."""
+    """Down to 435 Pa absolute: mass is (V_0 + C p_e) P/P_0, and the flow of a tube follows P^2."""
     viscosity, fraction, times = 4e-4, 0.1, np.linspace(0.05, 8.0, 160)
 
     def stiffness(p: np.ndarray) -> np.ndarray:

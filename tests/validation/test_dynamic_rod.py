@@ -27,7 +27,7 @@ from viscodesign.solve.transient import integrate
 
 UNDAMPED = "effects={inertia: on, others: off}"
 REFERENCE_DENSITY = 0.269 / (0.03 * 0.02 * 0.47)
-"""The references take 0.269 kg/m, the paper's rounded mass per length."""
+"""The references use 0.269 kg/m, the paper's rounded mass per length."""
 
 
 def problem_of(edges_per_section: int, *overrides: str) -> Problem:
@@ -48,7 +48,7 @@ def bending_frequencies(problem: Problem) -> np.ndarray:
 
 
 def test_first_natural_frequencies() -> None:
-    """Of a rod so stiff along its axis that its axial modes lie far above."""
+    """A rod so stiff along its axis that its axial modes are far higher."""
     problem = problem_of(
         4,
         STILL,
@@ -87,7 +87,7 @@ def test_small_vibration_decays_as_a_damped_mode(damping_time: float) -> None:
 
 
 def test_released_damped_rod_follows_its_closed_form() -> None:
-    """A small side load put on at once: the first mode rings down about the deflection.
+    """A small side load applied suddenly: the first mode rings down about the deflection.
 
     The load's share of mode n is known, so the sum of the first modes is the exact
     linear answer; the tip is followed through four periods.
@@ -119,7 +119,7 @@ def test_released_damped_rod_follows_its_closed_form() -> None:
 
 
 def test_two_way_coupled_leg_hanging_in_gravity() -> None:
-    """All of the core at once: network, feedback, inertia, gravity, large deflection; undamped."""
+    """The whole core at once: network, feedback, inertia, gravity, large deflection; undamped."""
     case = reference("rod_dynamic")["coupled_leg_straight_two_way_hanging_in_gravity"]
     problem = problem_of(
         2,
@@ -129,7 +129,7 @@ def test_two_way_coupled_leg_hanging_in_gravity() -> None:
         "effects={inertia: on, feedback: on, pressure_distribution: on, gravity: on, others: off}",
         f"run={{duration: 2 s, output_times: {case['times']}}}",
     )
-    # The reference starts in equilibrium without weight; gravity then acts at once.
+    # The reference starts in equilibrium without weight; gravity then acts suddenly.
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece, loaded=False)
     motion = read_motion(problem, integrate(problem, start, 1e-6))
     tip, pressure = np.array(case["tip"]), np.array(case["p"])

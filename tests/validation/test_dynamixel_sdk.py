@@ -1,4 +1,4 @@
-"""ROBOTIS' own library speaks to the computed servos, and finds what we find."""
+"""ROBOTIS' own library talks to the simulated servos and finds what ours finds."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_it_finds_the_servos_and_their_model(port: Any) -> None:
     assert protocol.ping(port, 3)[1] == TIMEOUT
 
 
-def test_registers_agree_in_both_ways(port: Any, server: PtyServer) -> None:
+def test_registers_agree_in_both_directions(port: Any, server: PtyServer) -> None:
     protocol = sdk.PacketHandler(1.0)
     for register in registers.TABLE:
         read = protocol.read1ByteTxRx if register.size == 1 else protocol.read2ByteTxRx
@@ -63,7 +63,7 @@ def test_registers_agree_in_both_ways(port: Any, server: PtyServer) -> None:
     assert protocol.read1ByteTxRx(port, 2, 25) == (1, WELL, 0)
 
 
-def test_what_it_writes_we_read_and_the_other_way_round(server: PtyServer) -> None:
+def test_what_it_writes_we_read_and_vice_versa(server: PtyServer) -> None:
     protocol = sdk.PacketHandler(1.0)
     theirs = sdk.PortHandler(server.port)
     assert theirs.setBaudRate(1_000_000)
@@ -83,7 +83,7 @@ def test_what_it_writes_we_read_and_the_other_way_round(server: PtyServer) -> No
     theirs.closePort()
 
 
-def test_error_bits_come_through(port: Any, server: PtyServer) -> None:
+def test_error_bits_are_reported(port: Any, server: PtyServer) -> None:
     protocol = sdk.PacketHandler(1.0)
     with server.lock:
         server.device.bench.servos[0].alarm(ErrorBits.OVERLOAD)

@@ -1,4 +1,4 @@
-"""The energy balance sees every term: none can be halved or doubled without a word."""
+"""The energy balance detects every term: none can be halved or doubled unnoticed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from viscodesign.simulation.error_control import ENERGY_LIMIT
 from viscodesign.simulation.solve_once import solve
 
 SEEN = 5e-4
-"""Imbalance, at least, where a term that matters (a thousandth of the work) is wrong twofold."""
+"""Least imbalance if a term that matters (a thousandth of the work) is off by a factor of two."""
 SINE = "input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}"
 FEW = "bellows.count=4"
 GAS = "pressure_distribution: on, gas_compressibility: on, collapse: on, flow_regime: on"
@@ -77,11 +77,11 @@ CUT = {
     "driven one-way rod": 1e-2,
     "heavy fluid, shared pressure": 1e-2,
 }
-"""Part of the first tolerance with which the energy is balanced; a tenth for most."""
+"""Fraction of the first tolerance at which the energy is balanced; a tenth for most."""
 
 
 def balance(scene: str) -> Invariants:
-    """At the tolerance that a run of the default accuracy ends with."""
+    """At the final tolerance of a run of the default accuracy."""
     config, changes = SCENES[scene]
     quantities = SceneQuantities(leg(*changes, config=config))
     effects = select_effects(quantities).effects
@@ -115,10 +115,10 @@ def test_energy_is_balanced(scene: str) -> None:
 @pytest.mark.parametrize(
     ("scene", "term"), [(scene, term) for scene, terms in TERMS for term in terms]
 )
-def test_a_wrong_term_is_seen(
+def test_a_wrong_term_is_detected(
     scene: str, term: str, factor: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In the equations themselves, wherever the term is: among the rates, or the outputs."""
+    """In the equations themselves, wherever the term is: in the rates or in the outputs."""
     own = formulation._Formulation._balances
 
     def wrong(self: formulation._Formulation) -> object:

@@ -1,4 +1,4 @@
-"""Friction at every Reynolds number and losses at a tube's ends, against a library of its own.
+"""Friction at every Reynolds number and losses at a tube's ends, against an independent library.
 
 The library `fluids` has Churchill's friction factor (1977); the local losses are K dynamic
 pressures of the mean speed.
@@ -26,11 +26,11 @@ from tests.validation.rc_network import (
 from viscodesign import simulate
 
 DENSITY, VISCOSITY = 1000.0, 1e-5
-"""So thin a liquid that a Reynolds number of a million asks for few pascals."""
+"""A liquid so thin that a Reynolds number of a million takes few pascals."""
 REGIME = only("flow_regime")
 FINE = "accuracy=1e-6"
 LENGTH, BORE = 0.5, 2e-3
-"""Of the tubes of steady flow, and their radius [m]."""
+"""Length and radius of the tubes in steady flow [m]."""
 
 
 def fluid(viscosity: float) -> str:
@@ -43,7 +43,7 @@ def flow_at(reynolds: float) -> float:
 
 
 def loss(flow: float, viscosity: float, length: float, radius: float, ends: float) -> float:
-    """Darcy and Weisbach, with the library's factor, and the ends [Pa]."""
+    """Darcy-Weisbach with the library's friction factor, and the losses at the ends [Pa]."""
     speed = flow / (np.pi * radius**2)
     reynolds = 2 * DENSITY * abs(speed) * radius / viscosity
     # Below one the turbulent part is less than round-off, and the library overflows.
@@ -53,7 +53,7 @@ def loss(flow: float, viscosity: float, length: float, radius: float, ends: floa
 
 
 def steady(pressure: float, *overrides: str) -> np.ndarray:
-    """Flows of two equal tubes in a row, under a pressure across both."""
+    """Flows of two equal tubes in series, under a pressure across both."""
     found = simulate(
         leg(
             "bellows.count=2",
@@ -95,14 +95,14 @@ def test_friction_factor_from_laminar_to_turbulent(reynolds: float, sign: int) -
     ],
 )
 def test_losses_at_the_ends(reynolds: float, entrance: float, exit_: float, keys: bool) -> None:
-    """The first three with what a spec that is silent gets."""
+    """The first three with the defaults of the spec."""
     flow = flow_at(reynolds)
     pressure = 2 * loss(flow, VISCOSITY, LENGTH, BORE, entrance + exit_)
     told = (f"network.entrance_loss={entrance}", f"network.exit_loss={exit_}") if keys else ()
     assert steady(pressure, *told) == pytest.approx(flow, rel=1e-6)
 
 
-def test_slow_flow_is_that_of_hagen_and_poiseuille() -> None:
+def test_slow_flow_obeys_hagen_poiseuille() -> None:
     flow = flow_at(0.01)
     pressure = 2 * 8 * VISCOSITY * LENGTH / (np.pi * BORE**4) * flow
     assert steady(pressure, "network.entrance_loss=0", "network.exit_loss=0") == pytest.approx(
@@ -121,7 +121,7 @@ class Lossy:
         return np.array([self._one(drop) for drop in before - after])
 
     def _one(self, drop: float) -> float:
-        # Laminar friction alone lets the most through.
+        # Laminar friction alone bounds the flow from above.
         most = abs(drop) * self.slow * (1 + 1e-9) + 1e-30
         size = brentq(lambda q: self._loss(q) - abs(drop), 0.0, most, xtol=1e-22, rtol=1e-13)
         return float(np.sign(drop) * size)
@@ -132,7 +132,7 @@ class Lossy:
 
 @pytest.mark.parametrize("viscosity", [2e-4, 8e-4])
 def test_turbulent_chain_follows_the_reference(viscosity: float) -> None:
-    """Bellows filled and emptied through tubes whose flow turns turbulent and back."""
+    """Bellows filled and emptied through tubes whose flow becomes turbulent and laminar again."""
     words, inlet = sine(2e4, 2.5e4, 1.0)
     times = np.linspace(0.02, 0.7, 35)
     scene = leg("bellows.count=4", words, fluid(viscosity), outputs(times), REGIME, FINE)

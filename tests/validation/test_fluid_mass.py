@@ -18,8 +18,8 @@ MASS = LEG_MASS_PER_LENGTH + FLUID_PER_LENGTH
 
 
 @pytest.mark.parametrize("fluid", [True, False])
-def test_horizontal_leg_sags_under_body_and_fluid(fluid: bool) -> None:
-    """m g l^4/(8 EI) and m g l^3/(6 EI): an even load on a cantilever, small deflection."""
+def test_horizontal_leg_sags_under_the_weight_of_body_and_fluid(fluid: bool) -> None:
+    """m g l^4/(8 EI) and m g l^3/(6 EI): a uniform load on a cantilever, small deflection."""
     gravity = 1e-2
     mass = MASS if fluid else LEG_MASS_PER_LENGTH
     found = simulate(
@@ -58,13 +58,13 @@ def test_pressure_at_rest_grows_downwards(tilt: float, distribution: str) -> Non
     assert found.status == "complete", found.failure
     middles = (np.arange(8) + 0.5) / 8 * LEG_LENGTH
     head = DENSITY * 9.80665 * np.cos(np.radians(tilt)) * middles
-    # At rest from the start on: the head is in equilibrium with the inlet at the clamp.
+    # At rest from the start: the head is in equilibrium with the inlet at the clamp.
     for row in (0, -1):
         assert found.pressure[row] == pytest.approx(np.tile(head, 2), abs=2e-4 * head.max())
 
 
 @pytest.mark.parametrize("pressure", [0.0, 2e4, -2e4])
-def test_fluid_slows_the_swing(pressure: float) -> None:
+def test_fluid_lowers_the_frequency(pressure: float) -> None:
     """A pascal more on the left lets the leg ring: with the mass that its bellows then hold.
 
     Equal pressures stretch it. Curvature, stiffness and mass are per reference length; a
@@ -92,7 +92,7 @@ def test_fluid_slows_the_swing(pressure: float) -> None:
     )
     assert found.status == "complete", found.failure
     tip = found.tip[:, 0]
-    # It rings as an undamped mode does, from nothing to twice the steady deflection.
+    # It rings like an undamped mode, between zero and twice the steady deflection.
     steady = 10.266 * 8 / 1.8e6 * LEG_LENGTH / 2 * stretch
     assert tip.max() == pytest.approx(2 * steady, rel=0.2)
     assert abs(tip.min()) <= 0.2 * steady

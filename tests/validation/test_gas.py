@@ -1,4 +1,4 @@
-"""Gas of which mass is conserved, against an integrator and closed forms of its own.
+"""Gas whose mass is conserved, against an independent integrator and closed forms.
 
 Ideal gas: rho/rho_0 = (P/P_0)^(1/n); Hagen-Poiseuille in every slice of a tube, so that
 mass flow follows the integral of the density over pressure.
@@ -64,7 +64,7 @@ def network(exponent: float, ambient: float = AMBIENT) -> Network:
     return Network(chain(4), stiffness, flow)
 
 
-def test_reference_tends_to_the_incompressible_network() -> None:
+def test_reference_approaches_the_incompressible_network() -> None:
     """Under a huge ambient pressure the gas is stiff: the matrix exponential is exact."""
     ambient, step = 1e13, 1e4
     found = network(1.0, ambient).follow(lambda t: step, np.zeros(4), TIMES)
@@ -76,7 +76,7 @@ def test_reference_tends_to_the_incompressible_network() -> None:
 
 
 def test_reference_conserves_mass() -> None:
-    """The same in masses instead of pressures, whose inverse is a quadratic."""
+    """The same in terms of masses instead of pressures, which follow from a quadratic."""
     _, inlet = sine(5e3, 3e4, 1.0)
     gas = network(1.0)
     pressure = gas.follow(inlet, np.full(4, inlet(0.0)), TIMES)
@@ -111,7 +111,7 @@ def test_gas_in_a_chain_follows_the_reference(exponent: float) -> None:
     expected = network(exponent).follow(inlet, np.full(4, inlet(0.0)), TIMES)
     pressure = in_order(found.pressure, found.bellows, chain_order(2))
     assert worst(pressure, expected) <= 1e-5
-    # It is the gas that is seen: without it the pressures differ a thousand times as much.
+    # The comparison sees the gas: without it the pressures differ a thousand times as much.
     plain = simulate(leg("bellows.count=4", words, fluid(exponent), outputs(TIMES), only()))
     assert worst(in_order(plain.pressure, plain.bellows, chain_order(2)), expected) >= 1e-2
     assert found.invariants.volume_imbalance_rel is not None
@@ -121,7 +121,7 @@ def test_gas_in_a_chain_follows_the_reference(exponent: float) -> None:
 @pytest.mark.parametrize("exponent", [1.0, 1.3])
 @pytest.mark.parametrize("middle", ["R1", "joint"])
 def test_steady_flow_from_one_source_to_another(exponent: float, middle: str) -> None:
-    """Half-way the integral of the density is the mean: for n = 1 the root mean square of P."""
+    """Halfway, the integral of the density is the mean: for n = 1 the root mean square of P."""
     high, low = 6e4, -5e4
     more = ", {from: joint, to: R1, length: 37.5 mm}" if middle == "joint" else ""
     scene = leg(

@@ -1,4 +1,4 @@
-"""Fluid that has to be accelerated: resistor, inductor and capacitor, in closed form."""
+"""Fluid inertance: resistor, inductor and capacitor, in closed form."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def inertance(radius: float) -> float:
 
 
 def ring(radius: float, times: np.ndarray) -> np.ndarray:
-    """Step response of I C p'' + R C p' + p = STEP, by its two roots."""
+    """Step response of I C p'' + R C p' + p = STEP from its two roots."""
     rate = resistance(VISCOSITY, radius=radius) / (2 * inertance(radius))
     root = np.sqrt(complex(rate**2 - 1 / (inertance(radius) * COMPLIANCE)))
     slow, fast = -rate + root, -rate - root
@@ -46,7 +46,7 @@ def step(count: int, network: str, times: np.ndarray) -> tuple[str, ...]:
 @pytest.mark.parametrize("radius", [3.25e-4, 8e-4, 2e-3])
 @pytest.mark.parametrize("both", [True, False])
 def test_one_tube_and_one_bellow(radius: float, both: bool) -> None:
-    """From overdamped, the paper's tube, to ringing; the other bellow alike, or sealed."""
+    """From overdamped, the paper's tube, to ringing; the other bellow the same, or sealed."""
     period = 2 * np.pi * np.sqrt(inertance(radius) * COMPLIANCE)
     times = np.linspace(0.05, 4.0, 80) * period
     ends = ["inlet R1", "inlet L1"] if both else ["inlet R1"]
@@ -58,7 +58,7 @@ def test_one_tube_and_one_bellow(radius: float, both: bool) -> None:
 
 
 def chain_rates(radius: float, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Rates of (pressures, flows) of a chain, and what the step adds to them."""
+    """Rates of (pressures, flows) of a chain, and the contribution of the step."""
     resist, inert = resistance(VISCOSITY, radius=radius), inertance(radius)
     rate = np.zeros((2 * count, 2 * count))
     own, flows = np.arange(count), count + np.arange(count)
@@ -88,14 +88,14 @@ def test_chain_of_four(radius: float) -> None:
     pressure = in_order(found.pressure, found.bellows, chain_order(2))
     assert np.max(np.abs(pressure - exact[:, :4])) <= 2e-5 * STEP
     assert np.max(np.abs(found.flow - exact[:, 4:])) <= 1e-4 * np.ptp(exact[:, 4:])
-    # Under a constant source viscosity takes energy, and nothing gives any.
+    # Under a constant source, viscosity dissipates energy and nothing supplies any.
     away = pressure - STEP
     energy = COMPLIANCE * (away**2).sum(axis=1) + inertance(radius) * (found.flow**2).sum(axis=1)
     assert np.all(np.diff(energy) <= 1e-5 * energy[0])
 
 
 def test_junction_without_volume() -> None:
-    """A trunk forks to two bellows by branches of unlike length; the flows' sum is kept."""
+    """A trunk forks into two branches of different length, each to a bellow; flows sum to zero."""
     radius, lengths = 1e-3, np.array([1.0, 0.5, 2.0])
     times = np.linspace(0.02, 1.5, 50)
     resist = resistance(VISCOSITY, radius=radius) * lengths

@@ -1,4 +1,4 @@
-"""What each inlet has given, against what the network holds in closed form."""
+"""The volume each inlet has delivered, against the network's content in closed form."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def held(pressure: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("effects", ["pressure_distribution: on", "pressure_distribution: off"])
 @pytest.mark.parametrize("baseline", [0.0, 5e3])
-def test_one_inlet_gives_what_the_bellows_hold_beyond_their_filling(
+def test_one_inlet_delivers_what_the_bellows_hold_beyond_their_initial_content(
     effects: str, baseline: float
 ) -> None:
     found = simulate(
@@ -44,7 +44,7 @@ def test_one_inlet_gives_what_the_bellows_hold_beyond_their_filling(
 
 
 def shared(*overrides: str) -> Scene:
-    """Both columns joined at their ends, an inlet at each of their starts."""
+    """Both columns connected at their ends, an inlet at the start of each."""
     last = "    - {from: L7, to: L8, length: 37.5 mm}\n"
     text = (CONFIGS / "antagonistic_two_inlets.yaml").read_text(encoding="utf-8")
     assert last in text
@@ -52,13 +52,13 @@ def shared(*overrides: str) -> Scene:
     return parse_scene(text.encode(), overrides=overrides, known=known_effects())
 
 
-def test_inlets_of_one_network_give_together_what_it_holds() -> None:
+def test_inlets_of_one_network_together_deliver_its_content() -> None:
     scene = shared("run.duration=3 s", "inputs.left.phase=40 deg", "accuracy=1e-6")
     assert [len(c.inlets) for c in scene.graph.components()] == [2]
     found = simulate(scene, verify=False)
     together = sum(found.inflow.values())
     bellows = held(found.pressure).sum(axis=1) - held(np.zeros(16)).sum()
-    # Tubes between them hold gas as well where that effect is taken.
+    # Tubes between them store gas as well where that effect is included.
     assert np.asarray(together) == pytest.approx(bellows, abs=0.02 * float(np.ptp(bellows)))
     assert float(np.ptp(found.inflow["left"] - found.inflow["right"])) > 0.1 * np.ptp(bellows)
 

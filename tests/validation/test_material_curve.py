@@ -1,4 +1,4 @@
-"""Measured curves of a bellow in the place of its coefficients, against scipy's PCHIP."""
+"""Measured curves of a bellow instead of its coefficients, against SciPy's PCHIP."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ CURVED = np.column_stack(
         1e-3 * np.arctan(PRESSURE / 2e4),
     ]
 )
-"""A bellow that stiffens in volume, softens in angle, and stops to extend."""
+"""A bellow that stiffens in volume, softens in angle, and stops extending."""
 
 
 def rows(table: np.ndarray) -> str:
@@ -50,7 +50,7 @@ def rows(table: np.ndarray) -> str:
 
 
 @pytest.mark.parametrize("pressures", [(4.9e4, -3.9e4), (-1.3e4, 2e4)])
-def test_straight_rows_change_nothing(pressures: tuple[float, float]) -> None:
+def test_a_straight_curve_equals_the_coefficients(pressures: tuple[float, float]) -> None:
     common = (*two_columns(4, *pressures), FINE)
     measured = simulate(leg(*common, rows(STRAIGHT), CURVE), verify=False)
     plain = simulate(leg(*common, only()), verify=False)
@@ -58,8 +58,8 @@ def test_straight_rows_change_nothing(pressures: tuple[float, float]) -> None:
     assert measured.tip == pytest.approx(plain.tip, abs=1e-12)
 
 
-def test_straight_rows_change_nothing_in_motion() -> None:
-    """But for the integrator's own steps, which round-off may choose otherwise."""
+def test_a_straight_curve_equals_the_coefficients_in_motion() -> None:
+    """Except for the integrator's steps, which round-off may change."""
     words, _ = sine(5e3, 4e4, 1.0)
     common = ("bellows.count=4", FLUID, words, "run={duration: 2 s}", "accuracy=1e-7")
     measured = simulate(leg(*common, rows(STRAIGHT), CURVE), verify=False)
@@ -86,7 +86,7 @@ def test_steady_shape_follows_the_curves(count: int, pressures: tuple[float, flo
 
 
 def test_transient_follows_the_reference(tmp_path: Path) -> None:
-    """The curve from a file; its slope is the compliance that each pressure meets."""
+    """The curve comes from a file; its slope is the compliance at each pressure."""
     file = tmp_path / "curve.csv"
     header = "pressure_pa,area_m2,angle_rad,extension_m"
     text = [",".join(repr(float(v)) for v in row) for row in CURVED]
@@ -117,7 +117,7 @@ def test_transient_follows_the_reference(tmp_path: Path) -> None:
         leg("bellows.count=4", words, FLUID, outputs(times), only(), FINE), verify=False
     )
     assert worst(in_order(plain.pressure, plain.bellows, chain_order(2)), expected) >= 1e-2
-    # The tip of two sections of unlike arcs.
+    # The tip of two sections with different arcs.
     angle, extension = (PchipInterpolator(PRESSURE, CURVED[:, k]) for k in (2, 3))
     left, right = found.pressure[:, [2, 3]], found.pressure[:, [0, 1]]
     assert found.bellows == ("R1", "R2", "L1", "L2")

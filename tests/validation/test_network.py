@@ -77,7 +77,7 @@ def test_step_response_matches_the_matrix_exponential(graph: str) -> None:
     exact = exact_step_response(scene, found.time, STEP)
     error = in_order(found.pressure, found.bellows, list(names)) - exact
     assert found.status == "complete"
-    # At t = 0 the tables hold the state before the jump is felt: zero, as it should be.
+    # At t = 0 the tables have the state before the jump takes effect: zero, as expected.
     assert np.max(np.abs(error)) <= SHARE_OF_SWING * STEP
     assert found.invariants.volume_imbalance_rel is not None
     assert found.invariants.volume_imbalance_rel <= 1e-8
@@ -119,7 +119,7 @@ def test_paper_pulse_through_a_star_with_a_junction() -> None:
     assert np.max(np.abs(pressure - expected)) <= SHARE_OF_SWING * np.ptp(expected)
 
 
-def test_pressures_keep_the_maximum_principle() -> None:
+def test_pressures_obey_the_maximum_principle() -> None:
     found = simulate(
         leg("input={kind: square, high: 5 kPa, low: -3 kPa, frequency: 1 Hz}", ONE_WAY)
     )

@@ -69,7 +69,7 @@ def test_network_against_a_circuit_simulator(config: str, tmp_path: Path) -> Non
     )
     found = simulate(scene)
     fall, rise = (f"(1+tanh(10*(time-{t})))/2" for t in (1.0, 2.5))
-    # The tail of the sigmoid at t = 0 is taken off, so that the circuit starts at rest.
+    # The tail of the sigmoid at t = 0 is subtracted, so that the circuit starts at rest.
     tail = 0.5 * (1 + np.tanh(-10.0)) - 0.5 * (1 + np.tanh(-25.0))
     start = float(found.pressure[0, 0])
     source = f"-20000*{fall}+20000*{rise}+20000*{float(tail)!r}"

@@ -35,7 +35,7 @@ def test_timescales_of_the_leg_with_air() -> None:
     assert found.quadrant == "III"
 
 
-def test_stated_transient_time_is_taken_at_its_word() -> None:
+def test_a_stated_transient_time_is_used_as_given() -> None:
     found = classify(leg("input.transient_time=0.74 s"))
     assert found.scales.ratios["ts_over_ti"] == pytest.approx(0.04, abs=5e-3)
     assert found.scales.t_i == 0.74
@@ -48,16 +48,16 @@ def test_timescales_of_the_leg_with_water() -> None:
     assert "hardly move" in found.meaning
 
 
-def test_slowest_time_of_the_chain_is_6_6_viscous_elastic_times() -> None:
+def test_slowest_timescale_of_the_chain_is_6_6_viscous_elastic_times() -> None:
     scales = classify(leg("fluid={name: water, viscosity: 1e-3, density: 998}")).scales
     assert scales.t_net == pytest.approx(58.1, abs=0.1)
     assert scales.t_net / scales.t_f == pytest.approx(6.6, abs=0.05)
 
 
-# -- where the paper disagrees with itself -----------------------------------
+# -- where the paper is inconsistent -----------------------------------
 
 
-def test_inconsistencies_of_the_published_leg_are_told_before_solving() -> None:
+def test_inconsistencies_of_the_published_leg_are_reported_before_solving() -> None:
     told = {notice.code: notice.message for notice in check(leg()).warnings}
     assert "0.4" in told["near_vacuum"]  # 0.4 kPa absolute
     assert "-35.16 kPa" in told["negative_volume"]  # volume is gone below this
@@ -87,7 +87,7 @@ def test_flow_of_the_published_leg_is_not_slow() -> None:
 def test_straight_sweeps_wider_than_crossed() -> None:
     straight, crossed = run("leg_16_straight_air"), run("leg_16_crossed_air")
     assert np.ptp(straight.tip[:, 0]) > 1.01 * np.ptp(crossed.tip[:, 0])
-    # Crossing halves the turns: the tip does not curl above the clamp's level.
+    # Crossing halves the angles: the tip does not curl above the level of the clamp.
     assert straight.tip[:, 1].min() < 0 < crossed.tip[:, 1].min()
     assert np.max(np.abs(crossed.tip[:, 2])) < np.max(np.abs(straight.tip[:, 2]))
 
@@ -121,7 +121,7 @@ def test_four_bellows_in_water_visit_right_then_left_and_in_air_go_straight() ->
 
 
 def path_mean(found: Trajectory, period: float | None = None) -> np.ndarray:
-    """Mean place (x, z) along the tip's path, over the last period if one is given [m]."""
+    """Mean position (x, z) along the tip's path, over the last period if one is given [m]."""
     settled = found.time >= (found.time[-1] - period - 1e-9 if period else 0.0)
     path = found.tip[settled, :2]
     steps = np.hypot(*np.diff(path, axis=0).T)
@@ -140,7 +140,7 @@ def test_profiles_move_the_path_to_middle_right_left_and_lower() -> None:
     assert mean["right"][0] > 10e-3
     assert mean["left"][0] < -10e-3
     assert mean["lower"][1] > max(mean[n][1] for n in ("middle", "left", "right")) + 10e-3
-    # Over time the angle has no mean: a linear network passes the input's mean to every
+    # The angle has no mean over time: a linear network passes the input's mean to every
     # bellow alike. What an input can choose is where the leg swings far and fast.
     assert all(abs(value) <= 1e-2 for value in angle.values())
 
@@ -148,7 +148,7 @@ def test_profiles_move_the_path_to_middle_right_left_and_lower() -> None:
 # -- section 3.4: tubes and gauge ---------------------------------------------
 
 
-def test_longer_tube_makes_the_bellow_before_it_follow_and_lowers_the_path() -> None:
+def test_a_longer_tube_lets_the_bellow_upstream_follow_and_lowers_the_path() -> None:
     plain, tripled = run("leg_16_straight_air"), run("leg_16_triple_tube")
     transition = plain.time <= 1.0
     first = plain.bellows.index("R1")
@@ -174,7 +174,7 @@ def test_gauge_moves_the_path_along_the_actuator(shifted: str) -> None:
         return found.pressure[:, sections:] - found.pressure[:, :sections]
 
     offset = 2e3 if "plus" in shifted else -2e3
-    # Equal but for the inertia of a leg that is a little longer or shorter.
+    # Equal except for the inertia of a leg that is slightly longer or shorter.
     assert np.max(np.abs(difference(other) - difference(plain))) <= 1e-3 * 1.413e5
     assert np.max(np.abs(other.tip[:, 2] - plain.tip[:, 2])) <= 2e-2
     stretch = 8 * 0.047 * 2 * offset / 1.8e6
@@ -185,7 +185,7 @@ def test_gauge_moves_the_path_along_the_actuator(shifted: str) -> None:
 
 
 @pytest.mark.parametrize("config", PAPER_SCENES)
-def test_every_bundled_scene_keeps_its_balances(config: str) -> None:
+def test_every_bundled_scene_satisfies_its_balances(config: str) -> None:
     found = run(config)
     assert found.accuracy.estimated_tip_error_m is not None
     assert found.accuracy.estimated_tip_error_m <= found.accuracy.requested_m
@@ -206,14 +206,14 @@ def test_scenes_of_the_paper_are_pinned_to_its_model(config: str) -> None:
     assert {"inertia", "feedback"} <= taken
 
 
-# -- what the paper's leg calls for -------------------------------------------
+# -- which effects the paper's leg needs -------------------------------------------
 
 
 def verdicts(*overrides: str) -> dict[str, Verdict]:
     return {v.name: v for v in check(leg("effects=auto", *overrides)).effects}
 
 
-def test_the_leg_calls_for_what_the_paper_leaves_out() -> None:
+def test_the_leg_needs_effects_that_the_paper_neglects() -> None:
     """Gas, fast flow and collapse matter at the published amplitude."""
     found = verdicts()
     assert found["gas_compressibility"].weight == pytest.approx(0.35, abs=0.01)
@@ -226,7 +226,7 @@ def test_the_leg_calls_for_what_the_paper_leaves_out() -> None:
 
 
 def test_inertia_matters_for_a_step_and_not_for_the_pulse() -> None:
-    """t_i = 0.74 s as printed, against 10 ms in tubes wide enough to let it through."""
+    """t_i = 0.74 s as printed, against 10 ms in tubes wide enough to transmit it."""
     slow = verdicts("input.transient_time=0.74 s", "accuracy=5 %")["inertia"]
     assert not slow.taken
     assert slow.contribution_m < 0.01 * 0.109

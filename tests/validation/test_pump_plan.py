@@ -1,4 +1,4 @@
-"""A plan of the pump against closed forms, and against the simulation of its own plunger."""
+"""A pump plan against closed forms, and against the simulation of its own plunger."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def published() -> PumpPlan:
 
 
 def static(fluid: str, pressure: float, *words: str) -> PumpPlan:
-    """A plan that holds one pressure, the rod free of what takes volume of its own."""
+    """A plan that holds one pressure; nothing in the rod takes up volume."""
     return plan(
         leg(
             PUMP,
@@ -50,7 +50,7 @@ def static(fluid: str, pressure: float, *words: str) -> PumpPlan:
 
 @pytest.mark.parametrize("pressure", [12e3, -8e3])
 def test_volume_to_hold_a_static_pressure_gas(pressure: float) -> None:
-    """Barrel, bellows and tubes are one closed vessel: what all hold never changes (Boyle).
+    """Barrel, bellows and tubes are one closed vessel of constant content (Boyle).
 
     n C p for the walls, and the gas of everything at the new pressure.
     """
@@ -72,7 +72,7 @@ def test_volume_to_hold_a_static_pressure_gas(pressure: float) -> None:
 
 @pytest.mark.parametrize("pressure", [12e3, -8e3])
 def test_volume_to_hold_a_static_pressure_liquid(pressure: float) -> None:
-    """n C p, the cushion's compression, and the liquid's own, which is a hundredth of a percent."""
+    """n C p, the compression of the cushion, and that of the liquid, a hundredth of a percent."""
     fluid = "{name: liquid, viscosity: 1e-3, density: 1000, bulk_modulus: 2e9}"
     found = static(fluid, pressure, "effects={feedback: off, others: auto}")
     cushion = 5e-6 * (1 - AMBIENT / (AMBIENT + pressure))
@@ -83,7 +83,7 @@ def test_volume_to_hold_a_static_pressure_liquid(pressure: float) -> None:
 
 
 def test_isothermal_dead_volume() -> None:
-    """A larger dead volume costs the plunger just its own compression."""
+    """A larger dead volume costs the plunger exactly its compression."""
     small, large = (
         static("air", 15e3, f"pump.dead_volume={volume} mL").wanted.volume[-1, 0]
         for volume in (5, 45)
@@ -113,7 +113,7 @@ def test_isothermal_dead_volume() -> None:
         ),
     ],
 )
-def test_the_planned_plunger_reproduces_the_wanted_pressure(
+def test_the_planned_plunger_reproduces_the_requested_pressure(
     config: str, words: tuple[str, ...]
 ) -> None:
     """Round trip, nothing rounded or clipped: pressures -> plunger -> pressures and tip."""
@@ -243,7 +243,7 @@ def test_plan_files_agree_with_the_plan(tmp_path: Path) -> None:
 
 
 def test_the_live_actuator_agrees_with_the_simulation() -> None:
-    """Tick by tick as in one run; the work of a tick is bounded."""
+    """Tick by tick the same as in one run; the work per tick is bounded."""
     scene: Scene = leg(config="leg_16_pump")
     assert scene.pump is not None
     plant, tick = ActuatorPlant(scene), 0.033
@@ -264,7 +264,7 @@ def test_the_live_actuator_agrees_with_the_simulation() -> None:
 
 
 def test_the_live_actuator_starts_in_equilibrium_at_its_plungers() -> None:
-    """No time passed: equilibrium there, as the plan's closed forms have it."""
+    """Before any time has passed it is in the equilibrium of the plan's closed forms."""
     scene = leg(config="leg_16_pump")
     found = plan(leg("input={kind: constant, value: 10 kPa}", config="leg_16_pump"))
     plant = ActuatorPlant(scene)

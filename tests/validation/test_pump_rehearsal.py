@@ -1,4 +1,4 @@
-"""A whole rehearsal: streamed on a computed AX-18A through the actuator's own model.
+"""A whole rehearsal: streamed on a simulated AX-18A through the actuator's own model.
 
 The servo has a dead band, a compliance and a motor; the line has its latency; the sensor eight
 bits. What is recorded agrees with the plan within what both state.
@@ -28,7 +28,7 @@ from viscodesign.pump.sessions.open_board import simulated_line
 
 RATE = 30.0
 SENSOR_STEP = 1.0 / 256 / 0.002421 * 1e3
-"""Of eight bits [Pa]: a reading is right to half of it."""
+"""Resolution of the eight-bit sensor [Pa]: a reading is accurate to half of it."""
 
 
 class Rehearsal(NamedTuple):
@@ -117,11 +117,11 @@ def test_the_sensor_reads_the_planned_pressure_within_its_steps_and_a_tick(
     assert float(np.sqrt(np.mean(at_once**2))) < SENSOR_STEP / 2
 
 
-def test_the_plunger_follows_the_course(rehearsal: Rehearsal) -> None:
+def test_the_plunger_follows_the_plan(rehearsal: Rehearsal) -> None:
     course = rehearsal.plan.achievable
     wanted = np.interp(rehearsal.time, course.time - course.lead_s, course.count[:, 0])
     apart = rehearsal.counts - wanted
-    # Its controller alone would stay up to 27 counts behind.
+    # The servo's controller alone would lag by up to 27 counts.
     assert float(np.sqrt(np.mean(apart**2))) < 3.0
     assert np.abs(apart).max() < 10.0
 

@@ -1,4 +1,4 @@
-"""A thick leg that rings: Rayleigh's beam."""
+"""A thick vibrating leg: Rayleigh's beam."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_reference_of_a_thick_beam(slenderness: float) -> None:
 
 
 def ring(height: float, guess: np.ndarray, accuracy: float, *effects: str) -> np.ndarray:
-    """Frequencies of the tip after a tiny force at once, over sqrt(EI/(m l^4)) [1]."""
+    """Frequencies of the tip after a tiny sudden force, over sqrt(EI/(m l^4)) [1]."""
     stiffness = MODULUS * WIDTH * height**3 / 12 * BENDING
     mass = DENSITY * height * WIDTH * SOLID
     unit = np.sqrt(stiffness / mass) / LEG_LENGTH**2
@@ -58,8 +58,8 @@ def ring(height: float, guess: np.ndarray, accuracy: float, *effects: str) -> np
 
 
 @pytest.mark.parametrize("height", [0.03, 0.06])
-def test_leg_rings_as_a_beam_of_rayleigh(height: float) -> None:
-    """An edge turns as one piece, so higher modes, bent within an edge, see the mesh first."""
+def test_leg_vibrates_like_a_rayleigh_beam(height: float) -> None:
+    """Edges turn rigidly, so higher modes, which bend within an edge, feel the mesh first."""
     exact = rayleigh_frequencies(height / np.sqrt(12) / LEG_LENGTH, 4)
     found = ring(height, exact, 1e-5, "rotary_inertia")
     assert found[0] == pytest.approx(exact[0], rel=2e-5)
@@ -68,7 +68,7 @@ def test_leg_rings_as_a_beam_of_rayleigh(height: float) -> None:
     assert slender[0] / exact[0] - 1 >= 1e-2  # what is measured is the effect
 
 
-def test_error_falls_with_the_square_of_the_edge_length_or_faster() -> None:
+def test_error_converges_at_second_order_or_faster() -> None:
     exact = rayleigh_frequencies(0.06 / np.sqrt(12) / LEG_LENGTH, 4)
     # The number of edges follows the cube root of the accuracy: it doubles.
     coarse, fine = (
@@ -79,6 +79,6 @@ def test_error_falls_with_the_square_of_the_edge_length_or_faster() -> None:
     assert np.all(np.abs(coarse) >= 3.5 * np.abs(fine))
 
 
-def test_without_it_the_leg_rings_as_a_slender_beam() -> None:
+def test_without_it_the_leg_vibrates_like_a_slender_beam() -> None:
     exact = rayleigh_frequencies(1e-7, 4)
     assert ring(0.06, exact, 5e-5)[:2] == pytest.approx(exact[:2], rel=1e-5)

@@ -43,7 +43,7 @@ def tip_at_rest(*overrides: str) -> Trajectory:
 
 
 def off_by(found: Trajectory, expected: dict[str, Any]) -> float:
-    """Distance of the tip from where it should be, in lengths."""
+    """Distance of the tip from the expected position, in lengths."""
     x, z = float(expected["x_tip_over_L"]), float(expected["z_tip_over_L"])
     return float(np.hypot(*(found.tip[-1, :2] / LEG_LENGTH - (x, z))))
 
@@ -90,7 +90,7 @@ def elastica(load: float) -> tuple[float, float]:
 
 def chain_tip(edges_per_section: int, *overrides: str) -> np.ndarray:
     """Tip (x, z)/L of the chain of a given number of edges at rest."""
-    # The least error that may be asked for, so that the axis is as stiff as it can be.
+    # The smallest accuracy allowed, so that the axis is as stiff as it can be.
     quantities = SceneQuantities(leg(STILL, STATIC, SHORT, "accuracy=0.00001 %", *overrides))
     effects = select_effects(quantities).effects
     problem = build(quantities, effects, Settings(edges_per_section, 1e-6))
@@ -99,7 +99,7 @@ def chain_tip(edges_per_section: int, *overrides: str) -> np.ndarray:
     return np.asarray(position[-2:] / LEG_LENGTH)
 
 
-# A leg so stiff along its axis that it is as good as inextensible.
+# A leg so stiff along its axis that it is practically inextensible.
 INEXTENSIBLE = "actuator.extension_factor=1e6"
 
 
@@ -128,7 +128,7 @@ def test_extensible_cantilever_converges_at_second_order_with_a_small_constant()
 
 @dataclass(frozen=True)
 class TipMoment(Effect):
-    """A couple on the tip, which no spec key gives yet."""
+    """A moment at the tip, for which there is no spec key yet."""
 
     name: ClassVar[str] = "tip_moment"
     formula: ClassVar[str] = "M l / (E I)"
@@ -172,8 +172,8 @@ def test_end_moment_rolls_the_rod_into_a_circle(turns: float) -> None:
 
 
 @pytest.mark.parametrize("rod", ["off", "on"])
-def test_unloaded_tip_lies_on_the_arcs(rod: str) -> None:
-    """Uneven, steady pressures: both the closed form and the chain meet the exact arcs."""
+def test_the_unloaded_tip_lies_on_the_exact_arcs(rod: str) -> None:
+    """Nonuniform steady pressures: both the closed form and the chain give the exact arcs."""
     left, right = 9e3, -4e3
     tubes = ", ".join(
         [f"{{from: left, to: L{j}, length: 40 mm}}" for j in range(1, 6)]
@@ -208,7 +208,7 @@ def test_unloaded_tip_lies_on_the_arcs(rod: str) -> None:
     assert nodes[0, -1] == pytest.approx((x, z), abs=1e-8)
 
 
-def test_tension_stretches_by_hooke() -> None:
+def test_tension_stretches_the_rod_by_hookes_law() -> None:
     force = 5.0
     found = tip_at_rest(f"loads.tip_force.z={force}")
     assert found.tip[-1, 1] == pytest.approx(LEG_LENGTH * (1 + force / LEG_EA), rel=1e-9)

@@ -1,4 +1,4 @@
-"""A plunger on a closed vessel: what it pushes goes into the bellows or is compressed."""
+"""A plunger on a closed vessel: what it displaces fills the bellows or is compressed."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ CASES = {
 
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("baseline", [0.0, 1e4])
-def test_one_pressure_everywhere(case: str, baseline: float) -> None:
-    """Without a pressure distribution a push of any speed is a slow one."""
+def test_pressure_is_uniform_without_a_pressure_distribution(case: str, baseline: float) -> None:
+    """Then a stroke of any speed is quasi-static."""
     words, ratio, compressible = CASES[case]
     taken = "gas_compressibility: on, " if compressible else ""
     stroke = 2e-3 if case == "liquid" else 1e-2
@@ -60,7 +60,7 @@ def test_one_pressure_everywhere(case: str, baseline: float) -> None:
 
 @pytest.mark.parametrize("case", CASES)
 def test_stiffness_at_small_strokes(case: str) -> None:
-    """dp/dV of barrel and bellows: their capacities lie side by side."""
+    """dp/dV of barrel and bellows: their capacitances are in parallel."""
     words, ratio, compressible = CASES[case]
     taken = "gas_compressibility: on, " if compressible else ""
     stroke = 1e-7

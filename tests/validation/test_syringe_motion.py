@@ -1,4 +1,4 @@
-"""What a plunger pushes takes time to pass the tubes."""
+"""What a plunger displaces takes time to pass the tubes."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FINE = "accuracy=1e-6"
 
 
 @pytest.mark.parametrize("compressible", [False, True])
-def test_reference_comes_to_the_pressure_that_conserves_the_whole(compressible: bool) -> None:
+def test_reference_settles_at_the_pressure_that_conserves_the_content(compressible: bool) -> None:
     _, ratio = gas(1.0)
     times = np.array([1.0, 100.0])
     found = reference(lambda t: 0.01 * min(t, 1.0), [1.0], times, ratio, compressible)
@@ -35,7 +35,7 @@ def test_reference_comes_to_the_pressure_that_conserves_the_whole(compressible: 
 @pytest.mark.parametrize("compressible", [False, True])
 @pytest.mark.parametrize("plan", ["rows", "speeds"])
 def test_transient_of_gas_follows_the_reference(compressible: bool, plan: str) -> None:
-    """10 mm in a second, then held; both ways of saying so."""
+    """10 mm in a second, then held, written in two ways."""
     words, ratio = gas(1.0)
     told = "rows: [[0, 0], [1, 10 mm]]" if plan == "rows" else "speeds: [[0, 10 mm/s], [1, 0 mm/s]]"
     times = np.arange(1, 21) / 10
@@ -50,7 +50,7 @@ def test_transient_of_gas_follows_the_reference(compressible: bool, plan: str) -
 
 
 def closed_chain(speed: float, times: np.ndarray) -> np.ndarray:
-    """Pressures (T, bellows) of a chain, closed at its far end, into which a steady flow goes.
+    """Pressures (T, bellows) of a chain, closed at its far end, under a steady inflow.
 
     Cosine modes; their mean grows steadily.
     """
@@ -64,7 +64,7 @@ def closed_chain(speed: float, times: np.ndarray) -> np.ndarray:
 
 
 def test_transient_of_liquid_is_nearly_a_source_of_flow() -> None:
-    """A push that begins at once: the barrel, nearly rigid, follows within 0.1 ms."""
+    """A sudden stroke: the barrel, nearly rigid, follows within 0.1 ms."""
     words, ratio = liquid()
     speed, times = 1e-3, np.arange(1, 21) / 10
     expected = reference(lambda t: speed * t, [], times, ratio, False)

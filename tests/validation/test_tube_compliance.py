@@ -1,4 +1,4 @@
-"""Soft tubes and a feed line: a network of resistors and capacitors, by the matrix exponential."""
+"""Compliant tubes and a feed line: an RC network, by the matrix exponential."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LIQUID = f"fluid={{name: plain liquid, viscosity: {VISCOSITY}, density: 1000}}"
 SOFT = only("tube_compliance")
 FINE = "accuracy=1e-6"
 YOUNG, POISSON, THICKNESS = 2e4, 0.4, 0.5e-3
-"""So soft a gel that its storage is plain to see [Pa, 1, m]."""
+"""A gel so soft that its storage is clearly visible [Pa, 1, m]."""
 WALL = (
     f"network.tube_wall={{youngs_modulus: {YOUNG}, thickness: {THICKNESS}, "
     f"poissons_ratio: {POISSON}}}"
@@ -32,7 +32,7 @@ FEED = f"network.feed_line={{length: {FEED_LENGTH}, radius: {FEED_RADIUS}}}"
 
 
 def storage(length: float, radius: float, thickness: float = THICKNESS) -> float:
-    """What a tube held at its length stores per inner pressure [m3/Pa].
+    """Storage per inner pressure of a tube of fixed length [m3/Pa].
 
     Plane strain: u = A r + B/r satisfies equilibrium; A and B by the radial stress,
     -1 inside and 0 outside.
@@ -51,7 +51,7 @@ Tubes = list[tuple[int, int, float, float]]
 
 
 def exact(tubes: Tubes, bellows: int, times: np.ndarray, *, soft: bool = True) -> np.ndarray:
-    """Pressures (T, bellows) after a step; a tube's storage lies half at each of its ends.
+    """Pressures (T, bellows) after a step; half of a tube's storage is at each of its ends.
 
     Bellows are the first nodes. A node without any storage is not provided for.
     """
@@ -85,30 +85,30 @@ def run(count: int, times: np.ndarray, *overrides: str) -> np.ndarray:
     return in_order(found.pressure, found.bellows, chain_order(count // 2))
 
 
-def test_reference_of_a_thin_wall_is_barlow() -> None:
+def test_reference_for_a_thin_wall_is_barlows_formula() -> None:
     """dA/dp = 2 pi r^3 (1 - nu^2) / (E t) for t << r."""
     thin = 1e-3 * RADIUS
     expected = 2 * np.pi * RADIUS**3 * (1 - POISSON**2) / (YOUNG * thin) * TUBE
     assert storage(TUBE, RADIUS, thin) == pytest.approx(expected, rel=2e-3)
 
 
-def test_reference_of_a_hole_in_an_endless_body() -> None:
+def test_reference_for_a_hole_in_an_infinite_body() -> None:
     """u/r = (1 + nu) p / E around a small hole."""
     expected = 2 * np.pi * RADIUS**2 * (1 + POISSON) / YOUNG * TUBE
     assert storage(TUBE, RADIUS, 1e3 * RADIUS) == pytest.approx(expected, rel=1e-5)
 
 
-def test_chain_of_soft_tubes() -> None:
+def test_chain_of_compliant_tubes() -> None:
     times = np.linspace(0.05, 5.0, 50)
     tubes: Tubes = [(k - 1, k, TUBE, RADIUS) for k in range(4)]
     expected = exact(tubes, 4, times)
     assert np.max(np.abs(run(4, times, WALL) - expected)) <= 1e-5 * STEP
-    # The walls are seen by far more than that.
+    # The effect of the walls is far larger than that.
     assert np.max(np.abs(exact(tubes, 4, times, soft=False) - expected)) >= 1e-3 * STEP
 
 
-def test_soft_feed_line_delays_the_network() -> None:
-    """The junction behind the line holds half of its storage, and is a node of its own."""
+def test_compliant_feed_line_delays_the_network() -> None:
+    """The junction behind the line has half of its storage, and is a node."""
     times = np.linspace(0.05, 5.0, 50)
     line = (-1, 4, FEED_LENGTH, FEED_RADIUS)
     rest: Tubes = [(4, 0, TUBE, RADIUS), *((k - 1, k, TUBE, RADIUS) for k in range(1, 4))]
@@ -120,7 +120,7 @@ def test_soft_feed_line_delays_the_network() -> None:
 
 
 def test_stiff_feed_line_adds_its_resistance() -> None:
-    """Without soft walls the line and the first tube are one tube of both resistances."""
+    """With rigid walls, the line and the first tube are resistances in series."""
     times = np.linspace(0.05, 5.0, 50)
     more = resistance(VISCOSITY, FEED_LENGTH, FEED_RADIUS) / resistance(VISCOSITY, 1.0, RADIUS)
     tubes: Tubes = [(k - 1, k, TUBE + (0.0 if k else more), RADIUS) for k in range(4)]
@@ -128,8 +128,8 @@ def test_stiff_feed_line_adds_its_resistance() -> None:
     assert np.max(np.abs(run(4, times, FEED) - expected)) <= 1e-5 * STEP
 
 
-def test_junctions_of_soft_tubes_are_nodes() -> None:
-    """A tree whose two forks hold fluid; slender tubes of three lengths."""
+def test_junctions_of_compliant_tubes_are_nodes() -> None:
+    """A tree whose two forks store fluid; slender tubes of three lengths."""
     times = np.linspace(0.1, 6.0, 50)
     names = ["R1", "R2", "L2", "L1", "j1", "j2"]
     tubes: Tubes = [

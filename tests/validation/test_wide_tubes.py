@@ -1,4 +1,4 @@
-"""Flows through tubes that hardly resist, at the default accuracy, against exact ones."""
+"""Flows through tubes of negligible resistance, at the default accuracy, against exact ones."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ def exact_flows(resistances: np.ndarray, times: np.ndarray) -> np.ndarray:
 
 
 def off(run: Trajectory, exact: np.ndarray) -> float:
-    """Largest error of a flow, of the largest flow; without the first instant, at rest."""
+    """Largest error of a flow, relative to the largest flow; the first instant, at rest, excluded."""
     return float(np.max(np.abs(run.flow - exact)[1:]) / np.max(np.abs(exact)))
 
 
 @pytest.mark.parametrize("viscosity", [2e-11, 2e-9, 2e-8, 2e-7, 2e-6, 2e-5, 1e-3])
-def test_flows_follow_from_what_the_bellows_take(viscosity: float) -> None:
-    """From tubes through which no pressure is lost to a first bellow that hardly moves."""
+def test_flows_follow_from_what_the_bellows_store(viscosity: float) -> None:
+    """From tubes without any pressure drop to a first bellow that hardly moves."""
     run = chain(viscosity)
     assert run.status == "complete", run.failure
     exact = exact_flows(np.full(COUNT, resistance(viscosity)), run.time)
@@ -67,7 +67,7 @@ def test_one_wide_tube_among_others() -> None:
 
 
 def test_which_tubes_are_wide() -> None:
-    """Those beside which the swing, or the other tubes, take far longer; of the leg's none."""
+    """Those far faster than the swing or the other tubes; none of the leg's."""
     assert not _wide_tubes(SceneQuantities(leg()))
     one = SceneQuantities(leg("network.changes={R2-R3: {length: 37.5 nm}}"))
     assert _wide_tubes(one) == {"R2-R3"}
