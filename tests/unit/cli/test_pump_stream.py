@@ -10,7 +10,10 @@ import pytest
 
 from viscodesign.cli import confirm as _confirm
 from viscodesign.pump.play.link_rate import RoundTrip
+from viscodesign.pump.play.servo_state import Sample
+from viscodesign.pump.play.stream import RecordingError
 from viscodesign.pump.sessions import streaming
+from viscodesign.pump.sessions.record_file import Record
 
 from .conftest import CONFIGS, Call
 
@@ -129,6 +132,25 @@ def test_a_broken_rule_exits_with_4_and_keeps_a_partial_record(
     assert (beside["status"], beside["partial"], beside["rule"]) == ("stopped", True, "temperature")
 
 
+def test_a_full_disk_is_an_end_of_its_own(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    add = Record.add
+
+    def fill_up(record: Record, moment: float, sample: Sample) -> None:
+        if record.rows > 20:
+            raise RecordingError("cannot write record.csv: No space left on device")
+        add(record, moment, sample)
+
+    monkeypatch.setattr(Record, "add", fill_up)
+    told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run")
+    assert told.status == 4
+    assert "STOPPED: cannot write record.csv: No space left" in told.err
+    assert "verified" in told.err
+    beside = json.loads((tmp_path / "run" / "record.json").read_text())
+    assert (beside["status"], beside["partial"], beside["rule"]) == ("stopped", True, "record")
+
+
 # -- two inlets -----------------------------------------------------------------------------
 
 
@@ -221,3 +243,13 @@ def test_a_link_that_is_too_slow_is_refused_before_anything_moves(
     assert told.status == 4
     assert "reading the pump once takes 100 ms" in told.err
     assert not (tmp_path / "run" / "record.csv").exists()
+
+
+def test_a_supply_that_harms_the_servo_is_refused_even_where_less_is_accepted(
+    call: Call, tmp_path: Path
+) -> None:
+    words = ["--set", "pump.supply_voltage=25.6 V", "--achievable", "--yes"]
+    told = call("pump", "stream", SPEC, *SHORT, *words, "-o", tmp_path / "run")
+    assert told.status == 4
+    assert "AX-18A is made for 9 to 12 V" in told.err
+    assert not (tmp_path / "run").exists()

@@ -140,6 +140,10 @@ class PumpPlan:
         return Profile(self.inlets, self.servos, course.time, course.count, course.pressure)
 
 
+NOT_CLIPPED = ("voltage", "battery")
+"""Limits that no smaller motion satisfies."""
+
+
 def refuse_infeasible(plan: PumpPlan, achievable: bool) -> None:
     """Raise `PumpError` with every reason against a plan.
 
@@ -147,8 +151,10 @@ def refuse_infeasible(plan: PumpPlan, achievable: bool) -> None:
     """
     if plan.status != "complete":
         raise PumpError(f"the plan is {plan.status}: {plan.failure}")
-    if plan.is_feasible or achievable:
+    bad = [v for v in plan.verdicts if v.severity == "infeasible"]
+    reasons = [f"  {v.message}" for v in bad if not achievable or v.name in NOT_CLIPPED]
+    if not reasons:
         return
-    reasons = [f"  {v.message}" for v in plan.verdicts if v.severity == "infeasible"]
-    remedy = "`pump plan` says what to change; --achievable plays what the pump can do"
+    remedy = "`pump plan` says what to change"
+    remedy += "" if achievable else "; --achievable plays what the pump can do"
     raise PumpError("\n".join(["the pump cannot reproduce this profile:", *reasons, remedy]))

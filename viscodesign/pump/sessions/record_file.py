@@ -42,6 +42,8 @@ class Record:
         self._whole = 0
         """Bytes of whole rows in the file."""
         self._waiting = bytearray()
+        self.broken = False
+        """Whether the disk has refused a row; no more are written then."""
         self.started = False
         """Whether something may be moving: then a full disk is no fault of the command line."""
         self._more = more
@@ -88,6 +90,9 @@ class Record:
         except UsageError as error:
             if not self.started:
                 raise
+            if self.broken:
+                return  # as reported already
+            self.broken = True
             raise RecordingError(f"{error} The record ends here") from error
 
     def _line(self, cells: Sequence[str]) -> None:
@@ -96,6 +101,8 @@ class Record:
     def flush(self) -> None:
         """All waiting rows, or none: a full disk leaves no half a row behind."""
         self._flushed = time.monotonic()
+        if self.broken:
+            self._waiting.clear()
         left = bytes(self._waiting)
         with self._write_errors():
             try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import signal
@@ -17,6 +18,17 @@ from tests.unit.pump.samples import sample, servo
 from viscodesign.errors import UsageError
 from viscodesign.pump.play.stream import RecordingError
 from viscodesign.pump.sessions.record_file import FLUSH_INTERVAL_S, columns, recorded
+
+
+class FullDisk:
+    """A file that takes no more."""
+
+    def __init__(self, file: FileIO) -> None:
+        self.truncate, self.seek = file.truncate, file.seek
+
+    def write(self, data: bytes) -> int:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
 
 FACTS = {"board": "simulated", "simulated": True}
 
@@ -104,6 +116,22 @@ def test_a_disk_that_fills_up_on_the_way_is_no_usage_error(tmp_path: Path) -> No
     with pytest.raises(RecordingError, match="No space left") as raised:
         fill()
     assert raised.value.exit_code == 4
+
+
+def test_a_disk_that_fills_up_keeps_whole_rows_and_a_label(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "record.csv"
+    monkeypatch.setattr("viscodesign.pump.sessions.record_file.FLUSH_INTERVAL_S", 0.0)
+    with recorded(path, ["inlet"], FACTS) as record:
+        record.add(0.0, sample())
+        monkeypatch.setattr(record, "_table", FullDisk(record._table))
+        with pytest.raises(RecordingError, match="No space left"):
+            record.add(0.1, sample())
+        record.state("stopped", rule="record")
+    assert len(pd.read_csv(path)) == 1
+    beside = json.loads(path.with_suffix(".json").read_text())
+    assert (beside["status"], beside["partial"], beside["rule"]) == ("stopped", True, "record")
 
 
 def test_rows_are_flushed_once_a_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
