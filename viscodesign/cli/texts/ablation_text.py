@@ -10,7 +10,7 @@ from viscodesign.cli.texts.layout import number, table, wrap
 from viscodesign.results.findings import EffectAblation
 from viscodesign.results.trajectory import Trajectory
 
-NOTABLE_SHARE = 0.1
+NOTABLE_ERROR_SHARE = 0.1
 """Share of the requested error below which the quality of an estimate does not matter."""
 WRONG_RATIO = 3.0
 """Ratio of measurement and estimate beyond which the estimate is called wrong."""
@@ -90,7 +90,7 @@ def _meaning(ablation: EffectAblation, budget: float) -> str:
 def _quality(ablation: EffectAblation, budget: float) -> str:
     """Whether the estimate is far from a measurement that matters."""
     measured, estimated = ablation.measured_m or 0.0, ablation.estimated_m
-    if max(measured, estimated) < NOTABLE_SHARE * budget or not math.isfinite(estimated):
+    if max(measured, estimated) < NOTABLE_ERROR_SHARE * budget or not math.isfinite(estimated):
         return ""
     if measured > WRONG_RATIO * estimated:
         return "underestimated"

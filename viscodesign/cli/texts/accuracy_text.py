@@ -9,7 +9,7 @@ from viscodesign.cli.texts.layout import number, table, wrap
 from viscodesign.results.accuracy_study import AccuracyStudy, Point, tolerance_words
 
 MOST_NOTES = 5
-NOTABLE_SHARE = 0.1
+NOTABLE_TIME_SHARE = 0.1
 """Share of a time below which a difference is timing noise."""
 
 
@@ -84,7 +84,7 @@ def _simulate(study: AccuracyStudy) -> str:
     if best is None or best == point:
         return said
     saved = 1 - best.solve_s / point.solve_s
-    if saved < NOTABLE_SHARE:
+    if saved < NOTABLE_TIME_SHARE:
         return f"{said}; the recommended setting is not noticeably faster"
     return f"{said}; the recommended setting takes {100 * saved:.0f} % less time"
 

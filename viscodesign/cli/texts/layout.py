@@ -12,15 +12,15 @@ import sys
 import textwrap
 from collections.abc import Sequence
 
-NARROWEST = 40
-WIDEST = 110
+MIN_COLUMNS = 40
+MAX_COLUMNS = 110
 
 
 def width() -> int | None:
     """Columns to wrap at; None in a pipe, where lines are not wrapped."""
     if not sys.stdout.isatty():
         return None
-    return min(max(shutil.get_terminal_size().columns, NARROWEST), WIDEST)
+    return min(max(shutil.get_terminal_size().columns, MIN_COLUMNS), MAX_COLUMNS)
 
 
 def wrap(text: str, indent: str = "", hanging: str | None = None) -> list[str]:
@@ -57,7 +57,7 @@ def _block(row: Sequence[str], sizes: Sequence[int], indent: str) -> list[str]:
 
 def _last_column(head: str, cell: str) -> list[str]:
     columns = width()
-    if columns is not None and columns - len(head) >= NARROWEST // 2:
+    if columns is not None and columns - len(head) >= MIN_COLUMNS // 2:
         return wrap(cell, head, " " * len(head)) or [head]
     return wrap(head + cell, hanging=" " * 6)
 

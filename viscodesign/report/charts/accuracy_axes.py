@@ -14,7 +14,7 @@ from viscodesign.results.accuracy_study import AccuracyStudy, Point
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-MARGIN = 0.12
+MARGIN_DECADES = 0.12
 """Space around the outermost points, in decades."""
 LEAST_DECADES = 1.0
 
@@ -50,7 +50,7 @@ def window_of(study: AccuracyStudy) -> Window:
 
 
 def _ends(logarithms: Sequence[float]) -> tuple[float, float]:
-    low, high = min(logarithms) - MARGIN, max(logarithms) + MARGIN
+    low, high = min(logarithms) - MARGIN_DECADES, max(logarithms) + MARGIN_DECADES
     wider = max(LEAST_DECADES - (high - low), 0.0) / 2
     return low - wider, high + wider
 

@@ -22,7 +22,7 @@ STEPLESS = "*"
 """Of settings without time steps, and hence without a solver."""
 STEPLESS_SIZE = 9.0
 """[pt]"""
-KEY_LINE, KEY_GAP = 0.165, 0.15
+KEY_LINE_HEIGHT, KEY_GAP = 0.165, 0.15
 """Height of a line, and space after a group [inch]."""
 
 
@@ -82,7 +82,7 @@ def draw_key(made: Figure, study: AccuracyStudy, left: float, top: float) -> Non
             title_fontproperties={"weight": "bold", "size": 8}, handletextpad=0.5, fontsize=7.5,
         )  # fmt: skip
         lines = sum(1 + str(handle.get_label()).count("\n") for handle in handles)
-        top -= KEY_LINE * (lines + bool(title)) + KEY_GAP
+        top -= KEY_LINE_HEIGHT * (lines + bool(title)) + KEY_GAP
 
 
 def _groups(marks: PointMarks) -> Sequence[tuple[str, list[Line2D]]]:

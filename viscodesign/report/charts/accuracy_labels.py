@@ -18,7 +18,7 @@ LABEL, NOTE = 7.0, 7.5
 """Font sizes [pt]."""
 NOTE_ENDS = (0.985, 0.85, 0.7, 0.55, 0.4, 0.25)
 """Where notes on a line may end, as fractions of the plane."""
-HALF_MARK = 0.011
+HALF_MARK_SHARE = 0.011
 """Half the space of a mark, as a fraction of the plane."""
 
 
@@ -89,4 +89,4 @@ def write_note(
 def mark_box(place: tuple[float, float]) -> Box:
     """The space of a mark."""
     x, y = place
-    return Box(x - HALF_MARK, y - HALF_MARK, x + HALF_MARK, y + HALF_MARK)
+    return Box(x - HALF_MARK_SHARE, y - HALF_MARK_SHARE, x + HALF_MARK_SHARE, y + HALF_MARK_SHARE)

@@ -30,7 +30,7 @@ AXIS_GAP = 0.08
 """Part of the half width left free on either side of the axis."""
 MOST_EDGED_SECTIONS = 24
 """With more sections than this a bellow's edge would hide its colour."""
-WIDTH, SIDE, FOOT = 6.6, 0.2, 0.62
+WIDTH, SIDE, FOOT_HEIGHT = 6.6, 0.2, 0.62
 """The figure, its margins, and the foot with scale and colour bar [inch]."""
 
 
@@ -53,9 +53,9 @@ def draw_shapes(trajectory: Trajectory, path: Path) -> None:
     """Up to eight instants at one scale, time above each, a scale bar and a colour bar."""
     snapshots = _snapshots(trajectory)
     strip = arrange(_frames(snapshots), 1e3 * trajectory.length, WIDTH - 2 * SIDE)
-    height = FOOT + strip.height + head_room(trajectory, WIDTH)
+    height = FOOT_HEIGHT + strip.height + head_room(trajectory, WIDTH)
     with picture(path, WIDTH, height) as made:
-        axes = axes_at(made, SIDE, FOOT, WIDTH - 2 * SIDE, strip.height)
+        axes = axes_at(made, SIDE, FOOT_HEIGHT, WIDTH - 2 * SIDE, strip.height)
         wide, high = (WIDTH - 2 * SIDE) / strip.scale, strip.height / strip.scale
         axes.set(xlim=(0, wide), ylim=(high, 0))
         axes.set_axis_off()

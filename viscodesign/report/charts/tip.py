@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 from viscodesign.report.charts.tip_path import draw_path, time_range
-from viscodesign.report.layout.downsampling import MOST_ROWS
+from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
 from viscodesign.report.layout.style import (
     FAINT,
@@ -67,7 +67,7 @@ def draw_tip(trajectory: Trajectory, path: Path) -> None:
         bar.ax.ticklabel_format(axis="y", scilimits=TIME_DIGITS)
         if len(trajectory.time) == 1:
             bar.set_ticks([float(trajectory.time[0])])
-        thinned = len(trajectory.time) > MOST_ROWS
+        thinned = len(trajectory.time) > MOST_PLOTTED_ROWS
         head(made, trajectory, f"tip path{' (excerpts)' if thinned else ''}", LEFT)
 
 

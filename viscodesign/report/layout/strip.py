@@ -9,11 +9,11 @@ LABEL_WIDTH, LABEL_HEIGHT = 0.86, 0.24
 """Space for the label above a frame [inch]."""
 GAP, ROW_GAP = 0.12, 0.22
 """Smallest distance between frames, and between rows [inch]."""
-TALLEST = 1.9
+LARGEST_LENGTH = 1.9
 """Largest length of the actuator as drawn [inch]."""
-HIGHEST = 6.5
+LARGEST_STRIP_HEIGHT = 6.5
 """Largest height of the strip [inch]."""
-MOST_ROWS = 3
+MOST_STRIP_ROWS = 3
 
 
 @dataclass(frozen=True)
@@ -45,8 +45,8 @@ def arrange(frames: Sequence[Frame], length: float, width: float) -> Strip:
 
     ``length`` of the actuator [mm], ``width`` of the strip [inch].
     """
-    choices = [_rows(frames, count) for count in range(1, min(MOST_ROWS, len(frames)) + 1)]
-    scales = [_scale(rows, TALLEST / length, width) for rows in choices]
+    choices = [_rows(frames, count) for count in range(1, min(MOST_STRIP_ROWS, len(frames)) + 1)]
+    scales = [_scale(rows, LARGEST_LENGTH / length, width) for rows in choices]
     # More rows have to be worth their space on the page.
     best = max(range(len(choices)), key=lambda k: (scales[k] * 0.93**k, -k))
     return _placed(choices[best], scales[best], width)
@@ -70,7 +70,7 @@ def _scale(rows: list[list[Frame]], largest: float, width: float) -> float:
 
 def _fits(rows: list[list[Frame]], scale: float, width: float) -> bool:
     across = max(_row_width(row, scale) for row in rows)
-    return across <= width and sum(_row_height(row, scale) for row in rows) <= HIGHEST
+    return across <= width and sum(_row_height(row, scale) for row in rows) <= LARGEST_STRIP_HEIGHT
 
 
 def _row_width(row: list[Frame], scale: float) -> float:

@@ -19,7 +19,7 @@ def test_a_pipe_gets_whole_lines() -> None:
 def test_a_terminal_is_never_overrun(monkeypatch: pytest.MonkeyPatch, columns: int) -> None:
     monkeypatch.setenv("COLUMNS", str(columns))
     monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
-    room = max(columns, text.NARROWEST)
+    room = max(columns, text.MIN_COLUMNS)
     lines = text.table([("name", "1.5", LONG), ("a_longer_name", "x", LONG)])
     assert len(lines) > 2
     assert all(len(line) <= room for line in lines)

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import pytest
 
-from viscodesign.report.layout.strip import HIGHEST, TALLEST, Frame, arrange
+from viscodesign.report.layout.strip import LARGEST_LENGTH, LARGEST_STRIP_HEIGHT, Frame, arrange
 
 STRAIGHT = Frame(-21, -4, 21, 115)
 BENT = Frame(-80, -30, 21, 40)
@@ -24,8 +24,8 @@ BENT = Frame(-80, -30, 21, 40)
 )
 def test_frames_keep_apart_and_fit(frames: list[Frame]) -> None:
     strip = arrange(frames, 109.0, 6.2)
-    assert 0 < strip.scale <= TALLEST / 109.0 + 1e-12
-    assert strip.height <= HIGHEST + 1e-9
+    assert 0 < strip.scale <= LARGEST_LENGTH / 109.0 + 1e-12
+    assert strip.height <= LARGEST_STRIP_HEIGHT + 1e-9
     boxes = [
         (x + f.left, z + f.top, x + f.right, z + f.bottom)
         for f, (x, z) in zip(frames, strip.origins, strict=True)
