@@ -1,4 +1,4 @@
-"""Formulas are made once for every structure, and never taken for those of another."""
+"""Formulas are made once per structure and never reused for another."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def _nothing_kept() -> None:
 
 
 @pytest.mark.parametrize("change", SAME)
-def test_other_numbers_take_the_formulas_over(change: str) -> None:
+def test_scenes_that_differ_in_numbers_share_formulas(change: str) -> None:
     first = solved().problem.equations
     second = solved(change)
     assert second.problem.equations.function is first.function
@@ -63,7 +63,7 @@ def test_other_numbers_take_the_formulas_over(change: str) -> None:
 
 
 @pytest.mark.parametrize("change", OTHER)
-def test_another_structure_has_formulas_of_its_own(change: str) -> None:
+def test_another_structure_has_its_own_formulas(change: str) -> None:
     first = solved().problem.equations
     assert (
         solved(
@@ -73,15 +73,15 @@ def test_another_structure_has_formulas_of_its_own(change: str) -> None:
     )
 
 
-def test_a_second_simulation_makes_no_integrator() -> None:
+def test_a_second_simulation_reuses_the_integrator() -> None:
     solved()
     again = solved("actuator.damping_time=2 ms")
     assert again.solution.work.compile_s <= 1e-3
 
 
 @pytest.mark.parametrize("name", list(catalogue()))
-def test_no_effect_is_lost_on_the_way(name: str) -> None:
-    """With and without it, the structures differ: nothing that joins escapes the comparison."""
+def test_every_effect_changes_the_structure(name: str) -> None:
+    """The structures with and without it differ."""
     from tests.contract.test_effects import LOADED
 
     quantities = SceneQuantities(leg(*LOADED))
@@ -102,7 +102,7 @@ def test_no_effect_is_lost_on_the_way(name: str) -> None:
     assert one.function is not other.function
 
 
-def test_old_structures_make_room() -> None:
+def test_old_structures_are_dropped() -> None:
     for count in range(2, 2 * (formulation.MAX_STRUCTURES + 3), 2):
         quantities = SceneQuantities(leg(SHORT, f"bellows.count={count}", "effects={others: off}"))
         build(quantities, select_effects(quantities).effects, Settings(4, 1e-4))
@@ -110,7 +110,7 @@ def test_old_structures_make_room() -> None:
 
 
 class _Stiffer(Effect):
-    """A rod four times as stiff: one line, on what no list of sums would have to hold."""
+    """A rod four times as stiff: one line that changes the elastic energy."""
 
     name = "stiffer"
     formula = "4"
@@ -129,7 +129,7 @@ class _Stiffer(Effect):
         system.rod.EI = 4 * system.rod.EI
 
 
-def test_an_effect_on_the_rods_stiffness_does_not_answer_by_what_ran_before_it() -> None:
+def test_an_effect_on_the_rods_stiffness_does_not_depend_on_earlier_runs() -> None:
     quantities = SceneQuantities(leg(SHORT, STILL, "effects={gravity: on, others: off}", SIDEWAYS))
     plain = select_effects(quantities).effects
     first = solve(quantities, plain, Settings(1, 1e-6)).motion.tip
@@ -140,10 +140,10 @@ def test_an_effect_on_the_rods_stiffness_does_not_answer_by_what_ran_before_it()
     assert stiff[0, 0] / first[0, 0] == pytest.approx(0.25, rel=0.02)
 
 
-def test_a_number_that_no_parameter_carries_cannot_reach_formulas(
+def test_scene_numbers_cannot_enter_formulas_as_constants(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Formulas are shared by scenes of other numbers: a constant of one would be wrong in the next."""
+    """Formulas are shared by scenes with other numbers, for which a constant would be wrong."""
 
     def careless(self: ChainSymbols) -> SX:
         return SX(self.body.bending_stiffness) * ca.dot(self.elastic_curvature, self.elastic_turns)

@@ -1,4 +1,4 @@
-"""Jacobians with rows that depend on everything."""
+"""Jacobians with rows that depend on all unknowns."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ COUNT = 40
 
 
 def system(dense: int) -> tuple[ca.SX, ca.SX]:
-    """A chain, some rows that know all of it, and a column that all know."""
+    """A chain, some rows that depend on all of it, and a column on which all depend."""
     y = ca.SX.sym("y", COUNT + 1)
     chain = [ca.sin(y[k] * y[k + 1]) + y[COUNT] ** 2 for k in range(COUNT)]
     sums = [ca.sumsqr(y) * y[k] for k in range(dense)]
@@ -20,7 +20,7 @@ def system(dense: int) -> tuple[ca.SX, ca.SX]:
 
 
 @pytest.mark.parametrize("dense", [0, 1, 3, COUNT])
-def test_it_is_the_jacobian(dense: int) -> None:
+def test_equals_casadis_jacobian(dense: int) -> None:
     rows, y = system(dense)
     at = np.linspace(0.3, 1.7, COUNT + 1)
     found, want = (
@@ -30,13 +30,13 @@ def test_it_is_the_jacobian(dense: int) -> None:
     assert np.array(found) == pytest.approx(np.array(want), rel=1e-13, abs=1e-15)
 
 
-def test_nothing_has_an_empty_jacobian() -> None:
+def test_empty_systems_have_empty_jacobians() -> None:
     y = ca.SX.sym("y", 3)
     assert jacobian(ca.SX(0, 1), y).shape == (0, 3)
     assert jacobian(ca.vertcat(y[0]), y).shape == (1, 3)
 
 
-def test_few_passes_serve_a_chain_with_one_long_row(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_chain_with_one_long_row_needs_few_passes(monkeypatch: pytest.MonkeyPatch) -> None:
     passes = []
     differentiate = ca.jacobian
 

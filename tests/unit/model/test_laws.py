@@ -1,4 +1,4 @@
-"""Laws of walls and fluids: their energies and integrals are those of their own slopes."""
+"""Laws of walls and fluids: energies and integrals agree with their derivatives."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ PRESSURES = [-9e4, FLOOR, FLOOR + FADE - 1.0, FLOOR + FADE + 1.0, -1e4, 0.0, 1.0
 
 @pytest.mark.parametrize("pressure", PRESSURES)
 @pytest.mark.parametrize("name", WALLS)
-def test_a_wall_stores_the_work_done_on_it(name: str, pressure: float) -> None:
+def test_energy_of_a_wall_is_the_work_done_on_it(name: str, pressure: float) -> None:
     """dU = p dV."""
     p, wall = SX.sym("p"), WALLS[name]
     rates = [ca.jacobian(wall.energy(p), p), p * ca.jacobian(wall.volume(p), p)]
@@ -47,7 +47,7 @@ def test_a_wall_stores_the_work_done_on_it(name: str, pressure: float) -> None:
 
 
 @pytest.mark.parametrize("name", WALLS)
-def test_a_wall_rests_at_zero_gauge(name: str) -> None:
+def test_walls_are_unstrained_at_zero_gauge(name: str) -> None:
     p, wall = SX.sym("p"), WALLS[name]
     laws = [wall.volume(p), wall.curvature(p), wall.stretch(p), wall.energy(p)]
     volume, curvature, stretch, energy = (float(v) for v in ca.Function("at", [p], laws)(0.0))
@@ -58,7 +58,7 @@ def test_a_wall_rests_at_zero_gauge(name: str) -> None:
 
 
 @pytest.mark.parametrize("law", ["volume", "curvature", "stretch"])
-def test_meeting_walls_change_nothing_above_their_fading(law: str) -> None:
+def test_wall_contact_has_no_effect_above_its_range(law: str) -> None:
     p = SX.sym("p")
     laws = [getattr(WALLS[name], law)(p) for name in ("linear", "collapsing")]
     both = ca.Function("both", [p], laws)
@@ -71,7 +71,7 @@ def test_meeting_walls_change_nothing_above_their_fading(law: str) -> None:
 
 @pytest.mark.parametrize("pressure", [-5e4, -1.0, 0.0, 1e3, 2e5])
 @pytest.mark.parametrize("name", FLUIDS)
-def test_integrals_of_a_fluid_are_those_of_its_density(name: str, pressure: float) -> None:
+def test_integrals_of_a_fluid_agree_with_its_density(name: str, pressure: float) -> None:
     p, fluid = SX.sym("p"), FLUIDS[name]
     density = SX(fluid.density(p))
     slopes = [
@@ -85,7 +85,7 @@ def test_integrals_of_a_fluid_are_those_of_its_density(name: str, pressure: floa
 
 
 @pytest.mark.parametrize("name", FLUIDS)
-def test_a_fluid_at_ambient_pressure_is_the_measure(name: str) -> None:
+def test_density_is_relative_to_ambient_pressure(name: str) -> None:
     p, fluid = SX.sym("p"), FLUIDS[name]
     laws = [SX(fluid.density(p)), fluid.density_integral(p), fluid.specific_work(p)]
     assert [float(v) for v in ca.Function("at", [p], laws)(0.0)] == [1.0, 0.0, 0.0]

@@ -1,4 +1,4 @@
-"""What is kept for the next who asks: shared where it has no state, lent where it has one."""
+"""The cache: stateless results are shared, stateful ones lent."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import pytest
 from viscodesign.model.lru_cache import LruCache
 
 
-def test_a_thing_is_made_once_and_the_oldest_makes_room() -> None:
+def test_results_are_cached_and_the_oldest_dropped() -> None:
     cache: LruCache[object] = LruCache(2)
     first = cache.get("a", object)
     assert cache.get("a", object) is first
@@ -18,7 +18,7 @@ def test_a_thing_is_made_once_and_the_oldest_makes_room() -> None:
     assert len(cache) == 2
 
 
-def test_what_is_lent_is_nobody_elses() -> None:
+def test_lent_results_are_exclusive() -> None:
     cache: LruCache[object] = LruCache(2)
     with cache.lend("a", object) as first, cache.lend("a", object) as second:
         assert second is not first
@@ -26,7 +26,7 @@ def test_what_is_lent_is_nobody_elses() -> None:
         assert again in (first, second)
 
 
-def test_what_failed_is_not_lent_again() -> None:
+def test_a_result_that_raised_is_not_lent_again() -> None:
     cache: LruCache[object] = LruCache(2)
     with pytest.raises(RuntimeError), cache.lend("a", object) as spoiled:
         raise RuntimeError
@@ -34,7 +34,7 @@ def test_what_failed_is_not_lent_again() -> None:
         assert fresh is not spoiled
 
 
-def test_no_more_is_kept_for_lending_than_allowed() -> None:
+def test_lendable_results_are_limited() -> None:
     cache: LruCache[object] = LruCache(2)
     made: list[object] = []
 

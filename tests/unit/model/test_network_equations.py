@@ -1,4 +1,4 @@
-"""Flows that follow from others at junctions which hold nothing."""
+"""Flows that follow from others at junctions without storage."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def problem(*overrides: str) -> Problem:
 
 @given(nodes=st.integers(2, 8), more=st.integers(0, 6), seed=st.integers(0, 10_000))
 @settings(max_examples=60, deadline=None)
-def test_reducing_an_incidence_matrix_keeps_what_it_says(nodes: int, more: int, seed: int) -> None:
-    """Rows of any nodes of a connected graph but one: still 0 and +-1, a unit column each."""
+def test_reduced_incidence_matrix_has_the_same_row_space(nodes: int, more: int, seed: int) -> None:
+    """Entries stay 0 and +-1, and every row has a unit column."""
     random = np.random.default_rng(seed)
     ends = [(int(random.integers(0, k)), k) for k in range(1, nodes)]
     ends += [tuple(random.choice(nodes, 2, replace=False)) for _ in range(more)]
@@ -58,13 +58,13 @@ def test_reducing_an_incidence_matrix_keeps_what_it_says(nodes: int, more: int, 
     assert together == len(rows) == np.linalg.matrix_rank(before)
 
 
-def test_nothing_toreduce_incidence() -> None:
+def test_an_empty_incidence_matrix_has_no_pivots() -> None:
     assert reduce_incidence(np.zeros((0, 3))) == []
 
 
 @pytest.mark.parametrize("effects", [FAST, IMPLICIT])
 @pytest.mark.parametrize("name", NETWORKS)
-def test_flows_at_bare_junctions_balance_to_the_last_digit(name: str, effects: str) -> None:
+def test_flows_at_bare_junctions_balance_to_round_off(name: str, effects: str) -> None:
     scene = leg(*SHORT, network(name), effects)
     found = simulate(scene, verify=False)
     assert found.status == "complete", found.failure
@@ -80,7 +80,7 @@ def test_flows_at_bare_junctions_balance_to_the_last_digit(name: str, effects: s
     assert found.invariants.volume_imbalance_rel <= 1e-8
 
 
-def test_a_dead_end_lets_nothing_through() -> None:
+def test_no_flow_into_a_dead_end() -> None:
     scene = leg(*SHORT, network("a dead end"), FAST)
     found = simulate(scene, verify=False)
     end = [t.name for t in scene.graph.tubes].index("R1-T")
@@ -90,7 +90,7 @@ def test_a_dead_end_lets_nothing_through() -> None:
 @pytest.mark.parametrize(
     ("name", "junctions"), [("a star", 1), ("two in a row", 2), ("a loop", 3), ("a dead end", 1)]
 )
-def test_one_unknown_less_for_every_bare_junction(name: str, junctions: int) -> None:
+def test_every_bare_junction_eliminates_one_flow(name: str, junctions: int) -> None:
     tubes = NETWORKS[name].count("from")
     states = problem(network(name), FAST).equations.states
     assert len(range(*states.blocks["flow"].span.indices(states.count))) == tubes - junctions
@@ -102,7 +102,7 @@ def test_laminar_flows_need_no_unknown() -> None:
     assert "flow" not in plain.equations.algebraics.blocks
 
 
-def test_junctions_of_soft_tubes_hold_fluid_and_free_no_flow() -> None:
+def test_storing_junctions_eliminate_no_flow() -> None:
     soft = "network.tube_wall={youngs_modulus: 1 MPa, thickness: 0.3 mm}"
     words = FAST.replace("others", "tube_compliance: on, others")
     states = problem(network("a star"), soft, words).equations.states

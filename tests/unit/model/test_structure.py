@@ -1,4 +1,4 @@
-"""Keys of formulas: what counts as structure, and what does not."""
+"""Keys of formulas: what is structure, and what is not."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from viscodesign.model.structure import structure_of, without_numbers
 
 @dataclass(frozen=True)
 class Spring:
-    """A number that a parameter carries, one that nothing carries, and an expression."""
+    """A scene number, another number, and an expression."""
 
     stiffness: float | None = field(metadata=SCENE_NUMBER)
     value: float = field(metadata=PARAMETER_VALUE)
@@ -27,18 +27,18 @@ def spring(slope: float = 2.0) -> Spring:
 
 
 @pytest.mark.parametrize("change", [{"stiffness": 5.0}, {"value": 7.0}])
-def test_a_number_that_a_parameter_carries_is_no_structure(change: dict[str, float]) -> None:
+def test_scene_numbers_are_not_structure(change: dict[str, float]) -> None:
     assert structure_of(spring()) == structure_of(replace(spring(), **change))  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
     "change", [{"stiffness": 0.0}, {"stiffness": None}, {"exponent": 1.0}, {"force": ca.SX(1)}]
 )
-def test_all_else_is(change: dict[str, object]) -> None:
+def test_all_other_attributes_are_structure(change: dict[str, object]) -> None:
     assert structure_of(spring()) != structure_of(replace(spring(), **change))  # type: ignore[arg-type]
 
 
-def test_expressions_count_by_what_they_compute() -> None:
+def test_expressions_are_compared_by_content() -> None:
     assert structure_of(spring()) == structure_of(spring())
     assert structure_of(spring()) != structure_of(spring(3.0))
     x, y = ca.SX.sym("x"), ca.SX.sym("y")
@@ -46,7 +46,7 @@ def test_expressions_count_by_what_they_compute() -> None:
     assert structure_of(ca.SX(2, 1)) != structure_of(ca.SX.zeros(2, 1))
 
 
-def test_functions_arrays_and_objects_count() -> None:
+def test_functions_arrays_and_objects_are_structure() -> None:
     def one() -> None: ...
     def two() -> None: ...
 
@@ -56,7 +56,7 @@ def test_functions_arrays_and_objects_count() -> None:
     assert structure_of([spring(), 1]) != structure_of([spring(), 1.0])
 
 
-def test_numbers_are_blinded_wherever_they_stand() -> None:
+def test_scene_numbers_are_replaced_at_any_depth() -> None:
     blind = without_numbers({"springs": (spring(), replace(spring(), stiffness=0.0))})
     first, second = blind["springs"]
     assert np.isnan(first.stiffness)

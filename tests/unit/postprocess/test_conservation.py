@@ -1,4 +1,4 @@
-"""Balances of runs that keep them."""
+"""Balances of fluid and energy."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SHORT = ("bellows.count=4", "input={kind: sine, amplitude: 3 kPa, frequency: 1 H
         "gas_compressibility: on",
     ],
 )
-def test_runs_keep_both_balances(effects: str) -> None:
+def test_fluid_and_energy_balances_hold(effects: str) -> None:
     found = simulate(
         leg(*SHORT, f"effects={{{effects}, others: off}}", "accuracy=1e-3"), verify=False
     )
@@ -50,8 +50,8 @@ def test_runs_keep_both_balances(effects: str) -> None:
         "pressure_distribution: on, feedback: on, inertia: on, damping: on",
     ],
 )
-def test_outputs_do_not_matter(effects: str) -> None:
-    """Two outputs tell what many do."""
+def test_balances_do_not_depend_on_output_times(effects: str) -> None:
+    """Two outputs give the balances of many."""
 
     def told(outputs: str) -> Invariants:
         run = f"run={{duration: 1 s, {outputs}}}"
@@ -66,8 +66,8 @@ def test_outputs_do_not_matter(effects: str) -> None:
         assert few.coupling_work_j == pytest.approx(many.coupling_work_j, rel=1e-3)
 
 
-def test_blocks_do_not_matter() -> None:
-    """Rows told in blocks of any length, across corners, make the ledger of all at once."""
+def test_balances_do_not_depend_on_block_sizes() -> None:
+    """Rows added in blocks of any length, across corners, give the same balances."""
     pulses = "input={kind: square, low: 0, high: 3 kPa, frequency: 4 Hz}"
     effects = "effects={inertia: on, damping: on, feedback: on, others: off}"
     quantities = SceneQuantities(leg(*SHORT, pulses, effects))
@@ -91,7 +91,7 @@ def test_blocks_do_not_matter() -> None:
         assert again.volume_imbalance_rel == wanted.volume_imbalance_rel
 
 
-def test_a_standstill_is_in_balance() -> None:
+def test_a_run_at_rest_is_balanced() -> None:
     still = simulate(
         leg("bellows.count=4", "input={kind: constant, value: 1 kPa}", "run.duration=1 s",
             "effects={pressure_distribution: on, others: off}"),

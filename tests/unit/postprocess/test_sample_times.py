@@ -20,13 +20,13 @@ def made(*changes: str) -> Problem:
     return problem_of(leg("bellows.count=4", *changes))
 
 
-def test_what_an_integrator_tells_needs_no_samples() -> None:
+def test_integrable_works_need_no_samples() -> None:
     plain = schedule(leg("bellows.count=4", NETWORK, FEW))
     assert np.array_equal(made(NETWORK, FEW).schedule.edges, plain.edges)
 
 
 @pytest.mark.parametrize("changes", [(), (JUMP,)])
-def test_outputs_and_inputs_stay_where_they_were(changes: tuple[str, ...]) -> None:
+def test_sampling_keeps_outputs_and_inputs(changes: tuple[str, ...]) -> None:
     plain = schedule(leg("bellows.count=4", COUPLED, FEW, *changes))
     problem = made(COUPLED, FEW, *changes)
     found, equations = problem.schedule, problem.equations
@@ -41,7 +41,7 @@ def test_outputs_and_inputs_stay_where_they_were(changes: tuple[str, ...]) -> No
     assert len(found.edges) <= SAMPLING.max_samples
 
 
-def test_samples_crowd_behind_a_jump_alone() -> None:
+def test_samples_are_dense_after_jumps_only() -> None:
     edges = made(COUPLED, FEW, JUMP).schedule.edges
     gaps = np.diff(edges)
     behind = int(np.searchsorted(edges, 0.5))

@@ -1,4 +1,4 @@
-"""Eigenvalues about a start: known frequencies, decay, and growth that is told."""
+"""Eigenvalues about a start: frequencies, decay, and reported growth."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ def start(*overrides: str, edges: int = 4) -> tuple[Problem, Start]:
 
 
 def nearest(values: np.ndarray, frequencies: np.ndarray) -> np.ndarray:
-    """To each frequency the eigenvalue that swings most like it."""
+    """The eigenvalue nearest to each frequency."""
     apart = np.abs(values.imag[None, :] - np.atleast_1d(frequencies)[:, None])
     return np.asarray(values[np.argmin(apart, axis=1)])
 
 
-def test_an_undamped_rod_swings_at_the_frequencies_of_a_beam() -> None:
+def test_frequencies_of_an_undamped_rod_are_those_of_a_beam() -> None:
     values = eigenvalues(*start("effects={inertia: on, others: off}"))
     bending = ROOTS**2 * np.sqrt(LEG_EI / MASS) / LEG_LENGTH**2
     along = np.pi / 2 * np.sqrt(LEG_EA / MASS) / LEG_LENGTH
@@ -48,7 +48,7 @@ def test_an_undamped_rod_swings_at_the_frequencies_of_a_beam() -> None:
     assert np.max(np.abs(values.real)) <= 1e-6 * expected[0]
 
 
-def test_its_damping_is_that_of_the_material() -> None:
+def test_damping_is_that_of_kelvin_voigt() -> None:
     """Kelvin and Voigt: lambda^2 + omega^2 tau lambda + omega^2 = 0."""
     time = 1e-3
     values = eigenvalues(
@@ -60,7 +60,7 @@ def test_its_damping_is_that_of_the_material() -> None:
     assert found.imag == pytest.approx(free * np.sqrt(1 - (free * time / 2) ** 2), rel=1e-4)
 
 
-def test_fluid_that_flows_both_ways_damps_the_first_swing() -> None:
+def test_two_way_coupling_damps_the_first_mode() -> None:
     """-0.111938 +- 121.16722i, by a spectral code of the same coupled equations."""
     values = eigenvalues(*start(COUPLED, AIR, "loads.gravity=off", edges=8))
     (found,) = nearest(values, 121.0)
@@ -68,7 +68,7 @@ def test_fluid_that_flows_both_ways_damps_the_first_swing() -> None:
     assert found.imag == pytest.approx(121.16722, rel=1e-4)
 
 
-def test_growth_is_told_with_rate_and_frequency() -> None:
+def test_instability_is_reported_with_rate_and_frequency() -> None:
     """0.1639 1/s at 594.65 rad/s under (10, -5) N, by the same code."""
     forced = "loads.tip_force={x: 10 N, z: -5 N}"
     (notice,) = growth_notices(*start(COUPLED, AIR, forced, edges=6))
@@ -78,7 +78,7 @@ def test_growth_is_told_with_rate_and_frequency() -> None:
     assert [float(n) for n in said.groups()] == pytest.approx([0.1639, 594.65], rel=0.02)
 
 
-def test_what_decays_or_only_swings_is_not_told() -> None:
+def test_stable_and_undamped_modes_are_not_reported() -> None:
     assert growth_notices(*start("effects={inertia: on, others: off}")) == []
     assert (
         growth_notices(*start(COUPLED.replace("inertia: on", "inertia: on, damping: on"), AIR))
@@ -86,11 +86,11 @@ def test_what_decays_or_only_swings_is_not_told() -> None:
     )
 
 
-def test_a_rod_without_inertia_has_no_swing_to_tell_of() -> None:
+def test_a_rod_without_inertia_has_no_stability_notice() -> None:
     assert growth_notices(*start("effects={gravity: on, others: off}")) == []
 
 
-def test_beyond_what_is_affordable_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_large_systems_are_not_analysed(monkeypatch: pytest.MonkeyPatch) -> None:
     problem, here = start("effects={inertia: on, others: off}")
     monkeypatch.setattr(stability, "MAX_STATES", problem.equations.states.count - 1)
     monkeypatch.setattr(stability, "eigenvalues", lambda *_: pytest.fail("it was computed"))
@@ -109,7 +109,7 @@ def test_beyond_what_is_affordable_nothing_is_told(monkeypatch: pytest.MonkeyPat
 def test_round_off_is_not_growth(
     values: list[complex], told: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It is measured against the slowest swing, or the fastest decay."""
+    """Growth is relative to the slowest frequency, or the fastest decay."""
     problem, here = start("effects={inertia: on, others: off}")
     monkeypatch.setattr(stability, "eigenvalues", lambda *_: np.array(values, dtype=complex))
     assert bool(growth_notices(problem, here)) is told

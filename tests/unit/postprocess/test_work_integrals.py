@@ -1,4 +1,4 @@
-"""Integrals of forces along paths, from a few values."""
+"""Integrals of forces along sampled paths."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_exact_for_polynomials_at_any_times(size: int) -> None:
     assert found == pytest.approx([exact], rel=1e-9)
 
 
-def test_columns_add_up_and_the_path_counts() -> None:
+def test_columns_are_summed_along_the_path() -> None:
     time = np.linspace(0.0, 1.0, 33)
     force = np.column_stack((np.ones(33), time))
     path = np.column_stack((np.sin(time), time))
@@ -52,7 +52,7 @@ def test_the_uncertainty_bounds_the_error(count: int) -> None:
     assert unsure.sum() <= 3 * (9 / count) ** 4
 
 
-def test_a_loop_of_a_steady_force_costs_nothing() -> None:
+def test_a_constant_force_does_no_work_on_a_closed_path() -> None:
     angle = np.linspace(0.0, 2 * np.pi, 65)
     cuts = np.arange(0, 65, RULE.group)
     found, unsure = path_integrals(angle, np.full((65, 1), 7.0), column(np.sin(angle)), cuts)

@@ -1,4 +1,4 @@
-"""Algebraic unknowns at round-off, many edges at once or each by itself."""
+"""Polishing algebraic unknowns to round-off, in batches and one by one."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def solved() -> tuple[Problem, np.ndarray, np.ndarray]:
 
 
 def defects(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.ndarray:
-    """Largest of each edge (m,)."""
+    """Largest residual at each edge (m,)."""
     schedule = problem.schedule
     told = []
     for k in range(states.shape[1]):
@@ -36,7 +36,9 @@ def defects(problem: Problem, states: np.ndarray, algebraics: np.ndarray) -> np.
     return np.array(told)
 
 
-def test_defects_fall_to_round_off(solved: tuple[Problem, np.ndarray, np.ndarray]) -> None:
+def test_residuals_are_polished_to_round_off(
+    solved: tuple[Problem, np.ndarray, np.ndarray],
+) -> None:
     problem, states, algebraics = solved
     given = algebraics + 1e-4 * np.sin(np.arange(algebraics.size)).reshape(algebraics.shape)
     assert np.min(defects(problem, states, given)) > 1e-8
@@ -45,7 +47,7 @@ def test_defects_fall_to_round_off(solved: tuple[Problem, np.ndarray, np.ndarray
     assert np.max(np.abs(found - algebraics)) < 1e-3
 
 
-def test_alone_and_together_agree(
+def test_single_edges_and_batches_agree(
     solved: tuple[Problem, np.ndarray, np.ndarray], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     problem, states, algebraics = solved
@@ -60,7 +62,7 @@ def test_alone_and_together_agree(
     assert in_blocks == pytest.approx(alone, abs=1e-10)
 
 
-def test_one_that_is_lost_stays_and_spoils_no_other(
+def test_an_edge_that_fails_affects_no_other(
     solved: tuple[Problem, np.ndarray, np.ndarray],
 ) -> None:
     problem, states, algebraics = solved

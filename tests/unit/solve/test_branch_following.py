@@ -38,7 +38,7 @@ def made(*overrides: str, edges: int = 2) -> tuple[Problem, Start]:
 
 
 def snapping(interval: float) -> tuple[str, ...]:
-    """A pressed column that its fluid bends to the other side."""
+    """A compressed column that its fluid bends to the other side."""
     tables = [
         f"{{kind: table, rows: [[0 s, {side * 22e3}], [4 s, {-side * 22e3}]]}}" for side in (1, -1)
     ]
@@ -52,8 +52,10 @@ def snapping(interval: float) -> tuple[str, ...]:
 
 
 @pytest.mark.parametrize("most", [0, 10_000])
-def test_stability_is_that_of_the_stiffness(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Along the straight, perfect column: up to its critical load, and no further."""
+def test_stability_test_agrees_with_the_smallest_eigenvalue(
+    most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Along a perfect column, from below to above its critical load."""
     monkeypatch.setattr(stability, "MAX_DENSE_UNKNOWNS", most)
     problem, here = made(
         "input={kind: constant, value: 0}",
@@ -80,8 +82,8 @@ def test_stability_is_that_of_the_stiffness(most: int, monkeypatch: pytest.Monke
 
 
 @pytest.mark.parametrize("interval", [0.05, 0.4])
-def test_a_fold_inside_an_integrator_is_named_where_it_is(interval: float) -> None:
-    """Where it is without a fluid, but for the time by which the fluid lags behind its ramp."""
+def test_a_fold_is_located_under_an_integrator(interval: float) -> None:
+    """At its place without a fluid, later by the lag of the fluid behind its ramp."""
     without = simulate(leg(*snapping(0.05), "effects={gravity: on, others: off}"), verify=False)
     ramp = _fold_time(without)
     lag = resistance(1e-3) * COMPLIANCE
@@ -141,7 +143,7 @@ def test_following_a_branch_ends_at_a_solution() -> None:
     assert before.towards(after, 0.25).time == pytest.approx(0.025)
 
 
-def test_a_turning_step_keeps_lengths_to_the_second_order() -> None:
+def test_turning_steps_preserve_lengths_to_second_order() -> None:
     chords = np.array([[0.0, 1.0], [0.3, 0.9], [0.5, 0.7]])
     y = np.append(np.cumsum(chords, axis=0).ravel(), 7.0)
     turn = np.append(np.cumsum(np.column_stack((chords[:, 1], -chords[:, 0])), axis=0).ravel(), 1.0)

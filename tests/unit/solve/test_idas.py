@@ -1,4 +1,4 @@
-"""What a failed integration says."""
+"""Messages of failed integrations."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from viscodesign.solve.statics import equilibrium
 
 
 @pytest.mark.parametrize("code", REASONS)
-def test_a_return_code_is_told_in_words(code: str) -> None:
+def test_return_codes_are_explained(code: str) -> None:
     text = f'.../casadi/interfaces/sundials/idas_interface.cpp:620: IDASolve returned "{code}".'
     assert reason_of(RuntimeError(text)) == f"{REASONS[code]} ({code})"
 
 
-def test_other_faults_lose_their_file_names() -> None:
+def test_other_errors_are_stripped_of_file_names() -> None:
     text = "Error:\n.../casadi/core/function.cpp:12: something else\n"
     assert reason_of(RuntimeError(text)) == "something else"
     assert reason_of(RuntimeError("")) == "no reason given"
 
 
-def test_what_fails_at_a_corner_is_solved_stretch_by_stretch(
+def test_failure_at_a_corner_falls_back_to_smooth_stretches(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     scene = leg(

@@ -1,4 +1,4 @@
-"""Coefficients of intervals, held once for neighbours that share them."""
+"""Coefficients of intervals, stored once for equal neighbours."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 from viscodesign.solve.problem import Pieces
 
 
-def test_pieces_are_those_of_every_interval() -> None:
+def test_pieces_index_like_an_array_of_all_intervals() -> None:
     values, firsts = np.array([[1.0, 2.0], [3.0, 4.0], [3.0, 4.0], [5.0, 6.0]]), [0, 2, 3, 5]
     each = values[[0, 0, 1, 2, 2, 3, 3]]
     pieces = Pieces(values, np.array(firsts), len(each))
@@ -19,7 +19,7 @@ def test_pieces_are_those_of_every_interval() -> None:
     assert list(pieces.changes) == [2, 5]
 
 
-def test_pieces_among_more_edges_are_the_same_in_time() -> None:
+def test_refining_edges_keeps_the_coefficients_in_time() -> None:
     edges, finer = np.arange(5.0), np.array([0.0, 0.5, 1.0, 2.0, 3.0, 3.2, 3.4, 4.0])
     pieces = Pieces(np.array([[1.0], [2.0]]), np.array([0, 3]), 4)
     assert pieces.among(edges, finer)[:].ravel().tolist() == [1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0]

@@ -1,4 +1,4 @@
-"""Every solver of the folder keeps the same promises, and they check each other."""
+"""The contract of every solver, and their agreement with each other."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def solved(scene: Scene, solver: str, tolerance: float) -> Run:
     return solve(quantities, effects, Settings(1, tolerance, solver))
 
 
-def test_the_default_comes_first() -> None:
+def test_the_default_solver_is_listed_first() -> None:
     assert SOLVERS[0] == DEFAULT_SOLVER
     assert RINGING_SOLVER in SOLVERS
     assert len(SOLVERS) >= 3
@@ -41,7 +41,7 @@ def test_the_default_comes_first() -> None:
 @pytest.mark.parametrize("overrides", SCENES.values(), ids=SCENES)
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_solvers_agree(solver: str, overrides: tuple[str, ...]) -> None:
-    """Different methods by different authors come to one motion, tip and pressures."""
+    """Different methods by different authors give the same tip and pressures."""
     scene = leg(*overrides)
     other = DEFAULT_SOLVER if solver != DEFAULT_SOLVER else RINGING_SOLVER
     one, two = solved(scene, solver, 1e-6), solved(scene, other, 1e-8)
@@ -81,8 +81,8 @@ UNDAMPED = (
 )  # fmt: skip
 
 
-def test_undamped_vibration_costs_no_small_steps() -> None:
-    """What BDF needs thousands of steps for: nine periods of a beam that is let go."""
+def test_undamped_vibration_needs_few_steps() -> None:
+    """Nine periods of a released beam, for which BDF needs thousands of steps."""
     quantities = SceneQuantities(leg(*UNDAMPED))
     effects = select_effects(quantities).effects
     settings = suggest_settings(quantities, effects)
@@ -93,7 +93,7 @@ def test_undamped_vibration_costs_no_small_steps() -> None:
     assert (run.motion.invariants.energy_imbalance_rel or 0.0) <= 2e-2
 
 
-def test_what_is_damped_keeps_the_default() -> None:
+def test_damped_scenes_use_the_default_solver() -> None:
     quantities = SceneQuantities(leg(*SCENES["damped, two-way"]))
     effects = select_effects(quantities).effects
     assert suggest_settings(quantities, effects).solver == DEFAULT_SOLVER
@@ -115,7 +115,7 @@ TAKEN = {
 
 
 @pytest.mark.parametrize("scene", TAKEN)
-def test_a_solver_without_pivoting_takes_what_has_pivots_on_the_diagonal(scene: str) -> None:
+def test_rosenbrock_needs_a_full_structural_diagonal(scene: str) -> None:
     *overrides, takes = TAKEN[scene]
     quantities = SceneQuantities(leg(*(str(word) for word in overrides)))
     problem = build(quantities, select_effects(quantities).effects, Settings(1, 1e-6))

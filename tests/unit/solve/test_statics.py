@@ -1,4 +1,4 @@
-"""Steady states that are not come to at once: fast flow, and bellows that snap."""
+"""Steady states that plain Newton does not find: fast flow, and snapping bellows."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ SNAPPING = (CURVE, "effects={material_curve: on, pressure_distribution: on, othe
 
 
 @pytest.mark.parametrize("viscosity", [1e-3, 1e-6, 1e-9, 1e-12])
-def test_a_steady_flow_is_found_however_fast(viscosity: float) -> None:
-    """Three equal tubes in a row share the pressure, whatever their law: Re up to 1e12."""
+def test_steady_flow_converges_at_any_reynolds_number(viscosity: float) -> None:
+    """Three equal tubes in series share the pressure under any law: Re up to 1e12."""
     run = simulate(
         leg(
             *THROUGH,
@@ -40,7 +40,7 @@ def test_a_steady_flow_is_found_however_fast(viscosity: float) -> None:
 
 
 @pytest.mark.parametrize("pressure", [-15e3, 0.0, 15e3, 19.9e3])
-def test_a_bellow_that_snaps_starts_on_its_first_rise(pressure: float) -> None:
+def test_a_snapping_bellow_starts_on_its_first_stable_branch(pressure: float) -> None:
     run = simulate(
         leg(*SNAPPING, f"input={{kind: constant, value: {pressure}}}", "run={duration: 0.1 s}"),
         verify=False,
@@ -52,7 +52,7 @@ def test_a_bellow_that_snaps_starts_on_its_first_rise(pressure: float) -> None:
     assert np.sign(area[-1, 0]) == np.sign(pressure)
 
 
-def test_a_start_beyond_the_snap_is_refused_with_a_way_out() -> None:
+def test_a_start_beyond_the_snap_is_refused_with_a_remedy() -> None:
     with pytest.raises(SolveError, match="snaps") as caught:
         simulate(leg(*SNAPPING, "input={kind: constant, value: 25 kPa}"))
     assert "run.start: rest" in str(caught.value)
@@ -67,8 +67,8 @@ def test_a_start_beyond_the_snap_is_refused_with_a_way_out() -> None:
     assert later.volume[-1].min() > 0.018 * 1.5e-4
 
 
-def test_a_sealed_part_is_filled_before_its_rod_is_bent() -> None:
-    """The straight rod that the search begins with bears forces, which take volume: not at the end."""
+def test_sealed_parts_are_filled_at_the_unloaded_shape() -> None:
+    """The straight initial guess carries forces, which displace volume; the result must not."""
     scene = leg(
         "bellows.count=4",
         "bellows.area_per_pressure=1e-10",

@@ -1,4 +1,4 @@
-"""Integrals of formulas of the time."""
+"""Integrals of rates that depend on time alone."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ AMPLITUDE, COMPLIANCE, COUNT = 3e3, 0.018 * 3.413e-9, 4
 
 
 def pump_work(problem: Problem, first: int) -> np.ndarray:
-    """From an edge to each of those that follow [J]."""
+    """Integrals from an edge to each of the following ones [J]."""
     row = list(problem.equations.rates).index("pump")
     count = len(problem.schedule.edges) - 1 - first
     return timed_integrals(problem, first, count)[row] * problem.equations.energy_size
@@ -38,7 +38,7 @@ def test_work_of_a_source_on_linear_bellows(outputs: str) -> None:
         assert pump_work(problem, 3) == pytest.approx(found[3:] - found[2], rel=1e-7, abs=1e-12)
 
 
-def test_a_pulse_far_shorter_than_its_interval() -> None:
+def test_a_pulse_much_shorter_than_its_interval() -> None:
     """It comes back to where it began: p has done no work, whatever the curve between."""
     pulse = (
         "input={kind: double_sigmoid, start: 0, drop: 3 kPa, fall_time: 1 ms, rise_time: 1.2 ms, "

@@ -1,4 +1,4 @@
-"""Following a motion: pulses, restarts, work, failures that keep what was reached."""
+"""Time integration: pulses, restarts, work budgets, partial results."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ TINY = "fluid={name: thin, viscosity: 1e-10, density: 1}"
     ],
 )  # fmt: skip
 def test_a_millisecond_pulse_in_a_minute_is_not_stepped_over(pulse: str, effects: str) -> None:
-    """With so thin a fluid the first bellow sees the whole pulse; it must show at its middle."""
+    """With so thin a fluid the pulse reaches the first bellow undamped, visible at its middle."""
     found = simulate(
         leg(
             f"input={pulse}", effects, TINY, "run={duration: 60 s, output_times: [40, 41.0008, 60]}"
@@ -66,8 +66,8 @@ def test_swapping_columns_mirrors_the_motion() -> None:
     assert np.max(np.abs(right.tip - mirrored)) <= 1e-12
 
 
-def test_work_of_the_leg_stays_small() -> None:
-    """The paper's leg, all effects on: counts, which no clock disturbs."""
+def test_work_budget_of_the_leg() -> None:
+    """Counts for the paper's leg with all effects, independent of any clock."""
     found = simulate(leg("loads.gravity=on", "effects={others: on}"), verify=False)
     assert found.status == "complete"
     assert found.cost.steps <= 900
@@ -76,13 +76,13 @@ def test_work_of_the_leg_stays_small() -> None:
     assert found.settings["states"] <= 70
 
 
-def test_work_of_the_quasi_static_leg_stays_smaller() -> None:
+def test_work_budget_of_the_quasi_static_leg() -> None:
     found = simulate(leg(ONE_WAY), verify=False)
     assert found.cost.steps <= 250
     assert found.settings["states"] == 17
 
 
-def test_a_section_pressed_to_nothing_ends_the_run_by_name() -> None:
+def test_a_vanishing_section_ends_the_run() -> None:
     found = simulate(
         leg(
             "input={kind: table, rows: [[0, 0], [1, 0], [3, -400 kPa], [8, -400 kPa]]}",
@@ -97,7 +97,7 @@ def test_a_section_pressed_to_nothing_ends_the_run_by_name() -> None:
     assert np.all(np.isfinite(found.tip))
 
 
-def test_a_start_pressed_to_nothing_is_refused() -> None:
+def test_a_start_with_a_vanished_section_is_refused() -> None:
     with pytest.raises(SolveError, match="section"):
         simulate(leg("input={kind: constant, value: -400 kPa}", "effects={others: off}"))
 
@@ -124,8 +124,8 @@ def column(load: float, imperfection: float) -> Trajectory:
     )
 
 
-def test_a_pressed_column_buckles_to_the_side_of_its_imperfection() -> None:
-    """Not onto the straight branch, which is an equilibrium too, but no stable one."""
+def test_a_compressed_column_buckles_to_the_side_of_its_imperfection() -> None:
+    """Not onto the straight branch, whose equilibria are unstable."""
     found = column(1.1, 1e-3 * 0.04455 / 0.109**2)
     assert found.status == "complete"
     assert found.tip[-1, 0] == pytest.approx(0.5 * 0.109, rel=0.05)
@@ -138,7 +138,7 @@ def test_a_perfect_column_above_its_critical_load_is_refused() -> None:
 
 
 def _limited(monkeypatch: pytest.MonkeyPatch, limit: float) -> None:
-    """Let IDAS fail past a time."""
+    """Make IDAS fail after a time."""
     import casadi as ca
 
     real = ca.integrator
@@ -159,8 +159,8 @@ def _one_way() -> Problem:
     return build(quantities, effects, Settings(1, 1e-4))
 
 
-def test_a_failing_stretch_keeps_what_came_before(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An integrator that fails past a time: halving finds the last output before it."""
+def test_results_before_a_failure_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Bisection finds the last output before an integrator fails."""
     problem = _one_way()
     _limited(monkeypatch, 2.45)
     for other in ("rosenbrock", "radau"):
@@ -176,7 +176,7 @@ def test_a_failing_stretch_keeps_what_came_before(monkeypatch: pytest.MonkeyPatc
     assert "IDA_ERR_FAIL" in solution.attempts[0].reason
 
 
-def test_where_one_solver_stops_another_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_another_solver_takes_over_where_one_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = _one_way()
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     _limited(monkeypatch, 2.45)
@@ -194,7 +194,7 @@ def test_where_one_solver_stops_another_goes_on(monkeypatch: pytest.MonkeyPatch)
     )
 
 
-def test_schedule_holds_outputs_and_corners_once() -> None:
+def test_schedule_has_outputs_and_corners_without_duplicates() -> None:
     scene = leg(
         "input={kind: square, high: 1 kPa, low: 0, frequency: 4 Hz}",
         "run={duration: 1 s, output_interval: 0.1 s}",
@@ -206,7 +206,7 @@ def test_schedule_holds_outputs_and_corners_once() -> None:
     assert len(made.pieces) == len(made.edges) - 1
 
 
-def test_a_solve_works_outside_of_the_main_thread() -> None:
+def test_solving_outside_the_main_thread() -> None:
     results: list[str] = []
     thread = threading.Thread(
         target=lambda: results.append(simulate(leg(ONE_WAY), verify=False).status)
@@ -219,7 +219,9 @@ def test_a_solve_works_outside_of_the_main_thread() -> None:
 @pytest.mark.parametrize("start", ["rest", "equilibrium"])
 @pytest.mark.parametrize("inertia", ["on", "off"])
 @pytest.mark.parametrize("distribution", ["on", "off"])
-def test_every_start_and_form_runs(start: str, inertia: str, distribution: str) -> None:
+def test_every_combination_of_start_and_forms_runs(
+    start: str, inertia: str, distribution: str
+) -> None:
     found = simulate(
         leg(
             "gauge_pressure=1 kPa",
@@ -238,7 +240,7 @@ def test_every_start_and_form_runs(start: str, inertia: str, distribution: str) 
     assert energy is None or energy <= 2e-3
 
 
-def test_sealed_islands_hold_what_they_have() -> None:
+def test_sealed_parts_conserve_their_fluid() -> None:
     tubes = "{from: inlet, to: R1, length: 4 cm}, {from: L1, to: L2, length: 4 cm}"
     found = simulate(
         leg(
@@ -259,7 +261,7 @@ def test_sealed_islands_hold_what_they_have() -> None:
 
 
 @pytest.mark.parametrize("pace", [1e-9, 10.0])
-def test_no_clock_decides_how_a_long_run_comes_out(
+def test_results_of_a_long_run_do_not_depend_on_wall_time(
     monkeypatch: pytest.MonkeyPatch, pace: float
 ) -> None:
     scene = leg(

@@ -1,4 +1,4 @@
-"""The limit of steps holds for all that is tried together, and is what a run says it ended by."""
+"""The step limit covers all attempts together, and is named as the reason for the end."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from viscodesign.simulation.solve_once import solve
 PERIODS = "input={kind: sine, amplitude: 20 kPa, frequency: 0.3 Hz}"
 
 
-def test_steps_of_attempts_that_failed_count() -> None:
+def test_steps_of_failed_attempts_count() -> None:
     run = simulate(
         leg(PERIODS, "run={duration: 26000 s, output_interval: 1000 s, max_steps: 1000}")
     )
@@ -28,7 +28,7 @@ def test_steps_of_attempts_that_failed_count() -> None:
     assert not run.ladder
 
 
-def test_a_run_that_ends_before_its_first_output_leaves_whole_files(tmp_path: Path) -> None:
+def test_a_run_without_outputs_writes_complete_files(tmp_path: Path) -> None:
     run = simulate(leg("run={duration: 8 s, output_times: [8], max_steps: 100}"))
     assert run.status == "failed"
     assert "the limit of 100 steps was reached" in (run.failure or "")
@@ -39,7 +39,7 @@ def test_a_run_that_ends_before_its_first_output_leaves_whole_files(tmp_path: Pa
 
 
 @pytest.mark.parametrize("name", ["idas", "radau", "rosenbrock"])
-def test_every_solver_keeps_to_it(name: str) -> None:
+def test_every_solver_respects_the_step_limit(name: str) -> None:
     quantities = SceneQuantities(
         leg(PERIODS, "run={duration: 50 s, output_times: [50], max_steps: 120}")
     )

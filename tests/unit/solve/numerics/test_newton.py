@@ -1,4 +1,4 @@
-"""Newton's iteration, and the way along a family of problems."""
+"""Newton's iteration and continuation."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import pytest
 from viscodesign.solve.numerics.newton import NewtonError, continuation, newton
 
 
-def test_corrections_that_grow_and_grow_are_no_way_to_a_solution() -> None:
-    """The root of 1/y comes nearer to zero with every correction, and each is three times longer."""
+def test_growing_corrections_are_divergence() -> None:
+    """A power of y has no root; every correction is longer than the one before."""
     evaluations = itertools.count()
 
     def without_zero(y: np.ndarray) -> tuple[np.ndarray, ca.DM]:
@@ -25,14 +25,14 @@ def test_corrections_that_grow_and_grow_are_no_way_to_a_solution() -> None:
 
 
 @pytest.mark.parametrize("start", [0.5, 5.0, 20.0])
-def test_a_far_start_still_arrives(start: float) -> None:
+def test_converges_from_a_distant_start(start: float) -> None:
     def bent(y: np.ndarray) -> tuple[np.ndarray, ca.DM]:
         return np.arctan(y), ca.DM(1 / (1 + y**2))
 
     assert newton(bent, np.array([start])) == pytest.approx(0.0, abs=1e-12)
 
 
-def test_what_was_before_foresees_what_comes() -> None:
+def test_continuation_extrapolates_from_the_previous_solution() -> None:
     evaluations = itertools.count()
 
     def family(y: np.ndarray, share: float) -> tuple[np.ndarray, ca.DM]:

@@ -1,4 +1,4 @@
-"""SymbolicLU written out as formulas, against a dense solver."""
+"""Symbolic LU against a dense solver."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from viscodesign.solve.numerics.symbolic_lu import SymbolicLU
 
 
 @given(size=st.integers(1, 25), density=st.floats(0.0, 1.0), seed=st.integers(0, 2**31))
-def test_solutions_are_those_of_a_dense_solver(size: int, density: float, seed: int) -> None:
+def test_solutions_equal_those_of_a_dense_solver(size: int, density: float, seed: int) -> None:
     random = np.random.default_rng(seed)
     entries = (random.random((size, size)) < density) * random.normal(size=(size, size))
     matrix = entries + np.diag(1 + np.sum(np.abs(entries), axis=1))
@@ -27,7 +27,7 @@ def test_solutions_are_those_of_a_dense_solver(size: int, density: float, seed: 
     assert found == pytest.approx(np.linalg.solve(matrix, right), rel=1e-12, abs=1e-13)
 
 
-def test_work_of_a_chain_grows_with_its_length_alone() -> None:
+def test_work_for_a_chain_is_linear_in_its_length() -> None:
     def work(size: int) -> int:
         chain = ca.Sparsity.band(size, 1) + ca.Sparsity.band(size, -1) + ca.Sparsity.diag(size)
         symbol = ca.SX.sym("matrix", chain)
@@ -36,6 +36,6 @@ def test_work_of_a_chain_grows_with_its_length_alone() -> None:
     assert work(400) <= 2.1 * work(200)
 
 
-def test_a_zero_pivot_is_refused() -> None:
+def test_a_structurally_zero_pivot_is_refused() -> None:
     with pytest.raises(ValueError, match="structurally zero"):
         SymbolicLU(ca.Sparsity.band(4, 1))

@@ -1,4 +1,4 @@
-"""Problems without states: all outputs in one call, or one by one, come to the same."""
+"""Problems without states: all outputs in one call, and one by one."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def made(*overrides: str) -> tuple[Problem, Start]:
 
 
 @pytest.mark.parametrize("overrides", SCENES.values(), ids=SCENES)
-def test_one_call_finds_what_single_solutions_find(overrides: tuple[str, ...]) -> None:
+def test_one_call_and_single_solutions_agree(overrides: tuple[str, ...]) -> None:
     problem, here = made(*overrides)
     assert problem.equations.states.count == 0
     schedule, work = problem.schedule, Work()
@@ -42,7 +42,7 @@ def test_one_call_finds_what_single_solutions_find(overrides: tuple[str, ...]) -
         np.testing.assert_allclose(found[:, k], here.algebraics, atol=1e-9)
 
 
-def test_where_the_one_call_fails_single_solutions_go_as_far_as_they_can(
+def test_single_solutions_replace_a_failed_call(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     problem, here = made(*SCENES["unloaded"])
@@ -55,7 +55,7 @@ def test_where_the_one_call_fails_single_solutions_go_as_far_as_they_can(
 
 
 def snapping(interval: float) -> tuple[str, ...]:
-    """A pressed column whose bellows bend it to one side, and then to the other."""
+    """A compressed column that its bellows bend to one side, then to the other."""
     tables = [
         f"{{kind: table, rows: [[0 s, {side * 22e3}], [4 s, {-side * 22e3}]]}}" for side in (1, -1)
     ]
@@ -79,15 +79,15 @@ def fold_of(interval: float) -> float:
     return failure.time_s
 
 
-def test_no_solution_leaps_over_a_fold() -> None:
-    """However far apart the outputs are, the branch ends where it ends."""
+def test_no_solution_jumps_across_a_fold() -> None:
+    """The fold is found at the same place for any output interval."""
     fine = fold_of(0.01)
     for interval in (0.1, 0.5, 2.0):
         # It is found to a thousandth of the interval.
         assert fold_of(interval) == pytest.approx(fine, abs=1.5e-3 * interval + 1e-5)
 
 
-def test_outputs_read_in_one_call_are_those_of_single_calls() -> None:
+def test_mapped_outputs_equal_single_evaluations() -> None:
     problem, here = made(*SCENES["hanging"])
     count = 3
     columns = [np.tile(v[:, None], count) for v in (here.states, here.algebraics)]
@@ -102,7 +102,7 @@ def test_outputs_read_in_one_call_are_those_of_single_calls() -> None:
 
 
 @pytest.mark.parametrize("size", [20, 400])
-def test_a_singular_system_is_refused_whatever_factorises_it(size: int) -> None:
+def test_every_factorisation_refuses_a_singular_system(size: int) -> None:
     diagonal = np.ones(size)
     diagonal[size // 2] = 0.0
     matrix = ca.DM(ca.Sparsity.diag(size), diagonal)

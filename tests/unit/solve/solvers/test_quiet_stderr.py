@@ -1,4 +1,4 @@
-"""What a library writes to standard error below Python is held back, and only that."""
+"""Suppressing what a library writes to standard error below Python."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import pytest
 from viscodesign.solve.solvers.quiet_stderr import quiet_stderr
 
 
-def test_nothing_comes_through_and_then_everything(capfd: pytest.CaptureFixture[str]) -> None:
+def test_stderr_is_suppressed_inside_and_restored_after(capfd: pytest.CaptureFixture[str]) -> None:
     with quiet_stderr():
         os.write(2, b"a step failed\n")
     os.write(2, b"told again\n")
     assert capfd.readouterr().err == "told again\n"
 
 
-def test_it_ends_with_an_error_too(capfd: pytest.CaptureFixture[str]) -> None:
+def test_stderr_is_restored_after_an_error(capfd: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(RuntimeError, match="no step"), quiet_stderr():
         raise RuntimeError("no step")
     os.write(2, b"told again\n")
