@@ -111,6 +111,12 @@ def test_the_wall_holds_the_tip_back(installed: Installation, free: pd.DataFrame
         assert pushed[column].iloc[-1] == pytest.approx(held[column].iloc[-1], abs=STATED_ERROR)
 
 
+def test_there_is_no_wall_unless_the_spec_asks_for_it(installed: Installation) -> None:
+    leg = str(CONFIGS / "leg_4_air_auto.yaml")
+    verdicts = {effect["name"]: effect for effect in installed.json("check", leg)["effects"]}
+    assert not verdicts["wall"]["present"]
+
+
 def test_the_ramp_reaches_its_level_and_holds_it(free: pd.DataFrame) -> None:
     expected = LEVEL * np.minimum(free.time_s.to_numpy() / RAMP, 1.0)
     assert free.inlet_pressure_left_pa.to_numpy() == pytest.approx(expected, abs=1e-6)

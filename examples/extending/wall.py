@@ -17,18 +17,19 @@ from viscodesign.model.system import System
 
 @dataclass(frozen=True)
 class Wall(Effect):
-    """A smooth, frictionless wall to the right of the tip.
+    """A flat, frictionless wall to the right of the tip, where a spec says `wall: on`.
 
-    A penalty: the tip may enter, and is pushed back by the stiffness times the depth.
+    Contact by a penalty: the tip may enter the wall, which pushes back by its stiffness times the
+    depth.
     """
 
     name: ClassVar[str] = "wall"
     order: ClassVar[int] = 60
     formula: ClassVar[str] = "k l^3 / (E I)"
-    validity: ClassVar[str] = "Contact at the tip alone; the wall yields by force over stiffness."
+    validity: ClassVar[str] = "Contact at the tip only; the wall yields by force over stiffness."
 
     distance: float = 0.02
-    """From the clamped axis, towards R [m]."""
+    """From the clamp's axis, towards R [m]."""
     stiffness: float = 500.0
     """Force on the tip per depth [N/m]."""
 
@@ -36,14 +37,19 @@ class Wall(Effect):
     def of(cls, quantities: SceneQuantities) -> Self:
         return cls()
 
+    def present(self, quantities: SceneQuantities) -> bool:
+        return quantities.scene.effects.mode(self.name) == "on"
+
     def weight(self, quantities: SceneQuantities) -> float:
-        length = quantities.body.length
-        return self.stiffness * length / quantities.bending_force
+        return self.stiffness * quantities.body.length / quantities.bending_force
 
     def reason(self, quantities: SceneQuantities) -> str:
-        return f"a wall {1000 * self.distance:.3g} mm beside the clamped axis"
+        if not self.present(quantities):
+            return "there is a wall only where the spec says `wall: on`"
+        return f"a wall {1000 * self.distance:.3g} mm beside the clamp's axis"
 
     def join(self, system: System) -> None:
-        depth = ca.fmax(0, system.rod.tip[0] - system.parameter("wall.distance", self.distance))
+        distance = system.parameter("wall.distance", self.distance)
         stiffness = system.parameter("wall.stiffness", self.stiffness)
+        depth = ca.fmax(0, system.rod.tip[0] - distance)
         system.load_potential += stiffness * depth**2 / 2
