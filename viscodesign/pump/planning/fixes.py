@@ -4,35 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from viscodesign.pump.planning.drive_fixes import (
-    higher_cap,
-    more_voltage,
-    other_home,
-    thinner_barrel,
-    wider_barrel,
-)
-from viscodesign.pump.planning.input_fixes import (
-    Found,
-    higher_pressures,
-    lower_pressures,
-    more_time,
-)
+from viscodesign.pump.planning import drive_fixes as drive
+from viscodesign.pump.planning import input_fixes as inputs
 from viscodesign.pump.planning.result import PumpVerdict, SuggestedChange
 from viscodesign.pump.planning.trials import Aim, Trials, Variation, remaining
 
-Fix = Callable[[Trials, Aim, Variation], Found | None]
+Fix = Callable[[Trials, Aim, Variation], inputs.Found | None]
 
 FIXES: dict[str, tuple[Fix, ...]] = {
-    "stall": (lower_pressures, thinner_barrel, more_voltage),
-    "one_fifth": (lower_pressures, thinner_barrel, more_voltage),
-    "speed": (more_time, lower_pressures, more_voltage),
-    "travel": (other_home, lower_pressures, wider_barrel),
-    "barrel": (other_home, lower_pressures, wider_barrel),
-    "suction": (lower_pressures,),
-    "cap": (higher_cap, lower_pressures),
-    "resolution": (thinner_barrel, higher_pressures),
-    "pressure_step": (thinner_barrel,),
-    "speed_register": (thinner_barrel,),
+    "stall": (inputs.lower_pressures, drive.thinner_barrel, drive.more_voltage),
+    "one_fifth": (inputs.lower_pressures, drive.thinner_barrel, drive.more_voltage),
+    "speed": (inputs.more_time, inputs.lower_pressures, drive.more_voltage),
+    "travel": (drive.other_home, inputs.lower_pressures, drive.wider_barrel),
+    "barrel": (drive.other_home, inputs.lower_pressures, drive.wider_barrel),
+    "suction": (inputs.lower_pressures,),
+    "cap": (drive.higher_cap, inputs.lower_pressures),
+    "resolution": (drive.thinner_barrel, inputs.higher_pressures),
+    "pressure_step": (drive.thinner_barrel,),
+    "speed_register": (drive.thinner_barrel,),
 }
 """What may help against a limit, simplest first."""
 CURED_BY_PRESSURE = ("stall", "speed", "suction")
@@ -73,10 +62,10 @@ def _stepwise(trials: Trials, lowered_for: tuple[str, ...]) -> tuple[SuggestedCh
     case = Variation()
     made: dict[str, SuggestedChange] = {}
     steps: tuple[tuple[Fix, tuple[str, ...]], ...] = (
-        (lower_pressures, lowered_for),
-        (other_home, ("travel", "barrel")),
-        (lower_pressures, ("travel", "barrel")),
-        (higher_cap, ("cap",)),
+        (inputs.lower_pressures, lowered_for),
+        (drive.other_home, ("travel", "barrel")),
+        (inputs.lower_pressures, ("travel", "barrel")),
+        (drive.higher_cap, ("cap",)),
     )
     for fix, names in steps:
         if not set(remaining(trials.demands(case))) & set(names):

@@ -8,31 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from viscodesign.pump.planning import plunger_limits as plunger
+from viscodesign.pump.planning import pressure_limits as pressure
+from viscodesign.pump.planning import servo_limits as servo
 from viscodesign.pump.planning.assessment import Assessment
 from viscodesign.pump.planning.demand import PumpDemand
-from viscodesign.pump.planning.plunger_limits import (
-    barrel,
-    pressure_step,
-    resolution,
-    speed_register,
-    travel,
-)
-from viscodesign.pump.planning.pressure_limits import cap, sensor, suction
 from viscodesign.pump.planning.result import PumpVerdict
-from viscodesign.pump.planning.servo_limits import (
-    battery,
-    cap_torque,
-    one_fifth,
-    speed,
-    stall,
-    voltage,
-)
 
 LIMITS: dict[str, Callable[[PumpDemand], Assessment]] = {
     limit.__name__: limit
     for limit in (
-        stall, one_fifth, speed, travel, barrel, suction, cap, cap_torque, resolution,
-        pressure_step, sensor, speed_register, battery, voltage,
+        servo.stall, servo.one_fifth, servo.speed, plunger.travel, plunger.barrel,
+        pressure.suction, pressure.cap, servo.cap_torque, plunger.resolution,
+        plunger.pressure_step, pressure.sensor, plunger.speed_register, servo.battery,
+        servo.voltage,
     )
 }  # fmt: skip
 

@@ -18,9 +18,9 @@ def stall(demand: PumpDemand) -> Assessment:
     torque, when = _worst_torque(demand)
     message = (
         f"{demand.pressure[when] / 1e3:.4g} kPa gauge takes {torque:.3g} N m, "
-        f"{torque / demand.stall_torque:.0%} of the stall torque at "
+        f"{100 * torque / demand.stall_torque:.0f} % of the stall torque at "
         f"{demand.pump.supply_voltage:g} V (stall at {demand.stall_pressure / 1e3:.4g} kPa gauge); "
-        f"at most {MARGINS.stall_share:.0%} is allowed"
+        f"at most {100 * MARGINS.stall_share:.0f} % is allowed"
     )
     return Assessment("infeasible", torque, allowed, "N m", torque / allowed, when, message)
 
@@ -70,7 +70,7 @@ def cap_torque(demand: PumpDemand) -> Assessment:
     pressure, allowed = demand.pump.max_pressure, MARGINS.stall_share * demand.stall_pressure
     message = (
         f"the cap of {pressure / 1e3:.4g} kPa gauge takes "
-        f"{pressure / demand.stall_pressure:.0%} of the stall torque at "
+        f"{100 * pressure / demand.stall_pressure:.0f} % of the stall torque at "
         f"{demand.pump.supply_voltage:g} V"
     )
     if pressure > demand.stall_pressure:
@@ -79,7 +79,7 @@ def cap_torque(demand: PumpDemand) -> Assessment:
     if pressure > allowed and gauge > 0.0:
         message += (
             f"; {pressure / 1e3:.4g} kPa abs would be {gauge / 1e3:.4g} kPa gauge, "
-            f"{gauge / demand.stall_pressure:.0%}"
+            f"{100 * gauge / demand.stall_pressure:.0f} %"
         )
     return Assessment("advice", pressure, allowed, "Pa gauge", pressure / allowed, 0, message)
 
