@@ -62,6 +62,13 @@ def test_a_faulty_spec_exits_with_2_and_writes_nothing(
     assert not folder.exists()
 
 
+def test_an_input_that_may_be_absolute_is_reported(call: Call, tmp_path: Path) -> None:
+    high = ("--set", "input={kind: constant, value: 140 kPa}")
+    found = call("pump", "plan", LEG, *PUMP, *SHORT, *high, "-o", tmp_path, "--no-plots")
+    assert found.status == 4
+    assert "140 kPa abs is 38.67 kPa gauge" in found.out
+
+
 def test_another_folders_files_are_left_alone(call: Call, tmp_path: Path) -> None:
     (tmp_path / "thesis.doc").write_text("mine")
     assert call("pump", "plan", LEG, *PUMP, *SHORT, "-o", tmp_path).status == 2

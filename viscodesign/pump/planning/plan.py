@@ -166,6 +166,14 @@ def _notices(
             f"incompressible: up to {1e6 * missing:.3g} mL that the plunger would have to move "
             "for its compression are left out",
         )
+    highest, ambient = max(float(d.pressure.max()) for d in demands), scene.ambient_pressure
+    if highest > ambient:
+        yield Notice(
+            "gauge_or_absolute",
+            f"the input reaches {highest / 1e3:.4g} kPa, taken as gauge; if absolute was meant, "
+            f"{highest / 1e3:.4g} kPa abs is {(highest - ambient) / 1e3:.4g} kPa gauge",
+            "input",
+        )
     if shares_a_network(scene) and demands[0].lead_s > 0.0:
         yield Notice(
             "shared_start",
