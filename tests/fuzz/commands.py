@@ -1,4 +1,4 @@
-"""The same specs through the command line: exit codes, one JSON document, one message."""
+"""The same specs through the command line: exit codes, JSON documents and messages."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
-from tests.fuzz.judge import (
-    PATIENCE,
-    HangError,
+from tests.fuzz.invariants import (
+    CPU_LIMIT_S,
+    TimeLimitError,
     Verdict,
-    of_message,
-    patience,
+    cpu_time_limit,
+    message_problems,
     strict_json,
     written,
 )
@@ -32,26 +32,26 @@ REFUSED, FAILED = 2, 3
 
 
 @dataclass(frozen=True)
-class Said:
-    """What a command line came to."""
+class CommandOutcome:
+    """Outcome of a command."""
 
     code: int
     out: str
     err: str
 
-    def complaints(self, words: Sequence[str]) -> Iterator[str]:
-        """What no command may do."""
+    def problems(self, words: Sequence[str]) -> Iterator[str]:
+        """Problems of the outcome of any command."""
         shown = f"'{' '.join(words)[:120]}'"
         if self.code not in (0, REFUSED, FAILED):
             yield f"{shown} exits with {self.code}: {self.err[:300]}"
         if self.code and not self.err.strip():
-            yield f"{shown} exits with {self.code} and says nothing"
+            yield f"{shown} exits with {self.code} without a message"
         if self.code:
-            yield from (f"{shown}: {c}" for c in of_message(self.err))
+            yield from (f"{shown}: {c}" for c in message_problems(self.err))
 
 
-def said(words: Sequence[str]) -> Said:
-    """Run one command line in this process."""
+def run_command(words: Sequence[str]) -> CommandOutcome:
+    """Run a command in this process."""
     out, err = io.StringIO(), io.StringIO()
     with (
         warnings.catch_warnings(),
@@ -61,17 +61,17 @@ def said(words: Sequence[str]) -> Said:
         warnings.simplefilter("error")
         before = signal.getsignal(signal.SIGINT)
         try:
-            with patience(PATIENCE):
+            with cpu_time_limit(CPU_LIMIT_S):
                 code = main(words)
-        except HangError:
-            return Said(INTERNAL_ERROR, out.getvalue(), f"no end after {PATIENCE} s")
+        except TimeLimitError:
+            return CommandOutcome(INTERNAL_ERROR, out.getvalue(), f"no end after {CPU_LIMIT_S} s")
         finally:
             signal.signal(signal.SIGINT, before)
-    return Said(code, out.getvalue(), err.getvalue())
+    return CommandOutcome(code, out.getvalue(), err.getvalue())
 
 
 def has_timescales(file: Path, overrides: Sequence[str] = ()) -> bool:
-    """Whether numbers hold its sizes: then it has a place, be it ill posed for a solution."""
+    """Whether the timescales are finite, so that `classify` succeeds even for an ill-posed scene."""
     try:
         refuse_beyond_numbers(SceneQuantities(load(file, overrides)))
     except SpecError:
@@ -79,16 +79,16 @@ def has_timescales(file: Path, overrides: Sequence[str] = ()) -> bool:
     return True
 
 
-def commanded(draft: Draft, folder: Path, first: Verdict) -> Verdict:
-    """The first verdict, with what the commands and the resolved spec add to it."""
-    found = list(_of_commands(draft, folder, first))
-    if first.run is not None and not first.complaints:
+def check_commands(draft: Draft, folder: Path, first: Verdict) -> Verdict:
+    """The first verdict with the problems of the commands and the resolved spec."""
+    found = list(_command_problems(draft, folder, first))
+    if first.run is not None and not first.problems:
         found += _again(folder / "run" / "spec.yaml", first.run)
     numbers = {**first.numbers, "commands compared": 1.0}
-    return replace(first, complaints=(*first.complaints, *found), numbers=numbers)
+    return replace(first, problems=(*first.problems, *found), numbers=numbers)
 
 
-def _of_commands(draft: Draft, folder: Path, first: Verdict) -> Iterator[str]:
+def _command_problems(draft: Draft, folder: Path, first: Verdict) -> Iterator[str]:
     file = str(written(draft, folder))
     ran = {"complete": 0, "refused": REFUSED}.get(first.ending, FAILED)
     weighed = REFUSED if ran == REFUSED else 0
@@ -100,16 +100,16 @@ def _of_commands(draft: Draft, folder: Path, first: Verdict) -> Iterator[str]:
         ("classify", file, "--json"): placed,
     }
     for words, wanted in lines.items():
-        answer = said(words)
-        yield from answer.complaints(words)
+        answer = run_command(words)
+        yield from answer.problems(words)
         if answer.code != wanted:
-            yield f"'{words[0]}' exits with {answer.code}, and not {wanted}: {answer.err[:200]}"
+            yield f"'{words[0]}' exits with {answer.code} instead of {wanted}: {answer.err[:200]}"
         if "--json" in words and answer.code != REFUSED and answer.out:
             strict_json(answer.out)
 
 
 def _again(resolved: Path, first: Trajectory) -> Iterator[str]:
-    """The resolved spec gives the same numbers, to the last digit."""
+    """The resolved spec must give the same numbers to the last digit."""
     again = simulate(load(resolved))
     if again.status != first.status:
         yield f"spec.yaml, run again, ends {again.status}: {again.failure}"
@@ -119,4 +119,4 @@ def _again(resolved: Path, first: Trajectory) -> Iterator[str]:
         size = (
             float(np.max(np.abs(again.tip - first.tip))) if len(again.tip) == len(first.tip) else 0
         )
-        yield f"spec.yaml, run again, gives other numbers (tip {size:.3g} apart)"
+        yield f"spec.yaml, run again, gives other numbers (tip distance {size:.3g})"

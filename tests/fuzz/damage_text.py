@@ -24,78 +24,78 @@ def _lines(text: str) -> list[str]:
     return text.split("\n")
 
 
-def _truncate(dice: Random, text: str) -> str:
-    return text[: dice.randrange(len(text) + 1)]
+def _truncate(rng: Random, text: str) -> str:
+    return text[: rng.randrange(len(text) + 1)]
 
 
-def _beheaded(dice: Random, text: str) -> str:
-    return text[dice.randrange(len(text) + 1) :]
+def _lost_beginning(rng: Random, text: str) -> str:
+    return text[rng.randrange(len(text) + 1) :]
 
 
-def _odd_character(dice: Random, text: str) -> str:
-    at = dice.randrange(len(text) + 1)
-    return text[:at] + dice.choice(ODD_CHARACTERS) * dice.choice([1, 1, 3]) + text[at:]
+def _odd_character(rng: Random, text: str) -> str:
+    at = rng.randrange(len(text) + 1)
+    return text[:at] + rng.choice(ODD_CHARACTERS) * rng.choice([1, 1, 3]) + text[at:]
 
 
-def _lost_character(dice: Random, text: str) -> str:
-    at = dice.randrange(len(text) + 1)
+def _lost_character(rng: Random, text: str) -> str:
+    at = rng.randrange(len(text) + 1)
     return text[:at] + text[at + 1 :]
 
 
-def _device(dice: Random, text: str) -> str:
+def _device(rng: Random, text: str) -> str:
     """One of YAML's devices before a value, or anywhere."""
     colons = [k + 2 for k in range(len(text) - 1) if text[k : k + 2] == ": "]
-    at = dice.choice(colons) if colons and dice.random() < 0.8 else dice.randrange(len(text) + 1)
-    return text[:at] + dice.choice(DEVICES) + text[at:]
+    at = rng.choice(colons) if colons and rng.random() < 0.8 else rng.randrange(len(text) + 1)
+    return text[:at] + rng.choice(DEVICES) + text[at:]
 
 
-def _lost_line(dice: Random, text: str) -> str:
+def _lost_line(rng: Random, text: str) -> str:
     lines = _lines(text)
-    del lines[dice.randrange(len(lines))]
+    del lines[rng.randrange(len(lines))]
     return "\n".join(lines)
 
 
-def _doubled_line(dice: Random, text: str) -> str:
+def _doubled_line(rng: Random, text: str) -> str:
     lines = _lines(text)
-    lines.insert(dice.randrange(len(lines) + 1), dice.choice(lines))
+    lines.insert(rng.randrange(len(lines) + 1), rng.choice(lines))
     return "\n".join(lines)
 
 
-def _swapped_lines(dice: Random, text: str) -> str:
+def _swapped_lines(rng: Random, text: str) -> str:
     lines = _lines(text)
-    a, b = dice.randrange(len(lines)), dice.randrange(len(lines))
+    a, b = rng.randrange(len(lines)), rng.randrange(len(lines))
     lines[a], lines[b] = lines[b], lines[a]
     return "\n".join(lines)
 
 
-def _indentation(dice: Random, text: str) -> str:
+def _indentation(rng: Random, text: str) -> str:
     lines = _lines(text)
-    at = dice.randrange(len(lines))
-    lines[at] = dice.choice(["", " ", "\t", "   ", "          "]) + lines[at].strip()
+    at = rng.randrange(len(lines))
+    lines[at] = rng.choice(["", " ", "\t", "   ", "          "]) + lines[at].strip()
     return "\n".join(lines)
 
 
-def _tabs(dice: Random, text: str) -> str:
-    return text.replace("  ", "\t", dice.choice([-1, 1, 3]))
+def _tabs(rng: Random, text: str) -> str:
+    return text.replace("  ", "\t", rng.choice([-1, 1, 3]))
 
 
-def _documents(dice: Random, text: str) -> str:
+def _documents(rng: Random, text: str) -> str:
     return (
         text
-        + dice.choice(["\n---\n", "\n...\n---\n", "\n---\n---\n", "\n...\n"])
-        + dice.choice(["", text, "a: 1", "- x"])
+        + rng.choice(["\n---\n", "\n...\n---\n", "\n---\n---\n", "\n...\n"])
+        + rng.choice(["", text, "a: 1", "- x"])
     )
 
 
-def _line_ends(dice: Random, text: str) -> str:
-    return text.replace("\n", dice.choice(["\r\n", "\r", "\n\r", "\x85", "\u2028"]))
+def _line_ends(rng: Random, text: str) -> str:
+    return text.replace("\n", rng.choice(["\r\n", "\r", "\n\r", "\x85", "\u2028"]))
 
 
-def _laughs(dice: Random, text: str) -> str:
-    return LAUGHS + text if dice.random() < 0.5 else text + "\n" + LAUGHS
+def _alias_expansion(rng: Random, text: str) -> str:
+    return LAUGHS + text if rng.random() < 0.5 else text + "\n" + LAUGHS
 
 
-def _shared(dice: Random, text: str) -> str:
+def _shared(rng: Random, text: str) -> str:
     """An anchor on one section and its alias in the place of another."""
     lines = _lines(text)
     heads = [
@@ -103,27 +103,27 @@ def _shared(dice: Random, text: str) -> str:
     ]
     if len(heads) < 2:
         return text
-    one, other = sorted(dice.sample(heads, 2))
+    one, other = sorted(rng.sample(heads, 2))
     lines[one] += " &shared"
-    lines[other] += dice.choice([" *shared", "\n  <<: *shared"])
+    lines[other] += rng.choice([" *shared", "\n  <<: *shared"])
     return "\n".join(lines)
 
 
-def _long_line(dice: Random, text: str) -> str:
-    size = dice.choice([1000, 100_000, 1_000_000])
-    word = dice.choice(["x", "x ", "1", "[", "- ", "a: ", "{a: ", "é", "\\", "'"])
+def _long_line(rng: Random, text: str) -> str:
+    size = rng.choice([1000, 100_000, 1_000_000])
+    word = rng.choice(["x", "x ", "1", "[", "- ", "a: ", "{a: ", "é", "\\", "'"])
     return text + "\nlong: " + word * (size // len(word)) + "\n"
 
 
-def _deep(dice: Random, text: str) -> str:
-    depth = dice.choice([5, 31, 33, 500, 20_000])
-    opening = dice.choice(["[", "{a: ", "- "])
-    closing = {"[": "]", "{a: ": "}", "- ": ""}[opening] * (depth if dice.random() < 0.5 else 0)
+def _deep(rng: Random, text: str) -> str:
+    depth = rng.choice([5, 31, 33, 500, 20_000])
+    opening = rng.choice(["[", "{a: ", "- "])
+    closing = {"[": "]", "{a: ": "}", "- ": ""}[opening] * (depth if rng.random() < 0.5 else 0)
     return text + "\ndeep: " + opening * depth + closing + "\n"
 
 
 TEXT_DAMAGES: list[Callable[[Random, str], str]] = [
-    _truncate, _beheaded, _odd_character, _odd_character, _lost_character, _device, _device, _device,
-    _lost_line, _doubled_line, _swapped_lines, _indentation, _tabs, _documents, _line_ends, _laughs,
+    _truncate, _lost_beginning, _odd_character, _odd_character, _lost_character, _device, _device, _device,
+    _lost_line, _doubled_line, _swapped_lines, _indentation, _tabs, _documents, _line_ends, _alias_expansion,
     _shared, _long_line, _deep,
 ]  # fmt: skip

@@ -32,9 +32,9 @@ UNITS = (
 )  # fmt: skip
 
 
-def _odd(dice: Random) -> Any:
+def _odd(rng: Random) -> Any:
     """One of them of its own: later damages may change it."""
-    return copy.deepcopy(dice.choice(ODD_VALUES))
+    return copy.deepcopy(rng.choice(ODD_VALUES))
 
 
 def places(tree: Any) -> Iterator[Place]:
@@ -49,52 +49,52 @@ def places(tree: Any) -> Iterator[Place]:
         yield from places(tree[key])
 
 
-def _place(dice: Random, tree: Any, *, in_mapping: bool = False) -> Place:
+def _place(rng: Random, tree: Any, *, in_mapping: bool = False) -> Place:
     found = [p for p in places(tree) if isinstance(p[0], dict) or not in_mapping]
-    return dice.choice(found) if found else ({"": None}, "")
+    return rng.choice(found) if found else ({"": None}, "")
 
 
-def _delete(dice: Random, tree: Any) -> None:
-    parent, key = _place(dice, tree)
+def _delete(rng: Random, tree: Any) -> None:
+    parent, key = _place(rng, tree)
     del parent[key]
 
 
-def _rename(dice: Random, tree: Any) -> None:
+def _rename(rng: Random, tree: Any) -> None:
     """A key with a slip of the finger."""
-    parent, key = _place(dice, tree, in_mapping=True)
+    parent, key = _place(rng, tree, in_mapping=True)
     word = str(key)
-    at = dice.randrange(len(word) + 1)
-    slip = dice.choice(["", "x", "_", " ", "é", ".", word[:1] * 2, ":", "\t", "#"])
+    at = rng.randrange(len(word) + 1)
+    slip = rng.choice(["", "x", "_", " ", "é", ".", word[:1] * 2, ":", "\t", "#"])
     parent[word[:at] + slip + word[at + 1 :]] = parent.pop(key)
 
 
-def _odd_key(dice: Random, tree: Any) -> None:
+def _odd_key(rng: Random, tree: Any) -> None:
     """A key that no spec has, or one from another section."""
-    parent, _ = _place(dice, tree, in_mapping=True)
-    _, other = _place(dice, tree)
-    key = dice.choice([other, "", " ", None, 7, 1.5, True, "<<", "a.b", "k" * 3000, "ключ", "\x07"])
-    parent[key] = _odd(dice)
+    parent, _ = _place(rng, tree, in_mapping=True)
+    _, other = _place(rng, tree)
+    key = rng.choice([other, "", " ", None, 7, 1.5, True, "<<", "a.b", "k" * 3000, "ключ", "\x07"])
+    parent[key] = _odd(rng)
 
 
-def _odd_value(dice: Random, tree: Any) -> None:
-    parent, key = _place(dice, tree)
-    parent[key] = _odd(dice)
+def _odd_value(rng: Random, tree: Any) -> None:
+    parent, key = _place(rng, tree)
+    parent[key] = _odd(rng)
 
 
-def _wrong_unit(dice: Random, tree: Any) -> None:
-    parent, key = _place(dice, tree)
-    number = dice.choice([1, 0, -3, 0.5, "1e-3", "1e300", "1e-300", "7"])
-    parent[key] = f"{number} {dice.choice(UNITS)}"
+def _wrong_unit(rng: Random, tree: Any) -> None:
+    parent, key = _place(rng, tree)
+    number = rng.choice([1, 0, -3, 0.5, "1e-3", "1e300", "1e-300", "7"])
+    parent[key] = f"{number} {rng.choice(UNITS)}"
 
 
-def _extreme_number(dice: Random, tree: Any) -> None:
+def _extreme_number(rng: Random, tree: Any) -> None:
     """A number of a size that nobody meant."""
-    parent, key = _place(dice, tree)
+    parent, key = _place(rng, tree)
     if isinstance(parent[key], (int, float, str)):
-        parent[key] = dice.choice([1, -1]) * float(f"{10 ** dice.uniform(-320, 308):.3g}")
+        parent[key] = rng.choice([1, -1]) * float(f"{10 ** rng.uniform(-320, 308):.3g}")
 
 
-def _other_number(dice: Random, tree: Any) -> None:
+def _other_number(rng: Random, tree: Any) -> None:
     """A number some powers of ten away: a wrong prefix, a slipped point."""
     numbers = [
         (parent, key)
@@ -102,23 +102,23 @@ def _other_number(dice: Random, tree: Any) -> None:
         if isinstance(parent[key], float)
         or (isinstance(parent[key], int) and 1 < parent[key] < 1e15)
     ]
-    for parent, key in dice.sample(numbers, min(len(numbers), 2)):
-        parent[key] = float(f"{parent[key] * 10 ** dice.uniform(-6, 6):.3g}")
+    for parent, key in rng.sample(numbers, min(len(numbers), 2)):
+        parent[key] = float(f"{parent[key] * 10 ** rng.uniform(-6, 6):.3g}")
 
 
-def _wrap(dice: Random, tree: Any) -> None:
+def _wrap(rng: Random, tree: Any) -> None:
     """A value one level deeper than it belongs."""
-    parent, key = _place(dice, tree)
+    parent, key = _place(rng, tree)
     value = parent[key]
-    parent[key] = dice.choice(
+    parent[key] = rng.choice(
         [[value], {"value": value}, {str(key): value}, [value, copy.deepcopy(value)]]
     )
 
 
-def _move(dice: Random, tree: Any) -> None:
+def _move(rng: Random, tree: Any) -> None:
     """A value where another belongs."""
-    parent, key = _place(dice, tree)
-    other, name = _place(dice, tree)
+    parent, key = _place(rng, tree)
+    other, name = _place(rng, tree)
     value = other[name]
     if isinstance(value, (dict, list)):
         value = str(value)[:60]
@@ -131,49 +131,49 @@ TREE_DAMAGES: list[Callable[[Random, Any], None]] = [
 ]  # fmt: skip
 
 
-def _path(dice: Random, tree: Any) -> str:
+def _path(rng: Random, tree: Any) -> str:
     """The dotted path of an entry."""
     parts, here = [], tree
-    while isinstance(here, (dict, list)) and here and (not parts or dice.random() < 0.8):
+    while isinstance(here, (dict, list)) and here and (not parts or rng.random() < 0.8):
         keys = list(here) if isinstance(here, dict) else list(range(len(here)))
-        parts.append(dice.choice(keys))
+        parts.append(rng.choice(keys))
         here = here[parts[-1]]
     return ".".join(map(str, parts))
 
 
-def _set_value(dice: Random, tree: Any) -> str:
-    return f"{_path(dice, tree)}={_word(dice)}"
+def _set_value(rng: Random, tree: Any) -> str:
+    return f"{_path(rng, tree)}={_word(rng)}"
 
 
-def _set_unit(dice: Random, tree: Any) -> str:
-    return f"{_path(dice, tree)}={dice.choice([1, -2, 0.5, '1e9'])} {dice.choice(UNITS)}"
+def _set_unit(rng: Random, tree: Any) -> str:
+    return f"{_path(rng, tree)}={rng.choice([1, -2, 0.5, '1e9'])} {rng.choice(UNITS)}"
 
 
-def _set_number(dice: Random, tree: Any) -> str:
-    return f"{_path(dice, tree)}={10 ** dice.uniform(-12, 12):.3g}"
+def _set_number(rng: Random, tree: Any) -> str:
+    return f"{_path(rng, tree)}={10 ** rng.uniform(-12, 12):.3g}"
 
 
-def _set_below(dice: Random, tree: Any) -> str:
+def _set_below(rng: Random, tree: Any) -> str:
     """A key below one that may have none."""
-    more = dice.choice(
+    more = rng.choice(
         ["x", "0", "-1", "999999999999", "kind", "tubes.0", "a.b.c.d.e", "", ".", "١"]
     )
-    return f"{_path(dice, tree)}.{more}={_word(dice)}"
+    return f"{_path(rng, tree)}.{more}={_word(rng)}"
 
 
-def _set_elsewhere(dice: Random, tree: Any) -> str:
+def _set_elsewhere(rng: Random, tree: Any) -> str:
     keys = ["", "=", "==", ".", "..", "a", "run", "run.", ".run", "Run.duration", "effects", "inputs.a",
             "network.changes.R1-R2", "pump.servo_id", "\x00", "ключ", "a" * 3000, ".".join("a" * 500)]  # fmt: skip
-    return dice.choice(keys) + dice.choice(["=", "", " = ", "=="]) + _word(dice)
+    return rng.choice(keys) + rng.choice(["=", "", " = ", "=="]) + _word(rng)
 
 
-def _word(dice: Random) -> str:
+def _word(rng: Random) -> str:
     """What may stand behind the equals sign."""
-    odd = dice.choice(ODD_VALUES)
+    odd = rng.choice(ODD_VALUES)
     words = [str(odd)[:6000], repr(odd)[:6000], "[", "{", "[[0,0],[1,1e5]]", "{kind: sine}", "- a", "a: b", "!!x y",
              "&a [*a]", "*a", "'", '"', "|\n x", "# x", "---\na\n---\nb", "%YAML 9.9", "@", "`", "[" * 500,
              "{a: " * 200, "? a", "!", "&a", "<<: 1", "{<<: 1}", "{[1]: 2}", "{a: 1, a: 2}"]  # fmt: skip
-    return dice.choice(words)
+    return rng.choice(words)
 
 
 OVERRIDES: list[Callable[[Random, Any], str]] = [

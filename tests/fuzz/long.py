@@ -16,33 +16,33 @@ from pathlib import Path
 
 import yaml
 
-from tests.fuzz import crew
-from tests.fuzz.breaking import Broken, broken_spec
-from tests.fuzz.broken import outcome_of
-from tests.fuzz.dice import dice_of
-from tests.fuzz.judge import Verdict
+from tests.fuzz import worker_pool
+from tests.fuzz.broken_outcome import outcome_of
+from tests.fuzz.broken_specs import Broken, broken_spec
+from tests.fuzz.invariants import Verdict
+from tests.fuzz.random_numbers import rng_of
 from tests.fuzz.tally import Tally
-from tests.fuzz.trial import drawn, tried
+from tests.fuzz.trial import check_trial, drawn
 
 EVERY = 100
-"""Trials between two words of progress."""
+"""Trials between two progress messages."""
 MOST_KEPT = 3
-"""Specs kept of every way to end early, for a look."""
+"""Specs kept for each kind of early end."""
 
 
 def scene_trial(seed: str, number: int) -> Verdict:
-    """What a worker does with the number of a scene."""
-    return tried(drawn(seed, number), number)
+    """Task of a worker: one random scene."""
+    return check_trial(drawn(seed, number), number)
 
 
 def broken_trial(seed: str, number: int) -> Verdict:
-    """What a worker does with the number of a broken spec."""
+    """Task of a worker: one broken spec."""
     return outcome_of(broken_of(seed, number))
 
 
 def broken_of(seed: str, number: int) -> Broken:
     """Broken spec ``number`` of a seed."""
-    return broken_spec(dice_of(f"broken:{seed}", number))
+    return broken_spec(rng_of(f"broken:{seed}", number))
 
 
 def spec_text(seed: str, number: int) -> str:
@@ -53,14 +53,14 @@ def spec_text(seed: str, number: int) -> str:
 
 
 def broken_text(seed: str, number: int) -> str:
-    """A broken spec, readable."""
+    """A broken spec as readable text."""
     broken = broken_of(seed, number)
     tables = [f"# {name}: {content[:2000]!r}\n" for name, content in broken.files.items()]
     return f"# {broken.how}\n# --set {broken.overrides}\n{''.join(tables)}{broken.text[:20000]!r}\n"
 
 
 def main() -> int:
-    """Draw, judge, count; 1 where there is a finding."""
+    """Draw, check and count; returns 1 if there is a finding."""
     given = _arguments()
     if given.only is not None:
         return _one(spec_text, scene_trial, given.seed, given.only)
@@ -100,15 +100,19 @@ def _counted(
     title: str,
     given: argparse.Namespace,
     count: int,
-    task: crew.Task,
+    task: worker_pool.Task,
     text_of: Callable[[str, int], str],
 ) -> Tally:
     tally = Tally(title)
     numbers = range(given.first, given.first + count)
-    found = crew.answers(task, given.seed, numbers, given.jobs)
+    found = worker_pool.run_tasks(task, given.seed, numbers, given.jobs)
     for number, answer, seconds in _until_interrupted(found):
-        verdict = Verdict("dies", (answer.how,)) if isinstance(answer, crew.Died) else answer
-        told = "; ".join(verdict.complaints)
+        verdict = (
+            Verdict("dies", (answer.how,))
+            if isinstance(answer, worker_pool.WorkerDeath)
+            else answer
+        )
+        told = "; ".join(verdict.problems)
         tally.add(number, verdict.ending, told, seconds, verdict.numbers)
         early = verdict.ending not in ("complete", "refused", "loaded")
         if told or (early and tally.endings[verdict.ending] <= MOST_KEPT):
@@ -122,17 +126,17 @@ def _counted(
     return tally
 
 
-def _until_interrupted(found: Iterator[crew.Answer]) -> Iterator[crew.Answer]:
-    """What comes before Ctrl-C, which ends a count early: its table is printed all the same."""
+def _until_interrupted(found: Iterator[worker_pool.Answer]) -> Iterator[worker_pool.Answer]:
+    """Results until Ctrl-C, after which the table is still printed."""
     with contextlib.suppress(KeyboardInterrupt):
         yield from found
 
 
-def _one(text_of: Callable[[str, int], str], task: crew.Task, seed: str, number: int) -> int:
+def _one(text_of: Callable[[str, int], str], task: worker_pool.Task, seed: str, number: int) -> int:
     print(text_of(seed, number))
     verdict = task(seed, number)
-    print(verdict.ending, *verdict.complaints, verdict.numbers, sep="\n")
-    return int(bool(verdict.complaints))
+    print(verdict.ending, *verdict.problems, verdict.numbers, sep="\n")
+    return int(bool(verdict.problems))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What many trials came to, as a table."""
+"""Summary table of many trials."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Numbers = dict[str, float]
 
 @dataclass
 class Tally:
-    """Endings, findings, seconds and numbers of trials, added up."""
+    """Counts of endings, findings, seconds and numbers of trials."""
 
     title: str
     endings: Counter[str] = field(default_factory=Counter)
@@ -19,22 +19,22 @@ class Tally:
     seconds: list[tuple[float, int]] = field(default_factory=list)
     numbers: dict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
 
-    def add(self, number: int, ending: str, complaints: str, seconds: float, told: Numbers) -> None:
-        """One trial more."""
+    def add(self, number: int, ending: str, problems: str, seconds: float, told: Numbers) -> None:
+        """Add a trial."""
         self.endings[ending] += 1
         self.seconds.append((seconds, number))
-        if complaints:
-            self.findings.append((number, complaints))
+        if problems:
+            self.findings.append((number, problems))
         for name, value in told.items():
             self.numbers[name].append(value)
 
     @property
     def count(self) -> int:
-        """How many trials."""
+        """Number of trials."""
         return sum(self.endings.values())
 
     def table(self) -> str:
-        """In Markdown."""
+        """The table in Markdown."""
         lines = [f"## {self.title}", "", "| ending | trials |", "|---|---:|"]
         lines += [f"| {ending} | {n} |" for ending, n in self.endings.most_common()]
         lines += [f"| **all** | **{self.count}** |", "", f"{len(self.findings)} findings."]
@@ -45,7 +45,7 @@ class Tally:
             middle = statistics.median(s for s, _ in times)
             lines += [
                 "",
-                f"Processor time of a trial: {middle:.3g} s in the median; worst {worst}.",
+                f"CPU time of a trial: median {middle:.3g} s; largest {worst}.",
             ]
         lines += [f"{self._numbers(name)}" for name in sorted(self.numbers)]
         return "\n".join(lines) + "\n"
@@ -56,6 +56,6 @@ class Tally:
             return f"- {name}: {len(values)}"
         high = values[int(0.99 * (len(values) - 1))]
         return (
-            f"- {name}: {len(values)} told, median {statistics.median(values):.2g}, "
+            f"- {name}: {len(values)} values, median {statistics.median(values):.2g}, "
             f"99 % below {high:.2g}, largest {values[-1]:.2g}"
         )

@@ -7,8 +7,8 @@ from random import Random
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests.fuzz.breaking import broken_spec
-from tests.fuzz.broken import outcome_of
+from tests.fuzz.broken_outcome import outcome_of
+from tests.fuzz.broken_specs import broken_spec
 from tests.fuzz.long import broken_of
 
 SEED = "every change"
@@ -18,7 +18,7 @@ SPECS = 200
 def test_independent_damages() -> None:
     """One again: python -m tests.fuzz.long --seed "every change" --only-broken NUMBER."""
     outcomes = {k: outcome_of(broken_of(SEED, k), solve=False) for k in range(SPECS)}
-    assert not {k: o.complaints for k, o in outcomes.items() if o.complaints}
+    assert not {k: o.problems for k, o in outcomes.items() if o.problems}
     assert {o.ending for o in outcomes.values()} == {"refused", "loaded"}
 
 
@@ -29,6 +29,6 @@ def test_independent_damages() -> None:
     database=None,
     suppress_health_check=list(HealthCheck),
 )
-@given(dice=st.randoms(use_true_random=False))
-def test_damages_that_hypothesis_seeks_and_shrinks(dice: Random) -> None:
-    assert not outcome_of(broken_spec(dice), solve=False).complaints
+@given(rng=st.randoms(use_true_random=False))
+def test_damages_that_hypothesis_seeks_and_shrinks(rng: Random) -> None:
+    assert not outcome_of(broken_spec(rng), solve=False).problems

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.fuzz.trial import drawn, tried
+from tests.fuzz.trial import check_trial, drawn
 
 SEED = "every change"
 SCENES = 40
@@ -13,7 +13,7 @@ SCENES = 40
 @pytest.mark.parametrize("number", range(SCENES))
 def test_random_scene(number: int) -> None:
     """Again, with its spec: python -m tests.fuzz.long --seed "every change" --only NUMBER."""
-    assert not tried(drawn(SEED, number), number).complaints
+    assert not check_trial(drawn(SEED, number), number).problems
 
 
 def test_a_scene_is_told_by_its_seed_and_number() -> None:

@@ -17,17 +17,17 @@ from viscodesign.errors import Fault, SolveError, SpecError, ViscodesignError
         (Fault("is odd", "bellows.count"), "bellows.count: is odd"),
     ],
 )
-def test_a_fault_tells_file_line_and_key(fault: Fault, words: str) -> None:
+def test_a_fault_names_file_line_and_key(fault: Fault, words: str) -> None:
     assert str(fault) == words
 
 
-def test_a_spec_error_tells_every_fault_in_a_line() -> None:
+def test_a_spec_error_lists_one_fault_per_line() -> None:
     error = SpecError([Fault("one", "a", "f", 1), Fault("two", "b", "f", 2)])
     assert str(error).splitlines() == ["f:1: a: one", "f:2: b: two"]
     assert [fault.key for fault in error.faults] == ["a", "b"]
 
 
-def test_a_solve_error_tells_its_remedy() -> None:
+def test_a_solve_error_includes_its_remedy() -> None:
     error = SolveError(
         "stretch of section 3 is 0.1 at 1.5 s",
         quantity="stretch",
@@ -39,7 +39,7 @@ def test_a_solve_error_tells_its_remedy() -> None:
     assert (error.quantity, error.where, error.time_s) == ("stretch", "section 3", 1.5)
 
 
-def test_exit_codes_are_those_of_the_interface() -> None:
+def test_exit_codes() -> None:
     kinds = [kind for kind in vars(errors).values() if isinstance(kind, type)]
     codes = {k.__name__: k.exit_code for k in kinds if issubclass(k, ViscodesignError)}
     assert codes == {
@@ -52,7 +52,7 @@ def test_exit_codes_are_those_of_the_interface() -> None:
     }
 
 
-def test_a_message_can_be_read_whatever_a_spec_holds() -> None:
+def test_messages_are_readable_for_any_spec() -> None:
     fault = Fault(
         f"'{'x' * 9000}' is no number; expected a length", "k" * 9000, "--set " + "y" * 9000
     )
@@ -60,7 +60,7 @@ def test_a_message_can_be_read_whatever_a_spec_holds() -> None:
     assert str(fault).endswith("expected a length")
 
 
-def test_a_message_lists_so_many_faults_and_counts_the_rest() -> None:
+def test_a_message_lists_the_first_faults_and_counts_the_rest() -> None:
     error = SpecError([Fault("no such key", f"k{k}") for k in range(30_000)])
     assert len(error.faults) == 30_000
     assert str(error).splitlines()[-1] == "and 29940 more errors"

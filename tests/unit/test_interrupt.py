@@ -17,7 +17,7 @@ from viscodesign.interrupt import gentle_interrupt
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
 
 
-def test_a_wish_is_noted_and_obeyed_when_asked() -> None:
+def test_an_interrupt_is_noted() -> None:
     before = signal.getsignal(signal.SIGINT)
     with gentle_interrupt() as interrupt:
         assert not interrupt.asked
@@ -68,7 +68,7 @@ def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
     assert "interrupted: " in out
 
 
-def test_an_enclosing_listener_hears_at_once() -> None:
+def test_an_enclosing_listener_is_notified_at_once() -> None:
     with gentle_interrupt() as outer:
         with gentle_interrupt() as inner:
             os.kill(os.getpid(), signal.SIGINT)

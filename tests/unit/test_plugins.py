@@ -49,7 +49,7 @@ def test_concrete_classes_are_found_in_order(
     assert list(members("family_of_shapes", Shape)) == ["first", "alike", "late"]
 
 
-def test_inputs_and_fluids_are_such_families() -> None:
+def test_inputs_and_fluids_are_plugin_families() -> None:
     from viscodesign.scene.fluid import named_fluids
     from viscodesign.scene.input import INPUT_KINDS
 

@@ -47,7 +47,7 @@ LENGTH = TypeAdapter(units.Length)
         (units.Temperature, "20 °C", 293.15),
     ],
 )
-def test_reads_to_the_last_digit(kind: object, text: object, expected: float) -> None:
+def test_values_are_exact_to_the_last_digit(kind: object, text: object, expected: float) -> None:
     assert TypeAdapter(kind).validate_python(text) == pytest.approx(expected, rel=4e-16)
 
 
@@ -56,7 +56,7 @@ def test_reads_to_the_last_digit(kind: object, text: object, expected: float) ->
     ["5 kg", "mm", "", "five mm", "5 mm mm2", True, None, [1], "nan", "inf", float("nan"),
      float("inf"), "5 degC", "1e400 mm", "__import__('os')", "5 mm; 3", "(" * 500],
 )  # fmt: skip
-def test_refuses_what_is_no_length(text: object) -> None:
+def test_invalid_lengths_are_refused(text: object) -> None:
     with pytest.raises(ValidationError, match="expected a length"):
         LENGTH.validate_python(text)
 
@@ -74,7 +74,7 @@ def test_refuses_what_is_no_length(text: object) -> None:
         (float("nan"), "not finite"),
     ],
 )
-def test_says_what_was_given_and_what_is_wanted(text: object, words: str) -> None:
+def test_messages_say_what_was_given_and_expected(text: object, words: str) -> None:
     with pytest.raises(ValidationError) as caught:
         LENGTH.validate_python(text)
     assert words in str(caught.value)
@@ -86,7 +86,7 @@ def kinds() -> dict[str, QuantityKind]:
 
 
 @pytest.mark.parametrize("name", kinds())
-def test_every_kind_reads_its_own_example(name: str) -> None:
+def test_every_kind_reads_its_example(name: str) -> None:
     kind = kinds()[name]
     assert kind.parse(kind.example) > 0
     assert kind.parse(f"2 {kind.unit}" if kind.unit != "1" else 2) == 2.0
@@ -95,12 +95,12 @@ def test_every_kind_reads_its_own_example(name: str) -> None:
 @pytest.mark.parametrize("name", kinds())
 @given(value=st.floats(allow_nan=False, allow_infinity=False))
 @settings(max_examples=25, deadline=None)
-def test_si_with_its_unit_comes_back_to_the_last_bit(name: str, value: float) -> None:
+def test_written_values_survive_a_round_trip_exactly(name: str, value: float) -> None:
     kind = kinds()[name]
     assert kind.parse(f"{value!r} {kind.unit}") == value
 
 
-def test_the_common_units_are_those_of_the_whole_list() -> None:
+def test_common_units_equal_those_of_pint() -> None:
     prefixes = ["", *"pnµumcdkMG"]
     names = [name for name in dir_of_common_units() if name != "%"]
     compared = 0
@@ -123,7 +123,7 @@ def dir_of_common_units() -> list[str]:
     return [name.strip() for d in units_only for name in (d[0], *d[2:])]
 
 
-def test_reading_a_spec_loads_nothing_heavy() -> None:
+def test_reading_a_spec_imports_no_heavy_library() -> None:
     code = (
         "import sys, viscodesign.scene.reading.read as load\n"
         "heavy = {'pint', 'casadi', 'scipy', 'pandas', 'matplotlib', 'chemicals', 'CoolProp'}\n"

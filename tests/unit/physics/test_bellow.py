@@ -25,7 +25,7 @@ def integral(pressure: float) -> float:
 
 
 @given(st.floats(START, 1e6))
-def test_above_the_fading_it_is_the_pressure_to_the_last_bit(pressure: float) -> None:
+def test_the_effective_pressure_is_exact_above_the_transition(pressure: float) -> None:
     assert float(effective(pressure)) == pressure
 
 
@@ -34,7 +34,7 @@ def test_above_the_fading_it_is_the_pressure_to_the_last_bit(pressure: float) ->
     fraction=st.floats(0.02, 0.9),
     soft=st.floats(3e-11, 3e-10),
 )
-def test_the_floor_is_not_passed_before_the_vacuum(
+def test_the_minimum_volume_is_not_reached_before_a_vacuum(
     pressure: float, fraction: float, soft: float
 ) -> None:
     """The walls that have met still give way, but not by that much."""
@@ -46,25 +46,25 @@ def test_the_floor_is_not_passed_before_the_vacuum(
     assert found >= min(plain, START) * (1 + 1e-12) or floor < -AMBIENT
 
 
-def test_walls_that_have_met_give_way_by_a_hundredth() -> None:
+def test_walls_that_have_met_keep_a_hundredth_of_the_compliance() -> None:
     far = np.array([-1e7, -2e7])
     slope = np.diff(effective(far)) / np.diff(far)
     assert slope == pytest.approx(bellow.RESIDUAL_COMPLIANCE, rel=1e-2)
 
 
-def test_it_follows_its_formula() -> None:
+def test_the_effective_pressure_matches_its_formula() -> None:
     pressure = np.linspace(FLOOR - 5 * FADE, START - 1.0, 40)
     u = (FADE - (pressure - FLOOR)) / FADE
     expected = FLOOR + FADE * (1 - bellow.RESIDUAL_COMPLIANCE * u**3) / (1 + u + u**2)
     assert effective(pressure) == pytest.approx(expected, rel=1e-12)
 
 
-def test_it_rises_everywhere() -> None:
+def test_the_effective_pressure_increases_everywhere() -> None:
     pressure = np.linspace(FLOOR - 20 * FADE, START + FADE, 2001)
     assert np.all(np.diff(effective(pressure)) > 0.0)
 
 
-def test_the_joint_is_smooth_to_the_second_derivative() -> None:
+def test_the_transition_is_twice_differentiable() -> None:
     """Differences shrink with the step on both sides alike."""
     p = ca.SX.sym("p")
     law = bellow.effective_pressure(p, FLOOR, FADE, ca)
@@ -82,7 +82,7 @@ def test_the_joint_is_smooth_to_the_second_derivative() -> None:
 
 
 @pytest.mark.parametrize("pressure", [START + 1e4, START, START - 100, FLOOR, FLOOR - 2e4, -2e5])
-def test_its_integral_is_found_by_quadrature(pressure: float) -> None:
+def test_the_integral_matches_quadrature(pressure: float) -> None:
     by_parts = quad(lambda p: float(effective(p)), START, pressure, epsabs=1e-6, limit=200)[0]
     assert integral(pressure) == pytest.approx(by_parts, rel=1e-9, abs=1e-3)
 
@@ -102,7 +102,7 @@ def test_numbers_and_symbols_agree() -> None:
 
 @pytest.mark.parametrize("fraction", [0.1, 0.5, 0.9])
 @pytest.mark.parametrize("ambient", [0.0, AMBIENT])
-def test_the_walls_meet_a_little_above_the_floor(fraction: float, ambient: float) -> None:
+def test_the_walls_meet_slightly_above_the_minimum_volume(fraction: float, ambient: float) -> None:
     """Where the linear law has the fraction left, and what gives way down to the vacuum."""
     floor, fade = bellow.collapse_pressures(REST, COMPLIANCE, fraction, ambient)
     give = bellow.residual_compliance(REST, COMPLIANCE, fraction, ambient)
@@ -113,7 +113,7 @@ def test_the_walls_meet_a_little_above_the_floor(fraction: float, ambient: float
 
 @pytest.mark.parametrize("fraction", [0.0, 0.1, 0.5, 0.9])
 @pytest.mark.parametrize("compliance", [1e-13, 1e-11, 1e-9])
-def test_a_bellow_at_rest_is_open_however_soft(fraction: float, compliance: float) -> None:
+def test_walls_do_not_touch_at_rest(fraction: float, compliance: float) -> None:
     floor, fade = bellow.collapse_pressures(REST, compliance, fraction, 101325.0)
     give = bellow.residual_compliance(REST, compliance, fraction, 101325.0)
     assert floor + fade < 0.0
@@ -121,7 +121,7 @@ def test_a_bellow_at_rest_is_open_however_soft(fraction: float, compliance: floa
     assert float(bellow.effective_pressure(0.0, floor, fade, np, give)) == 0.0
 
 
-def test_without_a_stated_floor_a_bellow_empties_over_a_small_part() -> None:
+def test_without_a_minimum_volume_the_walls_meet_in_a_small_range() -> None:
     floor, fade = bellow.collapse_pressures(REST, COMPLIANCE, 0.0, 0.0)
     assert floor == pytest.approx(-REST / COMPLIANCE)
     assert fade == pytest.approx(bellow.FADE_WITHOUT_FLOOR * REST / COMPLIANCE)

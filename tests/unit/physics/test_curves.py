@@ -18,13 +18,13 @@ CURVE = PiecewiseCubic.monotone(X, Y)
 INSIDE = np.linspace(X[0], X[-1], 301)
 
 
-def test_inside_it_is_pchip() -> None:
+def test_the_curve_is_pchip_between_the_points() -> None:
     expected = PchipInterpolator(X, Y)(INSIDE)
     assert CURVE(INSIDE) == pytest.approx(expected, rel=1e-10, abs=1e-12 * np.ptp(Y))
     assert CURVE(X) == pytest.approx(Y, abs=1e-12 * np.ptp(Y))
 
 
-def test_beyond_it_is_straight() -> None:
+def test_the_curve_is_linear_beyond_the_points() -> None:
     slopes = PchipInterpolator(X, Y).derivative()
     for end, beyond in (
         (X[0], X[0] - np.array([1.0, 1e3, 1e6])),
@@ -36,7 +36,7 @@ def test_beyond_it_is_straight() -> None:
 
 
 @pytest.mark.parametrize("end", [X[0] - 1e4, X[0], 0.0, 7e3, X[-1], X[-1] + 2e4])
-def test_its_integral_is_found_by_quadrature(end: float) -> None:
+def test_the_integral_matches_quadrature(end: float) -> None:
     expected = quad(lambda p: float(CURVE(p)), X[0], end, points=None, limit=200, epsabs=1e-12)[0]
     assert CURVE.integral(end) == pytest.approx(expected, rel=1e-8, abs=1e-9)
 
@@ -62,7 +62,7 @@ rising = st.lists(st.floats(0.2, 2.0), min_size=2, max_size=12)
 
 @given(steps=rising, seed=st.integers(0, 100))
 @settings(deadline=None, max_examples=50)
-def test_rising_points_make_a_rising_curve_between_them(steps: list[float], seed: int) -> None:
+def test_increasing_points_give_an_increasing_curve(steps: list[float], seed: int) -> None:
     x = np.concatenate([[0.0], np.cumsum(steps)])
     random = np.random.default_rng(seed)
     y = np.concatenate([[0.0], np.cumsum(random.uniform(0.0, 5.0, len(steps)))])
@@ -75,7 +75,7 @@ def test_rising_points_make_a_rising_curve_between_them(steps: list[float], seed
     assert np.max(values[between]) <= y[-1] + noise
 
 
-def test_a_straight_line_stays_one() -> None:
+def test_points_on_a_line_give_a_line() -> None:
     """Points of one line leave nothing but value and slope, so a run pays for no row."""
     line = PiecewiseCubic.monotone(X, 3e-9 * X)
     assert line._kinks() == []
@@ -84,7 +84,7 @@ def test_a_straight_line_stays_one() -> None:
     assert len(CURVE._kinks()) == len(X)
 
 
-def test_two_points_are_a_line() -> None:
+def test_two_points_give_a_line() -> None:
     line = PiecewiseCubic.monotone(np.array([1.0, 3.0]), np.array([2.0, 6.0]))
     assert line(np.array([0.0, 2.0, 10.0])) == pytest.approx([0.0, 4.0, 20.0])
 

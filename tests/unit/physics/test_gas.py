@@ -18,14 +18,14 @@ EXPONENTS = [1.0, 1.2, 1.4, 5 / 3]
 
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
-def test_density_is_that_of_the_law(exponent: float) -> None:
+def test_density_follows_the_gas_law(exponent: float) -> None:
     ratio = gas.density_ratio(PRESSURES, AMBIENT, exponent)
     assert ratio**exponent == pytest.approx(1 + PRESSURES / AMBIENT, rel=1e-13)
 
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
 @pytest.mark.parametrize("pressure", [-0.9 * AMBIENT, -100.0, 100.0, AMBIENT])
-def test_integrals_are_those_of_the_density(exponent: float, pressure: float) -> None:
+def test_integrals_match_quadrature_of_the_density(exponent: float, pressure: float) -> None:
     def density(p: float) -> float:
         return float(gas.density_ratio(p, AMBIENT, exponent))
 
@@ -38,7 +38,7 @@ def test_integrals_are_those_of_the_density(exponent: float, pressure: float) ->
 @pytest.mark.parametrize(
     "law", [gas.density_ratio, gas.density_integral, lambda p, a, n: gas.specific_work(p, a, n, np)]
 )
-def test_constant_temperature_is_the_limit(law: Callable[..., np.ndarray]) -> None:
+def test_the_isothermal_law_is_the_limit_of_the_polytropic(law: Callable[..., np.ndarray]) -> None:
     """The exponent 1 has its own formulas; those of its neighbours must tend to them."""
     exact = law(PRESSURES, AMBIENT, 1.0)
     for near in (1e-3, 1e-5):
@@ -47,7 +47,7 @@ def test_constant_temperature_is_the_limit(law: Callable[..., np.ndarray]) -> No
 
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
-def test_a_stiff_gas_is_a_liquid(exponent: float) -> None:
+def test_a_stiff_gas_behaves_like_a_liquid(exponent: float) -> None:
     """Against a large ambient pressure nothing yields."""
     assert gas.density_ratio(1e3, 1e12, exponent) == pytest.approx(1.0, abs=1e-8)
     assert gas.density_integral(1e3, 1e12, exponent) == pytest.approx(1e3, rel=1e-6)
@@ -56,7 +56,7 @@ def test_a_stiff_gas_is_a_liquid(exponent: float) -> None:
 
 @example(low=1.0, high=2.0, exponent=1.0000000000000002)
 @given(low=st.floats(-0.99, 5.0), high=st.floats(-0.99, 5.0), exponent=st.floats(1.0, 5 / 3))
-def test_more_pressure_is_more_of_everything(low: float, high: float, exponent: float) -> None:
+def test_all_functions_increase_with_pressure(low: float, high: float, exponent: float) -> None:
     if high - low < 1e-6:
         return
     laws = (gas.density_ratio, gas.density_integral, gas.specific_work)
@@ -64,7 +64,7 @@ def test_more_pressure_is_more_of_everything(low: float, high: float, exponent: 
         assert law(low * AMBIENT, AMBIENT, exponent) < law(high * AMBIENT, AMBIENT, exponent)
 
 
-def test_compliance_is_what_a_volume_takes_up() -> None:
+def test_compliance_is_the_derivative_of_the_stored_volume() -> None:
     """By differences of the density at another pressure than the ambient one."""
     volume, pressure, exponent = 2e-6, -3e4, 1.4
     step = 1.0
@@ -75,7 +75,7 @@ def test_compliance_is_what_a_volume_takes_up() -> None:
     assert found == pytest.approx(by_differences, rel=1e-8)
 
 
-def test_beyond_a_thin_vacuum_a_gas_thins_no_further() -> None:
+def test_density_is_constant_below_the_minimum_pressure() -> None:
     """An input may ask for less than nothing; the gas keeps a density, continuously."""
     edge = -AMBIENT * (1 - gas.MIN_PRESSURE_RATIO)
     for exponent in (1.0, 1.4):

@@ -15,7 +15,7 @@ def test_a_pair_of_bellows_behind_one_tube() -> None:
     assert found == pytest.approx(1 / slowest, rel=1e-12)
 
 
-def test_a_rate_below_round_off_gives_a_long_time_and_no_negative_one() -> None:
+def test_a_rate_below_rounding_error_gives_a_long_positive_time() -> None:
     conductance = np.array([[1e20, -1e20], [-1e20, 1e20]])
     found = slowest_network_time(conductance, np.ones(2), sealed=False)
     assert 1e-6 < found < np.inf

@@ -23,7 +23,7 @@ def test_slow_flow_is_laminar() -> None:
 
 
 @pytest.mark.parametrize("reynolds", [1e4, 1e5, 1e6])
-def test_fast_flow_is_that_of_a_smooth_pipe(reynolds: float) -> None:
+def test_fast_flow_matches_a_smooth_pipe(reynolds: float) -> None:
     """Prandtl and Karman: 1/sqrt(f) = 2 log10(Re sqrt(f)) - 0.8, to a few percent."""
     root = 0.1
     for _ in range(100):
@@ -32,12 +32,12 @@ def test_fast_flow_is_that_of_a_smooth_pipe(reynolds: float) -> None:
     assert found == pytest.approx(root**2, rel=0.03)
 
 
-def test_blasius_at_moderate_numbers() -> None:
+def test_friction_matches_blasius_at_moderate_reynolds_numbers() -> None:
     found = float(tube.friction_multiplier(2e4)) * 64 / 2e4
     assert found == pytest.approx(0.316 * 2e4**-0.25, rel=0.03)
 
 
-def test_friction_never_falls() -> None:
+def test_friction_never_decreases() -> None:
     reynolds = np.geomspace(1e-3, 1e7, 2000)
     found = tube.friction_multiplier(reynolds)
     assert np.all(np.isfinite(found))
@@ -63,7 +63,7 @@ def test_end_losses_are_dynamic_pressures() -> None:
     assert tube.local_loss_coefficient(density, 0.0, radius) == 0.0
 
 
-def test_inertance_is_the_mass_over_the_area_squared_with_a_parabola_s_momentum() -> None:
+def test_inertance_includes_the_factor_of_the_parabolic_profile() -> None:
     density, length, radius = 998.0, 0.5, 1e-3
     area = math.pi * radius**2
     across = np.linspace(0.0, 1.0, 100_001)
@@ -74,7 +74,7 @@ def test_inertance_is_the_mass_over_the_area_squared_with_a_parabola_s_momentum(
     assert tube.fluid_inertance(density, length, radius) == pytest.approx(momentum * mass / area**2)
 
 
-def test_inertance_over_resistance_is_the_time_of_the_profile() -> None:
+def test_inertance_over_resistance_is_the_profile_time() -> None:
     """(4/3) rho r^2/(8 mu), whatever the length."""
     density, viscosity, radius = 998.0, 1e-3, 1e-3
     for length in (0.01, 1.0):
@@ -85,7 +85,7 @@ def test_inertance_over_resistance_is_the_time_of_the_profile() -> None:
 
 
 @pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
-def test_a_thin_wall_is_a_hoop(poisson: float) -> None:
+def test_a_thin_wall_matches_hoop_stress(poisson: float) -> None:
     modulus, length, radius = 1e6, 0.1, 1e-3
     for thickness, close in ((1e-5, 0.02), (1e-7, 2e-4)):
         hoop = 2 * math.pi * radius**3 * length * (1 - poisson**2) / (modulus * thickness)
@@ -94,7 +94,7 @@ def test_a_thin_wall_is_a_hoop(poisson: float) -> None:
 
 
 @pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
-def test_a_wall_without_end_is_a_hole_in_a_block(poisson: float) -> None:
+def test_an_infinitely_thick_wall_matches_a_hole_in_a_block(poisson: float) -> None:
     """The radius of a hole grows by p r (1 + nu)/E."""
     modulus, length, radius = 1e6, 0.1, 1e-3
     hole = 2 * math.pi * radius**2 * length * (1 + poisson) / modulus
@@ -103,7 +103,7 @@ def test_a_wall_without_end_is_a_hole_in_a_block(poisson: float) -> None:
 
 
 @given(thickness=st.floats(1e-6, 1e-2), more=st.floats(1.01, 3.0), poisson=st.floats(0.0, 0.5))
-def test_thicker_and_stiffer_walls_give_way_less(
+def test_thicker_and_stiffer_walls_are_less_compliant(
     thickness: float, more: float, poisson: float
 ) -> None:
     plain = tube.wall_compliance(1e6, poisson, thickness, 0.1, 1e-3)

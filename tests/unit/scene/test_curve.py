@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.scenes import CONFIGS, leg
-from tests.unit.scene.coming_back import comes_back
+from tests.unit.scene.round_trip import comes_back
 from viscodesign import load
 from viscodesign.errors import SpecError
 from viscodesign.scene.bellows import CURVE_COLUMNS, MAX_CURVE_ROWS
@@ -47,7 +47,7 @@ def test_a_file_gives_the_same_as_its_rows(tmp_path: Path) -> None:
     assert "curve.csv" not in comes_back(scene)
 
 
-def test_it_comes_back_and_is_absent_where_none_is_given() -> None:
+def test_a_curve_survives_a_round_trip() -> None:
     assert "curve:" in comes_back(leg(f"bellows.curve={{rows: {ROWS}}}"))
     assert "curve:" not in comes_back(leg())
 
@@ -85,7 +85,7 @@ def test_faults_of_rows(curve: str, words: str) -> None:
 
 
 @pytest.mark.parametrize("count", [2, MAX_CURVE_ROWS])
-def test_as_many_rows_as_allowed_are_taken(count: int) -> None:
+def test_the_maximum_number_of_rows_is_accepted(count: int) -> None:
     found = leg(f"bellows.curve={many(count)}").bellows.curve
     assert found is not None
     assert len(found.rows or ()) == count

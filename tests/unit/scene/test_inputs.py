@@ -28,7 +28,7 @@ def made(kind: str, changes: str = "") -> Input:
     return leg(f"input={SPECS[kind]}", *([changes] if changes else [])).inputs["inlet"]
 
 
-def test_every_kind_is_tried_here() -> None:
+def test_every_kind_is_covered() -> None:
     assert set(SPECS) == set(INPUT_KINDS)
 
 
@@ -47,7 +47,7 @@ def test_expression_and_pressure_agree_inside_every_interval(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", SPECS)
-def test_corners_lie_inside_and_ascend(kind: str) -> None:
+def test_corners_are_inside_and_increase(kind: str) -> None:
     corners = made(kind).corners(3.3)
     assert corners == sorted(set(corners))
     assert all(0 < t < 3.3 for t in corners)
@@ -91,13 +91,13 @@ def test_extremes_of_a_sine_of_any_phase(phase: int, duration: float) -> None:
     assert source.extremes(duration) == pytest.approx((values.min(), values.max()), abs=tolerance)
 
 
-def test_no_run_is_as_long_as_to_hide_a_sine() -> None:
+def test_extremes_of_a_sine_over_many_periods() -> None:
     """Equal samples of 2000 s would all fall upon its zeros."""
     source = leg("input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}").inputs["inlet"]
     assert source.extremes(2000.0) == (-3e3, 3e3)
 
 
-def test_what_lies_behind_the_end_is_not_met() -> None:
+def test_extremes_ignore_values_after_the_end() -> None:
     assert made("step").extremes(1.0) == (0.0, 0.0)
     assert made("table").extremes(0.75) == pytest.approx((1e3, 1.5e3))
 
@@ -122,30 +122,30 @@ def test_paper_pulse_at_its_start() -> None:
     assert made("double_sigmoid").values(np.zeros(1))[0] == pytest.approx(40261.52, abs=0.01)
 
 
-def test_small_wiggles_do_not_count_as_swings() -> None:
+def test_small_wiggles_are_not_swings() -> None:
     rows = "[[0, 0], [1, 1000], [1.001, 999.9], [2, 1000], [5, 0]]"
     source = leg(f"input={{kind: table, rows: {rows}}}").inputs["inlet"]
     assert source.transient() == pytest.approx(0.98, abs=0.02)
 
 
-def test_noise_on_a_ramp_does_not_part_it() -> None:
+def test_noise_does_not_split_a_ramp() -> None:
     time = np.linspace(0, 1, 201)
     noisy = 1e4 * time + 30 * np.cos(400 * math.pi * time)
     rows = [[float(t), float(p)] for t, p in zip(time, noisy, strict=True)]
     assert swing(rows) == pytest.approx(0.98, abs=0.01)
 
 
-def test_a_ramp_in_small_stairs_is_one_swing() -> None:
+def test_a_ramp_of_small_steps_is_one_swing() -> None:
     rows = [[k / 200, 50.0 * (k // 2)] for k in range(401)]
     assert swing(rows) == pytest.approx(1.96, abs=0.02)
 
 
-def test_each_tread_of_large_stairs_counts() -> None:
+def test_large_steps_are_separate_swings() -> None:
     rows = [[0, 0], [1, 0], [1.1, 100], [9, 100], [9.3, 200], [20, 200]]
     assert swing(rows) == pytest.approx(0.098)
 
 
-def test_a_jump_amid_slow_changes_is_the_shortest_swing() -> None:
+def test_a_jump_between_slow_changes_is_the_shortest_swing() -> None:
     assert swing([[0, 0], [5, 10], [5, 20], [9, 30]]) == 0.0
 
 
@@ -157,7 +157,7 @@ def swing(rows: list[list[float]]) -> float:
     return leg(f"input={{kind: table, rows: {rows}}}").inputs["inlet"].transient()
 
 
-def test_a_stated_transient_time_wins() -> None:
+def test_a_given_transient_time_takes_precedence() -> None:
     assert made("square", "input.transient_time=0.74 s").transient() == 0.74
 
 
@@ -192,7 +192,7 @@ def test_a_million_periods_are_refused() -> None:
         leg("input={kind: square, high: 1, low: 0, frequency: 1 MHz}", "run.duration=100 s")
 
 
-def test_the_value_at_the_start_lists_no_periods_beyond_it() -> None:
+def test_the_value_at_the_start_needs_one_period() -> None:
     fast = leg(
         "input={kind: trapezoid, high: 1, rise: 1e-8 s, fall: 1e-8 s}",
         "run={duration: 1e-6 s, output_interval: 1e-7 s}",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.scenes import leg
-from tests.unit.scene.coming_back import comes_back
+from tests.unit.scene.round_trip import comes_back
 from viscodesign.errors import SpecError
 
 OWN_GAS = "fluid={{name: mine, viscosity: 1e-5, density: 1, gas_constant: 287{}}}"
@@ -36,19 +36,19 @@ def test_glycerol_in_water_at_20_degrees(percent: float, viscosity: float, densi
     assert found[1] == pytest.approx(density, rel=3e-3)
 
 
-def test_without_glycerol_it_is_nearly_water() -> None:
+def test_a_solution_without_glycerol_is_nearly_water() -> None:
     water = leg("fluid=water", "temperature=20 degC").fluid
     viscosity, density = glycerol(0.0)
     assert viscosity == pytest.approx(water.viscosity, rel=0.05)
     assert density == pytest.approx(water.density, rel=3e-3)
 
 
-def test_warmth_thins_it() -> None:
+def test_viscosity_falls_with_temperature() -> None:
     several = [glycerol(50, celsius) for celsius in (0.0, 10.0, 20.0, 30.0, 40.0)]
     assert several == sorted(several, reverse=True)
 
 
-def test_it_is_a_liquid_of_unknown_stiffness() -> None:
+def test_a_mixture_is_a_liquid_of_unknown_stiffness() -> None:
     pytest.importorskip("CoolProp")
     fluid = leg("fluid={name: glycerol-water, fraction: 0.5}", "temperature=20 degC").fluid
     assert not fluid.is_gas
@@ -83,13 +83,13 @@ def test_faults(overrides: list[str], words: str) -> None:
     assert len(caught.value.faults) == 1
 
 
-def test_a_frozen_solution_says_so() -> None:
+def test_a_frozen_solution_is_reported() -> None:
     pytest.importorskip("CoolProp")
     with pytest.raises(SpecError, match="it may be frozen"):
         leg("fluid={name: glycerol-water, fraction: 10 %}", "temperature=-15 degC")
 
 
-def test_a_syringe_needs_the_stiffness_of_a_mixture_stated() -> None:
+def test_a_syringe_needs_a_given_stiffness_of_a_mixture() -> None:
     pytest.importorskip("CoolProp")
     push = "input={kind: syringe, diameter: 2 cm, start: 4 cm, rows: [[0, 0], [1, 1 mm]]}"
     with pytest.raises(SpecError, match=r"input: a syringe needs the stiffness of glycerol-water"):
@@ -99,7 +99,7 @@ def test_a_syringe_needs_the_stiffness_of_a_mixture_stated() -> None:
 
 
 @pytest.mark.parametrize("exponent", [1.0, 1.2, 5 / 3])
-def test_the_exponent_is_taken_by_gases(exponent: float) -> None:
+def test_gases_accept_a_polytropic_exponent(exponent: float) -> None:
     for words in (
         f"fluid={{name: air, polytropic_exponent: {exponent!r}}}",
         OWN_GAS.format(f", polytropic_exponent: {exponent!r}"),
@@ -109,14 +109,14 @@ def test_the_exponent_is_taken_by_gases(exponent: float) -> None:
         comes_back(scene)
 
 
-def test_without_an_exponent_a_gas_keeps_its_temperature() -> None:
+def test_a_gas_is_isothermal_by_default() -> None:
     assert leg("fluid=air").fluid.polytropic_exponent == 1.0
     scene = leg(OWN_GAS.format(""))
     assert scene.fluid.polytropic_exponent == 1.0
     assert "polytropic_exponent" not in comes_back(scene)
 
 
-def test_a_mixture_comes_back() -> None:
+def test_a_mixture_survives_a_round_trip() -> None:
     pytest.importorskip("CoolProp")
     scene = leg("fluid={name: glycerol-water, fraction: 37.5 %}", "temperature=20 degC")
     assert scene.fluid_choice.fraction == 0.375

@@ -32,7 +32,7 @@ def test_bellows_are_listed_right_then_left() -> None:
     assert graph.bellows_along_tubes() == ("R1", "R2", "L2", "L1")
 
 
-def test_changes_reach_their_tube_by_either_end() -> None:
+def test_changes_name_their_tube_in_either_direction() -> None:
     tubes = leg("network.changes={R2-R1: {length: 1 m}, L2-L1: {radius: 1 mm}}").graph.tubes
     by_name = {tube.name: tube for tube in tubes}
     assert (by_name["R1-R2"].length, by_name["R1-R2"].radius) == (1.0, 0.000325)
@@ -40,11 +40,11 @@ def test_changes_reach_their_tube_by_either_end() -> None:
     assert by_name["R2-R3"].length == 0.0375
 
 
-def test_the_inlet_of_a_chain_bears_the_name_of_its_input() -> None:
+def test_the_inlet_of_a_chain_has_the_name_of_its_input() -> None:
     assert chain("input=null", "inputs={left: {kind: constant, value: 1}}")[0] == "left-R1"
 
 
-def test_components_tell_fed_from_sealed() -> None:
+def test_components_distinguish_fed_from_sealed() -> None:
     tubes = "{from: inlet, to: T}, {from: T, to: R1}, {from: R2, to: L2}, {from: T, to: end}"
     parts = custom(tubes, "bellows.count=4").components()
     fed = {part.bellows: part.fed for part in parts}
@@ -53,7 +53,7 @@ def test_components_tell_fed_from_sealed() -> None:
     assert [tube.name for tube in parts[0].tubes] == ["inlet-T", "T-R1", "T-end"]
 
 
-def test_remarks_tell_what_is_legal_but_odd() -> None:
+def test_remarks_report_unusual_networks() -> None:
     tubes = "{from: inlet, to: R1}, {from: inlet, to: R1}, {from: R1, to: inlet}, {from: R1, to: T}"
     graph = custom(tubes, "bellows.count=2")
     assert [tube.name for tube in graph.tubes] == ["inlet-R1", "inlet-R1#2", "R1-inlet", "R1-T"]

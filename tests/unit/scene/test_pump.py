@@ -33,12 +33,12 @@ def pump(words: str, *others: str) -> PumpSpec:
         ("101.325 kPa", 101325.0),
     ],
 )
-def test_a_cap_is_gauge_once_it_is_read(given: str, gauge: float) -> None:
+def test_a_pressure_limit_is_converted_to_gauge(given: str, gauge: float) -> None:
     assert pump(f"max_pressure: {given}").max_pressure == pytest.approx(gauge)
 
 
 @pytest.mark.parametrize("given", ["140 kPa", "140000", "1.4 bar"])
-def test_a_cap_above_the_ambient_says_from_where_it_counts(given: str) -> None:
+def test_a_pressure_limit_above_ambient_needs_a_reference(given: str) -> None:
     with pytest.raises(SpecError) as refused:
         pump(f"max_pressure: {given}")
     (fault,) = refused.value.faults
@@ -47,7 +47,7 @@ def test_a_cap_above_the_ambient_says_from_where_it_counts(given: str) -> None:
     assert "'140 kPa abs' (38.67 kPa gauge)" in fault.message
 
 
-def test_what_is_ambiguous_depends_on_the_scenes_ambient() -> None:
+def test_ambiguity_depends_on_the_ambient_pressure() -> None:
     assert pump("max_pressure: 140 kPa", "ambient_pressure=150 kPa").max_pressure == 140e3
     with pytest.raises(SpecError, match="may be gauge or absolute"):
         pump("max_pressure: 70 kPa", "ambient_pressure=60 kPa")
@@ -62,12 +62,12 @@ def test_what_is_ambiguous_depends_on_the_scenes_ambient() -> None:
         ("gauge", "has no number"),
     ],
 )
-def test_faults_of_a_cap(given: str, words: str) -> None:
+def test_faults_of_a_pressure_limit(given: str, words: str) -> None:
     with pytest.raises(SpecError, match=words):
         pump(f"max_pressure: {given}")
 
 
-def test_a_faulty_ambient_is_told_and_hides_no_other_fault() -> None:
+def test_an_invalid_ambient_pressure_hides_no_other_fault() -> None:
     with pytest.raises(SpecError) as refused:
         leg(
             "ambient_pressure=-1",
@@ -77,7 +77,7 @@ def test_a_faulty_ambient_is_told_and_hides_no_other_fault() -> None:
 
 
 @pytest.mark.parametrize("given", ["120 kPa gauge", "140 kPa abs", "25 kPa"])
-def test_a_pump_comes_back_from_the_resolved_spec(given: str) -> None:
+def test_a_pump_survives_a_round_trip(given: str) -> None:
     words = f"max_pressure: {given}, battery_capacity: 450 mAh, plunger_friction: 3 N"
     scene = leg(f"pump={{syringe_diameter: 34.9 mm, {words}}}")
     text = resolved_yaml(scene)
@@ -105,7 +105,7 @@ BOTH = (
 )
 
 
-def test_what_is_said_by_inlet_comes_in_the_order_of_the_inlets() -> None:
+def test_parts_per_inlet_are_in_the_order_of_the_inlets() -> None:
     found = two_inlets(BOTH)
     for part in (found.servo_id, found.sensor, found.limit_switches):
         assert isinstance(part, dict)
@@ -113,7 +113,7 @@ def test_what_is_said_by_inlet_comes_in_the_order_of_the_inlets() -> None:
     assert [s.channel for s in each(found.sensor, 2) if s is not None] == [0, 1]
 
 
-def test_one_part_is_the_first_inlets() -> None:
+def test_a_single_part_belongs_to_the_first_inlet() -> None:
     found = two_inlets("sensor: {channel: 3}, limit_switches: {low: D1, high: D2}")
     first, second = each(found.sensor, 2)
     assert first is not None
@@ -122,7 +122,7 @@ def test_one_part_is_the_first_inlets() -> None:
     assert each(two_inlets("home: 300").sensor, 2) == (None, None)
 
 
-def test_parts_by_inlet_come_back_from_the_resolved_spec_and_fit_the_schema() -> None:
+def test_parts_per_inlet_survive_a_round_trip_and_fit_the_schema() -> None:
     words = f"pump={{syringe_diameter: 34.9 mm, servo_id: {{left: 1, right: 2}}, {BOTH}}}"
     scene = leg(words, config="antagonistic_two_inlets")
     text = resolved_yaml(scene)
@@ -172,14 +172,14 @@ def test_parts_by_inlet_come_back_from_the_resolved_spec_and_fit_the_schema() ->
         ),
     ],
 )
-def test_faults_of_parts_by_inlet(words: str, key: str, told: str) -> None:
+def test_faults_of_parts_per_inlet(words: str, key: str, told: str) -> None:
     with pytest.raises(SpecError) as refused:
         two_inlets(words)
     faults = {fault.key: fault.message for fault in refused.value.faults}
     assert told in faults[f"pump.{key}"]
 
 
-def test_a_fault_by_inlet_has_its_line() -> None:
+def test_a_fault_of_a_part_per_inlet_has_its_line() -> None:
     text = (CONFIGS / "antagonistic_two_inlets.yaml").read_text()
     lines = [
         *text.splitlines(),
@@ -196,6 +196,6 @@ def test_a_fault_by_inlet_has_its_line() -> None:
     assert (fault.file, fault.line) == ("two.yaml", len(lines))
 
 
-def test_the_same_channel_of_two_boards_is_not_the_same() -> None:
+def test_equal_channels_of_two_boards_are_different() -> None:
     found = two_inlets("sensor: {left: {channel: 0, on: board}, right: {channel: 0, on: phidget}}")
     assert isinstance(found.sensor, dict)

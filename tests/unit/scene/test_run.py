@@ -17,27 +17,27 @@ def test_an_interval_that_divides_the_duration() -> None:
     assert times("duration: 8 s, output_interval: 20 ms") == pytest.approx(np.arange(401) * 0.02)
 
 
-def test_an_interval_that_does_not_ends_at_the_duration_all_the_same() -> None:
+def test_an_interval_that_does_not_divide_the_duration() -> None:
     assert times("duration: 1 s, output_interval: 0.3 s") == pytest.approx([0, 0.3, 0.6, 0.9, 1.0])
 
 
 @pytest.mark.parametrize("interval", [0.1, 0.07, 1 / 3, 1e-3])
-def test_last_time_is_the_duration_to_the_bit(interval: float) -> None:
+def test_the_last_time_is_exactly_the_duration(interval: float) -> None:
     found = times(f"duration: 0.7, output_interval: {interval!r}")
     assert found[0] == 0.0
     assert found[-1] == 0.7
     assert (np.diff(found) > 0.5e-9 * interval).all()
 
 
-def test_stated_times_are_kept() -> None:
+def test_given_times_are_kept() -> None:
     assert times("duration: 2 s, output_times: [1 ms, 0.5, 2 s]").tolist() == [0.001, 0.5, 2.0]
 
 
-def test_a_run_shorter_than_the_usual_interval_has_two_outputs() -> None:
+def test_a_run_shorter_than_the_default_interval_has_two_outputs() -> None:
     assert times("duration: 1 ns").tolist() == [0.0, 1e-9]
 
 
-def test_the_usual_interval() -> None:
+def test_the_default_interval() -> None:
     assert leg("run={duration: 1 s}").run.output_interval == 0.02
     assert leg("run={duration: 1 s}").run.start == "equilibrium"
 

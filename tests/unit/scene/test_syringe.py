@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import CONFIGS, leg
-from tests.unit.scene.coming_back import comes_back
+from tests.unit.scene.round_trip import comes_back
 from viscodesign import load
 from viscodesign.errors import SpecError
 from viscodesign.scene.inputs.syringe import SyringeInput
@@ -43,19 +43,19 @@ def faults(words: str, *overrides: str) -> list[str]:
 # -- what it pushes ---------------------------------------------------------
 
 
-def test_positions_are_level_before_the_first_and_after_the_last() -> None:
+def test_positions_are_constant_before_the_first_and_after_the_last_row() -> None:
     times = np.array([0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 7.0])
     expected = AREA * np.array([1.0, 1.0, 2.0, 3.0, 1.0, -1.0, -1.0]) * 1e-3
     assert made(ROWS).values(times) == pytest.approx(expected, rel=1e-12)
 
 
-def test_speeds_hold_until_the_next_and_the_last_goes_on() -> None:
+def test_speeds_hold_until_the_next_and_the_last_one_continues() -> None:
     times = np.array([0.0, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 3.0])
     expected = AREA * np.array([0.0, 0.0, 0.5, 1.0, 1.0, 1.0, -1.0, -5.0]) * 1e-3
     assert made(SPEEDS).values(times) == pytest.approx(expected, rel=1e-12, abs=1e-18)
 
 
-def test_speeds_and_the_positions_that_they_lead_to_are_one_input() -> None:
+def test_speeds_and_equivalent_positions_give_the_same_input() -> None:
     speeds = made("speeds: [[0, 2 mm/s], [1, -1 mm/s], [3, 0 mm/s]]")
     rows = made("rows: [[0, 0], [1, 2 mm], [3, 0]]")
     times = np.linspace(0.0, 8.0, 81)
@@ -64,19 +64,19 @@ def test_speeds_and_the_positions_that_they_lead_to_are_one_input() -> None:
     assert speeds.corners(8.0) == rows.corners(8.0) == [1.0, 3.0]
 
 
-def test_a_single_speed_runs_from_its_time_on() -> None:
+def test_a_single_speed_starts_at_its_time() -> None:
     """Also where it begins at once, and where it begins after a rest."""
     assert made("speeds: [[0, 1 mm/s]]").values(np.array([2.0]))[0] == pytest.approx(AREA * 2e-3)
 
 
-def test_a_single_speed_that_begins_late_rests_before() -> None:
+def test_a_single_speed_that_starts_late_rests_before() -> None:
     late = made("speeds: [[1, 0 mm/s], [2, 1 mm/s]]")
     assert late.values(np.array([0.5, 1.5, 2.0, 4.0])) == pytest.approx(
         AREA * np.array([0.0, 0.0, 0.0, 2e-3]), abs=1e-18
     )
 
 
-def test_it_starts_where_its_first_row_is() -> None:
+def test_the_start_is_that_of_the_first_row() -> None:
     assert made(ROWS).initial() == pytest.approx(AREA * 1e-3)
     assert made(SPEEDS).initial() == 0.0
 
@@ -87,7 +87,7 @@ def test_a_jump_is_two_rows_at_one_time() -> None:
     assert jump.transient() == 0.0
 
 
-def test_its_vessel() -> None:
+def test_closed_volume() -> None:
     source = made(f"dead_volume: 1 mL, {ROWS}")
     assert source.area == pytest.approx(AREA)
     assert source.full_volume == pytest.approx(AREA * 0.04 + 1e-6)
@@ -189,7 +189,7 @@ def test_a_fluid_without_stiffness_is_refused(fluid: str, words: str) -> None:
     assert found[0].startswith(f"input: {words}")
 
 
-def test_the_inlet_of_several_is_named() -> None:
+def test_faults_name_the_inlet_of_several() -> None:
     with pytest.raises(SpecError) as caught:
         leg("input=null", f"inputs={{left: {{{BARREL}, {ROWS}}}}}",
             "fluid={name: oil, viscosity: 0.1, density: 900}")  # fmt: skip
@@ -205,7 +205,7 @@ def test_the_inlet_of_several_is_named() -> None:
         "{name: helium, viscosity: 2e-5, density: 0.17, gas_constant: 2077}",
     ],
 )
-def test_fluids_that_yield_are_taken(fluid: str) -> None:
+def test_compressible_fluids_are_accepted(fluid: str) -> None:
     assert made(ROWS, f"fluid={fluid}").full_volume > 0.0
 
 
@@ -215,11 +215,11 @@ def test_fluids_that_yield_are_taken(fluid: str) -> None:
 @pytest.mark.parametrize(
     "words", [ROWS, SPEEDS, f"dead_volume: 0.3 mL, transient_time: 2 s, {ROWS}"]
 )
-def test_it_comes_back(words: str) -> None:
+def test_a_syringe_survives_a_round_trip(words: str) -> None:
     comes_back(leg(f"input={{{BARREL}, {words}}}"))
 
 
-def test_it_comes_back_beside_another_inlet() -> None:
+def test_a_syringe_and_another_inlet_survive_a_round_trip() -> None:
     tubes = "{from: a, to: R1}, {from: b, to: L1}"
     comes_back(
         leg("bellows.count=2", "input=null",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.scenes import leg
-from tests.unit.scene.coming_back import comes_back
+from tests.unit.scene.round_trip import comes_back
 from viscodesign.errors import SpecError
 
 LINE = "network.feed_line={length: 1 m, radius: 2 mm}"
@@ -30,14 +30,14 @@ def test_a_feed_line_stands_between_the_inlet_and_the_network() -> None:
     assert graph.bellows == leg("bellows.count=4").graph.bellows
 
 
-def test_a_feed_line_leaves_a_part_without_inlet_alone() -> None:
+def test_a_feed_line_leaves_parts_without_inlet_unchanged() -> None:
     plain, fed = (leg("bellows.count=4", *more).graph for more in ((), (LINE,)))
     assert fed.tubes[2:] == plain.tubes[1:]
     assert len(fed.components()) == 1
     assert fed.components()[0].fed
 
 
-def test_every_inlet_has_a_line_of_its_own() -> None:
+def test_every_inlet_has_its_own_feed_line() -> None:
     tubes = "{from: a, to: R1}, {from: R1, to: L1}, {from: L1, to: b}, {from: a, to: T}, {from: T, to: L1}"
     graph = leg(
         "bellows.count=2", "input=null", TWO,
@@ -52,7 +52,7 @@ def test_every_inlet_has_a_line_of_its_own() -> None:
 
 
 @pytest.mark.parametrize("clash", ["feed_a", "feed_b"])
-def test_a_node_of_the_line_s_name_is_refused(clash: str) -> None:
+def test_a_node_with_the_name_of_a_feed_line_is_refused(clash: str) -> None:
     tubes = f"{{from: a, to: {clash}}}, {{from: {clash}, to: R1}}, {{from: b, to: L1}}"
     with pytest.raises(SpecError) as caught:
         leg("bellows.count=2", "input=null", TWO,
@@ -62,7 +62,7 @@ def test_a_node_of_the_line_s_name_is_refused(clash: str) -> None:
     assert fault.message == f"the network already has a node named '{clash}'; rename it"
 
 
-def test_the_name_is_free_where_there_is_one_inlet() -> None:
+def test_a_single_feed_line_has_a_shorter_name() -> None:
     tubes = "{from: inlet, to: feed_inlet}, {from: feed_inlet, to: R1}, {from: feed_inlet, to: L1}"
     graph = leg("bellows.count=2", custom(tubes, "feed_line: {length: 1 m, radius: 2 mm}")).graph
     assert graph.junctions == ("feed", "feed_inlet")
@@ -113,7 +113,7 @@ def test_faults(override: str, words: str) -> None:
         (LINE, WALL, "network.entrance_loss=0", "network.exit_loss=2.5"),
     ],
 )
-def test_they_come_back(overrides: tuple[str, ...]) -> None:
+def test_feed_line_and_tube_wall_survive_a_round_trip(overrides: tuple[str, ...]) -> None:
     text = comes_back(leg(*overrides))
     assert ("feed_line:" in text) == (LINE in overrides)
     assert ("tube_wall:" in text) == (WALL in overrides)

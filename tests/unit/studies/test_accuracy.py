@@ -50,7 +50,7 @@ def selected(*overrides: str) -> tuple[SceneQuantities, Selection]:
     return quantities, select_effects(quantities)
 
 
-def test_errors_are_those_of_an_independent_solution() -> None:
+def test_errors_match_an_independent_solution() -> None:
     study = studied(PINNED)
     assert study.reference is not None
     quantities, selection = selected(PINNED)
@@ -65,7 +65,7 @@ def test_errors_are_those_of_an_independent_solution() -> None:
         )
 
 
-def test_the_reference_is_finer_than_it_says() -> None:
+def test_the_stated_convergence_of_the_reference_holds() -> None:
     study = studied(PINNED)
     found = study.reference
     assert found is not None
@@ -81,7 +81,7 @@ def test_the_reference_is_finer_than_it_says() -> None:
     assert found.smallest_error_m == pytest.approx(3 * found.convergence_m)
 
 
-def test_errors_fall_with_the_tolerance_down_to_the_smallest_told() -> None:
+def test_errors_decrease_with_the_tolerance() -> None:
     study = studied(PINNED)
     assert study.status == "complete"
     for solver in {point.solver for point in study.points}:
@@ -97,7 +97,7 @@ def test_every_quick_solver_is_tried() -> None:
     assert solvers == set(solver_catalogue()) - {"radau"}
 
 
-def test_what_simulate_starts_with_is_among_the_points() -> None:
+def test_the_first_setting_of_simulate_is_a_point() -> None:
     study = studied(PINNED)
     assert study.start in study.points
     assert study.start is not None
@@ -111,7 +111,7 @@ def test_arcs_have_one_mesh() -> None:
     assert all("arcs" in point.setting for point in study.points)
 
 
-def test_without_steps_there_is_one_point_and_no_error() -> None:
+def test_a_model_without_time_steps_has_one_exact_point() -> None:
     (point,) = studied(UNIFORM).points
     assert point.is_stepless
     assert point.is_bound
@@ -119,7 +119,7 @@ def test_without_steps_there_is_one_point_and_no_error() -> None:
     assert not point.dominated
 
 
-def test_forms_are_those_that_the_spec_allows() -> None:
+def test_models_are_those_that_the_spec_allows() -> None:
     pinned, notes = allowed_models(selected(PINNED)[1])
     assert [(model.name, model.also) for model in pinned] == [("auto", ("everything", "II"))]
     assert "IV (uniform, quasi-static)" in notes[0]
@@ -134,14 +134,14 @@ def test_forms_are_those_that_the_spec_allows() -> None:
     assert len(every) == len(allowed_models(selection)[0])
 
 
-def test_what_a_scene_cannot_do_without_stays() -> None:
+def test_required_effects_stay_in_every_model() -> None:
     _, selection = selected("effects=auto", "run.start=rest", "loads.tip_force.x=0.1 N")
     names = {name for m in allowed_models(selection)[0] for name in (m.name, *m.also)}
     assert "III" not in names
     assert "IV" not in names
 
 
-def test_settings_are_measured_a_few_times_where_they_are_quick(
+def test_quick_settings_are_measured_repeatedly(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     calls: list[Settings] = []
@@ -175,7 +175,7 @@ def test_an_interrupt_keeps_the_points(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
-def test_an_interrupt_during_a_short_solve_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interrupt_during_a_short_solve_ends_the_study(monkeypatch: pytest.MonkeyPatch) -> None:
     """The solve is done before it could obey, but the study is not."""
     calls: list[int] = []
     sent: list[int] = []
@@ -202,7 +202,7 @@ def test_an_interrupt_during_a_short_solve_is_heard(monkeypatch: pytest.MonkeyPa
     assert signal.getsignal(signal.SIGINT) is before
 
 
-def test_time_that_is_over_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_skipped_settings_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     """Once no trial may take any of the time left, what was not measured is said."""
     full = studied(PINNED)
     monkeypatch.setattr(grid_module, "RULES", replace(grid_module.RULES, share_of_rest=0.0))
@@ -211,12 +211,12 @@ def test_time_that_is_over_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     assert any("skipped: time limit" in note or "given up" in note for note in study.notes)
 
 
-def test_no_time_at_all_says_what_to_do() -> None:
+def test_a_limit_that_is_too_short_suggests_a_longer_one() -> None:
     with pytest.raises(SolveError, match=r"does not fit into the time limit of 0\.01 s.*--limit"):
         accuracy(leg(*SMALL, PINNED), limit=0.01)
 
 
-def test_a_scene_that_cannot_be_solved_says_so() -> None:
+def test_a_scene_that_cannot_be_solved_is_reported() -> None:
     deep = ("bellows.extension_per_pressure=600 mm", "effects={others: off}",
             "input={kind: constant, value: -100 kPa}")  # fmt: skip
     with warnings.catch_warnings(), pytest.raises(SolveError, match="no reference solution"):

@@ -41,7 +41,7 @@ def test_a_spec_without_the_section_is_refused(text: str) -> None:
         with_values(text, "pump", VALUES)
 
 
-def test_line_ends_and_marks_of_a_file_stay(tmp_path: Path) -> None:
+def test_line_endings_and_byte_order_mark_are_kept(tmp_path: Path) -> None:
     file = tmp_path / "leg.yaml"
     file.write_bytes("\ufeffname: é\r\npump:\r\n  home: 1\r\n  travel: [1, 2]\r\n".encode())
     write_values(file, "pump", VALUES)

@@ -37,7 +37,7 @@ def test_bundled_specs_are_valid(config: str, validator: jsonschema.Draft202012V
         {"effects": {"nonsense": "on"}},
     ],
 )
-def test_broken_specs_are_not(
+def test_broken_specs_are_invalid(
     change: dict[str, Any], validator: jsonschema.Draft202012Validator
 ) -> None:
     assert not validator.is_valid({**SPEC, **change})

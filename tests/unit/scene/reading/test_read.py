@@ -56,7 +56,7 @@ def changed(old: str, new: str) -> str:
          "f: [*e,*e,*e,*e,*e,*e,*e,*e,*e]\n", "aliases"),
     ],
 )  # fmt: skip
-def test_what_is_no_spec(tmp_path: Path, text: str | bytes, words: str) -> None:
+def test_files_that_are_not_specs(tmp_path: Path, text: str | bytes, words: str) -> None:
     assert words in faults_of(tmp_path, text)
 
 
@@ -117,7 +117,7 @@ def test_single_faults(tmp_path: Path, old: str, new: str, words: list[str]) -> 
     assert "leg.yaml:" in first  # with a line
 
 
-def test_all_faults_are_told_at_once_in_the_order_of_lines(tmp_path: Path) -> None:
+def test_all_faults_are_reported_at_once_in_order_of_lines(tmp_path: Path) -> None:
     text = changed("  length: 109 mm", "  length: 109 kg")
     text = text.replace("  count: 16 ", "  count: 15 ").replace("accuracy: 0.5 %", "accuracy: 2 m")
     message = faults_of(tmp_path, text)
@@ -128,7 +128,7 @@ def test_all_faults_are_told_at_once_in_the_order_of_lines(tmp_path: Path) -> No
     assert text.splitlines()[numbers[1] - 1].strip().startswith("count")
 
 
-def test_faults_between_parts_are_told_beside_faults_of_parts(tmp_path: Path) -> None:
+def test_cross_checks_are_reported_along_with_invalid_parts(tmp_path: Path) -> None:
     text = changed("  length: 109 mm", "  length: 109 kg").replace(
         "  layout: straight ", "  layout: straight\n  changes: {R1-R9: {}, R4-R7: {}} "
     )
@@ -149,13 +149,13 @@ def test_faults_between_parts_are_told_beside_faults_of_parts(tmp_path: Path) ->
     assert len(message.splitlines()) == 8
 
 
-def test_an_unknown_key_of_an_input_is_told_the_keys_of_its_kind() -> None:
+def test_an_unknown_key_of_an_input_lists_the_keys_of_its_kind() -> None:
     with pytest.raises(SpecError, match=r"input.start: no such key. Allowed here: .*value"):
         leg("input={kind: constant, value: 1, start: 2}")
 
 
 @pytest.mark.parametrize("word", ["on", "yes", "true", "On", "YES", "True"])
-def test_switches_are_taken_as_they_are_written(word: str) -> None:
+def test_switches_on(word: str) -> None:
     assert leg(f"loads.gravity={word}").loads.gravity is not None
     assert leg(f"effects.inertia={word}").effects.mode("inertia") == "on"
 
@@ -185,12 +185,12 @@ CUSTOM = "network: {{layout: custom, tube_radius: 1 mm, tube_length: 3 cm, tubes
         ("", "the inlet 'inlet' has an input but no tube"),
     ],
 )
-def test_graph_faults_are_named(tubes: str, words: str) -> None:
+def test_faults_of_a_graph(tubes: str, words: str) -> None:
     with pytest.raises(SpecError, match=words.replace("'", ".")):
         leg(CUSTOM.format(tubes).replace("network: ", "network=", 1))
 
 
-def test_all_faults_of_a_graph_are_named() -> None:
+def test_all_faults_of_a_graph_are_reported() -> None:
     tubes = "{from: inlet, to: R9}, {from: r2, to: R2}, {from: R3, to: R3}"
     with pytest.raises(SpecError) as caught:
         leg(CUSTOM.format(tubes).replace("network: ", "network=", 1))
@@ -224,7 +224,7 @@ def test_faults_of_a_pump(given: str, words: str) -> None:
         leg(f"pump={{syringe_diameter: 34.9 mm, {given}}}")
 
 
-def test_chain_with_several_inlets_is_refused_by_name() -> None:
+def test_a_chain_with_several_inlets_is_refused() -> None:
     with pytest.raises(SpecError, match="straight chain has one inlet"):
         leg("input=null", "inputs={a: {kind: constant, value: 1}, b: {kind: constant, value: 1}}")
 
@@ -252,7 +252,7 @@ def test_chain_with_several_inlets_is_refused_by_name() -> None:
         ("time_s,pressure_pa\n0," + "9" * 200_000 + "\n", "not a CSV"),
     ],
 )
-def test_broken_tables_name_the_row(tmp_path: Path, table: str, words: str) -> None:
+def test_faults_of_tables_name_the_row(tmp_path: Path, table: str, words: str) -> None:
     (tmp_path / "in.csv").write_text(table)
     file = tmp_path / "leg.yaml"
     start, end = GOOD.index("input:"), GOOD.index("loads:")
@@ -268,7 +268,7 @@ def test_an_endless_file_is_refused() -> None:
         load("/dev/zero")
 
 
-def test_missing_files_say_so(tmp_path: Path) -> None:
+def test_missing_files_are_reported(tmp_path: Path) -> None:
     with pytest.raises(SpecError, match="No such file"):
         load(tmp_path / "nothing.yaml")
     with pytest.raises(SpecError, match="is a folder"):
@@ -302,13 +302,13 @@ def test_missing_files_say_so(tmp_path: Path) -> None:
         ("input.drop=3 mm", "--set input.drop=3 mm"),
     ],
 )
-def test_overrides_name_themselves(override: str, words: str) -> None:
+def test_faults_of_overrides_name_the_override(override: str, words: str) -> None:
     with pytest.raises(SpecError) as caught:
         leg(override)
     assert words in str(caught.value)
 
 
-def test_overrides_reach_into_words_and_lists() -> None:
+def test_overrides_apply_to_words_and_lists() -> None:
     assert leg("loads.gravity.tilt=90 deg").loads.gravity is not None
     changed_tube = leg("network.tubes.0.length=1 m", config="antagonistic_two_inlets")
     assert changed_tube.graph.tubes[0].length == 1.0

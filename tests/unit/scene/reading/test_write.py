@@ -37,7 +37,7 @@ POSITIVE = st.floats(min_value=1e-9, max_value=1e9)
 
 @given(length=POSITIVE, viscosity=POSITIVE, value=st.floats(-1e9, 1e9), fraction=st.floats(0, 0.99))
 @settings(max_examples=25, deadline=None)
-def test_numbers_come_back_to_the_last_bit(
+def test_numbers_survive_a_round_trip_exactly(
     length: float, viscosity: float, value: float, fraction: float
 ) -> None:
     scene = leg(
@@ -64,12 +64,12 @@ def test_numbers_come_back_to_the_last_bit(
         ["input=null", "inputs={inlet: {kind: step, value: 3 kPa}}"],
     ],
 )  # fmt: skip
-def test_words_and_parts_come_back(overrides: list[str]) -> None:
+def test_words_and_parts_survive_a_round_trip(overrides: list[str]) -> None:
     scene = leg(*overrides)
     assert again(scene) == scene.model_dump()
 
 
-def test_a_table_resolves_into_rows(tmp_path: Path) -> None:
+def test_a_table_file_resolves_to_rows(tmp_path: Path) -> None:
     (tmp_path / "in.csv").write_text("time_s,pressure_pa\n0,0\n1,1e3\n1,2e3\n4,0\n")
     file = tmp_path / "leg.yaml"
     start, end = GOOD.index("input:"), GOOD.index("loads:")

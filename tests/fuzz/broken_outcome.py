@@ -1,4 +1,4 @@
-"""What must come of a damaged spec: a refusal that names the place, or a scene."""
+"""A damaged spec must give a refusal that names the location, or a scene."""
 
 from __future__ import annotations
 
@@ -6,58 +6,58 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.fuzz.breaking import Broken
-from tests.fuzz.commands import REFUSED, Said, has_timescales, said
-from tests.fuzz.judge import HangError, Verdict, of_refusal, patience
+from tests.fuzz.broken_specs import Broken
+from tests.fuzz.commands import REFUSED, CommandOutcome, has_timescales, run_command
+from tests.fuzz.invariants import TimeLimitError, Verdict, cpu_time_limit, refusal_problems
 from viscodesign import load
 from viscodesign.errors import Fault, SpecError
 
-QUICK = 20
-"""Seconds of a processor in which any file is read or refused."""
+READ_LIMIT_S = 20
+"""CPU seconds within which any file must be read or refused."""
 LONGEST = 2_000
-"""Characters of one fault."""
+"""Maximum characters of one fault."""
 MOST = 60_000
-"""Characters of all that is said of one spec."""
+"""Maximum characters of all messages about one spec."""
 FEW_STEPS = "run.max_steps=300"
-"""Work for those that turn out to be valid."""
+"""Step limit for specs that turn out to be valid."""
 
 
 def outcome_of(broken: Broken, *, solve: bool = True) -> Verdict:
-    """Read it as the library and as the commands do; never raises."""
+    """Read a spec by the library and by the commands; never raises."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "spec.yaml"
         file.write_bytes(broken.text)
         for name, content in broken.files.items():
             (Path(folder) / name).write_bytes(content)
         read = _read(broken, file)
-        spoken = _spoken(broken, file, read, solve=solve)
-    return Verdict(read.ending, (*read.complaints, *spoken))
+        spoken = _message_problems(broken, file, read, solve=solve)
+    return Verdict(read.ending, (*read.problems, *spoken))
 
 
 def _read(broken: Broken, file: Path) -> Verdict:
     try:
-        with patience(QUICK):
+        with cpu_time_limit(READ_LIMIT_S):
             load(file, broken.overrides)
     except SpecError as error:
-        return Verdict("refused", (*of_refusal(error), *_of_places(error, file)))
-    except HangError:
-        return Verdict("hangs", (f"not read after {QUICK} s",))
+        return Verdict("refused", (*refusal_problems(error), *_location_problems(error, file)))
+    except TimeLimitError:
+        return Verdict("hangs", (f"not read after {READ_LIMIT_S} s",))
     except Exception as error:  # whatever else is a finding
         return Verdict("breaks", (f"{type(error).__name__}: {error}"[:300],))
     return Verdict("loaded")
 
 
-def _of_places(error: SpecError, file: Path) -> Iterator[str]:
-    """Every fault names its file, and its line where its key stands in the file."""
+def _location_problems(error: SpecError, file: Path) -> Iterator[str]:
+    """Every fault must name its file, and its line if its key is in the file."""
     if len(str(error)) > MOST:
-        yield f"{len(str(error))} characters are said"
+        yield f"{len(str(error))} characters in all messages"
     for fault in error.faults:
         if len(str(fault)) > LONGEST:
             yield f"a message of {len(str(fault))} characters: {str(fault)[:80]}"
         if str(file) not in fault.file and not fault.file.startswith("--set"):
-            yield f"no file is named: {fault}"
+            yield f"no file in message: {fault}"
         if fault.line is None and _has_line(fault, file):
-            yield f"no line is named: {fault}"
+            yield f"no line in message: {fault}"
 
 
 def _has_line(fault: Fault, file: Path) -> bool:
@@ -71,28 +71,28 @@ def _has_line(fault: Fault, file: Path) -> bool:
     )
 
 
-def _spoken(broken: Broken, file: Path, read: Verdict, *, solve: bool) -> Iterator[str]:
-    """Through the commands: the same faults, as one message and an exit code."""
+def _message_problems(broken: Broken, file: Path, read: Verdict, *, solve: bool) -> Iterator[str]:
+    """The commands must report the same faults as one message and an exit code."""
     if any("\x00" in word for word in broken.overrides):
         return  # no shell hands such a word on
     overrides = [word for o in broken.overrides for word in ("--set", o)]
-    answer = said(["check", str(file), *overrides])
-    yield from answer.complaints(["check", *broken.overrides])
+    answer = run_command(["check", str(file), *overrides])
+    yield from answer.problems(["check", *broken.overrides])
     if (answer.code == REFUSED) < (read.ending == "refused"):
-        yield f"'check' exits with {answer.code} for a spec that is refused"
+        yield f"'check' exits with {answer.code} for an invalid spec"
     if read.ending != "loaded":
         return
-    placed = said(["classify", str(file), *overrides, "--json"])
-    yield from placed.complaints(["classify", *broken.overrides])
+    placed = run_command(["classify", str(file), *overrides, "--json"])
+    yield from placed.problems(["classify", *broken.overrides])
     if (placed.code == 0) != has_timescales(file, broken.overrides):
         yield f"'classify' exits with {placed.code}, 'check' with {answer.code}: {answer.err[:200]}"
     if solve:
         run = ["simulate", str(file), *overrides, "--set", FEW_STEPS, "--no-plots", "-q"]
-        yield from _of_simulation(said([*run, "-o", str(file.parent / "run")]), answer)
+        yield from _simulation_problems(run_command([*run, "-o", str(file.parent / "run")]), answer)
 
 
-def _of_simulation(solved: Said, checked: Said) -> Iterator[str]:
-    yield from solved.complaints(["simulate"])
+def _simulation_problems(solved: CommandOutcome, checked: CommandOutcome) -> Iterator[str]:
+    yield from solved.problems(["simulate"])
     if (solved.code == REFUSED) != (checked.code == REFUSED):
         codes = f"{solved.code}, 'check' with {checked.code}"
         yield f"'simulate' exits with {codes}: {(solved.err + checked.err)[:200]}"

@@ -1,4 +1,4 @@
-"""Work spread over processes, any of which may die of what it works on."""
+"""A pool of worker processes, any of which may crash on its task."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from multiprocessing.context import SpawnProcess
 from typing import Any
 
 MEMORY = 6 << 30
-"""Bytes of addresses that a worker may take; more is a finding, not the end of the machine."""
+"""Address space of a worker in bytes; exceeding it is a finding."""
 DEADLINE = 1200.0
-"""Wall seconds after which a worker is ended that no alarm could reach."""
+"""Wall seconds after which a worker is killed that its CPU limit did not end."""
 TASKS_PER_WORKER = 500
-"""After which a worker is replaced, so that nothing piles up."""
+"""Tasks after which a worker is replaced, so that leaks do not accumulate."""
 
 Task = Callable[[Any, int], Any]
-"""Of a seed and a number; lives in a module, since workers import it."""
+"""A function of seed and number at module level, since workers import it."""
 
 Answer = tuple[int, Any, float]
 
 
 @dataclass(frozen=True)
-class Died:
-    """What is left of a task whose worker did not come back."""
+class WorkerDeath:
+    """Result of a task whose worker crashed."""
 
     how: str
 
@@ -49,8 +49,8 @@ class _Worker:
         self.pipe.close()
 
 
-def answers(task: Task, seed: object, numbers: Iterable[int], jobs: int) -> Iterator[Answer]:
-    """Number, answer (or `Died`) and seconds of a processor of every task, as they come."""
+def run_tasks(task: Task, seed: object, numbers: Iterable[int], jobs: int) -> Iterator[Answer]:
+    """Number, answer (or `WorkerDeath`) and CPU seconds of every task, as they finish."""
     waiting = iter(numbers)
     workers = [w for _ in range(jobs) if (w := _started(task, seed, waiting)) is not None]
     try:
@@ -70,7 +70,7 @@ def answers(task: Task, seed: object, numbers: Iterable[int], jobs: int) -> Iter
 
 
 def _answer(worker: _Worker) -> Any:
-    """What a worker came to, with its seconds; `Died` alone; None while it works."""
+    """The answer of a worker with its seconds, or `WorkerDeath`; None while it works."""
     if worker.pipe.poll():
         try:
             return worker.pipe.recv()
@@ -79,17 +79,17 @@ def _answer(worker: _Worker) -> Any:
     elif worker.process.is_alive() and time.monotonic() - worker.began < DEADLINE:
         return None
     if worker.process.is_alive() and time.monotonic() - worker.began >= DEADLINE:
-        return Died(f"no answer after {DEADLINE:g} s")
+        return WorkerDeath(f"no answer after {DEADLINE:g} s")
     worker.process.join()
-    return Died(f"the interpreter ended with {worker.process.exitcode}")
+    return WorkerDeath(f"the interpreter ended with {worker.process.exitcode}")
 
 
 def _next(
     worker: _Worker, answer: Any, task: Task, seed: object, waiting: Iterator[int]
 ) -> _Worker:
-    """The worker with its next number, or a fresh one; without a number at the end."""
+    """The worker with its next number, or a new worker; None at the end."""
     worker.done += 1
-    if isinstance(answer, Died) or worker.done >= TASKS_PER_WORKER:
+    if isinstance(answer, WorkerDeath) or worker.done >= TASKS_PER_WORKER:
         worker.end()
         fresh = _started(task, seed, waiting)
         return fresh if fresh is not None else _Worker(worker.process, worker.pipe)
@@ -102,7 +102,7 @@ def _next(
 
 
 def _started(task: Task, seed: object, waiting: Iterator[int]) -> _Worker | None:
-    """A new process at work on the next number; None where there is none left."""
+    """A new worker on the next number; None if there is none left."""
     number = next(waiting, None)
     if number is None:
         return None
@@ -127,5 +127,5 @@ def _work(task: Task, seed: object, pipe: Connection) -> None:
         try:
             answer = task(seed, number)
         except Exception as error:  # of the judge itself: told, not lost
-            answer = Died(f"{type(error).__name__} in the trial itself: {error}"[:300])
+            answer = WorkerDeath(f"{type(error).__name__} in the trial itself: {error}"[:300])
         pipe.send((answer, time.process_time() - began))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 
-from tests.fuzz import crew
+from tests.fuzz import worker_pool
 
 
 def work(seed: object, number: int) -> int:
@@ -16,8 +16,10 @@ def work(seed: object, number: int) -> int:
 
 
 def test_a_crash_is_an_answer() -> None:
-    found = {number: answer for number, answer, _ in crew.answers(work, "any", range(6), 2)}
+    found = {
+        number: answer for number, answer, _ in worker_pool.run_tasks(work, "any", range(6), 2)
+    }
     died = found.pop(3)
-    assert isinstance(died, crew.Died)
+    assert isinstance(died, worker_pool.WorkerDeath)
     assert f"{-signal.SIGSEGV}" in died.how
     assert found == {k: 10 * k for k in (0, 1, 2, 4, 5)}

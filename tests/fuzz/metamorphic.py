@@ -1,4 +1,4 @@
-"""Second runs of a scene that must agree with the first: mirrored, told at other times, ..."""
+"""Metamorphic tests: a second run of an equivalent scene must agree with the first."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ from typing import Any
 
 import numpy as np
 
-from tests.fuzz.judge import Verdict, judged
+from tests.fuzz.invariants import Verdict, check_scene
 from tests.fuzz.scenes import Draft
 from viscodesign import Trajectory
 from viscodesign.model.graph import crossed_order, straight_order
 
 Spec = dict[str, Any]
 ROUND_OFF = 1e-9
-"""Of the length, added to the stated errors of two runs that are compared."""
+"""Fraction of the length, added to the stated errors of two compared runs."""
 ENDS_APART = "the twin ends otherwise"
 
 
 @dataclass(frozen=True)
 class Pair:
-    """A run and its twin, at the times that both tell."""
+    """Two runs at their common output times."""
 
     one: Trajectory
     other: Trajectory
 
     @property
     def both(self) -> tuple[np.ndarray, np.ndarray]:
-        """Rows of the one and of the other, at the same times."""
+        """Rows of both runs at the same times."""
         near = [int(np.argmin(np.abs(self.one.time - t))) for t in self.other.time]
         rows = [
             (k, j)
@@ -42,8 +42,8 @@ class Pair:
         ]
         return np.array([k for k, _ in rows], int), np.array([j for _, j in rows], int)
 
-    def apart(self, sign: float = 1.0) -> float:
-        """Largest distance of the tips [m]; ``sign`` -1 holds one of them into a mirror."""
+    def distance(self, sign: float = 1.0) -> float:
+        """Largest distance of the tips [m]; ``sign`` -1 mirrors one of them."""
         k, j = self.both
         if not len(k):
             return 0.0
@@ -53,17 +53,17 @@ class Pair:
 
     @property
     def stated(self) -> float:
-        """What the runs themselves say of their errors, added up [m]."""
+        """Sum of the stated errors of both runs [m]."""
         errors = (r.accuracy.estimated_tip_error_m or 0.0 for r in (self.one, self.other))
         return sum(errors) + ROUND_OFF * self.one.length
 
 
 Twin = Callable[[Random, Spec], Spec | None]
-"""Makes the twin's spec of a copy of the first one's; None where there is none."""
+"""Makes an equivalent spec from a copy of the first one; None if there is none."""
 
 
-def mirrored(dice: Random, spec: Spec) -> Spec:
-    """The columns swapped, and every load turned about."""
+def mirrored(rng: Random, spec: Spec) -> Spec:
+    """Swap the columns and mirror all loads."""
     swap = str.maketrans("RL", "LR")
     sections, network = spec["bellows"]["count"] // 2, spec["network"]
     if network["layout"] != "custom":
@@ -85,34 +85,34 @@ def mirrored(dice: Random, spec: Spec) -> Spec:
     return spec
 
 
-def told_otherwise(dice: Random, spec: Spec) -> Spec:
-    """A few of the output times, and a few others."""
+def other_output_times(rng: Random, spec: Spec) -> Spec:
+    """Keep some of the output times and add others."""
     run = spec["run"]
     duration = run["duration"]
     if "output_times" in run:
-        times = [*run["output_times"], duration * dice.random()]
+        times = [*run["output_times"], duration * rng.random()]
     else:
         count = round(duration / run["output_interval"])
-        kept = [dice.randint(0, count) * run["output_interval"] for _ in range(3)]
-        times = [*kept, duration * dice.random(), duration]
+        kept = [rng.randint(0, count) * run["output_interval"] for _ in range(3)]
+        times = [*kept, duration * rng.random(), duration]
     del run["output_times" if "output_times" in run else "output_interval"]
     run["output_times"] = sorted({min(t, duration) for t in times})
     return spec
 
 
-def listed_otherwise(dice: Random, spec: Spec) -> Spec | None:
-    """The tubes in another order, and told from their other ends."""
+def reordered_tubes(rng: Random, spec: Spec) -> Spec | None:
+    """Reorder the tubes and swap their ends."""
     if spec["network"]["layout"] != "custom":
         return None
     tubes = spec["network"]["tubes"]
     for tube in tubes:
-        if dice.random() < 0.5:
+        if rng.random() < 0.5:
             tube["from"], tube["to"] = tube["to"], tube["from"]
-    dice.shuffle(tubes)
+    rng.shuffle(tubes)
     return spec
 
 
-def finer(dice: Random, spec: Spec) -> Spec:
+def finer(rng: Random, spec: Spec) -> Spec:
     """A tenth of the accuracy."""
     spec["accuracy"] /= 10
     spec["run"]["max_steps"] *= 4
@@ -121,24 +121,24 @@ def finer(dice: Random, spec: Spec) -> Spec:
 
 TWINS: dict[str, Twin] = {
     "mirror": mirrored,
-    "times": told_otherwise,
-    "order": listed_otherwise,
+    "times": other_output_times,
+    "order": reordered_tubes,
     "finer": finer,
 }
 
 
-def compared(name: str, dice: Random, draft: Draft, first: Verdict) -> Verdict:
-    """The first verdict, with what its twin adds to it."""
-    spec = TWINS[name](dice, copy.deepcopy(draft.spec))
-    if spec is None or first.complaints:
+def compared(name: str, rng: Random, draft: Draft, first: Verdict) -> Verdict:
+    """The first verdict with the differences to the second run."""
+    spec = TWINS[name](rng, copy.deepcopy(draft.spec))
+    if spec is None or first.problems:
         return first
     with tempfile.TemporaryDirectory() as folder:
-        second = judged(replace(draft, spec=spec), Path(folder))
-    found = tuple(f"{name}: {c}" for c in [*second.complaints, *_differences(name, first, second)])
+        second = check_scene(replace(draft, spec=spec), Path(folder))
+    found = tuple(f"{name}: {c}" for c in [*second.problems, *_differences(name, first, second)])
     numbers = {**first.numbers, f"{name} compared": 1.0}
     if name == "finer" and _both_complete(first, second):
         numbers["error over stated"] = _error_over_stated(first, second)
-    return replace(first, complaints=found, numbers=numbers)
+    return replace(first, problems=found, numbers=numbers)
 
 
 def _both_complete(first: Verdict, second: Verdict) -> bool:
@@ -156,20 +156,20 @@ def _differences(name: str, first: Verdict, second: Verdict) -> Iterator[str]:
     if first.run is None or second.run is None:
         return
     pair = Pair(first.run, second.run)
-    apart = pair.apart(-1.0 if name == "mirror" else 1.0)
+    distance = pair.distance(-1.0 if name == "mirror" else 1.0)
     allowed = pair.stated
     if name == "finer":
         # The estimate may be off by a little; the accuracy asked for has to be kept.
         allowed += first.run.accuracy.requested_m - (
             first.run.accuracy.estimated_tip_error_m or 0.0
         )
-    if apart > allowed:
+    if distance > allowed:
         length = first.run.length
-        yield f"the tips are {apart / length:.3g} lengths apart, {allowed / length:.3g} allowed"
+        yield f"tip distance {distance / length:.3g} lengths, {allowed / length:.3g} allowed"
 
 
 def _error_over_stated(first: Verdict, second: Verdict) -> float:
     assert first.run is not None
     assert second.run is not None
     stated = first.run.accuracy.estimated_tip_error_m or 1.0
-    return Pair(first.run, second.run).apart() / stated
+    return Pair(first.run, second.run).distance() / stated

@@ -13,16 +13,16 @@ PINNED = sorted(
 TWINS = sorted(path.stem for path in CONFIGS.glob("*_auto.yaml"))
 
 
-def test_the_papers_scenes_are_pinned() -> None:
+def test_the_scenes_of_the_paper_are_pinned() -> None:
     assert len(PINNED) >= 15
 
 
-def test_every_pinned_scene_has_a_twin_and_every_twin_an_original() -> None:
+def test_every_pinned_spec_has_an_automatic_counterpart() -> None:
     assert [f"{name}_auto" for name in PINNED] == TWINS
 
 
 @pytest.mark.parametrize("name", PINNED)
-def test_a_twin_is_the_same_but_for_its_effects(name: str) -> None:
+def test_an_automatic_spec_differs_in_its_effects_only(name: str) -> None:
     original, twin = leg(config=name), leg(config=f"{name}_auto")
     own, other = original.model_dump(), twin.model_dump()
     assert twin.effects.others == "auto"
@@ -32,7 +32,7 @@ def test_a_twin_is_the_same_but_for_its_effects(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", PINNED)
-def test_what_a_run_would_store_is_the_same_but_for_its_effects(name: str) -> None:
+def test_resolved_specs_differ_in_their_effects_only(name: str) -> None:
     texts = [resolved_yaml(leg(config=stem)) for stem in (name, f"{name}_auto")]
     own, other = (_without_effects(text) for text in texts)
     assert own[0] == f"name: {name}"
@@ -40,7 +40,7 @@ def test_what_a_run_would_store_is_the_same_but_for_its_effects(name: str) -> No
 
 
 @pytest.mark.parametrize("name", PINNED)
-def test_a_twin_keeps_the_lines_of_its_original(name: str) -> None:
+def test_an_automatic_spec_keeps_the_lines_of_its_original(name: str) -> None:
     """Comments as well: one of the two is changed only with the other."""
     bodies = []
     for stem in (name, f"{name}_auto"):
@@ -61,7 +61,7 @@ def _without_effects(text: str) -> list[str]:
 
 
 @pytest.mark.parametrize("twin", TWINS)
-def test_one_line_says_what_a_twin_is(twin: str) -> None:
+def test_the_first_line_describes_an_automatic_spec(twin: str) -> None:
     first, second = (CONFIGS / f"{twin}.yaml").read_text(encoding="utf-8").splitlines()[:2]
     assert first.startswith(f"# {twin.removesuffix('_auto')} with the effects that the scene calls")
     assert second == "#"

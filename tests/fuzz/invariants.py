@@ -1,4 +1,4 @@
-"""What must hold of any run of any valid spec."""
+"""Invariants of any run of any valid spec."""
 
 from __future__ import annotations
 
@@ -23,41 +23,41 @@ from viscodesign.errors import SolveError, SpecError
 from viscodesign.postprocess.terminations import ENERGY_BROKEN, ENERGY_DOUBTED
 from viscodesign.report.run_folder import write_run
 
-PATIENCE = 60
-"""Seconds of a processor after which a scene counts as hanging; the work limit is to end it long
-before. Not those of a clock on the wall: the machine may be busy."""
+CPU_LIMIT_S = 60
+"""CPU seconds after which a scene counts as hanging; the step limit should end it long before.
+Not wall time, since the machine may be busy."""
 SLACK = 0.02
-"""Share of the inlets' range by which a pressure may leave it; the accuracy asked for is one of
-the tip, and may be rough."""
+"""Fraction of the inlets' pressure range by which a pressure may exceed it, since the accuracy is
+that of the tip and may be coarse."""
 MOST_CORNERS = 2000
 MOST_STRETCHED = 3.0
-"""Length of an actuator, of that at rest."""
+"""Length of an actuator relative to that at rest."""
 WORDS_OF_PROGRAMS = ("Traceback", ".cpp", "internal error", "NoneType", "casadi", "pydantic")
-"""What no message for a user holds."""
+"""Words that no message for a user contains."""
 
 
-class HangError(Exception):
-    """A run that did not end."""
+class TimeLimitError(Exception):
+    """A run exceeded its CPU time."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """How a scene ended, and what was wrong with that."""
+    """How a scene ended, and the problems found."""
 
     ending: str
-    complaints: tuple[str, ...] = ()
+    problems: tuple[str, ...] = ()
     steps: int = 0
     numbers: dict[str, float] = field(default_factory=dict)
-    """For the table of all scenes."""
+    """Numbers for the summary table."""
     run: Trajectory | None = None
 
 
 @contextmanager
-def patience(seconds: int) -> Iterator[None]:
-    """Raise `HangError` inside after so many seconds of the processor."""
+def cpu_time_limit(seconds: int) -> Iterator[None]:
+    """Raise `TimeLimitError` in the block after so many seconds of CPU time."""
 
     def ring(*_: object) -> None:
-        raise HangError
+        raise TimeLimitError
 
     before = signal.signal(signal.SIGPROF, ring)
     signal.setitimer(signal.ITIMER_PROF, seconds)
@@ -68,32 +68,32 @@ def patience(seconds: int) -> Iterator[None]:
         signal.signal(signal.SIGPROF, before)
 
 
-def judged(draft: Draft, folder: Path) -> Verdict:
+def check_scene(draft: Draft, folder: Path) -> Verdict:
     """Load, check, solve and write a spec as a user would; never raises."""
     try:
-        with warnings.catch_warnings(), patience(PATIENCE):
+        with warnings.catch_warnings(), cpu_time_limit(CPU_LIMIT_S):
             warnings.simplefilter("error")
             scene = load(written(draft, folder))
             check(scene)
             run = simulate(scene)
             write_run(run, folder / "run", plots=False)
-            complaints = tuple(_of_run(scene, run, folder / "run"))
+            problems = tuple(_run_problems(scene, run, folder / "run"))
     except SpecError as error:
-        return Verdict("refused", tuple(of_refusal(error)))
+        return Verdict("refused", tuple(refusal_problems(error)))
     except SolveError as error:
         silent = () if error.quantity and error.remedy else ("no remedy",)
-        return Verdict(f"no start: {error.quantity}", (*of_message(str(error)), *silent))
-    except HangError:
-        return Verdict("hangs", (f"no end after {PATIENCE} s",))
+        return Verdict(f"no start: {error.quantity}", (*message_problems(str(error)), *silent))
+    except TimeLimitError:
+        return Verdict("hangs", (f"no end after {CPU_LIMIT_S} s",))
     except Exception as error:  # whatever else is a finding
         place = traceback.extract_tb(error.__traceback__)[-1]
         where = f"{Path(place.filename).name}:{place.lineno}"
         return Verdict("breaks", (f"{type(error).__name__} in {where}: {error}",))
-    return Verdict(_ending(run), complaints, run.cost.steps, _numbers(run), run)
+    return Verdict(_ending(run), problems, run.cost.steps, _numbers(run), run)
 
 
 def written(draft: Draft, folder: Path) -> Path:
-    """The spec's file, with its tables beside it."""
+    """The path of the spec, written with its tables."""
     folder.mkdir(exist_ok=True)
     for name, text in draft.files.items():
         (folder / name).write_text(text, encoding="utf-8")
@@ -102,18 +102,18 @@ def written(draft: Draft, folder: Path) -> Path:
     return file
 
 
-def of_message(message: str) -> Iterator[str]:
-    """What no user should have to read."""
+def message_problems(message: str) -> Iterator[str]:
+    """Messages that are not fit for a user."""
     if not message.strip() or any(word in message for word in WORDS_OF_PROGRAMS):
         yield f"unclear message: {message[:300]!r}"
 
 
-def of_refusal(error: SpecError) -> Iterator[str]:
-    """A refusal has faults, and each of them says something."""
+def refusal_problems(error: SpecError) -> Iterator[str]:
+    """A refusal must have faults, each with a message."""
     if not error.faults:
         yield "refused without a fault"
     for fault in error.faults:
-        yield from of_message(fault.message)
+        yield from message_problems(fault.message)
 
 
 def _ending(run: Trajectory) -> str:
@@ -128,11 +128,11 @@ def _numbers(run: Trajectory) -> dict[str, float]:
     return {"energy": energy} if energy is not None and run.status == "complete" else {}
 
 
-def _of_run(scene: Scene, run: Trajectory, folder: Path) -> Iterator[str]:
+def _run_problems(scene: Scene, run: Trajectory, folder: Path) -> Iterator[str]:
     if run.status not in ("complete", "failed") or (run.status == "failed") != bool(run.failure):
         yield f"status {run.status} with the message {run.failure}"
-    yield from of_message(run.failure or "none")
-    yield from (c for notice in run.warnings for c in of_message(notice.message))
+    yield from message_problems(run.failure or "none")
+    yield from (c for notice in run.warnings for c in message_problems(notice.message))
     arrays = {
         "tip": run.tip, "pressure": run.pressure, "volume": run.volume,
         "flow": run.flow, "shape": run.shape, "time": run.time,
@@ -141,19 +141,19 @@ def _of_run(scene: Scene, run: Trajectory, folder: Path) -> Iterator[str]:
     if np.any(np.diff(run.time) <= 0):
         yield "times do not ascend"
     if run.status == "complete":
-        yield from _of_times(scene, run)
-        yield from _of_balances(run)
-        yield from _of_pressures(scene, run)
-    yield from _of_files(run, folder)
+        yield from _time_problems(scene, run)
+        yield from _balance_problems(run)
+        yield from _pressure_problems(scene, run)
+    yield from _file_problems(run, folder)
 
 
-def _of_times(scene: Scene, run: Trajectory) -> Iterator[str]:
+def _time_problems(scene: Scene, run: Trajectory) -> Iterator[str]:
     told = scene.run.output_times_array()
     if len(told) != len(run.time) or not np.allclose(told, run.time, rtol=1e-9, atol=0.0):
-        yield f"complete with {len(run.time)} times of {len(told)}, or others than asked for"
+        yield f"complete with {len(run.time)} times instead of {len(told)}, or with other times"
 
 
-def _of_balances(run: Trajectory) -> Iterator[str]:
+def _balance_problems(run: Trajectory) -> Iterator[str]:
     volume, energy = run.invariants.volume_imbalance_rel, run.invariants.energy_imbalance_rel
     error = run.accuracy.estimated_tip_error_m
     if volume is not None and not volume <= VOLUME:
@@ -167,8 +167,8 @@ def _of_balances(run: Trajectory) -> Iterator[str]:
         yield f"complete with an error of {error}"
 
 
-def _of_pressures(scene: Scene, run: Trajectory) -> Iterator[str]:
-    """Without feedback and inertance pressures stay within the range of the inlets'."""
+def _pressure_problems(scene: Scene, run: Trajectory) -> Iterator[str]:
+    """Without feedback and inertance, pressures stay within the range of the inlets."""
     taken = {v.name for v in run.effects if v.taken}
     sources = list(scene.inputs.values())
     if STIR & taken or not all(source.gives_pressure for source in sources):
@@ -183,34 +183,34 @@ def _of_pressures(scene: Scene, run: Trajectory) -> Iterator[str]:
     low, high = float(history.min()), float(history.max())
     beyond = max(float(run.pressure.max()) - high, low - float(run.pressure.min()), 0.0)
     if beyond - _head(scene, taken) > SLACK * (high - low) + 1e-6 * max(abs(low), abs(high)) + 1e-6:
-        yield f"a pressure leaves the inlets' range of {high - low:.3g} Pa by {beyond:.3g} Pa"
+        yield f"a pressure exceeds the inlets' range of {high - low:.3g} Pa by {beyond:.3g} Pa"
 
 
 def _head(scene: Scene, taken: set[str]) -> float:
-    """What the fluid's own weight may add between two ends of the actuator [Pa]."""
+    """Hydrostatic pressure difference between the ends of the actuator [Pa]."""
     gravity = scene.loads.gravity
     if gravity is None or "fluid_mass" not in taken:
         return 0.0
     return MOST_STRETCHED * scene.fluid.density * gravity.acceleration * scene.actuator.length
 
 
-def _of_files(run: Trajectory, folder: Path) -> Iterator[str]:
+def _file_problems(run: Trajectory, folder: Path) -> Iterator[str]:
     for name, rows in (("trajectory.csv", len(run.time)), ("shape.csv", None)):
         with (folder / name).open(newline="") as file:
             header, *lines = list(csv.reader(file))
         if rows is not None and len(lines) != rows:
-            yield f"{name} has {len(lines)} rows of {rows}"
+            yield f"{name} has {len(lines)} rows instead of {rows}"
         if any(len(line) != len(header) for line in lines):
-            yield f"{name} has rows of other lengths than its header"
+            yield f"{name} has rows whose length differs from the header"
         elif not all(math.isfinite(float(cell)) for line in lines for cell in line):
-            yield f"{name} holds what is no number"
+            yield f"{name} contains text that is not a number"
     summary = strict_json((folder / "summary.json").read_text(encoding="utf-8"))
     if not isinstance(summary, dict) or summary["status"] != run.status:
         yield "summary.json does not tell the run's status"
 
 
 def strict_json(text: str) -> object:
-    """A JSON document, without the NaN and Infinity that Python would read."""
+    """Parse JSON strictly, without the NaN and Infinity that Python accepts."""
 
     def refuse(word: str) -> float:
         raise ValueError(f"{word} in a JSON document")
