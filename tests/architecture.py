@@ -20,6 +20,7 @@ LAYERS = [
     ["cli", "__main__"],
     ["pump.sessions", "pump.report"],
     ["pump.poses", "pump.planning"],
+    ["pump.ax"],
     ["pump.play", "pump.simulated"],
     ["pump.sensors", "pump.boards"],
     ["pump.bus"],

@@ -11,10 +11,10 @@ import numpy as np
 from tests.pumps import HOME, bench, pump, stepped
 from tests.rig.faults import Fault, Faulty
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.packets import Instruction, Packet
-from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import StreamResult
 from viscodesign.pump.poses.fit import PoseFit, fit_poses
 from viscodesign.pump.poses.player import PosePlayer, divided
@@ -74,7 +74,7 @@ class PoseRig:
         self.device = PyPose(self.bench)
         self.line = DirectLine(Faulty(self.device, self.trouble), self.clock)
         self.board = Arbotix(self.line, self.ids)
-        self.pump = Pump(
+        self.pump = ServoPump(
             self.board,
             pump(travel=TRAVEL, sensor=None),
             self.ids,

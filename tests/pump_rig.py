@@ -11,12 +11,12 @@ import numpy as np
 from tests.pumps import HOME, Weights, bench, pump
 from tests.rig.bus import BusAdapter
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.bus.packets import Instruction, Packet, Parser
-from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import OnStop, Stream, StreamResult, TickReport
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
@@ -131,7 +131,7 @@ class Rig:
         self.board = PinBoard(self.tap, self.ids)
         self.board.pins = self.pins
         self.spec = pump(travel=TRAVEL, **self.settings)
-        self.pump = Pump(
+        self.pump = ServoPump(
             self.board,
             self.spec,
             self.ids,

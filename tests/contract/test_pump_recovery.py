@@ -12,13 +12,13 @@ import pytest
 from tests.pump_rig import RATE, TRAVEL, Rig
 from tests.rig.bus import BusAdapter
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.servo_pump import ServoPump
+from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.packets import ErrorBits
-from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import RecordingError, Stream, StreamResult
-from viscodesign.pump.play.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
@@ -111,7 +111,7 @@ def blocked(speed: float, cap: float, on_stop: str = "hold") -> tuple[StreamResu
     bench, clock = simulated_bench(spec), SteppedClock()
     board = Dynamixel(DirectLine(BusAdapter(bench), clock), [1])
     sensor = PressureReadings([lambda: 101_325.0 + float(bench.pressures[0])], 101_325.0)
-    pump = Pump(board, spec, [1], sensor, Switches({}), clock)
+    pump = ServoPump(board, spec, [1], sensor, Switches({}), clock)
     time = np.array([0.0, 600.0 / speed])
     profile = Profile(("inlet",), (1,), time, np.array([[200.0], [800.0]]), np.zeros((2, 1)))
     pump.connect()

@@ -24,9 +24,9 @@ from tests.pump_rig import TRAVEL
 from tests.pumps import bench
 from tests.rig.pty import PtyServer
 from tests.scenes import CONFIGS, ROOT
+from viscodesign.pump.ax.hold import HOLD_SPEED
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import WallClock
-from viscodesign.pump.play.hold import HOLD_SPEED
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.ros import Ros
 

@@ -14,15 +14,15 @@ import pytest
 from tests.pump_rig import RATE, Rig
 from tests.rig.bus import BusAdapter
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.servo_pump import ServoPump
+from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.packets import ErrorBits
 from viscodesign.pump.play.path import AROUND
-from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import Stream
-from viscodesign.pump.play.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
@@ -50,7 +50,7 @@ def blocked(kind: type[Board], fast: float, slow: float) -> float:
     )
     bench, clock = simulated_bench(spec), SteppedClock()
     board = kind(DirectLine(BusAdapter(bench), clock), [1])
-    pump = Pump(board, spec, [1], PressureReadings([None], 101_325.0), Switches({}), clock)
+    pump = ServoPump(board, spec, [1], PressureReadings([None], 101_325.0), Switches({}), clock)
     time = np.cumsum([0.0, 80 / fast, 80 / fast, 0.5, 600 / slow])
     counts = np.array([[200.0], [280.0], [200.0], [200.0], [800.0]])
     profile = Profile(("inlet",), (1,), time, counts, np.zeros((5, 1)))

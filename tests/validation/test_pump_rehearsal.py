@@ -14,12 +14,12 @@ import pytest
 from tests.scenes import CONFIGS
 from viscodesign import load
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.planning.plan import plan
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
 from viscodesign.pump.sensors.board_analog import BoardAnalog
 from viscodesign.pump.sensors.limit_switches import Switches
@@ -53,7 +53,7 @@ def rehearsal() -> Rehearsal:
     ambient = scene.ambient_pressure
     board = Simulated(simulated_line(scene.pump, clock, plant, ambient), planned.servos)
     gauges = PressureReadings([BoardAnalog(board, 0).absolute], ambient)
-    pump = Pump(board, scene.pump, planned.servos, gauges, Switches({}), clock)
+    pump = ServoPump(board, scene.pump, planned.servos, gauges, Switches({}), clock)
     rows: list[tuple[float, ...]] = []
 
     def see(shown: TickReport) -> None:

@@ -121,7 +121,7 @@ def test_a_broken_rule_exits_with_4_and_keeps_a_partial_record(
     from viscodesign.pump.play import safety_rules as guards
 
     monkeypatch.setattr(guards, "HIGHEST_TEMPERATURE", 25.0)
-    from viscodesign.pump.play import preflight as found
+    from viscodesign.pump.ax import preflight as found
 
     monkeypatch.setattr(found, "HIGHEST_TEMPERATURE", 99.0)
     told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run")

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from viscodesign.pump.ax.servo_state import ServoState
 from viscodesign.pump.bus.packets import ErrorBits
-from viscodesign.pump.play.servo_state import Sample, ServoState
+from viscodesign.pump.play.axis import Sample
 
 
 def servo(position: int = 500, **changes: Any) -> ServoState:

@@ -8,7 +8,6 @@ from collections.abc import Callable, Collection
 from viscodesign.errors import InterruptedRunError, PumpError
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.ticks import Ticks
-from viscodesign.scene.pump import MAX_SERVO_COUNTS
 
 SPEED = 20.0
 """[counts/s]: 1.5 mm/s."""
@@ -60,8 +59,8 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
         pressed = by_servo.get(servo, frozenset())
         if stopped():
             raise InterruptedRunError("stopped by the user; the plunger is held")
-        if states[servo].errors:
-            raise PumpError(f"servo {servo} reports: {states[servo].complaint}")
+        if states[servo].alarm:
+            raise PumpError(f"servo {servo} {states[servo].alarm}")
         if barred in pressed:
             raise PumpError(
                 f"the switch at the {barred} end is pressed on the way to the other one: see its "
@@ -70,13 +69,13 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
         if arrived(pressed, states[servo].position):
             return
         goal = pump.goals[servo] + sign * step
-        _refuse(goal, states[servo].position)
+        _refuse(goal, states[servo].position, pump.limits.travel)
         pump.set_goals({servo: goal}, {servo: SPEED})
         ticks.wait(lambda: not stopped())
 
 
-def _refuse(goal: int, position: int) -> None:
-    if not 0 <= goal <= MAX_SERVO_COUNTS:
+def _refuse(goal: int, position: int, travel: tuple[int, int]) -> None:
+    if not travel[0] <= goal <= travel[1]:
         raise PumpError("the servo is at the end of its counts and no switch was pressed")
     if abs(goal - position) > BLOCKED:
         raise PumpError(

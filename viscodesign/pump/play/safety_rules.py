@@ -12,9 +12,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from viscodesign.pump.play.servo_state import Sample
+from viscodesign.pump.play.axis import AxisLimits, Sample
 from viscodesign.pump.sensors.base import SensorError, Stillness
-from viscodesign.scene.pump import PumpSpec
 
 IN_SUCCESSION = 2
 """Samples that must agree where one alone may be noise."""
@@ -239,10 +238,8 @@ class ErrorBitsSet(Guard):
 
     def check(self, sample: Sample) -> str | None:
         for servo, state in sample.servos.items():
-            if state.errors:
-                return f"servo {servo} reports: {state.complaint}"
-            if state.torque_limit == 0:
-                return f"servo {servo} shut itself off: its torque limit is 0"
+            if state.alarm:
+                return f"servo {servo} {state.alarm}"
         return None
 
 
@@ -333,7 +330,7 @@ class Watch:
                 yield Stop(guard.rule, reason, guard.trusted, guard.may_retreat)
 
 
-def stream_rules(pump: PumpSpec, reach: int, max_lag: float = math.inf) -> list[Guard]:
+def stream_rules(pump: AxisLimits, reach: int, max_lag: float = math.inf) -> list[Guard]:
     """What monitors a profile; ``reach`` is one tick's travel [counts].
 
     Where several are broken at once, the first one is told: causes before consequences.
@@ -347,12 +344,12 @@ def stream_rules(pump: PumpSpec, reach: int, max_lag: float = math.inf) -> list[
     ]
 
 
-def retreat_rules(pump: PumpSpec, reach: int) -> list[Guard]:
+def retreat_rules(pump: AxisLimits, reach: int) -> list[Guard]:
     """What remains while the plunger is drawn back, which makes room for the pressure."""
     return [Silence(), *_axis_rules(pump, reach)]
 
 
-def _axis_rules(pump: PumpSpec, reach: int) -> list[Guard]:
+def _axis_rules(pump: AxisLimits, reach: int) -> list[Guard]:
     low, high = pump.travel
     return [
         LimitSwitches(),

@@ -10,12 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.play.path import TargetPath
-from viscodesign.pump.play.pump import SPEED
 
-SLOPE = 32.0
-"""Distance from its goal at which a servo gives its full output [counts]: the initial value of
-its compliance slopes (ROBOTIS e-manual)."""
 LEARNING_RATE = 0.25
 """Part of the following error that is added to the goals in each tick."""
 LARGEST_LEAD = 40.0
@@ -71,8 +68,7 @@ class SetPoints:
     path: TargetPath
     period: float
     """Of the ticks [s]."""
-    free_speed: float
-    """Of a servo without load [counts/s]."""
+    limits: AxisLimits
     behind: dict[int, float] = field(default_factory=dict)
     """By servo: what its load needs [counts]."""
 
@@ -100,9 +96,14 @@ class SetPoints:
         speeds: dict[int, float] = {}
         for k, servo in enumerate(self.path.profile.servos):
             speed = float(then[k] - now[k]) / self.period
-            aim = float(then[k]) + self.behind.get(servo, 0.0) + SLOPE * speed / self.free_speed
+            aim = (
+                float(then[k])
+                + self.behind.get(servo, 0.0)
+                + self.limits.lead_distance * speed / self.limits.top_speed
+            )
             step = min(max(round(aim) - goals[servo], -reach), reach)
             aims[servo] = goals[servo] + step
             # Slow ramps go smoothly at their own speed, not in jerks of one count.
-            speeds[servo] = SPEED_MARGIN * max(abs(speed), (abs(step) - 1.0) / self.period) + SPEED
+            speeds[servo] = SPEED_MARGIN * max(abs(speed), (abs(step) - 1.0) / self.period)
+            speeds[servo] += self.limits.slowest_speed
         return aims, speeds

@@ -8,7 +8,7 @@ from typing import Literal
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
-from viscodesign.pump.play.hold import FinalServoState
+from viscodesign.pump.play.axis import FinalServoState, Sample
 from viscodesign.pump.play.path import TargetPath, led_in, top_speed, way_back
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.safety_rules import (
@@ -19,7 +19,6 @@ from viscodesign.pump.play.safety_rules import (
     retreat_rules,
     stream_rules,
 )
-from viscodesign.pump.play.servo_state import Sample
 from viscodesign.pump.play.setpoints import (
     CATCH_UP,
     DEAD_BAND,
@@ -29,7 +28,6 @@ from viscodesign.pump.play.setpoints import (
     SetPoints,
 )
 from viscodesign.pump.play.ticks import SLICE, Ticks
-from viscodesign.pump.play.torque_limit import free_speed
 from viscodesign.pump.profile import Profile
 
 MAX_LAG = 3.0
@@ -139,11 +137,11 @@ class Stream:
             self.pump.arm(top_speed(self.profile))
         path = led_in(self.profile, self.pump.goals, self.lead)
         self.origin = self.pump.clock.now() + path.zero
-        guards = stream_rules(self.pump.settings, self._reach(path), self.max_lag)
+        guards = stream_rules(self.pump.limits, self._reach(path), self.max_lag)
         return PathRun(self, path, guards, 0).go()
 
     def _refuse_targets(self) -> None:
-        low, high = self.pump.settings.travel
+        low, high = self.pump.limits.travel
         counts = self.profile.counts
         if counts.min() < low - DEAD_BAND or counts.max() > high + DEAD_BAND:
             raise PumpError(
@@ -165,7 +163,7 @@ class Stream:
             if self.on_stop == "retract":
                 result.standing = self._retreat()
             elif self.on_stop == "hold" and result.rule == "pressure_cap":
-                result.standing = self._retreat(self.pump.settings.max_pressure)
+                result.standing = self._retreat(self.pump.limits.max_pressure)
         if result.status == "interrupted" and self.on_stop != "release" and self.pump.armed:
             self._wait_for_second_request()
         if self.on_stop == "release" or self.request.urgent:
@@ -183,9 +181,9 @@ class Stream:
         """
         pump = self.pump
         try:
-            path = way_back(self.profile, pump.goals, pump.settings.home)
+            path = way_back(self.profile, pump.goals, pump.limits.home)
             heard = 1 if self.result.status == "interrupted" else 0
-            guards = retreat_rules(pump.settings, self._reach(path))
+            guards = retreat_rules(pump.limits, self._reach(path))
             back = PathRun(self, path, guards, heard, pressure).go()
         except PumpError as error:
             back = StreamResult("stopped", str(error))
@@ -213,7 +211,7 @@ class PathRun:
         self.heard = heard
         self.relief = relief
         self.progress = PathProgress(self.ticks.period)
-        self.points = SetPoints(path, self.ticks.period, free_speed(self.pump.settings))
+        self.points = SetPoints(path, self.ticks.period, self.pump.limits)
         self.relieved = False
         self.settled = InSuccession()
 

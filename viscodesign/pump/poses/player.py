@@ -13,12 +13,13 @@ import numpy as np
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.hold import HOLD_SPEED, HOLD_TOLERANCE
+from viscodesign.pump.ax.servo_pump import ServoPump, speed_register
+from viscodesign.pump.ax.servo_state import read_servo
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.transactions import NoReplyError
-from viscodesign.pump.play.hold import HOLD_SPEED, HOLD_TOLERANCE, FinalServoState
-from viscodesign.pump.play.pump import Pump, speed_register
-from viscodesign.pump.play.servo_state import read_servo
+from viscodesign.pump.play.axis import FinalServoState
 from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
 from viscodesign.pump.play.ticks import SLICE
 from viscodesign.pump.poses import packets as pose_packets
@@ -98,7 +99,7 @@ class PosePlayer:
 
     def __init__(
         self,
-        pump: Pump,
+        pump: ServoPump,
         board: Arbotix,
         fit: PoseFit,
         wish: StopRequest,

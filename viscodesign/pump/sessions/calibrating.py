@@ -7,18 +7,18 @@ from dataclasses import dataclass
 
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
+from viscodesign.pump.ax import eeprom
+from viscodesign.pump.ax.eeprom import RegisterChange, changes
+from viscodesign.pump.ax.hold import release
+from viscodesign.pump.ax.preflight import identify
+from viscodesign.pump.ax.servo_pump import ServoPump as ConnectedPump
+from viscodesign.pump.ax.servo_state import read_register
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.registers import PRESENT_POSITION
 from viscodesign.pump.planning.scene_variants import pump_of
-from viscodesign.pump.play import eeprom
-from viscodesign.pump.play.eeprom import RegisterChange, changes
-from viscodesign.pump.play.hold import release
 from viscodesign.pump.play.homing import find_travel
-from viscodesign.pump.play.preflight import identify
-from viscodesign.pump.play.pump import Pump as ConnectedPump
-from viscodesign.pump.play.servo_state import read_register
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import (

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from viscodesign.errors import PumpError
+from viscodesign.pump.ax.hold import stop_all
+from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.play.hold import FinalServoState, stop_all
-from viscodesign.pump.play.preflight import FoundServo, blocking_faults, identify
+from viscodesign.pump.play.axis import FinalServoState
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sessions.connection import (
     SCANNED_IDS,

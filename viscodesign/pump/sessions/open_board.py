@@ -6,13 +6,13 @@ from difflib import get_close_matches
 
 from viscodesign.errors import UsageError
 from viscodesign.plugins import members
+from viscodesign.pump.ax.preflight import NAMES as MODEL_NUMBERS
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.play.preflight import NAMES as MODEL_NUMBERS
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pins import Pins

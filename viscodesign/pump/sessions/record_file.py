@@ -12,7 +12,7 @@ from typing import Any
 
 from viscodesign._version import __version__
 from viscodesign.errors import UsageError
-from viscodesign.pump.play.servo_state import Sample, ServoState
+from viscodesign.pump.play.axis import AxisState, Sample
 from viscodesign.pump.play.stream import RecordingError
 from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
@@ -142,7 +142,7 @@ def recorded(
             record.flush()
 
 
-SERVO_CHANNELS: dict[tuple[str, str], Callable[[ServoState, int], float]] = {
+SERVO_CHANNELS: dict[tuple[str, str], Callable[[AxisState, int], float]] = {
     ("position", "counts"): lambda state, goal: state.position,
     ("goal", "counts"): lambda state, goal: goal,
     ("load", "rel"): lambda state, goal: state.load,

@@ -8,7 +8,7 @@ from typing import Any
 
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
-from viscodesign.pump.play.listen import listen
+from viscodesign.pump.ax.listen import listen
 from viscodesign.pump.sessions.connection import (
     SIMULATED,
     BoardAddress,

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from viscodesign.errors import InterruptedRunError, PumpError
+from viscodesign.pump.ax.preflight import FoundServo
 from viscodesign.pump.planning.result import PumpCourse
-from viscodesign.pump.play.preflight import FoundServo
 from viscodesign.pump.play.stream import StreamResult
 from viscodesign.scene.pump import PumpSpec
 

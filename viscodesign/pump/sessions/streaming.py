@@ -10,6 +10,8 @@ from typing import Any, get_args
 
 from viscodesign.errors import UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
+from viscodesign.pump.ax.servo_pump import ServoPump
+from viscodesign.pump.ax.torque_limit import stalling_pressure, torque_limit
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus.byte_log import ByteLog
 from viscodesign.pump.bus.clock import Clock
@@ -24,9 +26,7 @@ from viscodesign.pump.play.link_rate import (
     sustainable_rate,
 )
 from viscodesign.pump.play.path import top_speed
-from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import OnStop, Stream, TickReport
-from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import (
@@ -203,12 +203,12 @@ class StreamSession:
             with stop_on_signals() as request, self._record(folder, board, plant) as record:
                 return self._stream(pump, request, record, log, tell, on_tick)
 
-    def pump_on(self, board: Board, gauges: PressureReadings) -> Pump:
+    def pump_on(self, board: Board, gauges: PressureReadings) -> ServoPump:
         """The pump behind a board."""
         switches = Switches.of(self.settings, self.plan.servos)
-        return Pump(board, self.settings, self.plan.servos, gauges, switches, self.clock)
+        return ServoPump(board, self.settings, self.plan.servos, gauges, switches, self.clock)
 
-    def stream_on(self, pump: Pump, request: StopRequest, on_tick: OnTick) -> Stream:
+    def stream_on(self, pump: ServoPump, request: StopRequest, on_tick: OnTick) -> Stream:
         """The stream of this session, not begun."""
         course = self.plan.achievable
         return Stream(
@@ -216,7 +216,7 @@ class StreamSession:
             rate=self.rate, lead=course.lead_s, on_stop=self.on_stop,
         )  # fmt: skip
 
-    def _connect(self, pump: Pump) -> list[str]:
+    def _connect(self, pump: ServoPump) -> list[str]:
         """Identify all that is there, moving nothing; what a user should read of it.
 
         The rate is lowered to what the link sustains.
@@ -251,7 +251,7 @@ class StreamSession:
 
     def _stream(
         self,
-        pump: Pump,
+        pump: ServoPump,
         request: StopRequest,
         record: Record,
         log: ByteLog,

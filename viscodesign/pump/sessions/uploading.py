@@ -10,6 +10,8 @@ import numpy as np
 
 from viscodesign.errors import InterruptedRunError, UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
+from viscodesign.pump.ax.servo_pump import ServoPump
+from viscodesign.pump.ax.torque_limit import stalling_pressure, torque_limit
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus.clock import Clock
@@ -17,9 +19,7 @@ from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.result import PumpCourse, PumpPlan, refuse_infeasible
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import StreamResult
-from viscodesign.pump.play.torque_limit import stalling_pressure, torque_limit
 from viscodesign.pump.poses.c_header import poses_h
 from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import PoseFit, fit_poses
@@ -219,14 +219,14 @@ class UploadSession:
                     tell("\n".join(result_lines(result)))
             return PlaybackReport(self.scene.name, result, self.document())
 
-    def pump_on(self, board: Board, clock: Clock) -> Pump:
+    def pump_on(self, board: Board, clock: Clock) -> ServoPump:
         """The pump behind a board that reads neither sensors nor switches."""
         servos = self.lead.servos
         nothing = PressureReadings([None] * len(servos), self.scene.ambient_pressure)
-        return Pump(board, self.settings, servos, nothing, Switches({}), clock)
+        return ServoPump(board, self.settings, servos, nothing, Switches({}), clock)
 
     def player_on(
-        self, pump: Pump, request: StopRequest, tell: Tell, see: Callable[[float], None]
+        self, pump: ServoPump, request: StopRequest, tell: Tell, see: Callable[[float], None]
     ) -> PosePlayer:
         """What plays the poses on a connected pump; ``see`` is given the time so far [s]."""
         board = pump.board
@@ -234,7 +234,7 @@ class UploadSession:
         return PosePlayer(pump, board, self.fit, request, tell, see)
 
     def _play(
-        self, pump: Pump, request: StopRequest, tell: Tell, on_round: Progress | None
+        self, pump: ServoPump, request: StopRequest, tell: Tell, on_round: Progress | None
     ) -> StreamResult | None:
         def see(elapsed: float) -> None:
             if on_round is not None:

@@ -8,11 +8,11 @@ import pytest
 
 from tests.pumps import pump as settings_of
 from viscodesign.errors import InterruptedRunError, PumpError
+from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.play.homing import BACK_OFF, find_travel
-from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import SimulatedBench
@@ -40,7 +40,7 @@ class Bed:
         self.clock = SteppedClock()
         line = DirectLine(Ros(bench, Pins(bench, broken=dict(broken))), self.clock)
         free = spec.model_copy(update={"travel": (0, 1023)})
-        self.pump = Pump(
+        self.pump = ServoPump(
             Simulated(line, [1]),
             free,
             [1],

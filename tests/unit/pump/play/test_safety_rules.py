@@ -8,7 +8,9 @@ from collections.abc import Sequence
 import pytest
 
 from tests.unit.pump.samples import sample, servo
+from viscodesign.pump.ax.servo_pump import axis_limits
 from viscodesign.pump.bus.packets import ErrorBits
+from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.safety_rules import (
     ErrorBitsSet,
     Following,
@@ -25,7 +27,6 @@ from viscodesign.pump.play.safety_rules import (
     retreat_rules,
     stream_rules,
 )
-from viscodesign.pump.play.servo_state import Sample
 from viscodesign.scene.pump import PumpSpec
 
 
@@ -161,13 +162,13 @@ def test_a_silence_of_a_quarter_of_a_second() -> None:
 
 
 def test_every_rule_names_itself_and_leaves_a_healthy_pump_alone() -> None:
-    rules = stream_rules(PumpSpec(syringe_diameter=0.0349), 3)
+    rules = stream_rules(axis_limits(PumpSpec(syringe_diameter=0.0349)), 3)
     assert len({guard.rule for guard in rules}) == len(rules) == 11
     assert all(guard.check(sample(time=0.01 * k)) is None for k in range(50) for guard in rules)
 
 
 def test_drawing_back_is_watched_by_all_but_the_pressure() -> None:
-    pump = PumpSpec(syringe_diameter=0.0349)
+    pump = axis_limits(PumpSpec(syringe_diameter=0.0349))
     left_out = {g.rule for g in stream_rules(pump, 3)} - {g.rule for g in retreat_rules(pump, 3)}
     assert left_out == {"behind_profile", "pressure_cap", "sensor_frozen"}
 

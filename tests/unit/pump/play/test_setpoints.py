@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from tests.pumps import pump
+from viscodesign.pump.ax.servo_pump import COMPLIANCE_SLOPE, axis_limits, speed_register
 from viscodesign.pump.play.path import TargetPath
-from viscodesign.pump.play.pump import speed_register
-from viscodesign.pump.play.setpoints import LARGEST_LEAD, SLOPE, SetPoints
+from viscodesign.pump.play.setpoints import LARGEST_LEAD, SetPoints
 from viscodesign.pump.profile import Profile
 
 PERIOD = 1 / 30
@@ -18,7 +21,9 @@ def points(speed: float) -> SetPoints:
     time = np.array([0.0, 10.0])
     counts = np.array([[500.0], [500.0 + 10.0 * speed]])
     profile = Profile(("inlet",), (1,), time, counts, np.zeros((2, 1)))
-    return SetPoints(TargetPath(profile, 0.0, 0.0), PERIOD, FREE)
+    return SetPoints(
+        TargetPath(profile, 0.0, 0.0), PERIOD, replace(axis_limits(pump()), top_speed=FREE)
+    )
 
 
 def test_a_slow_ramp_steps_by_single_counts_at_its_own_speed() -> None:
@@ -35,7 +40,7 @@ def test_a_slow_ramp_steps_by_single_counts_at_its_own_speed() -> None:
 def test_a_fast_ramp_runs_ahead_by_what_its_speed_needs() -> None:
     speed = 900.0
     new, _ = points(speed).next(1.0, {1: 1430}, 100)
-    assert new[1] == round(500 + speed * (1.0 + PERIOD) + SLOPE * speed / FREE)
+    assert new[1] == round(500 + speed * (1.0 + PERIOD) + COMPLIANCE_SLOPE * speed / FREE)
 
 
 @pytest.mark.parametrize("before", [400, 600])

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.servo_state import read_servo
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.servo_state import Sample, read_servo
+from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.ticks import Ticks
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 
 from tests.unit.pump.samples import servo
-from viscodesign.pump.bus.packets import ErrorBits
-from viscodesign.pump.play.torque_limit import (
+from viscodesign.pump.ax.torque_limit import (
     FULL,
     LONGEST_SATURATION,
     NOTABLE,
     TorqueLimits,
     following_limit,
 )
+from viscodesign.pump.bus.packets import ErrorBits
 
 
 def writable(limits: TorqueLimits, now: float) -> dict[int, int]:

@@ -6,9 +6,9 @@ import pytest
 
 from tests.pumps import bench, stepped
 from tests.rig.bus import BusAdapter
+from viscodesign.pump.ax.hold import stop_all
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import packets, registers
-from viscodesign.pump.play.hold import stop_all
 from viscodesign.pump.sessions.open_board import boards
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine

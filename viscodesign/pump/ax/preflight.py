@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from viscodesign.pump.ax.servo_state import ServoState, read_anyway, read_servo
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.play.safety_rules import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE
-from viscodesign.pump.play.servo_state import ServoState, read_anyway, read_servo
 from viscodesign.scene.pump import PumpSpec
 
 IDENTITY = registers.STATUS_LEVEL.address + 1

@@ -6,14 +6,14 @@ Needs no spec, so that `pump stop` works with none.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 
 from viscodesign.errors import PumpError
+from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.transactions import ServoError
-from viscodesign.pump.play.servo_state import ServoState, read_servo, write_register
+from viscodesign.pump.play.axis import FinalServoState
 
 HOLD_SPEED = 20
 """Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
@@ -27,19 +27,6 @@ DEAF = 40.0
 """A board that plays by itself may hear nothing this long: its moves last up to 32.8 s [s]."""
 AGAIN = 2.0
 """Between two halts of such a board [s]."""
-
-
-@dataclass(frozen=True)
-class FinalServoState:
-    """How one servo was left."""
-
-    servo: int
-    verified: bool
-    """Whether it was read back."""
-    words: str
-
-    def __str__(self) -> str:
-        return f"servo {self.servo}: {self.words}"
 
 
 def hold(

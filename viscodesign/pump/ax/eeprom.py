@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from viscodesign.errors import PumpError
+from viscodesign.pump.ax.preflight import ANSWERS_ALL, FoundServo
+from viscodesign.pump.ax.servo_state import read_register
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.registers import Register
-from viscodesign.pump.play.preflight import ANSWERS_ALL, FoundServo
-from viscodesign.pump.play.servo_state import read_register
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from viscodesign.errors import PumpError
@@ -11,6 +10,7 @@ from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.packets import ErrorBits, meaning
 from viscodesign.pump.bus.registers import Register
 from viscodesign.pump.bus.transactions import ServoError
+from viscodesign.pump.play.axis import AxisState
 
 FIRST = registers.TORQUE_ENABLE.address
 LENGTH = registers.PRESENT_TEMPERATURE.address + 1 - FIRST
@@ -20,24 +20,13 @@ NO_ERRORS = ErrorBits(0)
 
 
 @dataclass(frozen=True)
-class ServoState:
-    """Registers 24 to 43 of a servo, read at once."""
+class ServoState(AxisState):
+    """Registers 24 to 43 of a servo, read at once; a step is a count."""
 
-    torque: bool
-    goal: int
-    """[counts]"""
     moving_speed: int
     """The register; 0 would be full speed."""
     torque_limit: int
     """[1/1023 of stall]"""
-    position: int
-    """[counts]"""
-    load: float
-    """Output of its controller over the largest, positive towards higher counts."""
-    voltage: float
-    """[V]"""
-    temperature: float
-    """[degC]"""
     errors: ErrorBits = NO_ERRORS
 
     @classmethod
@@ -56,6 +45,12 @@ class ServoState:
             temperature=float(value(registers.PRESENT_TEMPERATURE)),
             errors=errors,
         )
+
+    @property
+    def alarm(self) -> str:
+        if self.errors:
+            return f"reports: {self.complaint}"
+        return "shut itself off: its torque limit is 0" if self.torque_limit == 0 else ""
 
     @property
     def complaint(self) -> str:
@@ -94,24 +89,3 @@ def write_register(board: Board, servo: int, register: Register, value: int) -> 
             f"servo {servo}: {register.name} was set to {value}, but reads {held}; "
             "switch the servo off and on, and check its supply and cable"
         )
-
-
-@dataclass(frozen=True)
-class Sample:
-    """What one tick read, and what is to be done next; S servos, in the order of their inlets."""
-
-    time: float
-    """Of the clock [s]."""
-    servos: Mapping[int, ServoState]
-    pressure: tuple[float | None, ...]
-    """(S,) measured gauge pressure [Pa]; None where nothing measures it."""
-    wanted: tuple[float | None, ...]
-    """(S,) gauge pressure that the model expects now [Pa]."""
-    pressed: Mapping[int, frozenset[str]]
-    """Limit switches that are pressed (or broken), 'low' or 'high', of each servo that has some."""
-    goals: Mapping[int, int]
-    """Goals in force [counts]."""
-    next_goals: Mapping[int, int]
-    """Goals that are to follow [counts]."""
-    lag: float = 0.0
-    """How far behind the plan the stream is [ticks]."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from viscodesign.pump.play.servo_state import ServoState
+from viscodesign.pump.ax.servo_state import ServoState
 from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
 from viscodesign.pump.syringe import shaft_torque, stall_pressure, stall_torque
 from viscodesign.scene.pump import PumpSpec

@@ -1,0 +1,219 @@
+"""A syringe pump of servos, as streams and safety rules know pumps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.ax.hold import HOLD_SPEED, hold, release
+from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
+from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
+from viscodesign.pump.ax.torque_limit import (
+    TorqueLimits,
+    free_speed,
+    torque_limit,
+)
+from viscodesign.pump.boards.base import Board, Goal
+from viscodesign.pump.bus import registers
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.drive import COUNTS_PER_TURN, Drive
+from viscodesign.pump.play.axis import AxisLimits, FinalServoState
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.scene.pump import PumpSpec
+
+SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
+"""Counts per second of one unit of the speed register."""
+TOP_SPEED = 1023
+COMPLIANCE_SLOPE = 32.0
+"""Distance from its goal at which a servo gives its full output [counts]: the initial value of
+its compliance slopes (ROBOTIS e-manual)."""
+LIMIT_STEPS = 6
+"""Readings in which a torque limit may be lowered at the end of a motion."""
+TAKEN = 3
+"""The goal of a servo that gets its torque may be its position of a moment later [counts]."""
+
+
+class ServoPump(Pump):
+    """Servos of one spec on one board, each with a plunger."""
+
+    def __init__(
+        self,
+        board: Board,
+        settings: PumpSpec,
+        servos: Sequence[int],
+        gauges: PressureReadings,
+        switches: Switches,
+        clock: Clock,
+    ) -> None:
+        super().__init__(servos, axis_limits(settings), gauges, lambda: switches.read(board), clock)
+        self.board = board
+        self.settings = settings
+        self.switches = switches
+        self.identity = ""
+        """What the board said of itself."""
+        self.torque_limits = TorqueLimits()
+
+    def connect(self) -> list[FoundServo]:
+        """Identify the board and all servos; raises `PumpError` where they must not move."""
+        self.identity = self.board.identify()
+        found = [identify(self.board, servo) for servo in self.servos]
+        self.positions = {servo.id: servo.state.position for servo in found}
+        wrong = [reason for servo in found for reason in blocking_faults(servo, self.settings)]
+        if wrong:
+            raise PumpError("\n".join(["nothing has moved:", *wrong]))
+        return found
+
+    def arm(self, speed: float = 0.0) -> None:
+        """Torque on where each plunger stands; limits first, each read back.
+
+        ``speed``: the fastest that is going to be asked for [counts/s]; raises `PumpError` where
+        the servo is not that fast.
+        """
+        if speed > free_speed(self.settings):
+            raise PumpError(
+                f"{speed:.0f} counts/s are asked for; without any load the servo makes "
+                f"{free_speed(self.settings):.0f}: see `pump plan`"
+            )
+        # Where moves bring limits of their own along, that of a plunger at rest is enough.
+        limit = torque_limit(self.settings, 0.0 if self.board.limits_torque else speed)
+        self.board.hurry()
+        for servo in self.servos:
+            state = self._healthy(servo)
+            position = state.position
+            # A servo that strained against this very limit may shut itself off just now, and a
+            # write would give it its torque back.
+            if state.torque_limit != limit:
+                write_register(self.board, servo, registers.TORQUE_LIMIT, limit)
+            write_register(self.board, servo, registers.MOVING_SPEED, HOLD_SPEED)
+            # Some firmwares switch the torque on by this, so it comes behind both limits. Without
+            # torque they give the present position as their goal: read back when it is on.
+            self.armed = True
+            goal = registers.GOAL_POSITION
+            self.board.write(servo, goal.address, goal.encode(position))
+            write_register(self.board, servo, registers.TORQUE_ENABLE, 1)
+            self.goals[servo] = self._standing(servo, position, limit)
+            self.positions[servo] = self.goals[servo]
+
+    def _healthy(self, servo: int) -> ServoState:
+        """Its state; a torque limit of 0 is an alarm's, and is not overwritten unsaid."""
+        state = read_servo(self.board, servo)
+        if state.errors or state.torque_limit == 0:
+            told = state.complaint or "its torque limit is 0: it shut itself off"
+            raise PumpError(f"servo {servo}: {told}. See `pump status`, then switch it off and on")
+        return state
+
+    def _standing(self, servo: int, position: int, limit: int) -> int:
+        """The goal that an armed servo holds, checked to be where it stands."""
+        state = self._healthy(servo)
+        wrong = (
+            abs(state.goal - position) > TAKEN
+            or state.moving_speed != HOLD_SPEED
+            or state.torque_limit != limit
+        )
+        if wrong:
+            raise PumpError(
+                f"servo {servo} was armed at {position} counts, with speed {HOLD_SPEED} and torque "
+                f"limit {limit}, but has goal {state.goal}, speed {state.moving_speed} and torque "
+                f"limit {state.torque_limit}; check its supply and cable"
+            )
+        return state.goal
+
+    def _send(
+        self,
+        goals: Mapping[int, int],
+        speeds: Mapping[int, float],
+        paces: Mapping[int, float] | None,
+    ) -> None:
+        needed = {servo: torque_limit(self.settings, pace) for servo, pace in (paces or {}).items()}
+        self._move(goals, {s: speed_register(speed) for s, speed in speeds.items()}, needed)
+
+    def _move(
+        self, goals: Mapping[int, int], speeds: Mapping[int, int], needed: Mapping[int, int]
+    ) -> bool:
+        """Goals, speed registers, and torque limits that change; whether some do.
+
+        A servo that shut itself off, or that may be about to, keeps what it has.
+        """
+        limits: dict[int, int] = {}
+        if needed and self.board.limits_torque:
+            limits = self.torque_limits.changes(needed, self.clock.now())
+        held = self.torque_limits.in_force
+        self.torque_limits.sent |= {s: (held[s], limit) for s, limit in limits.items()}
+        self.board.move(
+            {s: Goal(g, speeds[s], limits.get(s), held.get(s)) for s, g in goals.items()}
+        )
+        return bool(limits)
+
+    def _read(self) -> dict[int, ServoState]:
+        before = self.clock.now()
+        states = {servo: read_servo(self.board, servo) for servo in self.servos}
+        self.positions = {servo: state.position for servo, state in states.items()}
+        self.read_at = (before + self.clock.now()) / 2
+        for servo in self.torque_limits.revived(states):
+            # It shut itself off while its limit was on the way: it has to stay off.
+            self.board.set(servo, registers.TORQUE_LIMIT, 0)
+            states[servo] = replace(states[servo], torque_limit=0)
+        self.torque_limits.sent = {}
+        self.torque_limits.update(states, self.read_at)
+        return states
+
+    def hold(self, *, in_place: bool = True) -> list[FinalServoState]:
+        """Stand where it is, read back; nothing is sent where the torque was never on.
+
+        Unless ``in_place``, the goals in force are kept: those that a load asks for. Torque
+        limits that a motion had raised are lowered again.
+        """
+        if not self.armed:
+            return [
+                FinalServoState(s, True, "untouched: its torque was never on") for s in self.servos
+            ]
+        goals = None if in_place else self.goals
+        left = hold(self.board, self.servos, self.clock, positions=self.positions, goals=goals)
+        self.goals = {s: self.positions[s] if in_place else self.goals[s] for s in self.servos}
+        if not all(one.verified for one in left) or not self.board.limits_torque:
+            return left
+        try:
+            self._lower_limits()
+        except PumpError as error:
+            return [replace(one, verified=False, words=f"{one.words}, but {error}") for one in left]
+        return hold(self.board, self.servos, self.clock, positions=self.positions, goals=self.goals)
+
+    def _lower_limits(self) -> None:
+        """To what a plunger at rest needs, byte by byte."""
+        rest = torque_limit(self.settings)
+        for _ in range(LIMIT_STEPS):
+            self._read()
+            sent = [
+                self._move({servo: self.goals[servo]}, {servo: HOLD_SPEED}, {servo: rest})
+                for servo in self.torque_limits.in_force
+            ]
+            if not any(sent):
+                return
+
+    def release(self) -> list[FinalServoState]:
+        """Torque off, read back; pressure may push the plunger back then."""
+        self.armed = False
+        return release(self.board, self.servos, self.clock)
+
+
+def axis_limits(settings: PumpSpec) -> AxisLimits:
+    """Of the servos of a spec."""
+    return AxisLimits(
+        step=Drive(settings).advance_per_count,
+        travel=settings.travel,
+        home=settings.home,
+        retreat_sign=-1 if settings.push == "up" else 1,
+        max_pressure=settings.max_pressure,
+        top_speed=free_speed(settings),
+        slowest_speed=SPEED,
+        lead_distance=COMPLIANCE_SLOPE,
+    )
+
+
+def speed_register(speed: float) -> int:
+    """Smallest value that is at least as fast [counts/s]; never 0, which is full speed."""
+    return min(max(math.ceil(speed / SPEED), 1), TOP_SPEED)

@@ -1,0 +1,94 @@
+"""What an axis is to those who move it: its state, its limits, and how it was left.
+
+An axis sets what drives one inlet: a plunger by its place, or a regulator by its pressure. It
+counts in whole steps of its own; `AxisLimits.step` says what one is, in SI.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class AxisState:
+    """One axis as it was read."""
+
+    torque: bool
+    """Whether it is driven."""
+    goal: int
+    """Target that it holds [steps]."""
+    position: int
+    """Where it is [steps]."""
+    load: float
+    """Share of its full output, signed as the steps are."""
+    voltage: float
+    """Of its supply [V]."""
+    temperature: float
+    """[degC]"""
+
+    @property
+    def alarm(self) -> str:
+        """What it reports to be wrong with itself, in words; empty where nothing is."""
+        return ""
+
+
+@dataclass(frozen=True)
+class AxisLimits:
+    """What all axes of a pump can do, and may."""
+
+    step: float
+    """Of the coordinate that it sets, in SI: [m] of a plunger, [Pa] of a regulator."""
+    travel: tuple[int, int]
+    """Lowest and highest target [steps]."""
+    home: int
+    """Where no pressure is made [steps]."""
+    retreat_sign: int
+    """Direction in which pressure is relieved: 1 towards higher steps, -1 towards lower."""
+    max_pressure: float
+    """Gauge [Pa]."""
+    top_speed: float
+    """Without load [steps/s]."""
+    slowest_speed: float
+    """[steps/s]"""
+    lead_distance: float
+    """By which the target has to be ahead at top speed [steps]."""
+
+    @property
+    def top_speed_si(self) -> float:
+        """In units of the coordinate a second: [m/s] or [Pa/s]."""
+        return self.top_speed * self.step
+
+
+@dataclass(frozen=True)
+class FinalServoState:
+    """How one axis was left."""
+
+    servo: int
+    verified: bool
+    """Whether it was read back."""
+    words: str
+
+    def __str__(self) -> str:
+        return f"servo {self.servo}: {self.words}"
+
+
+@dataclass(frozen=True)
+class Sample:
+    """What one tick read, and what is to be done next; S axes, in the order of their inlets."""
+
+    time: float
+    """Of the clock [s]."""
+    servos: Mapping[int, AxisState]
+    pressure: tuple[float | None, ...]
+    """(S,) measured gauge pressure [Pa]; None where nothing measures it."""
+    wanted: tuple[float | None, ...]
+    """(S,) gauge pressure that the model expects now [Pa]."""
+    pressed: Mapping[int, frozenset[str]]
+    """Limit switches that are pressed (or broken), 'low' or 'high', of each axis that has some."""
+    goals: Mapping[int, int]
+    """Targets in force [steps]."""
+    next_goals: Mapping[int, int]
+    """Targets that are to follow [steps]."""
+    lag: float = 0.0
+    """How far behind the plan the stream is [ticks]."""
