@@ -32,11 +32,15 @@ class StopRequest:
         """Whether it was asked for again while the work was being stopped."""
         return self.times > 1
 
+    def ask(self, who: str = "program") -> None:
+        """Ask from any thread; asked twice it is urgent."""
+        self.times += 1
+        self.first = self.first or who
+
     def note(self, number: int, frame: FrameType | None) -> None:
         """Signal handler: count the request and do nothing else."""
         del frame
-        self.times += 1
-        self.first = self.first or signal.Signals(number).name
+        self.ask(signal.Signals(number).name)
 
 
 _open: list[StopRequest] = []
@@ -70,12 +74,12 @@ def gentle_interrupt() -> Iterator[StopRequest]:
 
 
 @contextmanager
-def stop_on_signals() -> Iterator[StopRequest]:
+def stop_on_signals(request: StopRequest | None = None) -> Iterator[StopRequest]:
     """Count every signal that asks to stop, and die of none: for a pump that moves.
 
-    Only the main thread may handle signals; in any other, nothing changes.
+    Only the main thread may handle signals; in any other, ``request`` is the one way to stop.
     """
-    request = StopRequest()
+    request = request or StopRequest()
     with _handled(STOP_SIGNALS, request.note):
         yield request
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from viscodesign.interrupt import StopRequest
     from viscodesign.pump.bus.ports import ports
     from viscodesign.pump.planning.plan import plan
     from viscodesign.pump.planning.result import PumpPlan
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 __all__ = [
     "BoardAddress",
     "PumpPlan",
+    "StopRequest",
     "calibrate",
     "plan",
     "ports",
@@ -44,6 +46,7 @@ __all__ = [
 _HOMES = {
     "BoardAddress": "sessions.connection",
     "PumpPlan": "planning.result",
+    "StopRequest": ".interrupt",
     "calibrate": "sessions.calibrating",
     "plan": "planning.plan",
     "ports": "bus.ports",
@@ -62,6 +65,6 @@ def __getattr__(name: str) -> object:
 
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+    value = getattr(importlib.import_module(f".{_HOMES[name]}", __name__), name)
     globals()[name] = value
     return value

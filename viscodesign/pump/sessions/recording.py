@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
-from viscodesign.interrupt import stop_on_signals
+from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.ax.listen import listen
 from viscodesign.pump.sessions.connection import (
     SIMULATED,
@@ -54,13 +54,14 @@ def record(
     *,
     rate: float = 30.0,
     duration: float | None = None,
+    stop: StopRequest | None = None,
     tell: Tell = unheard,
 ) -> RecordReport:
     """Record pressure, position, load, voltage and temperature to a CSV file; only reads.
 
     The columns are those of `stream`. ``scene`` names servos and sensors; without one all servos
     that answer are recorded, and no pressure. ``rate`` [Hz]; ``duration`` [s], by default until
-    Ctrl-C. Beside the table stands a JSON document of the same name.
+    Ctrl-C or a request to ``stop``. Beside the table stands a JSON document of the same name.
     """
     path = Path(path)
     _refuse_options(path, address, rate, duration)
@@ -72,7 +73,7 @@ def record(
         with (
             pressure_gauges(board, setup.pump, setup.ambient, names) as gauges,
             recorded(path, names, facts) as file,
-            stop_on_signals() as request,
+            stop_on_signals(stop) as request,
         ):
             try:
                 ticks = listen(

@@ -69,6 +69,7 @@ def stream(
     confirm: Confirm | None = None,
     tell: Tell = unheard,
     on_tick: OnTick | None = None,
+    stop: StopRequest | None = None,
     progress: Progress | None = None,
 ) -> PlaybackReport:
     """Plan a scene's pressures and stream them to a pump, monitored at every tick.
@@ -78,13 +79,13 @@ def stream(
     cannot do all of it; ``without_sensor`` moves inlets whose pressure is not measured.
     ``confirm`` is given the plan before anything moves and has to return True (a simulated
     board needs none); ``on_tick`` is given every tick, and an exception that it raises ends the
-    stream in a hold. A stream that a rule or Ctrl-C ended is
-    a report with that status, not an exception; what does not begin raises `UsageError`,
-    `SpecError` or `PumpError`.
+    stream in a hold; ``stop`` may be asked from another thread, as Ctrl-C is. A stream that a
+    rule or a request ended is a report with that status, not an exception; what does not begin
+    raises `UsageError`, `SpecError` or `PumpError`.
     """
     options = (rate, on_stop, achievable, without_sensor, progress)
     session = StreamSession.prepare(scene, address, *options)
-    return session.perform(Path(folder), confirm=confirm, tell=tell, on_tick=on_tick)
+    return session.perform(Path(folder), confirm=confirm, tell=tell, on_tick=on_tick, stop=stop)
 
 
 @dataclass
@@ -185,6 +186,7 @@ class StreamSession:
         confirm: Confirm | None = None,
         tell: Tell = unheard,
         on_tick: OnTick | None = None,
+        stop: StopRequest | None = None,
     ) -> PlaybackReport:
         """Connect, show, ask, stream, come to rest; raises `PumpError` where it does not begin."""
         with write_errors_as_usage(folder):
@@ -200,7 +202,7 @@ class StreamSession:
             lines = self._connect(pump)
             log.event("found", lines=lines, calibration=self._calibration())
             address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
-            with stop_on_signals() as request, self._record(folder, board, plant) as record:
+            with stop_on_signals(stop) as request, self._record(folder, board, plant) as record:
                 return self._stream(pump, request, record, log, tell, on_tick)
 
     def pump_on(self, board: Board, gauges: PressureReadings) -> ServoPump:

@@ -62,18 +62,20 @@ def upload(
     achievable: bool = False,
     confirm: Confirm | None = None,
     tell: Tell = unheard,
+    stop: StopRequest | None = None,
     progress: Progress | None = None,
 ) -> PlaybackReport:
     """Plan a scene's pressures, fit them to 30 poses and 46 moves, and load these onto a board.
 
     ``tolerance``: the largest error allowed, like '1 kPa', '0.1 mL' or '2 counts'.
     ``playback``: only load, play ``once``, or ``loop`` until Ctrl-C; then ``confirm`` is given
-    the plan before anything moves and has to return True. Raises `PumpError` where the fit is
+    the plan before anything moves and has to return True, and ``stop`` may be asked from another
+    thread, as Ctrl-C is. Raises `PumpError` where the fit is
     too coarse or the board does not answer.
     """
     refuse_board(address.board)
     session = UploadSession.prepare(scene, tolerance, playback, achievable, progress)
-    return session.perform(address, confirm=confirm, tell=tell)
+    return session.perform(address, confirm=confirm, tell=tell, stop=stop)
 
 
 def refuse_board(name: str) -> None:
@@ -195,6 +197,7 @@ class UploadSession:
         confirm: Confirm | None = None,
         tell: Tell = unheard,
         on_round: Progress | None = None,
+        stop: StopRequest | None = None,
     ) -> PlaybackReport:
         """Connect, ask, load, go to the start, play, come to rest.
 
@@ -211,7 +214,7 @@ class UploadSession:
                 tell("\n".join(lines))
             else:
                 address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
-            with stop_on_signals() as request:
+            with stop_on_signals(stop) as request:
                 result = self._play(pump, request, tell, on_round)
             if result is not None:
                 log.event("ended", status=result.status, reason=result.reason)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from tests.scenes import leg
 from viscodesign import pump
 from viscodesign.errors import UsageError
+from viscodesign.pump.play.stream import TickReport
 
 SESSIONS = (
     "plan", "stream", "upload", "record", "rehearse", "calibrate", "status", "stop", "ports",
@@ -42,6 +44,22 @@ def test_a_real_board_needs_consent() -> None:
         real.require_consent(lambda text: False, "Move the pump?")
     real.require_consent(lambda text: True, "Move the pump?")
     pump.BoardAddress("simulated").require_consent(None, "Move the pump?")
+
+
+def test_a_stream_is_stopped_from_the_program(tmp_path: Path) -> None:
+    scene = leg("run={duration: 2 s}", "input={kind: constant, value: 1 Pa}", config="leg_16_pump")
+    request, seen = pump.StopRequest(), []
+
+    def on_tick(tick: TickReport) -> None:
+        seen.append(tick.time)
+        if len(seen) == 10:
+            request.ask("button")
+
+    board = pump.BoardAddress(pace="max")
+    report = pump.stream(scene, tmp_path, board, achievable=True, on_tick=on_tick, stop=request)
+    assert (report.status, len(seen)) == ("interrupted", 10)
+    assert report.document()["reason"] == "asked to stop (button)"
+    assert report.document()["hold_verified"]
 
 
 def test_a_rehearsal_says_what_would_be_sent_and_prints_nothing(
