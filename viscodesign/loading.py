@@ -1,4 +1,4 @@
-"""Reading a spec with this version's effects in mind."""
+"""Reading a spec with the effects of this version."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def known_effects() -> KnownEffects:
 
 
 def load(path: str | Path, overrides: Sequence[str] = ()) -> Scene:
-    """Read a spec; ``overrides`` are 'key.path=value'. Raises `SpecError` with every fault."""
+    """Read a spec; ``overrides`` are 'key.path=value'. Raises `SpecError` with all faults."""
     return load_scene(path, overrides, known_effects())
 
 
 def schema() -> dict[str, Any]:
-    """The spec's JSON Schema, for editors."""
+    """The JSON Schema of a spec, for editors."""
     return spec_schema(known_effects())

@@ -37,7 +37,7 @@ def _ids(given: Any) -> Any:
         if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= MAX_SERVO_ID
     )
     if not ids or len(set(ids.values())) < len(ids):
-        raise invalid("each inlet needs a servo id of its own, all different")
+        raise invalid("each inlet needs its own servo id, all different")
     return given
 
 

@@ -103,7 +103,7 @@ def parse_value(text: str, source: str) -> Any:
 
 
 def plain_value(text: str) -> Any:
-    """What an unquoted word stands for: null, true, false, a number, or itself."""
+    """The value of an unquoted word: null, true, false, a number, or itself."""
     if text in ("", "~", "null", "Null", "NULL"):
         return None
     if text.lower() in ("true", "false"):
@@ -142,7 +142,7 @@ def _nesting(event: yaml.Event) -> int:
 
 
 def _anchor_problem(event: yaml.Event, anchors: dict[str, int]) -> str:
-    """What is wrong with an event's anchor or alias; ``anchors`` are those defined so far."""
+    """The problem of an event's anchor or alias; ``anchors`` are those defined so far."""
     name = getattr(event, "anchor", None)
     if name is None:
         return ""
@@ -222,7 +222,7 @@ class _Builder:
         return data
 
     def _key(self) -> str | None:
-        """The word that stands as the next key."""
+        """The next key; None if it is not a word."""
         event = self.events[self.next]
         if isinstance(event, yaml.AliasEvent):
             event = self.events[self.anchors[event.anchor]]

@@ -25,7 +25,7 @@ def with_values(text: str, section: str, values: Mapping[str, str]) -> str:
     """The text of a spec with these values in a section."""
     node = _value_of(yaml.compose(text, Loader=yaml.SafeLoader), section)
     if not isinstance(node, yaml.MappingNode) or not node.value:
-        raise UsageError(f"the spec has no section `{section}:` of its own; add the lines by hand")
+        raise UsageError(f"the spec has no section `{section}:` with keys; add the lines by hand")
     first = node.value[0][0].start_mark
     behind = ", " if node.flow_style else "\n" + " " * first.column
     known = {key: found for key in values if (found := _value_of(node, key)) is not None}
@@ -43,7 +43,7 @@ def _value_of(node: yaml.Node | None, key: str) -> yaml.Node | None:
 
 
 def _end(node: yaml.Node) -> int:
-    """Where a value ends; the end mark of an indented block stands at the next key."""
+    """Where a value ends; the end mark of an indented block is at the next key."""
     if not isinstance(node, yaml.CollectionNode) or node.flow_style or not node.value:
         return int(node.end_mark.index)
     last = node.value[-1]

@@ -30,7 +30,7 @@ def quantity_of(found: FieldInfo) -> QuantityKind | None:
 
 
 def keys_beside(path: KeyPath, document: Document) -> list[str]:
-    """The keys that are allowed in the place of ``path``."""
+    """The keys that are allowed beside the last one of ``path``."""
     model = _model_at(path[:-1], document)
     return list(_fields(model)) if model is not None else []
 
