@@ -78,8 +78,9 @@ def report_lines(found: Found, figure: str) -> list[str]:
         f"{len(found.ends)} scenes drawn at random over the plane of timescales "
         "(`benchmarks/scene_draw.py`), each solved by `simulate(scene)` with automatically "
         "selected effects. Each is compared with a solution with all effects, refined (edges "
-        "doubled and tolerance divided by ten each time) until it moves by less than a hundredth "
-        "of the requested accuracy, or a tenth of the stated error if that is smaller. "
+        "doubled and tolerance divided by ten each time) until it moves by less than a "
+        "hundredth of the requested accuracy, or a tenth of the stated error if that is "
+        "smaller. "
         "Regenerate with `python benchmarks/error_study.py`: `--references`, then without, "
         "`--sharpen`, and without again.",
         f"{_versions(found.judged)}; one process per scene.",
