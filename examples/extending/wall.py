@@ -25,8 +25,9 @@ class Wall(Effect):
 
     name: ClassVar[str] = "wall"
     order: ClassVar[int] = 60
-    formula: ClassVar[str] = "k l^3 / (E I)"
+    formula: ClassVar[str] = "1 - d / l"
     validity: ClassVar[str] = "Contact at the tip only; the wall yields by force over stiffness."
+    keys: ClassVar[tuple[str, ...]] = ("actuator.length",)
 
     distance: float = 0.02
     """From the clamp's axis, towards R [m]."""
@@ -41,7 +42,8 @@ class Wall(Effect):
         return quantities.scene.effects.mode(self.name) == "on"
 
     def weight(self, quantities: SceneQuantities) -> float:
-        return self.stiffness * quantities.body.length / quantities.bending_force
+        """Part of the length that the tip can no longer move to the right."""
+        return max(0.0, 1 - self.distance / quantities.body.length)
 
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.present(quantities):
