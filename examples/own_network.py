@@ -1,4 +1,4 @@
-"""A network of one's own, written in Python and run from a text instead of a file.
+"""A custom network, generated in Python.
 
 Run it from anywhere: python examples/own_network.py
 """

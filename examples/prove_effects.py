@@ -1,4 +1,4 @@
-"""What each effect changes at the tip: estimated before the run, measured by a second solution.
+"""How far each effect moves the tip: estimated before the run, measured by a second solution.
 
 Run it from anywhere: python examples/prove_effects.py
 """
