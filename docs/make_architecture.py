@@ -37,7 +37,7 @@ SLOTS_PUMP, SLOTS_CORE, SLOT_W = 3.0, 4.0, 1.26
 ABOVE_CORE = 2
 """Rows free between the commands and the core, so that arrows from the pump lead down to it."""
 GAP, MARGIN = 0.45, 0.12
-RESTARTS, SWEEPS = 10, 8
+RESTARTS, SWEEPS = 30, 8
 """Effort of the search for a placement with few crossings."""
 
 Point = tuple[float, float]
