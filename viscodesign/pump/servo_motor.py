@@ -20,20 +20,26 @@ COUNT_ANGLE = math.radians(300.0) / 1024
 
 
 @dataclass(frozen=True)
-class Servo:
-    """A servo at its rated voltage, in SI."""
+class ServoType:
+    """A type of servo at its rated voltage, in SI; all that is known of a type stands here."""
 
     title: str
+    model: int
+    """Number by which it names itself."""
     stall_torque: float
     """[N m]"""
     stall_current: float
     """[A]"""
     no_load_speed: float
     """[rad/s]"""
-    rated_voltage: float
+    rated_voltage: float = 12.0
     """Of the three above, and the highest that is allowed [V]."""
-    lowest_voltage: float
+    lowest_voltage: float = 9.0
     """[V]"""
+    temperature_limit: int = 70
+    """At which it shuts itself off, as delivered [degC]."""
+    max_torque: int = 1023
+    """As delivered [1/1023 of stall]."""
 
 
 def _rpm(value: float) -> float:
@@ -41,7 +47,15 @@ def _rpm(value: float) -> float:
 
 
 SERVOS = {
-    "ax12a": Servo("AX-12A", 1.5, 1.5, _rpm(59.0), 12.0, 9.0),
-    "ax18a": Servo("AX-18A", 1.8, 2.2, _rpm(97.0), 12.0, 9.0),
+    "ax12a": ServoType("AX-12A", 12, 1.5, 1.5, _rpm(59.0)),
+    "ax18a": ServoType("AX-18A", 18, 1.8, 2.2, _rpm(97.0), temperature_limit=75, max_torque=983),
 }
-"""Source: ROBOTIS e-manual, specifications of AX-12A and AX-18A."""
+"""Types by the name in a spec. Another one of this family is a line here, and its name among
+those that `pump.servo` may have. Source: ROBOTIS e-manual, AX-12A and AX-18A."""
+SERVOS_BY_MODEL = {servo.model: servo for servo in SERVOS.values()}
+
+
+def model_title(model: int) -> str:
+    """Name of the type with this model number, also of one that is not known."""
+    known = SERVOS_BY_MODEL.get(model)
+    return known.title if known else f"model {model}"

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.pump.servo_motor import COUNT_ANGLE, LARGEST_SPEED, SPEED_UNIT, Servo
+from viscodesign.pump.servo_motor import COUNT_ANGLE, LARGEST_SPEED, SPEED_UNIT, ServoType
 
 
 def barrel_area(diameter: float) -> float:
@@ -35,7 +35,7 @@ def shaft_torque(
     return (pressure * barrel_area(diameter) + friction) * pinion_diameter / 2
 
 
-def stall_torque(servo: Servo, voltage: float) -> float:
+def stall_torque(servo: ServoType, voltage: float) -> float:
     r"""Torque at which a servo stalls [N m].
 
     .. math:: \tau_V = \tau_s V / V_0
@@ -46,7 +46,9 @@ def stall_torque(servo: Servo, voltage: float) -> float:
     return servo.stall_torque * voltage / servo.rated_voltage
 
 
-def stall_pressure(servo: Servo, voltage: float, diameter: float, pinion_diameter: float) -> float:
+def stall_pressure(
+    servo: ServoType, voltage: float, diameter: float, pinion_diameter: float
+) -> float:
     r"""Gauge pressure at which a pump stalls [Pa], without friction.
 
     .. math:: p = \tau_V / (r A)
@@ -54,7 +56,7 @@ def stall_pressure(servo: Servo, voltage: float, diameter: float, pinion_diamete
     return stall_torque(servo, voltage) * 2 / (pinion_diameter * barrel_area(diameter))
 
 
-def speed_left(servo: Servo, voltage: float, torque: Any) -> Any:
+def speed_left(servo: ServoType, voltage: float, torque: Any) -> Any:
     r"""Speed that a servo still has against a torque [rad/s]; zero beyond its stall.
 
     .. math:: \omega = \omega_0 (V / V_0 - \tau / \tau_s)
@@ -97,7 +99,7 @@ def counts_per_pressure(compliance: float, diameter: float, pinion_diameter: flo
     return compliance * counts_per_volume(diameter, pinion_diameter)
 
 
-def servo_current(servo: Servo, torque: Any) -> Any:
+def servo_current(servo: ServoType, torque: Any) -> Any:
     r"""Current that a torque takes [A].
 
     .. math:: I = I_s |\tau| / \tau_s

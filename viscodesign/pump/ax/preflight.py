@@ -9,12 +9,11 @@ from viscodesign.pump.ax.servo_state import ServoState, read_anyway, read_servo
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.play.safety_rules import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE
+from viscodesign.pump.servo_motor import SERVOS, model_title
 from viscodesign.scene.pump import PumpSpec
 
 IDENTITY = registers.STATUS_LEVEL.address + 1
 """Bytes from address 0 on that tell what a servo is."""
-NAMES = {"ax12a": 12, "ax18a": 18}
-"""Model numbers."""
 ANSWERS_ALL = 2
 """Status return level with which writes are answered too."""
 
@@ -33,7 +32,7 @@ class FoundServo:
 
     @property
     def name(self) -> str:
-        return registers.MODELS.get(self.model, f"model {self.model}")
+        return model_title(self.model)
 
     @property
     def turns_endlessly(self) -> bool:
@@ -60,8 +59,8 @@ def blocking_faults(servo: FoundServo, pump: PumpSpec) -> list[str]:
 
 def _reasons(servo: FoundServo, pump: PumpSpec) -> Iterator[str]:
     state, (low, high) = servo.state, pump.travel
-    if servo.model != NAMES[pump.servo]:
-        wanted = registers.MODELS[NAMES[pump.servo]]
+    if servo.model != SERVOS[pump.servo].model:
+        wanted = SERVOS[pump.servo].title
         yield f"is an {servo.name}, but the spec says {wanted}; correct pump.servo"
     if state.errors:
         yield f"reports: {state.complaint}; see `pump status`, then switch it off and on"

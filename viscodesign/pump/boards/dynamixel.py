@@ -6,6 +6,7 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.boards.bus import BusBoard
 from viscodesign.pump.bus import packets, registers
 from viscodesign.pump.bus.transactions import ARBOTIX, NoReplyError
+from viscodesign.pump.servo_motor import model_title
 
 TRIED = range(1, 17)
 """Ids that are asked where nobody said which servos there are."""
@@ -51,5 +52,5 @@ class Dynamixel(BusBoard):
         except NoReplyError:
             return ""
         model = registers.MODEL.within(data, 0)
-        kind = registers.MODELS.get(model, f"model {model}")
+        kind = model_title(model)
         return f"servo {servo}: {kind}, firmware {registers.FIRMWARE.within(data, 0)}"

@@ -80,4 +80,3 @@ TABLE: tuple[Register, ...] = tuple(
 
 SPEED_UNIT = 0.111 / 60
 """Of the speed registers [turns/s]."""
-MODELS = {12: "AX-12A", 18: "AX-18A"}

@@ -12,7 +12,7 @@ from viscodesign.pump import syringe
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import Barrel, FeedLine
 from viscodesign.pump.planning.result import PumpCourse
-from viscodesign.pump.servo_motor import SERVOS, Servo
+from viscodesign.pump.servo_motor import SERVOS, ServoType
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 
@@ -50,7 +50,7 @@ class PumpDemand:
         return Drive(self.pump)
 
     @cached_property
-    def servo(self) -> Servo:
+    def servo(self) -> ServoType:
         """The servo's data."""
         return SERVOS[self.pump.servo]
 

@@ -54,11 +54,6 @@ class AxisLimits:
     lead_distance: float
     """By which the target has to be ahead at top speed [steps]."""
 
-    @property
-    def top_speed_si(self) -> float:
-        """In units of the coordinate a second: [m/s] or [Pa/s]."""
-        return self.top_speed * self.step
-
 
 @dataclass(frozen=True)
 class FinalServoState:

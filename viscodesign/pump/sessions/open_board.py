@@ -6,13 +6,13 @@ from difflib import get_close_matches
 
 from viscodesign.errors import UsageError
 from viscodesign.plugins import members
-from viscodesign.pump.ax.preflight import NAMES as MODEL_NUMBERS
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.drive import Drive
+from viscodesign.pump.servo_motor import SERVOS
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pins import Pins
@@ -70,7 +70,7 @@ def simulated_bench(
     """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
     drives = [Drive(pump) for _ in servo_ids(pump)]
     servos = [
-        SimulatedServo(servo, MODEL_NUMBERS[pump.servo], pump.home) for servo in servo_ids(pump)
+        SimulatedServo(servo, SERVOS[pump.servo].model, pump.home) for servo in servo_ids(pump)
     ]
     for servo in servos:
         servo.supply(min(pump.supply_voltage, HIGHEST_REPORTED_V))

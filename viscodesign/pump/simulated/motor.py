@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from viscodesign.pump.drive import COUNTS_PER_TURN
+from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
 
 NOMINAL_VOLTAGE = 12.0
 
@@ -49,7 +49,7 @@ class Motor:
 
 
 MOTORS = {
-    12: Motor(1.5, 59.0 / 60.0 * COUNTS_PER_TURN),
-    18: Motor(1.8, 97.0 / 60.0 * COUNTS_PER_TURN),
+    servo.model: Motor(servo.stall_torque, servo.no_load_speed / COUNT_ANGLE)
+    for servo in SERVOS.values()
 }
 """By model number."""

@@ -13,6 +13,7 @@ from viscodesign.pump.bus import registers as table
 from viscodesign.pump.bus.packets import ErrorBits
 from viscodesign.pump.bus.registers import Register
 from viscodesign.pump.drive import COUNTS_PER_TURN
+from viscodesign.pump.servo_motor import SERVOS_BY_MODEL
 from viscodesign.pump.simulated.motor import MOTORS
 
 AMBIENT_TEMPERATURE = 25.0
@@ -25,23 +26,16 @@ BROWN_OUT = 5.0
 FULL = 1023
 
 FACTORY: dict[Register, int] = {
-    table.MODEL: 18,
     table.FIRMWARE: 24,
     table.ID: 1,
     table.BAUD: 1,
     table.RETURN_DELAY: 250,
     table.CCW_LIMIT: FULL,
-    table.TEMPERATURE_LIMIT: 75,
     table.LOWEST_VOLTAGE: 60,
     table.HIGHEST_VOLTAGE: 140,
-    table.MAX_TORQUE: 983,
     table.STATUS_LEVEL: 2,
     table.ALARM_LED: 36,
     table.SHUTDOWN: 36,
-}
-FACTORY_OF: dict[int, dict[Register, int]] = {
-    12: FACTORY | {table.MODEL: 12, table.TEMPERATURE_LIMIT: 70, table.MAX_TORQUE: FULL},
-    18: FACTORY,
 }
 AWAKE: dict[Register, int] = {
     table.CW_MARGIN: 1,
@@ -101,7 +95,13 @@ class SimulatedServo:
 
     def factory_reset(self) -> None:
         self.memory[: table.RAM] = bytes(table.RAM)
-        for register, value in FACTORY_OF[self._model].items():
+        kind = SERVOS_BY_MODEL[self._model]
+        own = {
+            table.MODEL: kind.model,
+            table.TEMPERATURE_LIMIT: kind.temperature_limit,
+            table.MAX_TORQUE: kind.max_torque,
+        }
+        for register, value in (FACTORY | own).items():
             self.set(register, value)
         self.power_cycle()
 
