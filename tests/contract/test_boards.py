@@ -167,7 +167,7 @@ def test_a_brown_out_is_told(name: str) -> None:
     with pytest.raises(PumpError, match="voltage"):
         board.get(1, registers.PRESENT_POSITION)
     pump.supply(4.0)
-    with pytest.raises(PumpError, match="does not answer"):
+    with pytest.raises(PumpError, match="did not answer"):
         board.get(1, registers.PRESENT_POSITION)
     pump.supply(12.0)
     assert board.get(1, registers.PRESENT_POSITION) == HOME

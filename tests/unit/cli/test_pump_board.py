@@ -56,12 +56,12 @@ def port() -> Iterator[Port]:
 def test_ports_lists_what_there_is(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
     from viscodesign.pump.bus import ports
 
-    found = [ports.Port("/dev/ttyX", "adapter", "maker", "1", "collects bytes for 16 ms")]
+    found = [ports.Port("/dev/ttyX", "adapter", "maker", "1", "latency timer is 16 ms")]
     monkeypatch.setattr(ports, "ports", lambda: found)
     told = call("pump", "ports")
     assert told.status == 0
     assert "/dev/ttyX" in told.out
-    assert "/dev/ttyX collects bytes for 16 ms" in told.out
+    assert "/dev/ttyX latency timer is 16 ms" in told.out
     assert json.loads(call("pump", "ports", "--json").out)["ports"][0]["name"] == "/dev/ttyX"
     monkeypatch.setattr(ports, "ports", list)
     assert "no serial ports" in call("pump", "ports").out
@@ -99,11 +99,11 @@ def test_status_says_how_to_speed_up_a_slow_adapter(
 ) -> None:
     from viscodesign.pump.bus import ports
 
-    monkeypatch.setattr(ports, "latency_hint", lambda name: "collects bytes for 16 ms")
+    monkeypatch.setattr(ports, "latency_hint", lambda name: "latency timer is 16 ms")
     told = call("pump", "status", *port.words)
-    assert f"{port.server.port} collects bytes for 16 ms" in told.out
+    assert f"{port.server.port} latency timer is 16 ms" in told.out
     document = json.loads(call("pump", "status", *port.words, "--json").out)
-    assert document["hints"] == [f"{port.server.port} collects bytes for 16 ms"]
+    assert document["hints"] == [f"{port.server.port} latency timer is 16 ms"]
     assert json.loads(call("pump", "status", "--json").out)["hints"] == []
 
 

@@ -209,10 +209,10 @@ def test_a_slow_adapter_is_reported_before_anything_moves(
 ) -> None:
     from viscodesign.pump.sessions.connection import BoardAddress
 
-    monkeypatch.setattr(BoardAddress, "hints", ["/dev/x collects bytes for 16 ms"])
+    monkeypatch.setattr(BoardAddress, "hints", ["/dev/x latency timer is 16 ms"])
     told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
     assert told.status == 2
-    assert "/dev/x collects bytes for 16 ms" in told.err
+    assert "/dev/x latency timer is 16 ms" in told.err
 
 
 # -- slow links -----------------------------------------------------------------------------

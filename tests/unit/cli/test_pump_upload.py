@@ -230,4 +230,4 @@ def test_a_missing_servo_is_reported(upload: Upload) -> None:
     with PtyServer(PyPose(bench(3)), WallClock()) as server:
         outcome = upload("--port", server.port, "--play", "--yes")
     assert outcome.status == 4
-    assert "id 1 does not answer" in outcome.err
+    assert "id 1 did not answer" in outcome.err

@@ -63,7 +63,7 @@ def test_a_frozen_sensor_is_one_that_stays_while_the_pressure_changes() -> None:
     still = Stillness()
     for expected in (0.0, 5e3, 10e3):
         still.check(1e3, expected)
-    with pytest.raises(SensorError, match=r"frozen: it has said 1\.00 kPa"):
+    with pytest.raises(SensorError, match=r"frozen: it kept reading 1\.00 kPa"):
         still.check(1e3, 12e3)
     alive = Stillness()
     for step in range(10):
@@ -89,7 +89,7 @@ def test_a_cut_wire_is_a_fault(rail: float) -> None:
 
 
 def test_a_board_without_pins_is_refused() -> None:
-    with pytest.raises(PumpError, match="reads no analog inputs"):
+    with pytest.raises(PumpError, match="has no analog inputs"):
         BoardAnalog(Dynamixel(DirectLine(Ros(bench(1)), stepped())), 0)
 
 

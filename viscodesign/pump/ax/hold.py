@@ -1,6 +1,6 @@
-"""How every motion ends: standing where it is, or without torque; and whether that is sure.
+"""How every motion ends: held in place or without torque, and read back.
 
-Needs no spec, so that `pump stop` works with none.
+Needs no spec, so that `pump stop` works without one.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ HOLD_SPEED = 20
 """Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
 HOLD_TOLERANCE = 40
 """A held plunger stands this close to its goal, or it is not held [counts]."""
-PAUSE = 0.02
+RETRY_PAUSE_S = 0.02
 """Between tries [s]."""
-PATIENCE = 1.0
+HOLD_TIMEOUT_S = 1.0
 """To try for a verified hold [s]."""
-DEAF = 40.0
-"""A board that plays by itself may hear nothing this long: its moves last up to 32.8 s [s]."""
-AGAIN = 2.0
+LONGEST_MOVE_S = 40.0
+"""A board that plays by itself may not listen for so long: its moves last up to 32.8 s [s]."""
+HALT_INTERVAL_S = 2.0
 """Between two halts of such a board [s]."""
 
 
@@ -36,7 +36,7 @@ def hold(
     *,
     positions: dict[int, int] | None = None,
     goals: Mapping[int, int] | None = None,
-    within: float = PATIENCE,
+    within: float = HOLD_TIMEOUT_S,
 ) -> list[FinalServoState]:
     """Send every servo to where it is, and read back that it holds that goal.
 
@@ -51,7 +51,7 @@ def hold(
 
 
 def release(
-    board: Board, servos: Sequence[int], clock: Clock, *, within: float = PATIENCE
+    board: Board, servos: Sequence[int], clock: Clock, *, within: float = HOLD_TIMEOUT_S
 ) -> list[FinalServoState]:
     """Switch torque off, and read back that it is."""
     return _for_each(servos, clock, within, lambda servo: _release(board, servo))
@@ -60,7 +60,7 @@ def release(
 def _for_each(
     servos: Sequence[int], clock: Clock, within: float, attempt: Callable[[int], FinalServoState]
 ) -> list[FinalServoState]:
-    """Try each servo until it is sure or time is up; at least once, and in turns."""
+    """Try each servo in turns until it is verified or the time is over; at least once."""
     deadline = clock.now() + within
     left: dict[int, FinalServoState] = {}
     waiting = list(servos)
@@ -71,12 +71,12 @@ def _for_each(
         if clock.now() >= deadline:
             break
         if waiting:
-            clock.sleep(PAUSE)
+            clock.sleep(RETRY_PAUSE_S)
     return [left[servo] for servo in servos]
 
 
 def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> FinalServoState:
-    """One try. The position is read first, so that no goal is far from the plunger."""
+    """One attempt; the position is read first, so that no goal is far from the plunger."""
     try:
         state = read_servo(board, servo)
     except PumpError as error:
@@ -116,7 +116,7 @@ def _verified(servo: int, goal: int, state: ServoState) -> FinalServoState:
 def _hold_unseen(
     board: Board, servo: int, position: int | None, error: PumpError
 ) -> FinalServoState:
-    """Where is not known now, but was a tick ago; an absolute goal does no harm twice."""
+    """Hold at the last known position; repeating an absolute goal is harmless."""
     if position is None:
         return FinalServoState(servo, False, f"no hold could be sent: {error}")
     try:
@@ -145,9 +145,9 @@ def stop_all(
     none answers; a board that plays by itself is asked again until its move must be over.
     """
     board.halt()
-    deadline = clock.now() + (0.0 if board.streams else DEAF)
+    deadline = clock.now() + (0.0 if board.streams else LONGEST_MOVE_S)
     while not (left := _each(board, ids, clock, release)) and clock.now() < deadline:
-        clock.sleep(AGAIN)
+        clock.sleep(HALT_INTERVAL_S)
         board.halt()
     return left
 

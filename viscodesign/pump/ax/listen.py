@@ -18,26 +18,26 @@ def listen(
     servos: Sequence[int],
     gauges: PressureReadings,
     clock: Clock,
-    wish: StopRequest,
+    request: StopRequest,
     see: Callable[[float, Sample], None],
     *,
     rate: float,
     duration: float | None,
 ) -> Ticks:
-    """Read at a steady rate [Hz] until the time [s] is over or somebody wishes it; writes nothing.
+    """Read at a steady rate [Hz] until the time [s] is over or a request to stop; writes nothing.
 
     ``see`` is given the time from the start [s] and what was read.
     """
     ticks = Ticks(clock, 1.0 / rate)
     ticks.begin()
-    while not wish.asked and (duration is None or ticks.elapsed <= duration):
+    while not request.asked and (duration is None or ticks.elapsed <= duration):
         see(ticks.now, look(board, servos, gauges, clock))
-        ticks.wait(lambda: not wish.asked)
+        ticks.wait(lambda: not request.asked)
     return ticks
 
 
 def look(board: Board, servos: Sequence[int], gauges: PressureReadings, clock: Clock) -> Sample:
-    """One sample; nothing is wanted, and the goals are those that the servos hold."""
+    """One sample; no pressure is expected, and the goals are those that the servos hold."""
     states = {servo: read_servo(board, servo) for servo in servos}
     goals = {servo: state.goal for servo, state in states.items()}
     pressure = gauges.read()

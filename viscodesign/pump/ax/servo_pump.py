@@ -75,7 +75,7 @@ class ServoPump(Pump):
         """
         if speed > free_speed(self.settings):
             raise PumpError(
-                f"{speed:.0f} counts/s are asked for; without any load the servo makes "
+                f"{speed:.0f} counts/s requested; without load the servo reaches "
                 f"{free_speed(self.settings):.0f}: see `pump plan`"
             )
         # Where moves bring limits of their own along, that of a plunger at rest is enough.
@@ -168,9 +168,7 @@ class ServoPump(Pump):
         limits that a motion had raised are lowered again.
         """
         if not self.armed:
-            return [
-                FinalServoState(s, True, "untouched: its torque was never on") for s in self.servos
-            ]
+            return [FinalServoState(s, True, "untouched: torque was never on") for s in self.servos]
         goals = None if in_place else self.goals
         left = hold(self.board, self.servos, self.clock, positions=self.positions, goals=goals)
         self.goals = {s: self.positions[s] if in_place else self.goals[s] for s in self.servos}

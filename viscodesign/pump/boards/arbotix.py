@@ -108,7 +108,7 @@ class Arbotix(Board):
     def move(self, goals: Mapping[int, Goal]) -> None:
         """One write for each goal, and for each speed that changes; the positions tell the rest."""
         if not goals:
-            raise PumpError("a move of no servo")
+            raise PumpError("a move without servos")
         goal, speed = registers.GOAL_POSITION, registers.MOVING_SPEED
         for servo, each in goals.items():
             if self._speeds.get(servo) != each.speed:

@@ -44,7 +44,7 @@ class BusBoard(Board):
     def move(self, goals: Mapping[int, Goal]) -> None:
         """Nobody answers a SYNC_WRITE: whether it came, the positions tell."""
         if not goals:
-            raise PumpError("a move of no servo")
+            raise PumpError("a move without servos")
         start = registers.GOAL_POSITION.address
         for blocks in _by_length(goals):
             self.wire.tell(packets.sync_write(start, blocks))

@@ -32,7 +32,7 @@ class ByteLog:
                 self._file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
             except OSError as error:
                 raise UsageError(
-                    f"{path}: {error.strerror}; the log cannot be kept there"
+                    f"{path}: {error.strerror}; the log cannot be written there"
                 ) from None
 
     def tx(self, data: bytes) -> None:
@@ -59,7 +59,7 @@ class ByteLog:
         self._torn = not whole
         if not whole and not self._told:
             self._told = True
-            self._tell(f"{self._path}: {reason}; the log of bytes has holes from here on")
+            self._tell(f"{self._path}: {reason}; the byte log is incomplete from here on")
 
     def close(self) -> None:
         if self._file is not None:

@@ -50,6 +50,6 @@ def latency_hint(port: str, devices: Path = LATENCY) -> str:
     if milliseconds <= 1:
         return ""
     return (
-        f"collects bytes for {milliseconds} ms, too slow for fast streaming; "
-        f"make it quick by: echo 1 | sudo tee {timer}"
+        f"latency timer is {milliseconds} ms, too slow for fast streaming; "
+        f"lower it with: echo 1 | sudo tee {timer}"
     )

@@ -85,23 +85,23 @@ class SerialLine(Line):
             yield
         except serial.SerialTimeoutException:
             raise PumpError(
-                f"{self.port}: takes no more bytes since {WRITE_TIMEOUT} s; the adapter hangs. "
-                "Pull it out and plug it in again"
+                f"{self.port}: write timed out after {WRITE_TIMEOUT} s; the adapter is not "
+                "responding. Unplug it and plug it in again"
             ) from None
         except GONE as error:
             raise PumpError(
-                f"{self.port}: the port is gone ({error}). Was the cable pulled? The servo keeps "
-                "its last goal: switch the pump's power off where it must not stay there"
+                f"{self.port}: the port is gone ({error}). Was the cable unplugged? The servo "
+                "keeps its last goal: switch the pump's power off if it must not stay there"
             ) from None
 
 
 def _why_closed(port: str, baud: int, error: BaseException) -> str:
     """What keeps the port from being opened, and what to do."""
     if isinstance(error, ValueError):
-        return f"{port}: {baud} baud is no speed of this port ({error}); give another --baud"
+        return f"{port}: {baud} baud is not a speed of this port ({error}); choose another --baud"
     number = error.args[0] if error.args else None
     if number == errno.ENOENT:
-        return f"{port}: there is no such port; `viscodesign pump ports` lists those there are"
+        return f"{port}: no such port; `viscodesign pump ports` lists the available ones"
     if number == errno.EACCES:
         return (
             f"{port}: no permission. Join the group that owns it, and log in again: "
@@ -109,9 +109,9 @@ def _why_closed(port: str, baud: int, error: BaseException) -> str:
         )
     if number in (errno.EBUSY, errno.EAGAIN, errno.EWOULDBLOCK):
         users = ", ".join(users_of(port)) or "another program"
-        return f"{port}: in use by {users}; a port has one owner. Close that, or wait for it"
+        return f"{port}: in use by {users}; close it, or wait for it to end"
     if isinstance(error.__context__, termios.error) or number == errno.ENOTTY:
-        return f"{port}: is no serial port; `viscodesign pump ports` lists those there are"
+        return f"{port}: not a serial port; `viscodesign pump ports` lists the available ones"
     return f"{port}: cannot be opened ({error})"
 
 

@@ -82,7 +82,7 @@ class Transactions:
         """Set registers that are forgotten without power, to absolute values."""
         if address < RAM:
             raise PumpError(
-                f"servo {servo}: address {address} lies in the EEPROM, which only "
+                f"servo {servo}: address {address} is in the EEPROM, which only "
                 "`pump calibrate` writes"
             )
         self.ask(packets.write(servo, address, data), 0)
@@ -100,7 +100,7 @@ class Transactions:
         if (there := self.read(servo, address, len(data))) != data:
             raise PumpError(
                 f"servo {servo} did not take {shown(data)} at address {address}: it holds "
-                f"{shown(there)}. It refuses what is out of range"
+                f"{shown(there)}. It rejects values out of range"
             )
 
     def tell(self, packet: Packet) -> None:
@@ -111,13 +111,13 @@ class Transactions:
     def start(self, packet: Packet) -> None:
         """Start a motion program: sent once, since it may have begun though no reply came."""
         if not self._settle(packet.id):
-            raise NoReplyError(f"not sent: {packet}. Replies before it were lost")
+            raise NoReplyError(f"not sent: {packet}. Earlier replies were lost")
         try:
             self.ask(packet, 0, tries=1)
         except NoReplyError as error:
             raise NoReplyError(
-                f"{error} It may have started nonetheless, and is not asked again: see where "
-                "the plunger is, and stop it by `pump stop`"
+                f"{error} It may have started all the same and is not repeated: check where "
+                "the plunger is, and stop it with `pump stop`"
             ) from None
 
     def ask(
@@ -209,11 +209,11 @@ class Transactions:
 
 
 def _nothing(packet: Packet, came: bytes, tries: int) -> str:
-    asked = f"id {packet.id} does not answer {packet}"
+    asked = f"id {packet.id} did not answer {packet}"
     if packet.encode() in came:
         return (
-            f"{asked}: only the request itself came back. The adapter echoes what is sent, or "
-            "nobody else is on the bus"
+            f"{asked}: only the request itself came back. The adapter echoes what it sends, or "
+            "nothing else is on the bus"
         )
     times = "once" if tries == 1 else f"{tries} times"
     return (
@@ -225,11 +225,11 @@ def _nothing(packet: Packet, came: bytes, tries: int) -> str:
 def _remedy(errors: ErrorBits) -> str:
     if errors & ErrorBits.OVERLOAD:
         return (
-            "Nothing holds the plunger now. Let the pressure out, find what blocked it, and "
-            "switch the power off and on"
+            "Nothing holds the plunger now. Release the pressure, find what blocked it, and "
+            "cycle the power"
         )
     if errors & ErrorBits.OVERHEAT:
         return "Let it cool down"
     if errors & ErrorBits.VOLTAGE:
-        return "Measure the supply, and charge the battery"
+        return "Check the supply voltage and charge the battery"
     return "See the log of bytes (--log FILE)"

@@ -34,7 +34,9 @@ def find_travel(pump: Pump, stopped: Callable[[], bool]) -> tuple[int, int]:
     finally:
         pump.hold()
     if high - low < 4 * BACK_OFF:
-        raise PumpError(f"the switches are at {low} and {high} counts: too close; see their wires")
+        raise PumpError(
+            f"the switches are at {low} and {high} counts: too close together; check their wiring"
+        )
     return low, high
 
 
@@ -63,8 +65,8 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
             raise PumpError(f"servo {servo} {states[servo].alarm}")
         if barred in pressed:
             raise PumpError(
-                f"the switch at the {barred} end is pressed on the way to the other one: see its "
-                "wire, and whether pump.limit_switches names the pins the right way round"
+                f"the switch at the {barred} end is pressed on the way to the other one: check its "
+                "wiring, and that pump.limit_switches does not swap the pins"
             )
         if arrived(pressed, states[servo].position):
             return
@@ -76,9 +78,9 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
 
 def _refuse(goal: int, position: int, travel: tuple[int, int]) -> None:
     if not travel[0] <= goal <= travel[1]:
-        raise PumpError("the servo is at the end of its counts and no switch was pressed")
+        raise PumpError("the servo reached the end of its range without a switch being pressed")
     if abs(goal - position) > BLOCKED:
         raise PumpError(
-            f"the plunger stays at {position} counts and no switch is pressed there: it is "
+            f"the plunger is stuck at {position} counts with no switch pressed: it is "
             "blocked, or the switch does not work"
         )

@@ -15,11 +15,11 @@ from typing import ClassVar
 from viscodesign.pump.play.axis import AxisLimits, Sample
 from viscodesign.pump.sensors.base import SensorError, Stillness
 
-IN_SUCCESSION = 2
+NOISE_SAMPLES = 2
 """Samples that must agree where one alone may be noise."""
-SILENCE = 0.25
+LONGEST_SILENCE = 0.25
 """Without a whole round of replies this long, the pump stops [s]."""
-LATE = 8
+LATE_SAMPLES = 8
 """Samples in succession in which a stream may be too far behind; then it is not catching up."""
 LOST = 3
 """Replies lost in succession that stop the pump."""
@@ -27,12 +27,12 @@ LOWEST_VOLTAGE = 10.0
 """Below it a battery of three lithium cells is ruined; its servo would go on to 6 V [V]."""
 HIGHEST_TEMPERATURE = 70.0
 """AX servos switch themselves off at 70 (AX-12A) or 75 degC (AX-18A)."""
-PLAY = 5
+TRAVEL_TOLERANCE = 5
 """A position this far outside of travel is not yet one that slipped [counts]."""
-FOLLOWING = 60
+FOLLOWING_ERROR = 60
 """A plunger farther behind its goal than this and one tick's travel does not follow it
 [counts]; the servo's controller needs an error of up to 32 to give all its torque."""
-UNMOVED = 6e3
+FROZEN_PRESSURE_CHANGE = 6e3
 """A reading that stays the same to the last bit while the model's pressure changes by this
 much is none [Pa]; the sensor is good to 1.5 % of its span, 5.7 kPa."""
 
@@ -76,7 +76,7 @@ def _where(sample: Sample, inlet: int) -> str:
 class InSuccession:
     """Tells that something was so in several samples, one right after the other."""
 
-    samples: int = IN_SUCCESSION
+    samples: int = NOISE_SAMPLES
     count: int = 0
 
     def note(self, so: bool) -> bool:
@@ -102,8 +102,8 @@ class PressureCap(Guard):
             return None
         highest = sample.pressure[above[0]] or 0.0
         return (
-            f"{highest / 1e3:.2f} kPa gauge in {IN_SUCCESSION} samples{_where(sample, above[0])}; "
-            f"allowed are {self.cap / 1e3:g} kPa (pump.max_pressure)"
+            f"{highest / 1e3:.2f} kPa gauge in {NOISE_SAMPLES} samples{_where(sample, above[0])}; "
+            f"the limit is {self.cap / 1e3:g} kPa (pump.max_pressure)"
         )
 
     def _over(self, inlet: int, pressure: float) -> bool:
@@ -113,7 +113,7 @@ class PressureCap(Guard):
 
 @dataclass
 class SensorFrozen(Guard):
-    """A reading that never changes while the model's pressure does is no reading."""
+    """A reading that stays constant while the model's pressure changes is not valid."""
 
     rule = "sensor_frozen"
     still: dict[int, Stillness] = field(default_factory=dict)
@@ -126,15 +126,17 @@ class SensorFrozen(Guard):
                 self.still.pop(inlet, None)
                 continue
             try:
-                self.still.setdefault(inlet, Stillness(UNMOVED)).check(measured, wanted)
+                self.still.setdefault(inlet, Stillness(FROZEN_PRESSURE_CHANGE)).check(
+                    measured, wanted
+                )
             except SensorError as error:
                 told = f"{error}{_where(sample, inlet)}"
-                return f"{told}. See its cable, and whether the hose has a leak"
+                return f"{told}. Check its cable, and the hose for a leak"
         return None
 
 
 @dataclass
-class LimitSwitches(Guard):
+class LimitSwitchPressed(Guard):
     """With an end switch pressed, only motion away from it."""
 
     rule = "limit_switch"
@@ -160,7 +162,7 @@ class LimitSwitches(Guard):
         which = f" of servo {servo}" if len(sample.servos) > 1 else ""
         return (
             f"the switch at the {end} end{which} is pressed (or its wire broken); "
-            "the counts are not to be trusted: find the ends again by `pump calibrate`"
+            "its position is no longer certain: run `pump calibrate` again"
         )
 
     def _meets(self, servo: int, end: str, step: int) -> bool:
@@ -181,10 +183,11 @@ class Travel(Guard):
 
     def check(self, sample: Sample) -> str | None:
         for servo, state in sample.servos.items():
-            if not self.low - PLAY <= state.position <= self.high + PLAY:
+            if not self.low - TRAVEL_TOLERANCE <= state.position <= self.high + TRAVEL_TOLERANCE:
                 return (
                     f"servo {servo} is at {state.position} counts, outside of "
-                    f"[{self.low}, {self.high}] (pump.travel); see what moved it, then calibrate"
+                    f"[{self.low}, {self.high}] (pump.travel); find out "
+                    "what moved it, then calibrate again"
                 )
         return None
 
@@ -201,17 +204,17 @@ class Following(Guard):
     def check(self, sample: Sample) -> str | None:
         errors = {s: sample.goals[s] - state.position for s, state in sample.servos.items()}
         worst = max(errors, key=lambda servo: abs(errors[servo]))
-        if not self.behind.note(abs(errors[worst]) > FOLLOWING + self.reach):
+        if not self.behind.note(abs(errors[worst]) > FOLLOWING_ERROR + self.reach):
             return None
         return (
             f"servo {worst} is {abs(errors[worst])} counts from its goal: the plunger is blocked, "
-            "or the torque limit too low for the pressure asked for"
+            "or the torque limit is too low for the requested pressure"
         )
 
 
 @dataclass
 class Obedience(Guard):
-    """Set-points are not answered; so each tick reads whether the last one arrived."""
+    """Set-points are not acknowledged, so each tick reads whether the last one arrived."""
 
     rule = "command_lost"
     lost: InSuccession = field(default_factory=lambda: InSuccession(LOST))
@@ -232,7 +235,7 @@ class Obedience(Guard):
 
 @dataclass
 class ErrorBitsSet(Guard):
-    """Overload, heat, voltage: what a servo says of itself."""
+    """Overload, overheating, voltage: what an axis reports of itself."""
 
     rule = "servo_alarm"
 
@@ -245,7 +248,7 @@ class ErrorBitsSet(Guard):
 
 @dataclass
 class Overheating(Guard):
-    """Stop before the servo drops its torque by itself."""
+    """Stop before the servo shuts down by itself."""
 
     rule = "temperature"
     over: InSuccession = field(default_factory=InSuccession)
@@ -256,12 +259,13 @@ class Overheating(Guard):
         )
         if not self.over.note(hottest >= HIGHEST_TEMPERATURE):
             return None
-        return f"servo {servo} is at {hottest:g} degC; let it cool down ({HIGHEST_TEMPERATURE:g})"
+        limit = f"limit {HIGHEST_TEMPERATURE:g}"
+        return f"servo {servo} is at {hottest:g} degC ({limit}); let it cool down"
 
 
 @dataclass
 class LowBattery(Guard):
-    """Stop before the battery is ruined; a dip in one sample may be a start-up current."""
+    """Stop before the battery is damaged; a dip in one sample may be an inrush current."""
 
     rule = "low_battery"
     under: InSuccession = field(default_factory=InSuccession)
@@ -275,10 +279,10 @@ class LowBattery(Guard):
 
 @dataclass
 class Silence(Guard):
-    """No whole round of replies for too long: the host, or its line, was asleep."""
+    """No complete round of replies for too long: the host or the link stalled."""
 
     rule = "silence"
-    longest: float = SILENCE
+    longest: float = LONGEST_SILENCE
     heard: float | None = None
 
     def check(self, sample: Sample) -> str | None:
@@ -286,7 +290,7 @@ class Silence(Guard):
         self.heard = sample.time
         if gap <= self.longest:
             return None
-        return f"nothing was heard for {1e3 * gap:.0f} ms; allowed are {1e3 * self.longest:.0f} ms"
+        return f"no reply for {1e3 * gap:.0f} ms (limit {1e3 * self.longest:.0f} ms)"
 
 
 @dataclass
@@ -297,13 +301,13 @@ class BehindProfile(Guard):
     may_retreat = True
     max_lag: float
     """[ticks]"""
-    behind: InSuccession = field(default_factory=lambda: InSuccession(LATE))
+    behind: InSuccession = field(default_factory=lambda: InSuccession(LATE_SAMPLES))
 
     def check(self, sample: Sample) -> str | None:
         if not self.behind.note(sample.lag > self.max_lag):
             return None
         return (
-            f"{sample.lag:.1f} ticks behind the profile (limit {self.max_lag:g}) in {LATE} "
+            f"{sample.lag:.1f} ticks behind the profile (limit {self.max_lag:g}) in {LATE_SAMPLES} "
             "samples: the link or this computer is too slow for the rate; lower --rate"
         )
 
@@ -352,7 +356,7 @@ def retreat_rules(pump: AxisLimits, reach: int) -> list[Guard]:
 def _axis_rules(pump: AxisLimits, reach: int) -> list[Guard]:
     low, high = pump.travel
     return [
-        LimitSwitches(),
+        LimitSwitchPressed(),
         Travel(low, high),
         ErrorBitsSet(),
         Following(reach),

@@ -102,7 +102,7 @@ class PosePlayer:
         pump: ServoPump,
         board: Arbotix,
         fit: PoseFit,
-        wish: StopRequest,
+        request: StopRequest,
         tell: Callable[[str], None],
         see: Callable[[float], None] = lambda elapsed: None,
     ) -> None:
@@ -110,7 +110,7 @@ class PosePlayer:
         self.pump = pump
         self.board = board
         self.fit = fit
-        self.wish = wish
+        self.request = request
         self.tell = tell
         self.see = see
         self._began: float | None = None
@@ -135,8 +135,8 @@ class PosePlayer:
         except NoReplyError:
             return
         raise PumpError(
-            f"a servo answers with id {self.servos}, which has to stay free: it would swing "
-            "through its whole range to keep the time. Take it off the bus, or give it another id"
+            f"a servo answers with id {self.servos}, which must stay free: it would swing "
+            "through its whole range to keep time. Remove it from the bus, or give it another id"
         )
 
     def approach(
@@ -144,11 +144,11 @@ class PosePlayer:
     ) -> StreamResult:
         """Torque on, then from where the plungers are to the lead's end, under all guards."""
         return Stream(
-            self.pump, _rested(lead), self.wish, see, rate=LEAD_RATE, lead=lead.duration
+            self.pump, _rested(lead), self.request, see, rate=LEAD_RATE, lead=lead.duration
         ).play()
 
     def play(self) -> StreamResult:
-        """Play once, or loop until a wish to stop; however this ends, nothing plays then.
+        """Play once, or loop until a request to stop; however this ends, nothing plays then.
 
         Where the plungers are is read again by the board before, or its first move would begin
         where they were.
@@ -170,7 +170,7 @@ class PosePlayer:
 
     def _played(self) -> StreamResult:
         clock, looped = self.pump.clock, self.fit.looped
-        if self.wish.asked:
+        if self.request.asked:
             return self._interrupted()
         # From the sending on it may be playing, whatever is answered.
         self._began = clock.now()
@@ -178,17 +178,19 @@ class PosePlayer:
         self._began = clock.now()
         end = self._began + self._moments()[-1]
         while looped or clock.now() < end:
-            if self.wish.asked:
+            if self.request.asked:
                 return self._interrupted()
             clock.sleep(SLICE if looped else min(SLICE, end - clock.now()))
             self.see(clock.now() - self._began)
         if not self.board.is_idle(ANSWER + HANDOVER * len(self.fit.sequence.moves)):
-            return StreamResult("stopped", "the board does not say that it has ended", "replies")
+            return StreamResult(
+                "stopped", "the board did not report that it has finished", "replies"
+            )
         self._began = None
         return self._arrived()
 
     def _interrupted(self) -> StreamResult:
-        return StreamResult("interrupted", f"asked to stop ({self.wish.first})")
+        return StreamResult("interrupted", f"asked to stop ({self.request.first})")
 
     def _moments(self) -> np.ndarray:
         """When each move ends, from the start of a round [s]."""
@@ -207,7 +209,8 @@ class PosePlayer:
                 return StreamResult(
                     "stopped",
                     f"servo {servo} is at {state.position} counts, not at {goal}: it did not "
-                    "follow. The plunger is blocked, or the torque limit too low for the pressure",
+                    "follow. The plunger is blocked, or the torque limit is too low for the "
+                    "pressure",
                     "following",
                 )
         return StreamResult("complete", "played to its end")
@@ -220,17 +223,17 @@ class PosePlayer:
         if self._began is not None and not self._halted():
             return [
                 FinalServoState(
-                    servo, False, "the board still plays or hangs; switch its power off"
+                    servo, False, "the board is still playing or hangs; switch its power off"
                 )
                 for servo in self.pump.servos
             ]
-        return self.pump.release() if self.wish.urgent else self.pump.hold()
+        return self.pump.release() if self.request.urgent else self.pump.hold()
 
     def _halted(self) -> bool:
         """Halt; repeated, since a halt may be lost on the way, and never anything before it."""
         self.tell(
-            f"halting: the move that runs cannot be interrupted and ends in about "
-            f"{self._left_of_move():.1f} s; only the power switch stops it now"
+            f"halting: the current move cannot be interrupted and ends in about "
+            f"{self._left_of_move():.1f} s; only the power switch can stop it now"
         )
         longest = FRAME * max(self.fit.move_frames)
         for _ in range(HALT_TRIES):

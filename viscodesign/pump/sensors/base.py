@@ -29,12 +29,12 @@ class PressureSource(ABC):
         if not phidget_1140.LOWEST_RATIO <= ratio <= phidget_1140.HIGHEST_RATIO:
             raise SensorError(
                 f"the pressure sensor is open or shorted: it gives {ratio:.3f} of its supply. "
-                "See its plug and its channel (`pump.sensor.channel`)"
+                "Check its plug and its channel (`pump.sensor.channel`)"
             )
         pressure = phidget_1140.absolute_pressure(ratio)
         if not phidget_1140.LOWEST <= pressure <= phidget_1140.HIGHEST:
             raise SensorError(
-                f"{pressure / 1e3:.1f} kPa absolute is out of the pressure sensor's range, "
+                f"{pressure / 1e3:.1f} kPa absolute is outside the pressure sensor's range, "
                 "20 to 400 kPa"
             )
         return pressure
@@ -59,6 +59,6 @@ class Stillness:
         self._expected = low, high
         if high - low > self.least_change:
             raise SensorError(
-                f"the pressure sensor is frozen: it has said {value / 1e3:.2f} kPa all the time "
+                f"the pressure sensor is frozen: it kept reading {value / 1e3:.2f} kPa "
                 f"while the pressure should have changed by {(high - low) / 1e3:.1f} kPa"
             )

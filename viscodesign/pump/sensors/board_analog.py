@@ -13,7 +13,7 @@ class BoardAnalog(PressureSource):
     def __init__(self, board: Board, channel: int) -> None:
         if not board.has_pins:
             raise PumpError(
-                f"the board {board.name} reads no analog inputs: leave `pump.sensor` out, or use "
+                f"the board {board.name} has no analog inputs: leave out `pump.sensor`, or use "
                 "--board arbotix-ros"
             )
         self._board = board

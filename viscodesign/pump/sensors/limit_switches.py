@@ -41,7 +41,7 @@ def _level(board: Board, pin: str) -> bool:
     level = board.digital(pin)
     if level is None:
         raise PumpError(
-            f"board {board.name} reads no pins, so the limit switch on {pin} cannot be heard; "
+            f"board {board.name} has no pins, so the limit switch on {pin} cannot be read; "
             "use --board arbotix-ros, or leave out pump.limit_switches"
         )
     return level

@@ -27,12 +27,12 @@ class Phidget(PressureSource):
         except self._failure as error:
             self.close()
             raise SensorError(
-                f"no Phidget interface kit answers for channel {channel} ({error}). Is it "
+                f"no Phidget interface kit found for channel {channel} ({error}). Is it "
                 "plugged in, and has it a udev rule?"
             ) from None
         except OSError as error:
             raise SensorError(
-                f"the Phidgets' library does not start ({error}); it needs libusb-1.0: "
+                f"the Phidgets library failed to start ({error}); it needs libusb-1.0: "
                 "sudo apt install libusb-1.0-0"
             ) from None
 

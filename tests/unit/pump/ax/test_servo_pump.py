@@ -89,7 +89,7 @@ def test_an_alarm_locks_all_but_what_makes_room(
 def test_what_no_servo_can_follow_is_not_armed() -> None:
     rig = Rig()
     rig.pump.connect()
-    with pytest.raises(PumpError, match="counts/s are asked for"):
+    with pytest.raises(PumpError, match="counts/s requested"):
         rig.pump.arm(2500.0)
     assert not servo_of(rig).get(registers.TORQUE_ENABLE)
 

@@ -72,7 +72,7 @@ def test_writes_that_it_would_cut_off_are_never_sent(data: bytes) -> None:
 
 def test_a_write_to_a_servo_that_is_not_there_is_not_believed() -> None:
     # The firmware acknowledges it.
-    with pytest.raises(PumpError, match="id 9 does not answer"):
+    with pytest.raises(PumpError, match="id 9 did not answer"):
         board(PyPose(bench(1))).write(9, registers.LED.address, b"\x01")
 
 

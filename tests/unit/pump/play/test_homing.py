@@ -69,7 +69,7 @@ def test_a_broken_wire_is_a_pressed_switch_and_told() -> None:
 
 def test_a_switch_that_never_comes_ends_at_the_servos_own_end() -> None:
     bed = Bed(D2=0)
-    with pytest.raises(PumpError, match="no switch was pressed"):
+    with pytest.raises(PumpError, match="without a switch being pressed"):
         find_travel(bed.pump, lambda: False)
 
 

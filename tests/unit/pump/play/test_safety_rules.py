@@ -15,7 +15,7 @@ from viscodesign.pump.play.safety_rules import (
     ErrorBitsSet,
     Following,
     Guard,
-    LimitSwitches,
+    LimitSwitchPressed,
     LowBattery,
     Obedience,
     Overheating,
@@ -97,20 +97,20 @@ def test_where_nothing_measures_nothing_is_frozen() -> None:
     ],
 )
 def test_a_switch_allows_only_motion_away(pressed: str, step: int, stops: bool) -> None:
-    reason = LimitSwitches().check(sample(pressed=pressed, step=step))
+    reason = LimitSwitchPressed().check(sample(pressed=pressed, step=step))
     assert (reason is not None) == stops
 
 
 def test_running_into_a_switch_stops_before_the_next_step() -> None:
     # The profile stands still for a few ticks between two of its counts.
-    guard = LimitSwitches()
+    guard = LimitSwitchPressed()
     assert guard.check(sample(step=1)) is None
     assert guard.check(sample(step=0)) is None
     assert guard.check(sample(step=0, pressed="high")) is not None
 
 
 def test_leaving_a_switch_goes_on() -> None:
-    guard = LimitSwitches()
+    guard = LimitSwitchPressed()
     samples = [sample(pressed="low", step=1)] * 5 + [sample(step=1)] * 5
     assert first_stop(guard, samples) is None
 
@@ -234,14 +234,14 @@ def test_a_frozen_sensor_of_either_inlet_is_found() -> None:
     ("steps", "stops"), [((3, 0), False), ((-3, 0), False), ((0, -3), False), ((0, 3), True)]
 )
 def test_a_switch_bars_only_its_own_plunger(steps: tuple[int, int], stops: bool) -> None:
-    reason = LimitSwitches().check(two(pressed="high", steps=steps))
+    reason = LimitSwitchPressed().check(two(pressed="high", steps=steps))
     assert (reason is not None) == stops
     if reason is not None:
         assert "the high end of servo 7" in reason
 
 
 def test_running_into_a_switch_is_noticed_of_the_plunger_that_does() -> None:
-    guard = LimitSwitches()
+    guard = LimitSwitchPressed()
     assert guard.check(two(steps=(1, -1))) is None
     # Servo 4 went up, but the switch is servo 7's.
     assert guard.check(two(pressed="high")) is None

@@ -151,7 +151,7 @@ def test_the_way_to_the_start_is_slow_and_torque_and_speed_are_limited() -> None
 def test_a_servo_with_the_phantoms_id_is_refused_before_anything_is_loaded() -> None:
     rig = PoseRig(on_bus=(1, 2))
     rig.pump.connect()
-    with pytest.raises(PumpError, match="id 2, which has to stay free"):
+    with pytest.raises(PumpError, match="id 2, which must stay free"):
         rig.player.load()
     assert rig.device.engine.size == 0
 
