@@ -16,7 +16,7 @@ from viscodesign.model.chain_symbols import ChainSymbols
 from viscodesign.model.system import System
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.simulation.solve_once import Run, solve
-from viscodesign.solve.problem import evaluate
+from viscodesign.solve.evaluation import evaluate
 
 EFFECTS = "effects={pressure_distribution: on, inertia: on, damping: on, feedback: on, others: off}"
 SHORT = "run={duration: 0.3 s, output_interval: 0.05 s}"

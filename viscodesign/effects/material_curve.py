@@ -92,6 +92,6 @@ class MaterialCurve(Effect):
         rest = system.parameter("rest_volume", system.bellow.rest_volume)
         if self.snap is not None:
             wall = SnappingWall(rest, self.snap.pressure, self.snap.curvature, self.snap.stretch)
-            system.let_snap(wall, self.snap.filled)
+            system.use_snapping_wall(wall, self.snap.filled)
             return
         system.wall = MeasuredWall(rest, *self.curves)

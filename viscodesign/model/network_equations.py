@@ -154,7 +154,7 @@ class NetworkEquations:
 
     def _swelling_residuals(self) -> SX:
         """Pressure of a bellow's swelling minus its own, over the size of pressure."""
-        return self.system.swelling_defects() / self.sizes.pressure
+        return self.system.swelling_residuals() / self.sizes.pressure
 
     def equilibrium(self) -> list[SX]:
         """Residuals of the steady state in the static unknowns, not yet resolved."""

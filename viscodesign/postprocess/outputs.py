@@ -11,7 +11,8 @@ from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.algebraic_polish import polish
-from viscodesign.solve.problem import Problem, evaluate_along
+from viscodesign.solve.evaluation import evaluate_along
+from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
 from viscodesign.storage.disk_arrays import BLOCK, release_pages
 

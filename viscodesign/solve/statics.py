@@ -12,7 +12,6 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.model.network_equations import BELLOW_AMOUNTS, BELLOW_PRESSURES
-from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.unknowns import Block, Unknowns
 from viscodesign.solve.branch_following import (
     SAME_BRANCH_DISTANCE,
@@ -22,8 +21,9 @@ from viscodesign.solve.branch_following import (
     constraints,
     follow_branch,
 )
+from viscodesign.solve.evaluation import evaluate
 from viscodesign.solve.numerics.newton import NewtonError, continuation, newton
-from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.problem import Problem
 
 Instant = tuple[float, np.ndarray]
 """A time [s] and the inlets' coefficients that are valid at it."""
@@ -212,13 +212,14 @@ def rest(problem: Problem, piece: np.ndarray) -> Start:
     states = equations.states
     y = np.zeros(equations.statics.count)
     _set_baseline(problem, y, 0.0, piece)
-    if equations.rod_form is RodForm.STATIC:
+    if problem.has_branches:
         # Without inertia no rod stays straight under pressure: it starts unstrained.
         _bend_to_arcs(problem, y, problem.tail(0.0, piece, 0.0))
     else:
         _straighten(problem, y)
     start = _from_statics(problem, y, 0.0, piece)
-    if equations.rod_form in (RodForm.STATIC, RodForm.ARCS) or BELLOW_AMOUNTS not in states.blocks:
+    moves = equations.statics.branch_span is not None and not problem.has_branches
+    if not moves or BELLOW_AMOUNTS not in states.blocks:
         return start
     # A rod held straight under pressure carries moments, and they displace their volume.
     algebraics = _solve_internal(problem, start, piece)
@@ -271,7 +272,7 @@ def consistent(
     if equations.algebraics.count == 0:
         return start
     point = OperatingPoint(start.states, time, piece)
-    if before is not None and equations.rod_form is RodForm.STATIC:
+    if before is not None and problem.has_branches:
         begin = OperatingPoint(start.states, *before)
         found = follow_branch(problem, start.algebraics, begin, point, previous)
         return Start(start.states, found)
@@ -338,18 +339,18 @@ def _step_limit_reached(problem: Problem, load: float, time: float) -> SolveErro
 
 def _no_equilibrium(problem: Problem, failure: NewtonError, time: float) -> SolveError:
     percent = 100 * failure.reached
-    form = problem.equations.rod_form
+    is_loaded = problem.equations.statics.branch_span is not None
     remedy = (
         "Lower the loads or the pressure, or include inertia ('effects.inertia: on', "
         "'run.start: rest') to follow the motion past the end of the static branch."
-        if form is not RodForm.ARCS
+        if is_loaded
         else "Check the network's tubes and pressures."
     )
     return SolveError(
         f"no stable equilibrium: the branch from the unloaded shape ends at {percent:.3g} % "
         "of the loads",
         quantity="equilibrium",
-        where="rod" if form is not RodForm.ARCS else "network",
+        where="rod" if is_loaded else "network",
         time_s=time,
         remedy=remedy,
     )

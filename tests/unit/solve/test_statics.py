@@ -8,7 +8,7 @@ import pytest
 from tests.scenes import leg, problem_of
 from viscodesign import simulate
 from viscodesign.errors import SolveError
-from viscodesign.solve.problem import evaluate
+from viscodesign.solve.evaluation import evaluate
 from viscodesign.solve.statics import _unloaded
 
 THROUGH = (

@@ -20,7 +20,8 @@ from viscodesign.pump.planning.scene_variants import planned, pump_of, with_inpu
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import build, suggest_settings
-from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate_along
+from viscodesign.solve.evaluation import evaluate_along
+from viscodesign.solve.problem import Pieces, Problem, Schedule
 from viscodesign.solve.solvers.base import Solver, Work
 from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, equilibrium

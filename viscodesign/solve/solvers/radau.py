@@ -16,8 +16,9 @@ from scipy.integrate import Radau as ScipyRadau
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Formulas
 from viscodesign.model.jacobian import jacobian
+from viscodesign.solve.evaluation import evaluate
 from viscodesign.solve.numerics.newton import NewtonError, newton
-from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.statics import Start, consistent
 

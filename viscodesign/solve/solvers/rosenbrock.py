@@ -17,8 +17,9 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.jacobian import jacobian
+from viscodesign.solve.evaluation import BufferedCall
 from viscodesign.solve.numerics.symbolic_lu import SymbolicLU, has_whole_diagonal
-from viscodesign.solve.problem import Bound, Problem
+from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers import rodas
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.statics import Start, consistent
@@ -231,7 +232,7 @@ class RosenbrockStep:
         self._arguments = [np.zeros(function.nnz_in(k)) for k in range(function.n_in())]
         self._after = np.zeros(function.nnz_out(0))
         self._stages = np.zeros(function.nnz_out(1))
-        self._run = Bound(function, self._arguments, (self._after, self._stages))
+        self._run = BufferedCall(function, self._arguments, (self._after, self._stages))
 
     def bind(self, piece: np.ndarray, numbers: np.ndarray) -> None:
         """Set the inputs' coefficients and all parameters."""
