@@ -15,7 +15,7 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.problem import Problem
-from viscodesign.solve.statics import vanished_section
+from viscodesign.solve.unloaded_state import vanished_section
 
 NEARLY_EMPTY = 0.2
 """Volume of a bellow, of that at rest, at which a gas's failure is put down to it."""
