@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from viscodesign.pump.play.servo_state import Sample
 
 from viscodesign.cli import confirm as _confirm
+from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.link_rate import RoundTrip
 from viscodesign.pump.play.stream import RecordingError
 from viscodesign.pump.sessions import streaming
