@@ -49,6 +49,7 @@ from viscodesign.pump.sessions.reports import (
     result_lines,
 )
 from viscodesign.pump.sessions.required_sensors import with_sensors
+from viscodesign.pump.sessions.tracking_error import TrackingError
 from viscodesign.scene.pump import PumpSpec as Settings
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
@@ -86,31 +87,6 @@ def stream(
     options = (rate, on_stop, achievable, without_sensor, progress)
     session = StreamSession.prepare(scene, address, *options)
     return session.perform(Path(folder), confirm=confirm, tell=tell, on_tick=on_tick, stop=stop)
-
-
-@dataclass
-class TrackingError:
-    """Measured minus planned pressure, over all samples that have both."""
-
-    samples: int = 0
-    sum_of_squares: float = 0.0
-    largest: float = 0.0
-    """[Pa]"""
-
-    def update(self, shown: TickReport) -> None:
-        pairs = zip(shown.sample.pressure, shown.sample.wanted, strict=True)
-        for measured, wanted in pairs:
-            if measured is not None and wanted is not None:
-                self.samples += 1
-                self.sum_of_squares += (measured - wanted) ** 2
-                self.largest = max(self.largest, abs(measured - wanted))
-
-    def document(self) -> dict[str, Any]:
-        """Under names with units; empty where nothing was measured."""
-        if not self.samples:
-            return {}
-        rms = (self.sum_of_squares / self.samples) ** 0.5
-        return {"largest_pa": self.largest, "rms_pa": rms, "samples": self.samples}
 
 
 @dataclass
