@@ -78,10 +78,6 @@ def test_solvers_do_not_know_what_the_blocks_of_the_rod_mean() -> None:
         assert "RodForm" not in text, path
 
 
-# Names that two classes still share; to be emptied, and none may be added.
-SHARED_CLASS_NAMES: set[str] = set()
-
-
 def test_class_names_are_unique() -> None:
     names = Counter(
         node.name
@@ -89,4 +85,4 @@ def test_class_names_are_unique() -> None:
         for node in ast.walk(ast.parse(path.read_text()))
         if isinstance(node, ast.ClassDef)
     )
-    assert {name for name, count in names.items() if count > 1} <= SHARED_CLASS_NAMES
+    assert [name for name, count in names.items() if count > 1] == []

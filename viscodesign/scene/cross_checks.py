@@ -15,17 +15,11 @@ from viscodesign.errors import did_you_mean
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import Network
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pump import PARTS_PER_INLET, PumpSpec
 from viscodesign.scene.spec_part import KeyFault, faults_of
 
 MAX_PERIODS = 250_000
 SINGLE_INLET = "inlet"
-PUMP_PARTS = {
-    "servo_id": "servo",
-    "sensor": "pressure sensor",
-    "limit_switches": "limit switches",
-}
-"""Keys of the pump that may be given per inlet, and what they describe."""
 
 Fields = Mapping[tuple[str, str | None], Any]
 """Valid fields by (class name, field name)."""
@@ -131,7 +125,7 @@ def _syringe_fluids(
 
 def _pump_parts(pump: PumpSpec | None, inputs: Mapping[str, Input]) -> Iterator[KeyFault]:
     """Parts of the pump per inlet: one for each inlet and no others."""
-    for key, description in PUMP_PARTS.items():
+    for key, description in PARTS_PER_INLET.items():
         parts = getattr(pump, key, None)
         if not isinstance(parts, Mapping):
             continue

@@ -23,6 +23,12 @@ from viscodesign.units import (
 MAX_SERVO_COUNTS = 1023
 MAX_SERVO_ID = 253
 """Of the Dynamixel protocol, where 254 is the broadcast id."""
+PARTS_PER_INLET = {
+    "servo_id": "servo",
+    "sensor": "pressure sensor",
+    "limit_switches": "limit switches",
+}
+"""Keys that may be given per inlet, and what they describe."""
 
 
 def _ids(given: Any) -> Any:
@@ -160,8 +166,8 @@ class PumpSpec(SpecPart):
 
     def in_order_of(self, inlets: tuple[str, ...]) -> PumpSpec:
         """The pump with its parts per inlet in the order of the inlets."""
-        names = ("servo_id", "sensor", "limit_switches")
-        return self.model_copy(update={n: in_order(getattr(self, n), inlets) for n in names})
+        parts = {name: in_order(getattr(self, name), inlets) for name in PARTS_PER_INLET}
+        return self.model_copy(update=parts)
 
     @model_validator(mode="after")
     def _check_travel(self) -> PumpSpec:

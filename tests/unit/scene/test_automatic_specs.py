@@ -63,5 +63,7 @@ def _without_effects(text: str) -> list[str]:
 @pytest.mark.parametrize("twin", TWINS)
 def test_the_first_line_describes_an_automatic_spec(twin: str) -> None:
     first, second = (CONFIGS / f"{twin}.yaml").read_text(encoding="utf-8").splitlines()[:2]
-    assert first.startswith(f"# {twin.removesuffix('_auto')} with the effects that the scene calls")
+    assert first.startswith(
+        f"# {twin.removesuffix('_auto')} with automatically selected effects instead"
+    )
     assert second == "#"

@@ -73,6 +73,19 @@ class Input(SpecPart):
         return self.swing_time() if self.transient_time is None else self.transient_time
 
 
+class SmoothInput(Input):
+    """One expression for all times; a single coefficient, if any, numbers the intervals."""
+
+    def pieces(self, edges: np.ndarray) -> np.ndarray:
+        return np.arange(len(edges) - 1, dtype=float)[:, None][:, : self.coefficients]
+
+    def initial_piece(self) -> np.ndarray:
+        return np.zeros(self.coefficients)
+
+    def values(self, t: np.ndarray) -> np.ndarray:
+        return np.asarray(self.expression(np.asarray(t), None, np))
+
+
 class PiecewiseLinear(Input):
     """Straight lines between vertices; two vertices at one time are a jump."""
 

@@ -8,11 +8,11 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from viscodesign.scene.inputs.base import SWING_END, Input
+from viscodesign.scene.inputs.base import SWING_END, SmoothInput
 from viscodesign.units import Pressure, Time
 
 
-class DoubleSigmoidInput(Input):
+class DoubleSigmoidInput(SmoothInput):
     r"""Fall and rise: start - drop s(t - fall_time) + drop s(t - rise_time).
 
     .. math:: s(t) = 1 / (1 + \exp(-2 k t)), \quad k = 6 / \text{transition}
@@ -42,15 +42,6 @@ class DoubleSigmoidInput(Input):
         """Where each transition begins: a solver with large steps could skip it."""
         begins = (self.fall_time - self.transition, self.rise_time - self.transition)
         return sorted({float(t) for t in begins if 0.0 < t < duration})
-
-    def pieces(self, edges: np.ndarray) -> np.ndarray:
-        return np.arange(len(edges) - 1, dtype=float)[:, None]
-
-    def initial_piece(self) -> np.ndarray:
-        return np.zeros(1)
-
-    def values(self, t: np.ndarray) -> np.ndarray:
-        return np.asarray(self.expression(np.asarray(t), None, np))
 
     def extremes(self, duration: float) -> tuple[float, float]:
         """At the ends and midway between fall and rise, where the two slopes cancel."""

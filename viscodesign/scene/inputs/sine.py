@@ -8,11 +8,11 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from viscodesign.scene.inputs.base import SWING_START, Input
+from viscodesign.scene.inputs.base import SWING_START, SmoothInput
 from viscodesign.units import Angle, Frequency, Pressure
 
 
-class SineInput(Input):
+class SineInput(SmoothInput):
     """A sine: mean + amplitude sin(2 pi frequency t + phase)."""
 
     name: ClassVar[str] = "sine"
@@ -34,15 +34,6 @@ class SineInput(Input):
 
     def corners(self, duration: float) -> list[float]:
         return []
-
-    def pieces(self, edges: np.ndarray) -> np.ndarray:
-        return np.zeros((len(edges) - 1, 0))
-
-    def initial_piece(self) -> np.ndarray:
-        return np.zeros(0)
-
-    def values(self, t: np.ndarray) -> np.ndarray:
-        return np.asarray(self.expression(np.asarray(t), None, np))
 
     def extremes(self, duration: float) -> tuple[float, float]:
         """The peaks that the run contains, and its ends."""
