@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scene_runs import Record, read
 
-from viscodesign.effects.select import UNSEEN
+from viscodesign.effects.select import NUMBERS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -147,10 +147,11 @@ def _claim_lines(judged: list[Record]) -> list[str]:
         f"{_percent(np.mean(ratios * TIGHT >= 1))} | {_percent(np.mean(bare * TIGHT >= 1))} |",
         "",
         "**These numbers are not independent.** The factors of the three parts were chosen on the "
-        f"same scenes, and the floor of omitted effects, {UNSEEN:g} of the requested accuracy, "
-        "after an earlier run of them had shown true errors above the stated ones (the largest "
-        "0.0048 of the requested accuracy; it comes with feedback, which the estimate hardly "
-        f"shows there). The last column takes the omitted part of the {floored} scenes that "
+        f"same scenes, and the floor of neglected effects, {NUMBERS.least_stated:g} of the "
+        "requested accuracy, after an earlier run of them had shown true errors above the stated "
+        "ones (the largest 0.0048 of the requested accuracy; it comes with feedback, which the "
+        f"estimate hardly shows there). The last column takes the neglected part of the "
+        f"{floored} scenes that "
         "state just the floor as zero. Scenes of another seed have not been run.",
         "",
         f"The true error is below the requested accuracy in {_percent(_met(judged))}; "
@@ -162,7 +163,7 @@ def _claim_lines(judged: list[Record]) -> list[str]:
 def _without_floor(run: Record) -> Record:
     """The scenes without the omitted part where it is just the floor."""
     omitted = run["omitted_m"]
-    if not omitted or not np.isclose(omitted, UNSEEN * run["requested_m"], rtol=1e-9):
+    if not omitted or not np.isclose(omitted, NUMBERS.least_stated * run["requested_m"], rtol=1e-9):
         return run
     return run | {
         "omitted_m": 0.0,

@@ -15,8 +15,10 @@ from viscodesign.results.accuracy_study import (
 LENGTH = 0.1
 MODELS = (
     Model("IV", ()),
-    Model("auto", ("pressure_distribution", "inertia", "damping"), ("II",)),
-    Model("everything", ("pressure_distribution", "inertia", "damping", "feedback")),
+    Model("auto", ("pressure_distribution", "inertia", "damping"), ("II",), True, True),
+    Model(
+        "everything", ("pressure_distribution", "inertia", "damping", "feedback"), (), True, True
+    ),
 )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from viscodesign.effects.select import effect_names
+from viscodesign.effects.catalogue import effect_names
 from viscodesign.scene.reading.json_schema import spec_schema
 from viscodesign.scene.reading.read import KnownEffects, load_scene
 from viscodesign.scene.scene import Scene

@@ -15,8 +15,10 @@ from tests.scenes import LEG_LENGTH, leg
 from viscodesign import Scene, check, effects, simulate
 from viscodesign.cli.main import main
 from viscodesign.effects.base import Effect
-from viscodesign.effects.select import catalogue, select_effects
+from viscodesign.effects.catalogue import catalogue
+from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.rod_equations import COORDINATES, RATES, RodForm
 from viscodesign.results.findings import Verdict
 from viscodesign.simulation.build_problem import Settings, build
@@ -89,15 +91,15 @@ def test_weight_is_finite_and_explained(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", EFFECTS)
-def test_a_sketch_shows_it_and_its_contribution_is_told(name: str) -> None:
+def test_its_contribution_is_estimated(name: str) -> None:
     effect, quantities = made(name)
-    changed = effect.sketch(quantities.bare_sketch)
+    term = effect.estimate_term()
     told = {v.name: v for v in check(scene_of(name)).effects}[name]
-    if changed is None:
+    if term is None:
         # Its weight, in actuator lengths, stands for what it may do.
         guess = effect.weight(quantities) * LEG_LENGTH
         assert told.contribution_m == pytest.approx(guess)
-    assert changed != quantities.bare_sketch
+    assert term != EstimateTerm()
     assert math.isfinite(told.contribution_m)
     assert told.contribution_m > 0.0
     assert told.budget_share == pytest.approx(told.contribution_m / (0.005 * LEG_LENGTH))
@@ -288,7 +290,7 @@ def test_a_new_effect_is_one_new_file(tip_drag: str) -> None:
     assert set(every_effect()) == {*EFFECTS, tip_drag}
     for promise in (
         test_weight_is_finite_and_explained,
-        test_a_sketch_shows_it_and_its_contribution_is_told,
+        test_its_contribution_is_estimated,
         test_verdict_obeys_the_spec,
         test_jacobian_equals_differences,
         test_no_force_at_rest_but_steady_load,
@@ -296,7 +298,7 @@ def test_a_new_effect_is_one_new_file(tip_drag: str) -> None:
         promise(tip_drag)
 
 
-def test_a_new_effect_without_a_sketch_counts_by_its_weight(tip_drag: str) -> None:
+def test_a_new_effect_without_an_estimate_counts_by_its_weight(tip_drag: str) -> None:
     def told(*overrides: str) -> Verdict:
         return {v.name: v for v in check(leg("effects=auto", *overrides)).effects}[tip_drag]
 
@@ -307,7 +309,7 @@ def test_a_new_effect_without_a_sketch_counts_by_its_weight(tip_drag: str) -> No
     assert found.budget_share == pytest.approx(25.0)
     without = told("effects.inertia=off")
     assert not without.taken
-    assert "left out with inertia" in without.reason
+    assert "neglected with inertia" in without.reason
     run = simulate(
         leg(
             "bellows.count=4",
@@ -329,7 +331,7 @@ def test_a_new_effect_is_told_by_the_command_line(
     page = " ".join(capsys.readouterr().out.split())
     assert page.startswith("tip_drag: Drag of the air around the tip.")
     assert "spec keys effects.tip_drag, ambient.density" in page
-    assert "No sketch resolves it" in page
+    assert "It has no term in the estimate" in page
     assert "Without inertia it is not applicable" in page
 
 

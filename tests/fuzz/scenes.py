@@ -13,7 +13,7 @@ from typing import Any
 from tests.fuzz.inputs import source
 from tests.fuzz.networks import network
 from tests.fuzz.random_numbers import around, chance_of, share, size
-from viscodesign.effects.select import effect_names
+from viscodesign.effects.catalogue import effect_names
 
 Spec = dict[str, Any]
 MOST_STEPS = 1_500

@@ -9,14 +9,15 @@ from casadi import SX
 
 from tests.scenes import leg
 from viscodesign.effects.base import Effect
-from viscodesign.effects.select import catalogue, select_effects
+from viscodesign.effects.catalogue import catalogue
+from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model import formulation
 from viscodesign.model.chain_symbols import ChainSymbols
 from viscodesign.model.system import System
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.simulation.solve_once import Run, solve
-from viscodesign.solve.evaluation import evaluate
+from viscodesign.solve.problem import evaluate
 
 EFFECTS = "effects={pressure_distribution: on, inertia: on, damping: on, feedback: on, others: off}"
 SHORT = "run={duration: 0.3 s, output_interval: 0.05 s}"

@@ -1,4 +1,4 @@
-"""Everything that can be said of a scene without solving it."""
+"""Everything that is known of a scene without solving it."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def check(scene: Scene) -> Check:
     quantities = SceneQuantities(scene)
     refuse_beyond_numbers(quantities)
     selection = select_effects(quantities)
-    verdicts, active = selection.verdicts, selection.taken
+    verdicts, active = selection.verdicts, selection.active
     refuse_unsolvable(quantities, active)
     found = classification(quantities, active)
     found = replace(found, warnings=(*verdict_notices(verdicts), *found.warnings))
@@ -45,7 +45,7 @@ def check(scene: Scene) -> Check:
 
 
 def _facts(quantities: SceneQuantities) -> list[str]:
-    """The graph in words."""
+    """The network in words."""
     graph = quantities.graph
     facts = [
         f"{len(graph.bellows)} bellows in {graph.sections} sections, {len(graph.tubes)} tubes, "

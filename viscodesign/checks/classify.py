@@ -1,4 +1,4 @@
-"""Timescales and the quadrant of Figure 1, with what they mean for the motion."""
+"""Timescales, the quadrant of Figure 1, and what they mean for the motion."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ FAR_TOO_SLOW = 10.0
 def classify(scene: Scene) -> Classification:
     """Timescales, ratios and quadrant of a scene; solves nothing.
 
-    Raises `SpecError` where sizes lie beyond what numbers hold.
+    Raises `SpecError` where sizes lie beyond the range of numbers.
     """
     quantities = SceneQuantities(scene)
     refuse_beyond_numbers(quantities)
-    return classification(quantities, select_effects(quantities).taken)
+    return classification(quantities, select_effects(quantities).active)
 
 
 def classification(quantities: SceneQuantities, active: frozenset[str]) -> Classification:
-    """The same, where the scene's quantities and the names of its active effects are at hand."""
+    """The same from the quantities of a scene and the names of its active effects."""
     scales = quantities.scales
     quadrant = find_quadrant(scales)
     return Classification(
@@ -64,17 +64,17 @@ def _meaning(quadrant: str, scales: Scales) -> str:
     if math.isinf(scales.t_i):
         return f"{text}; the input never changes"
     if scales.t_i == 0.0:
-        return f"{text}; the input jumps, and the network takes {scales.t_net:.3g} s to follow"
+        return f"{text}; the input jumps, and the network takes {scales.t_net:.3g} s to settle"
     if scales.t_net == 0.0:
         return f"{text}; no tube separates the bellows from their inlet"
     if ratio < NEARLY_UNIFORM:
         return (
             f"{text}; but the whole network settles {1 / ratio:.3g} times faster than the input "
-            f"swings (t_net/t_i = {ratio:.2g}), so the pressure is nearly uniform after all"
+            f"changes (t_net/t_i = {ratio:.2g}), so the pressure is nearly uniform"
         )
     if ratio > FAR_TOO_SLOW:
         return (
-            f"{text}; but the whole network needs {ratio:.3g} times the input's swing to follow "
-            f"(t_net/t_i), so the far bellows hardly move within one swing"
+            f"{text}; but the whole network settles {ratio:.3g} times slower than the input "
+            f"changes (t_net/t_i), so the far bellows hardly move within one swing"
         )
-    return f"{text}; t_net/t_i = {ratio:.2g}, the pressure is late and uneven along the network"
+    return f"{text}; t_net/t_i = {ratio:.2g}, the pressure lags and varies along the network"

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 EXAMPLE = """\b
 Examples:
   viscodesign effects
-  viscodesign effects gas_compressibility
+  viscodesign effects gravity
   viscodesign effects --json"""
 
 
@@ -35,7 +35,7 @@ def command(
     its source and its keys in a spec. With -o also writes DIR/effects.json.
     """
     from viscodesign.cli.output import json_text, say, write_text
-    from viscodesign.effects.select import catalogue
+    from viscodesign.effects.catalogue import catalogue
 
     known = catalogue()
     chosen = known if name is None else {name: _found(name, known)}
@@ -90,16 +90,23 @@ def _decision(kind: type[Effect]) -> str:
 
     if not kind.switchable:
         return "It is always included where a spec defines it."
-    parts = [f"`effects.{kind.name}: on` includes it, `off` neglects it, `auto` weighs it."]
+    parts = [f"`effects.{kind.name}: on` includes it, `off` forbids it, `auto` weighs it."]
     parts += inspect.cleandoc(select.__doc__ or "").split("\n\n")[1:]
-    if kind.sketch is Effect.sketch:
+    if kind.estimate_term is Effect.estimate_term:
         parts.append(
-            "No sketch resolves it: its weight, in actuator lengths, is taken as its displacement."
+            "It has no term in the estimate: its weight, in actuator lengths, stands for the "
+            "displacement of the tip."
         )
     if kind.indispensable is not Effect.indispensable:
-        parts.append("It is included wherever the scene requires it.")
+        parts.append("It is included where the scene requires it.")
     if kind.needs is not None:
         parts.append(f"Without {kind.needs} it is not applicable.")
+    if kind.companion is not None:
+        parts.append(f"{kind.companion} is included with it.")
+    if kind.free_with is not None:
+        parts.append(f"It is included beside {kind.free_with}, where it costs nothing.")
+    if kind.replaced_by is not None:
+        parts.append(f"It is not applicable where {kind.replaced_by} takes its place.")
     return " ".join(" ".join(parts).split())
 
 

@@ -3,28 +3,62 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
 from typing import TYPE_CHECKING, ClassVar, Self
 
-import numpy as np
-
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.errors import Fault
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.system import System
+from viscodesign.results.findings import Notice
 
 if TYPE_CHECKING:
     from viscodesign.estimate.scene_quantities import SceneQuantities
+    from viscodesign.postprocess.motion import Motion
+    from viscodesign.postprocess.motion_limits import Limit
+    from viscodesign.solve.problem import Problem
+    from viscodesign.solve.statics import Start
+
+
+class Trait(Enum):
+    """What an effect makes of the model, for code that must not know its name."""
+
+    DISTRIBUTED_PRESSURE = "every node of a network has a pressure of its own"
+    COMPRESSIBLE_FLUID = "the fluid in bellows and tubes is compressible"
+    TUBE_STORAGE = "tubes hold fluid of their own"
+    LIMITED_EMPTYING = "the law of a bellow keeps it from emptying"
+    ROD_INERTIA = "the rod resists acceleration"
+    ROD_DAMPING = "strain rates of the rod dissipate"
+
+
+@dataclass(frozen=True)
+class Missed:
+    """Why a solved run calls for an effect that it neglected."""
+
+    reason: str
+    tip_m: float
+    """How far the effect may move the tip; infinite where the run cannot go on without it [m]."""
+    time_s: float
+    """Where the run showed it [s]."""
 
 
 class Effect(ABC):
-    """One term of a balance: its options, its weight, and how it joins a system.
+    """One term of a balance, with everything of its own.
 
-    A new effect is a new file in this folder with one concrete subclass; the
-    catalogue, the verdicts, the documentation and the contract tests find it there.
+    1. A new effect is a new file in this folder with one concrete subclass. The catalogue, the
+       verdicts, the checks, the documentation and the contract tests find it there; no other
+       file names it.
+    2. `of`, `weight`, `reason` and `join` are required; every other hook has a default.
+    3. Hooks that are given ``active``, the names of the effects to be simulated, are asked whether
+       the effect itself is among them or not: what its absence means is its own knowledge, too.
+    4. Code outside asks for `traits`, never for a name.
     """
 
     name: ClassVar[str]
     """Its key under `effects:` in a spec."""
     order: ClassVar[int] = 50
-    """Effects are told and joined in this order."""
+    """Effects are listed and joined in this order."""
     formula: ClassVar[str]
     """The weight, in words of the field."""
     switchable: ClassVar[bool] = True
@@ -32,15 +66,22 @@ class Effect(ABC):
     needs: ClassVar[str | None] = None
     """Another effect without which this one has nothing to act on."""
     companion: ClassVar[str | None] = None
-    """Another effect that comes along when this one is switched on, unless it is forbidden."""
+    """Another effect that is included with this one, unless the spec switches it off."""
     free_with: ClassVar[str | None] = None
     """Another effect beside which this one costs nothing, so that `auto` keeps it."""
+    replaced_by: ClassVar[str | None] = None
+    """Another effect that takes the place of this one wherever the scene has it."""
+    considers: ClassVar[str | None] = None
+    """Another effect whose mode in the spec decides what this one acts on."""
+    traits: ClassVar[frozenset[Trait]] = frozenset()
     validity: ClassVar[str] = ""
     """Where the term as computed here holds, in one sentence."""
     source: ClassVar[str] = ""
     """Where it is taken from."""
     keys: ClassVar[tuple[str, ...]] = ()
     """Keys of the spec that it reads."""
+
+    # -- whether it matters -----------------------------------------------------
 
     @classmethod
     @abstractmethod
@@ -51,37 +92,76 @@ class Effect(ABC):
     def weight(self, quantities: SceneQuantities) -> float:
         """Dimensionless size of the term against the term it competes with; >= 0."""
 
+    @abstractmethod
+    def reason(self, quantities: SceneQuantities) -> str:
+        """What the weight means for this scene, in one clause."""
+
     def present(self, quantities: SceneQuantities) -> bool:
-        """Whether the scene has what the effect acts on; if not, there is nothing to take."""
+        """Whether the scene has what the effect acts on; if not, it is not applicable."""
         del quantities
         return True
 
     def indispensable(self, quantities: SceneQuantities) -> bool:
-        """Whether the scene has no sense without it."""
+        """Whether the scene requires it."""
         del quantities
         return False
 
-    @abstractmethod
-    def reason(self, quantities: SceneQuantities) -> str:
-        """What the weight says about this scene, in one clause."""
+    def estimate_term(self) -> EstimateTerm | None:
+        """Its contribution to a quick estimate of the motion; None where there is none.
 
-    def sketch(self, sketch: Sketch) -> Sketch | None:
-        """The sketch with the term added; None where a sketch cannot show it.
-
-        Then the weight itself, in actuator lengths, stands for what it may do to the tip.
+        Then the weight itself, in actuator lengths, stands for the displacement of the tip.
         """
-        del sketch
         return None
 
-    def lost_pressure(self, flow: np.ndarray) -> np.ndarray | None:
-        """What it takes of the pressure along each tube, at flows (T, Q) [m3/s], in size [Pa].
-
-        By it a run that left the effect out sees whether that was right; None where the
-        effect takes nothing of a flow.
-        """
-        del flow
-        return None
+    # -- the term ---------------------------------------------------------------
 
     @abstractmethod
     def join(self, system: System) -> None:
         """Add the term to the system's sums."""
+
+    def node_storage(self, node: str, compressible: bool) -> tuple[float, float]:
+        """What it makes a node hold: volume at zero gauge [m3], and volume per pressure [m3/Pa].
+
+        ``compressible``: whether the density of the fluid follows pressure.
+        """
+        del node, compressible
+        return 0.0, 0.0
+
+    # -- what a user is told ----------------------------------------------------
+
+    def numeric_faults(self, quantities: SceneQuantities) -> Iterator[Fault]:
+        """Numbers of a scene that double precision cannot carry, unless the spec switches it off.
+
+        Asked before any effect is weighed.
+        """
+        del quantities
+        return iter(())
+
+    def refusals(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Fault]:
+        """Why the scene has no bounded solution with these effects."""
+        del quantities, active
+        return iter(())
+
+    def warnings(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Notice]:
+        """Assumptions that the numbers of the scene violate, before anything is solved."""
+        del quantities, active
+        return iter(())
+
+    def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
+        """Bounds on the motion beyond which the model with these effects is doubtful."""
+        del quantities, active
+        return iter(())
+
+    def start_warnings(
+        self, quantities: SceneQuantities, active: frozenset[str], problem: Problem, start: Start
+    ) -> Iterator[Notice]:
+        """What the first state of a run shows."""
+        del quantities, active, problem, start
+        return iter(())
+
+    def missed_in(
+        self, quantities: SceneQuantities, problem: Problem, motion: Motion
+    ) -> Missed | None:
+        """What a run that neglects the effect shows of it; None where nothing calls for it."""
+        del quantities, problem, motion
+        return None

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import numpy as np
 
-from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.effects.base import Effect, Trait
+from viscodesign.effects.catalogue import traits_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.bellow_wall import CollapsingWall
 from viscodesign.model.system import System
 from viscodesign.physics import bellow
+from viscodesign.results.findings import Notice
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,6 +29,8 @@ class Collapse(Effect):
     name: ClassVar[str] = "collapse"
     order: ClassVar[int] = 13
     formula: ClassVar[str] = "volume below the start of fading at the lowest inlet pressure / V_0"
+    replaced_by: ClassVar[str] = "material_curve"
+    traits: ClassVar[frozenset[Trait]] = frozenset({Trait.LIMITED_EMPTYING})
     validity: ClassVar[str] = (
         "How the walls meet is an assumption of this model; a measured curve is better."
     )
@@ -37,7 +42,6 @@ class Collapse(Effect):
     give: float
     linear: tuple[float, float, float]
     """Volume, curvature and stretch per pressure."""
-    measured: bool
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
@@ -47,13 +51,7 @@ class Collapse(Effect):
         floor, fade = bellow.collapse_pressures(*own)
         give = bellow.residual_compliance(*own)
         linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)
-        measured = (
-            bellows.curve is not None and quantities.scene.effects.mode("material_curve") != "off"
-        )
-        return cls(floor, fade, give, linear, measured)
-
-    def present(self, quantities: SceneQuantities) -> bool:
-        return not self.measured
+        return cls(floor, fade, give, linear)
 
     def weight(self, quantities: SceneQuantities) -> float:
         below = self.floor + self.fade - quantities.lowest_pressure
@@ -61,8 +59,6 @@ class Collapse(Effect):
         return max(0.0, below * law.compliance / law.rest_volume)
 
     def reason(self, quantities: SceneQuantities) -> str:
-        if self.measured:
-            return "the measured curve (bellows.curve) shows what an emptied bellow does"
         return (
             f"the walls begin to meet at {(self.floor + self.fade) / 1e3:.3g} kPa gauge, "
             f"the inlet goes down to {quantities.lowest_pressure / 1e3:.3g} kPa"
@@ -74,8 +70,26 @@ class Collapse(Effect):
         volume, curvature, stretch = (slope * effective for slope in self.linear)
         return volume, curvature, stretch
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(wall=self.wall)
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(wall=self.wall)
+
+    def warnings(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Notice]:
+        # Where the effect was weighed and neglected, no bellow comes near its floor.
+        is_forbidden = quantities.scene.effects.mode(self.name) == "off"
+        if not is_forbidden or Trait.LIMITED_EMPTYING in traits_of(active):
+            return
+        law, low = quantities.bellow, quantities.lowest_pressure
+        lowest = law.rest_volume + law.compliance * low
+        if lowest < law.floor_volume:
+            empty = -law.rest_volume / law.compliance
+            yield Notice(
+                "negative_volume" if lowest <= 0.0 else "collapse",
+                f"at {low / 1e3:.4g} kPa gauge the linear law leaves a bellow "
+                f"{lowest / law.rest_volume:.3g} of its rest volume (nothing below "
+                f"{empty / 1e3:.4g} kPa gauge); a real bellow collapses at about "
+                f"{law.floor_volume / law.rest_volume:.3g}",
+                "bellows",
+            )
 
     def join(self, system: System) -> None:
         floor = system.parameter("collapse.floor", self.floor)

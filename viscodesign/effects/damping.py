@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.effects.base import Effect, Trait
+from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.system import System
+from viscodesign.physics.timescales import LARGEST_TIME_RATIO
 
 
 @dataclass(frozen=True)
@@ -22,6 +25,7 @@ class Damping(Effect):
     name: ClassVar[str] = "damping"
     order: ClassVar[int] = 40
     formula: ClassVar[str] = "t_v / t_s"
+    traits: ClassVar[frozenset[Trait]] = frozenset({Trait.ROD_DAMPING})
     validity: ClassVar[str] = "A loss that grows with frequency; 1 ms is a guess for silicone."
     source: ClassVar[str] = "Kelvin and Voigt; the paper has no damping."
     keys: ClassVar[tuple[str, ...]] = ("actuator.damping_time",)
@@ -41,10 +45,19 @@ class Damping(Effect):
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.present(quantities):
             return "actuator.damping_time is zero"
-        return f"the material forgets its strain rate in {self.damping_time:.3g} s"
+        return f"the Kelvin-Voigt retardation time is {self.damping_time:.3g} s"
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(damping_time=self.damping_time)
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(damping_time=self.damping_time)
+
+    def numeric_faults(self, quantities: SceneQuantities) -> Iterator[Fault]:
+        share = self.damping_time / quantities.scene.run.duration
+        if not share < LARGEST_TIME_RATIO:
+            yield Fault(
+                f"{self.damping_time:.3g} s is {share:.2g} of run.duration, beyond double "
+                "precision",
+                "actuator.damping_time",
+            )
 
     def join(self, system: System) -> None:
         time = system.parameter("damping_time", self.damping_time)

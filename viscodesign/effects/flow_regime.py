@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import casadi as ca
 import numpy as np
 
-from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.effects.base import Effect, Missed
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.system import System
 from viscodesign.physics import tube
+from viscodesign.postprocess.motion import Motion
+from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
+from viscodesign.results.findings import Notice
+from viscodesign.solve.problem import Problem
+from viscodesign.storage.disk_arrays import blocks
+
+LAMINAR_REYNOLDS = 2300.0
+"""Reynolds number up to which slow laminar flow is trusted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,7 +33,7 @@ class FlowRegime(Effect):
     formula: ClassVar[str] = "f Re/64 - 1 + K Re r/(32 L), at the largest flow"
     needs: ClassVar[str] = "pressure_distribution"
     validity: ClassVar[str] = (
-        "Smooth tubes, developed flow at every instant; between Re 2300 and 4000 no law is sure."
+        "Smooth tubes, developed flow at every instant; no law is certain between Re 2300 and 4000."
     )
     source: ClassVar[str] = "Churchill (1977) for friction; local losses as for a sharp edge."
     keys: ClassVar[tuple[str, ...]] = (
@@ -82,13 +91,52 @@ class FlowRegime(Effect):
         return np.array(list(self.resistances.values()))
 
     def lost_pressure(self, flow: np.ndarray) -> np.ndarray:
+        """Pressure lost beyond slow laminar flow along each tube (T, Q), at flows [m3/s] [Pa]."""
         return np.asarray((self.multiplier(flow) - 1) * self._resistance * np.abs(flow))
+
+    def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
+        if self.name not in active:
+            yield Limit(self._block_reynolds, LAMINAR_REYNOLDS, self._turbulent)
+
+    def _block_reynolds(self, block: MotionBlock) -> np.ndarray:
+        return self._reynolds(block.flow)
+
+    def _turbulent(self, peak: Peak) -> Notice:
+        tubes = list(self.radii)
+        count, name = int(np.sum(peak.columns > LAMINAR_REYNOLDS)), tubes[peak.column]
+        return Notice(
+            "turbulent_flow",
+            f"the Reynolds number exceeds {LAMINAR_REYNOLDS:.0f} in {count} of {len(tubes)} tubes "
+            f"and reaches {peak.value:.4g} in {name}: slow viscous flow does not hold there",
+            name,
+            peak.time_s,
+        )
+
+    def missed_in(
+        self, quantities: SceneQuantities, problem: Problem, motion: Motion
+    ) -> Missed | None:
+        """The losses of the computed flows, as a share of the pressure that moves the tip."""
+        lost, time_s = 0.0, 0.0
+        for rows in blocks(len(motion.time), motion.time, motion.flow):
+            # At the first output no flow has had time to lose anything.
+            along = self.lost_pressure(motion.flow[rows]).sum(axis=1)
+            along = along * (motion.time[rows] > motion.time[0])
+            row = int(np.argmax(along))
+            if along[row] > lost:
+                lost, time_s = float(along[row]), float(motion.time[rows][row])
+        share = lost / quantities.swing
+        reason = (
+            f"the computed flows would lose {lost:.3g} Pa through it, {share:.2g} of the largest "
+            "pressure"
+        )
+        way = motion.largest_displacement(quantities.body.length)
+        return Missed(reason, min(share, 1.0) * way, time_s)
 
     def _ends(self, radius: float) -> float:
         return tube.local_loss_coefficient(self.density, self.loss, radius)
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(loss=self.multiplier)
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(flow_loss=self.multiplier)
 
     def join(self, system: System) -> None:
         density = system.parameter("fluid.density", self.density)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.system import System
 from viscodesign.physics import tube
 
@@ -52,8 +52,8 @@ class FluidInertance(Effect):
             return "no tube joins anything"
         return f"viscosity stops a flow within {self.delay:.3g} s"
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(inertances=tuple(self.inertances.values()))
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(inertance=tuple(self.inertances.values()))
 
     def join(self, system: System) -> None:
         for t in system.graph.tubes:

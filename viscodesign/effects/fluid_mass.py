@@ -8,8 +8,8 @@ from typing import ClassVar, Self
 from casadi import SX
 
 from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.bellow_law import places
 from viscodesign.model.system import System
 
@@ -18,16 +18,16 @@ from viscodesign.model.system import System
 class FluidMass(Effect):
     """The fluid in the bellows as a mass on the axis, as much as they hold at each instant.
 
-    Gravity and inertia act on it where they are taken. Its weight also presses: the
-    pressure of a network at rest grows downwards. What flows in brings the speed of
-    the section that it comes to.
+    Gravity and inertia act on it where they are included. Its weight also gives a head: the
+    pressure of a network at rest increases downwards. Inflow has the speed of the section
+    that it enters.
     """
 
     name: ClassVar[str] = "fluid_mass"
     order: ClassVar[int] = 6  # before everything that acts on masses
     formula: ClassVar[str] = "n V_0 rho_f / (m l)"
     validity: ClassVar[str] = (
-        "The fluid of a section is spread evenly along its axis; that in the tubes is left out."
+        "The fluid of a section is spread evenly along its axis; that in the tubes is neglected."
     )
     source: ClassVar[str] = "Lagrange's equations with the mass that each bellow holds."
     keys: ClassVar[tuple[str, ...]] = ("fluid", "bellows.height", "bellows.width", "bellows.length")
@@ -48,8 +48,8 @@ class FluidMass(Effect):
         held, solid = 1e3 * self.amount * self.density, 1e3 * quantities.solid_mass
         return f"the bellows hold {held:.3g} g at rest, the body weighs {solid:.3g} g"
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(fluid_density=self.density)
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(held_density=self.density)
 
     def join(self, system: System) -> None:
         density = system.parameter("fluid.density", self.density)

@@ -2,15 +2,40 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
+import numpy as np
+
+from viscodesign.effects.base import Effect, Trait
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.fluid import Gas
 from viscodesign.model.system import System
-from viscodesign.physics import gas
+from viscodesign.physics import gas, tube
+from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
+from viscodesign.results.findings import Notice
+
+INCOMPRESSIBLE_MACH = 0.3
+"""Mach number from which a gas can no longer be taken as incompressible."""
+CHOKING_MACH = 0.8
+"""Mach number near which a gas in a tube goes no faster, whatever drives it."""
+
+
+@dataclass(frozen=True)
+class PolytropicGas:
+    """The gas law as an estimate of the motion needs it."""
+
+    exponent: float
+
+    def density(self, pressure: np.ndarray, ambient: float) -> np.ndarray:
+        """Density over that at ambient pressure [1]."""
+        return np.asarray(gas.density_ratio(pressure, ambient, self.exponent))
+
+    def compliance(self, volume: np.ndarray, absolute: np.ndarray) -> np.ndarray:
+        """Volume per pressure of an amount of gas [m3/Pa]."""
+        return volume / (self.exponent * absolute)
 
 
 @dataclass(frozen=True)
@@ -18,13 +43,14 @@ class GasCompressibility(Effect):
     """The gas's mass is conserved, not its volume.
 
     Its density follows the absolute pressure, (rho/rho_0)^n = P/P_0; a tube carries
-    mass by the integral of density over pressure. Amounts and flows are told as
-    volume at ambient density.
+    mass by the integral of density over pressure. Amounts and flows are volumes at
+    ambient density.
     """
 
     name: ClassVar[str] = "gas_compressibility"
     order: ClassVar[int] = 14
     formula: ClassVar[str] = "V_0 / (n_poly p_abs C)"
+    traits: ClassVar[frozenset[Trait]] = frozenset({Trait.COMPRESSIBLE_FLUID})
     validity: ClassVar[str] = (
         "A polytropic ideal gas of constant viscosity, far from choking (Mach number below 0.3)."
     )
@@ -59,8 +85,38 @@ class GasCompressibility(Effect):
             "stores"
         )
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(gas_exponent=self.exponent)
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(fluid=PolytropicGas(self.exponent))
+
+    def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
+        scene, is_active = quantities.scene, self.name in active
+        sound = scene.fluid.speed_of_sound
+        if sound is None:
+            return
+        tubes = quantities.graph.tubes
+        radius = np.array([t.radius for t in tubes])
+
+        def mach(block: MotionBlock) -> np.ndarray:
+            thinness = self._thinness(block, scene.ambient_pressure) if is_active else 1.0
+            return np.asarray(tube.mean_speed(block.flow, radius) / thinness / sound)
+
+        def too_fast(peak: Peak) -> Notice:
+            name, is_choked = tubes[peak.column].name, peak.value > CHOKING_MACH
+            result = "it would choke" if is_choked else "incompressible flow does not hold"
+            return Notice(
+                "choking" if is_choked else "fast_gas",
+                f"the {'gas' if scene.fluid.is_gas else 'fluid'} reaches Mach {peak.value:.3g} in "
+                f"{name}: {result} there",
+                name,
+                peak.time_s,
+            )
+
+        yield Limit(mach, CHOKING_MACH if is_active else INCOMPRESSIBLE_MACH, too_fast)
+
+    def _thinness(self, block: MotionBlock, ambient: float) -> np.ndarray:
+        """Density at the thinner end of each tube over that at ambient pressure (T, Q)."""
+        pressure = np.maximum(block.tube_pressure, -0.999 * ambient)
+        return np.asarray(gas.density_ratio(pressure, ambient, self.exponent))
 
     def join(self, system: System) -> None:
         system.fluid = Gas(system.ambient, self.exponent)

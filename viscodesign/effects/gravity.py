@@ -9,8 +9,8 @@ from typing import ClassVar, Self
 import casadi as ca
 
 from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.system import System
 
 
@@ -44,9 +44,9 @@ class Gravity(Effect):
             return "loads.gravity is off"
         return f"the weight acts at {math.degrees(self.tilt):.3g} deg from the clamped axis"
 
-    def sketch(self, sketch: Sketch) -> Sketch:
+    def estimate_term(self) -> EstimateTerm:
         down = (math.sin(self.tilt), math.cos(self.tilt))
-        return sketch.with_(gravity=(self.acceleration * down[0], self.acceleration * down[1]))
+        return EstimateTerm(acceleration=(self.acceleration * down[0], self.acceleration * down[1]))
 
     def join(self, system: System) -> None:
         acceleration = system.parameter("gravity.acceleration", self.acceleration)

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from typing import ClassVar, Self
 
 import casadi as ca
 
-from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.effects.base import Effect, Missed, Trait
+from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.system import System
+from viscodesign.physics.timescales import LARGEST_TIME_RATIO
+from viscodesign.postprocess.motion import Motion
+from viscodesign.solve.problem import Problem
+
+FOLD_FAILURES = ("equilibrium", "motion")
+"""What fails at a fold: the equilibrium itself, or an integrator that follows its fluid."""
 
 
 class Inertia(Effect):
@@ -18,8 +28,9 @@ class Inertia(Effect):
     name: ClassVar[str] = "inertia"
     order: ClassVar[int] = 30
     formula: ClassVar[str] = "(t_s / t_i)^2"
-    # Without it a rod rings on, as none does.
+    # Without it a rod would ring for ever.
     companion: ClassVar[str] = "damping"
+    traits: ClassVar[frozenset[Trait]] = frozenset({Trait.ROD_INERTIA})
     validity: ClassVar[str] = "A slender rod; points on its axis carry the mass."
     source: ClassVar[str] = "The paper, equation (4)."
     keys: ClassVar[tuple[str, ...]] = ("actuator.density", "actuator.solid_fraction")
@@ -40,8 +51,27 @@ class Inertia(Effect):
             return "the loads act at once on a straight rod at rest (run.start: rest)"
         return f"the solid swings in {scales.t_s:.3g} s, the input in {scales.t_i:.3g} s"
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(moving=True)
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(resists_acceleration=True)
+
+    def numeric_faults(self, quantities: SceneQuantities) -> Iterator[Fault]:
+        t_s = quantities.scales.t_s
+        share = t_s / quantities.scene.run.duration
+        if not 1 / LARGEST_TIME_RATIO < share < LARGEST_TIME_RATIO:
+            yield Fault(
+                f"the rod swings in {t_s:.3g} s, {share:.2g} of run.duration: beyond double "
+                f"precision; use effects.{self.name}: off",
+                "actuator.density",
+            )
+
+    def missed_in(
+        self, quantities: SceneQuantities, problem: Problem, motion: Motion
+    ) -> Missed | None:
+        """A static rod at the end of its branch of equilibria: only inertia carries it on."""
+        failure, is_static = motion.failure, problem.equations.rod_form is RodForm.STATIC
+        if not (is_static and failure and failure.quantity in FOLD_FAILURES):
+            return None
+        return Missed(failure.short, math.inf, failure.time_s or 0.0)
 
     def join(self, system: System) -> None:
         for point in system.rod.masses():

@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import numpy as np
 
-from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.effects.base import Effect, Trait
+from viscodesign.effects.catalogue import names_with, traits_of
+from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.bellow_wall import MeasuredWall, SnappingWall
 from viscodesign.model.system import System
 from viscodesign.physics.curves import PiecewiseCubic
 from viscodesign.physics.snapping import SnapCurves
-from viscodesign.scene.bellows import falls
+from viscodesign.postprocess.motion_limits import Limit, Peak
+from viscodesign.results.findings import Notice
+from viscodesign.scene.bellows import falls, first_peak, snaps
+
+LINEAR_WALL_VOLUME = 7**0.5
+"""Volume of a bellow, of that at rest, from which no linear law can be trusted: there even a thin
+sphere of a neo-Hookean elastomer, whose pressure goes as 1/s - 1/s^7 with its stretch s, has
+passed its peak, at s^6 = 7."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +40,8 @@ class MaterialCurve(Effect):
     name: ClassVar[str] = "material_curve"
     order: ClassVar[int] = 12
     formula: ClassVar[str] = "largest departure from the linear law over the range / its swing"
-    validity: ClassVar[str] = "Inside of the measured range; beyond it a warning is given."
+    traits: ClassVar[frozenset[Trait]] = frozenset({Trait.LIMITED_EMPTYING})
+    validity: ClassVar[str] = "Within the measured range; beyond it a warning is given."
     source: ClassVar[str] = "Interpolation by Fritsch and Butland (1984)."
     keys: ClassVar[tuple[str, ...]] = ("bellows.curve",)
 
@@ -73,10 +84,10 @@ class MaterialCurve(Effect):
 
     def reason(self, quantities: SceneQuantities) -> str:
         if self.snap is not None:
-            return "measured rows stand in the place of the linear coefficients; by them it snaps"
+            return "measured rows replace the linear coefficients; they make a bellow snap"
         if not self.curves:
             return "no curve is given (bellows.curve)"
-        return "measured rows stand in the place of the linear coefficients"
+        return "measured rows replace the linear coefficients"
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Volume beyond rest, curvature and stretch at gauge pressures, any shape."""
@@ -85,13 +96,79 @@ class MaterialCurve(Effect):
         volume, curvature, stretch = (curve(pressure) for curve in self.curves)
         return volume, curvature, stretch
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(wall=self.wall)
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(wall=self.wall)
+
+    def refusals(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Fault]:
+        distributed = Trait.DISTRIBUTED_PRESSURE
+        if self.name not in active or distributed in traits_of(active):
+            return
+        if snaps(quantities.scene.bellows):
+            remedy = " or ".join(f"effects.{name}" for name in names_with(distributed))
+            yield Fault(
+                "between some of its rows the pressure falls as the bellow swells; there it "
+                f"snaps, as fast as flow through the tubes allows. Set {remedy} to on or auto.",
+                "bellows.curve",
+            )
+
+    def warnings(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Notice]:
+        rows = _rows(quantities)
+        if falls(rows) and quantities.scene.effects.mode(self.name) != "off":
+            yield Notice(
+                "snapping_curve",
+                f"by bellows.curve a bellow snaps at {first_peak(rows) / 1e3:.4g} kPa gauge, where "
+                "its pressure falls as it swells: at such a pressure equal bellows swell one after "
+                "another, and small differences decide which is first",
+                "bellows.curve",
+            )
+
+    def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
+        """The measured range; without a curve, what a linear law can be trusted for."""
+        names, law = quantities.graph.bellows, quantities.bellow
+
+        def swollen(peak: Peak) -> Notice:
+            return Notice(
+                "large_volume",
+                f"{names[peak.column]} swells to {peak.value:.3g} times its rest volume: beyond "
+                f"about {LINEAR_WALL_VOLUME:.2g} times, an elastomer's wall softens; give a "
+                "measured curve (bellows.curve)",
+                names[peak.column],
+                peak.time_s,
+            )
+
+        if self.name not in active:
+            yield Limit(lambda b: b.volume / law.rest_volume, LINEAR_WALL_VOLUME, swollen)
+            return
+        pressures = [row[0] for row in _rows(quantities)]
+        low, high = min(pressures), max(pressures)  # a curve may fall in between
+
+        def extrapolated(peak: Peak) -> Notice:
+            name = names[peak.column % len(names)]
+            reached = high + peak.value if peak.column < len(names) else low - peak.value
+            return Notice(
+                "extrapolated_curve",
+                f"{name} reaches {reached / 1e3:.4g} kPa gauge, outside the measured range of "
+                f"{low / 1e3:.4g} to {high / 1e3:.4g} kPa: the curve is extrapolated linearly",
+                name,
+                peak.time_s,
+            )
+
+        yield Limit(
+            lambda b: np.concatenate([b.pressure - high, low - b.pressure], axis=1),
+            0.0,
+            extrapolated,
+        )
 
     def join(self, system: System) -> None:
         rest = system.parameter("rest_volume", system.bellow.rest_volume)
         if self.snap is not None:
             wall = SnappingWall(rest, self.snap.pressure, self.snap.curvature, self.snap.stretch)
-            system.use_snapping_wall(wall, self.snap.filled)
+            system.let_snap(wall, self.snap.filled)
             return
         system.wall = MeasuredWall(rest, *self.curves)
+
+
+def _rows(quantities: SceneQuantities) -> Sequence[tuple[float, ...]]:
+    """Rows of the measured curve, pressure first; none without one."""
+    curve = quantities.scene.bellows.curve
+    return (curve.rows or ()) if curve is not None else ()

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.system import System
 
 
@@ -49,8 +49,8 @@ class TipLoad(Effect):
             return "the tip is free"
         return f"{quantities.tip_force:.3g} N and {1000 * self.payload:.3g} g act at the tip"
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(tip_force=(self.force_x, self.force_z), payload=self.payload)
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(tip_force=(self.force_x, self.force_z), tip_mass=self.payload)
 
     def join(self, system: System) -> None:
         if self.payload:

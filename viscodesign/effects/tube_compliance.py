@@ -6,9 +6,9 @@ from collections import defaultdict
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from viscodesign.effects.base import Effect
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.effects.base import Effect, Trait
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.fluid import Incompressible
 from viscodesign.model.graph import Tube
 from viscodesign.model.system import System
@@ -20,17 +20,19 @@ from viscodesign.scene.network import TubeWall
 class TubeCompliance(Effect):
     """What tubes and feed lines store, half at each of their ends.
 
-    A soft wall gives way to pressure; a gas that yields fills a tube more or less, however
-    stiff its wall.
+    A soft wall expands under pressure; a compressible gas stores volume however stiff the
+    wall.
     """
 
     name: ClassVar[str] = "tube_compliance"
     order: ClassVar[int] = 15
     formula: ClassVar[str] = "storage of all tubes / storage of all bellows"
     needs: ClassVar[str] = "pressure_distribution"
+    considers: ClassVar[str] = "gas_compressibility"
+    traits: ClassVar[frozenset[Trait]] = frozenset({Trait.TUBE_STORAGE})
     validity: ClassVar[str] = (
-        "Small strain of the wall; tubes short against a pressure wave, whose storage may be "
-        "taken to their ends."
+        "Small strain of the wall; tubes short against a pressure wave, so that their storage "
+        "may be lumped at their ends."
     )
     source: ClassVar[str] = "Lame's thick-walled tube in plane strain; ideal gas."
     keys: ClassVar[tuple[str, ...]] = ("network.tube_wall", "network.feed_line")
@@ -39,12 +41,12 @@ class TubeCompliance(Effect):
     gas_yields: bool
     tubes: tuple[Tube, ...]
     absolute: float
-    """Pressure at which a gas's own compliance is told [Pa]."""
+    """Polytropic exponent times the absolute pressure at which the gas is linearised [Pa]."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
         scene = quantities.scene
-        yields = scene.fluid.is_gas and scene.effects.mode("gas_compressibility") != "off"
+        yields = scene.fluid.is_gas and scene.effects.mode(cls.considers) != "off"
         absolute = scene.ambient_pressure + scene.gauge_pressure
         return cls(
             scene.network.tube_wall,
@@ -66,7 +68,7 @@ class TubeCompliance(Effect):
         )
 
     def _stores(self, t: Tube) -> float:
-        """The same with what its gas takes up."""
+        """The same with the compliance of its gas."""
         own = tube.inner_volume(t.length, t.radius) / self.absolute if self.gas_yields else 0.0
         return self._wall_stores(t) + own
 
@@ -76,24 +78,20 @@ class TubeCompliance(Effect):
 
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.present(quantities):
-            return "the tubes are rigid (no network.tube_wall) and nothing in them yields"
+            return "the tubes are rigid (no network.tube_wall) and their fluid is incompressible"
         return f"the tubes store {100 * self.weight(quantities):.3g} % of what the bellows store"
 
-    def sketch(self, sketch: Sketch) -> Sketch:
+    def estimate_term(self) -> EstimateTerm:
         at: defaultdict[str, float] = defaultdict(float)
         for t in self.tubes:
             for end in (t.start, t.end):
                 at[end] += self._stores(t) / 2
-        return sketch.with_(capacity=tuple(sorted(at.items())))
+        return EstimateTerm(storage=tuple(sorted(at.items())))
 
-    def stored_at(self, node: str, yields: bool) -> tuple[float, float]:
-        """Volume that tubes give a node [m3], and more of it per pressure [m3/Pa].
-
-        ``yields``: whether the fluid in them does.
-        """
+    def node_storage(self, node: str, compressible: bool) -> tuple[float, float]:
         own = [t for t in self.tubes for end in (t.start, t.end) if end == node]
-        volume = sum(tube.inner_volume(t.length, t.radius) / 2 for t in own) if yields else 0.0
-        return volume, sum(self._wall_stores(t) / 2 for t in own)
+        volume = sum(tube.inner_volume(t.length, t.radius) / 2 for t in own)
+        return volume if compressible else 0.0, sum(self._wall_stores(t) / 2 for t in own)
 
     def join(self, system: System) -> None:
         yields = not isinstance(system.fluid, Incompressible)

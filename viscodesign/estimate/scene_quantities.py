@@ -8,8 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
-from viscodesign.estimate.estimate import Sketch
-from viscodesign.estimate.setting import Ground
+from viscodesign.estimate.motion_estimate import MotionEstimate
+from viscodesign.estimate.network_matrix import laplacian, settling_time
+from viscodesign.estimate.setting import EstimateSetting
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.bellow_law import BellowLaw
 from viscodesign.model.graph import Component, Graph
 from viscodesign.model.rod import Body
@@ -89,7 +91,7 @@ class SceneQuantities:
             ),
             t_f=self._viscous_elastic_time(),
             t_i=min((i.transient() for i in scene.inputs.values()), default=math.inf),
-            t_net=max((self._network_time(c) for c in self.graph.components()), default=0.0),
+            t_net=max((self._settling_time(c) for c in self.graph.components()), default=0.0),
         )
 
     @property
@@ -109,30 +111,12 @@ class SceneQuantities:
             self.scene.fluid.viscosity, self.scene.bellows.area_per_pressure, radius, total
         )
 
-    def _network_time(self, component: Component) -> float:
-        laplacian = self.laplacian(component)
-        bellows, junctions = len(component.bellows), len(component.junctions)
-        own, rest = laplacian[:bellows, :bellows], laplacian[bellows:, bellows:]
-        if junctions:
-            own = own - laplacian[:bellows, bellows:] @ np.linalg.solve(
-                rest, laplacian[bellows:, :bellows]
-            )
-        compliance = np.full(bellows, self.bellow.compliance)
-        return timescales.slowest_network_time(own, compliance, sealed=not component.fed)
-
     def laplacian(self, component: Component) -> np.ndarray:
-        """Conductance matrix of a component's bellows, then junctions; inlets held [m3/(Pa s)]."""
-        index = {n: k for k, n in enumerate((*component.bellows, *component.junctions))}
-        matrix = np.zeros((len(index), len(index)))
-        for t in component.tubes:
-            conductance = 1 / self.resistances[t.name]
-            ends = [index[end] for end in (t.start, t.end) if end in index]
-            for end in ends:
-                matrix[end, end] += conductance
-            if len(ends) == 2:
-                matrix[ends[0], ends[1]] -= conductance
-                matrix[ends[1], ends[0]] -= conductance
-        return matrix
+        """Conductance matrix of a component's bellows, then junctions [m3/(Pa s)]."""
+        return laplacian(component, self.resistances)
+
+    def _settling_time(self, component: Component) -> float:
+        return settling_time(component, self.resistances, self.bellow.compliance)
 
     # -- loads ----------------------------------------------------------------
 
@@ -169,19 +153,19 @@ class SceneQuantities:
             return (volume - barrel.cushion) / fluid.bulk_modulus + cushion
         return gas.gas_compliance(volume, absolute, fluid.polytropic_exponent)
 
-    # -- the sketch -----------------------------------------------------------
+    # -- estimates of the motion ------------------------------------------------
 
     @cached_property
-    def bare_sketch(self) -> Sketch:
-        """The motion without any effect, for effects to add to."""
+    def bare_estimate(self) -> MotionEstimate:
+        """The motion without any effect, for effects to add their terms to."""
         barrels = {name: self.barrel_compliance(name) for name in self.barrels}
-        ground = Ground(self.scene, self.body, self.bellow, self.resistances, barrels, self.swing)
-        return Sketch(ground, mass_per_length=self.body.mass_per_length)
+        numbers = (self.body, self.bellow, self.resistances, barrels, self.swing)
+        return MotionEstimate(EstimateSetting(self.scene, *numbers))
 
     @cached_property
     def slow_flows(self) -> np.ndarray:
         """Flows of all tubes that slow laminar flow would have (T, Q) [m3/s]."""
-        return self.bare_sketch.with_(uniform=False).flows()
+        return self.bare_estimate.plus(EstimateTerm(distributed=True)).network.flows()
 
     @property
     def swing(self) -> float:

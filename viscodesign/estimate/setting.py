@@ -1,8 +1,7 @@
-"""What all sketches of one scene share: its times, drives, network and stiffnesses."""
+"""What all estimates of one scene share."""
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Hashable, Mapping
 from functools import cached_property
 from typing import Any, TypeVar
@@ -10,30 +9,21 @@ from typing import Any, TypeVar
 import numpy as np
 
 from viscodesign.estimate.linear_network import LinearNetwork, UniformNetwork
+from viscodesign.estimate.sample_grid import SampleGrid
 from viscodesign.model.bellow_law import BellowLaw
 from viscodesign.model.rod import Body
 from viscodesign.scene.scene import Scene
 
 T = TypeVar("T")
 
-PLAIN_SAMPLES = 80
-"""Samples of a run between its corners; also the most outputs that are looked at."""
-SAMPLES_PER_PERIOD = 24
-MOST_SWINGS = 60
-"""Swings of the input after which a sketch ends: a longer train repeats itself."""
-FEWEST_TOLD = 24
-"""Output times that a sketch must meet, where it ends before the run does."""
-GRADES = 10
-FASTEST = 1e-3
-"""Smallest graded step behind a corner, in parts of the time to the next one."""
 TIME_OF_MODES = 0.25
 """Part of the run in which a flow's inertance is compared with its resistance."""
 PIECES = 8
-"""Pieces of the axis of a sketch, about."""
+"""Pieces of the axis of an estimate."""
 
 
-class Ground:
-    """A scene in the numbers that sketches need."""
+class EstimateSetting:
+    """A scene in the numbers that estimates need: times, drives, network and stiffnesses."""
 
     def __init__(
         self,
@@ -45,11 +35,13 @@ class Ground:
         swing: float,
     ) -> None:
         self._scene = scene
+        self._grid = SampleGrid(scene)
         self.syringes = dict(barrels)
-        """What the barrel of every syringe stores per pressure [m3/Pa]."""
+        """Volume per pressure of the barrel of every syringe [m3/Pa]."""
         self._memory: dict[Hashable, Any] = {}
         self.length = body.length
         self.sections = body.sections
+        self.mass_per_length = body.mass_per_length
         self.bending_stiffness = body.bending_stiffness
         self.extension_stiffness = body.extension_stiffness
         self.compliance = law.compliance
@@ -66,83 +58,21 @@ class Ground:
         self.pieces = PIECES
 
     def remembered(self, key: Hashable, make: Callable[[], T]) -> T:
-        """What ``make`` gave for this key before, or gives now."""
+        """The value made for this key before, or made now."""
         if key not in self._memory:
             self._memory[key] = make()
         found: T = self._memory[key]
         return found
 
-    # -- time -----------------------------------------------------------------
-
-    @cached_property
-    def _grid(self) -> tuple[np.ndarray, np.ndarray]:
-        """Samples (T,), and a shift of those that stand just before a corner (T,) [s]."""
-        scene = self._scene
-        sources = scene.inputs.values()
-        duration = self._window()
-        corners = sorted({c for s in sources for c in s.corners(duration)})
-        periods = max((duration / s.period for s in sources if s.period is not None), default=1)
-        plain = max(PLAIN_SAMPLES, int(SAMPLES_PER_PERIOD * periods))
-        outputs = scene.run.output_times_array()
-        outputs = outputs[outputs <= duration * (1 + 1e-12)]
-        few = outputs[:: max(1, len(outputs) // PLAIN_SAMPLES)]
-        parts = [np.linspace(0.0, duration, plain), few, np.array(corners)]
-        stops = [0.0, *corners, duration]
-        grades = np.geomspace(FASTEST, 1.0, GRADES)
-        parts += [a + (b - a) * grades for a, b in itertools.pairwise(stops)]
-        time = np.unique(np.clip(np.concatenate(parts), 0.0, duration))
-        before = np.array(corners)
-        everything = np.concatenate([[0.0], time, before])
-        sides = (np.array([-1.0]), np.zeros(len(time)), np.full(len(before), -1.0))
-        shift = 1e-9 * duration * np.concatenate(sides)
-        order = np.argsort(everything + shift, kind="stable")
-        # A sample that lies closer before a corner than the shift would follow it.
-        return np.maximum.accumulate(everything[order]), shift[order]
-
-    def _window(self) -> float:
-        """Time up to which the motion is sketched [s]."""
-        scene = self._scene
-        ends = [scene.run.duration]
-        for source in scene.inputs.values():
-            if source.period is not None:
-                ends.append(MOST_SWINGS / 2 * source.period)
-            corners = source.corners(scene.run.duration)
-            if len(corners) > MOST_SWINGS:
-                ends.append(corners[MOST_SWINGS])
-        return min(ends)
-
     @property
     def time(self) -> np.ndarray:
-        """Samples (T,); the start and each corner twice: before it and after [s]."""
-        return self._grid[0]
+        """Samples (T,); the start and each corner twice [s]."""
+        return self._grid.time
 
-    @cached_property
-    def told(self) -> np.ndarray:
-        """Which samples are output times (n,).
-
-        All of them where a sketch of a long train ends before it has met enough outputs:
-        those that follow may fall upon any part of a cycle.
-        """
-        outputs = self._scene.run.output_times_array()
-        nearest = np.searchsorted(outputs, self.time)
-        near = np.minimum(
-            np.abs(outputs[np.clip(nearest, 0, len(outputs) - 1)] - self.time),
-            np.abs(outputs[np.clip(nearest - 1, 0, len(outputs) - 1)] - self.time),
-        )
-        # A motion is told as it comes to a corner, but as it leaves the start.
-        after = np.concatenate([[False], np.diff(self.time) == 0.0])
-        after[:2] = [True, False]
-        found = np.flatnonzero((near <= 1e-9 * self.time[-1]) & ~after)
-        is_cut = self.time[-1] < self._scene.run.duration
-        return np.flatnonzero(~after) if is_cut and len(found) < FEWEST_TOLD else found
-
-    def _values(self, name: str) -> np.ndarray:
-        """An input's values at the samples (T,), on the right side of every corner."""
-        time, shift = self._grid
-        source = self._scene.inputs[name]
-        found = np.array(source.values(np.maximum(time + shift, 0.0)), dtype=float)
-        found[0] = source.expression(0.0, source.initial_piece(), np)
-        return found
+    @property
+    def output_mask(self) -> np.ndarray:
+        """Indices of the samples that are output times (n,)."""
+        return self._grid.output_mask
 
     # -- network --------------------------------------------------------------
 
@@ -155,14 +85,14 @@ class Ground:
     @cached_property
     def drive(self) -> np.ndarray:
         """Pressures of the inlets above the baseline (T, U) [Pa]."""
-        columns = [self._values(name) for name in self.pressure_inlets]
+        columns = [self._grid.values(name) for name in self.pressure_inlets]
         return np.array(columns).T.reshape(len(self.time), len(columns))
 
     def _pushed(self, nodes: list[str]) -> np.ndarray:
         """Volume that plungers push into every node (T, N) [m3]."""
         pushed = np.zeros((len(self.time), len(nodes)))
         for name in self.syringes:
-            pushed[:, nodes.index(name)] = self._values(name)
+            pushed[:, nodes.index(name)] = self._grid.values(name)
         return pushed
 
     def network(

@@ -59,7 +59,7 @@ def formulate(system: System, sizes: Sizes) -> Equations:
         swing=system.parameter("size.swing", sizes.swing),
     )
     with ONE_AT_A_TIME:
-        system.register_parameters()
+        system.settle()
         key = structure_of(system)
         formulas = _kept.get(key, lambda: _Formulation(without_numbers(system), symbols).formulas())
     return formulas.with_numbers(system.parameters()[1])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from enum import Enum
 
 import casadi as ca
@@ -19,19 +18,6 @@ BELLOW_AMOUNTS, BELLOW_PRESSURES = "volume", "pressure"
 """Blocks of which one row each belongs to a bellow, in the same order."""
 AMOUNT, PRESSURE = Traits(is_amount=True), Traits(is_pressure=True)
 MULTIVALUED = Traits(is_multivalued=True)
-SNAPS_WITHOUT_FLOW = (
-    "bellows.curve: between some of its rows the pressure falls as the bellow swells; it snaps "
-    "through there, as fast as the tubes permit. Set effects.pressure_distribution to on or auto."
-)
-
-
-def two_pressures(inlets: Sequence[str]) -> SpecError:
-    """The refusal of one pressure in a network that several inlets feed."""
-    return SpecError.plain(
-        f"effects.pressure_distribution: off gives every connected network one pressure, but the "
-        f"inlets {', '.join(inlets)} feed the same network. Use 'on' or 'auto', or separate the "
-        "inlets."
-    )
 
 
 class NetworkForm(Enum):
@@ -100,14 +86,16 @@ class NetworkEquations:
         """Give every connected network one pressure: its inlet's, or an unknown."""
         system, content = self.system, self.content
         if system.swelling:
-            raise SpecError.plain(SNAPS_WITHOUT_FLOW)
+            raise SpecError.plain("a bellow cannot snap in a network of one pressure")
         shared = SX.sym("network_pressure", len(content.sealed))
         for unknowns in (algebraics, statics):
             unknowns.add("network_pressure", shared, self.sizes.pressure, PRESSURE)
         for component in content.components:
             inlets = content.pressure_inlets(component)
             if len(inlets) > 1:
-                raise two_pressures(inlets)
+                raise SpecError.plain(
+                    f"the inlets {', '.join(inlets)} feed one network of uniform pressure"
+                )
             if inlets:
                 value = system.inlet_pressure[inlets[0]]
             elif component in content.sealed:
@@ -154,7 +142,7 @@ class NetworkEquations:
 
     def _swelling_residuals(self) -> SX:
         """Pressure of a bellow's swelling minus its own, over the size of pressure."""
-        return self.system.swelling_residuals() / self.sizes.pressure
+        return self.system.swelling_defects() / self.sizes.pressure
 
     def equilibrium(self) -> list[SX]:
         """Residuals of the steady state in the static unknowns, not yet resolved."""

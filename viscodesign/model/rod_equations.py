@@ -126,7 +126,7 @@ class RodEquations:
         extension = ca.jacobian(system.intrinsic_stretch, own)
         if system.swelling:
             # Per pressure: what is known per swelling, over the pressure per swelling.
-            slope = ca.diag(ca.jacobian(system.swelling_residuals(), own))
+            slope = ca.diag(ca.jacobian(system.swelling_defects(), own))
             slope = ca.repmat(_nonzero_slope(slope, system).T, system.graph.sections, 1)
             bending, extension = bending / slope, extension / slope
         return self.rod.section_length * (

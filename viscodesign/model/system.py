@@ -139,7 +139,7 @@ class System:
         values = np.array([parameter.value for parameter in self._parameters.values()])
         return ca.vertcat(*symbols), values
 
-    def register_parameters(self) -> None:
+    def settle(self) -> None:
         """Compute what depends on all sums, so that every parameter in it is registered."""
         for tube in self.graph.tubes:
             self.driving_pressure(tube.start, tube.end)
@@ -148,7 +148,7 @@ class System:
         for name in (*self.pressure, *self.storing_nodes()):
             self.carried_energy(name)
             self.stored(name)
-        self.swelling_residuals()
+        self.swelling_defects()
         self.fluid_energy()
 
     # -- the network ----------------------------------------------------------
@@ -276,7 +276,7 @@ class System:
             self.parameter("stretch_per_pressure", law.stretch_per_pressure),
         )
 
-    def use_snapping_wall(self, wall: SnappingWall, filled: float) -> None:
+    def let_snap(self, wall: SnappingWall, filled: float) -> None:
         """Let the pressure of every bellow be a function of its swelling, a new unknown.
 
         ``filled``: swelling at the pressure at which sealed parts were filled [m3].
@@ -294,7 +294,7 @@ class System:
         """Argument of the laws of the bellows' walls: pressure, or swelling."""
         return self.swelling or self.pressure
 
-    def swelling_residuals(self) -> SX:
+    def swelling_defects(self) -> SX:
         """Pressure of every swelling minus the bellow's own (B,) [Pa]; empty without swellings."""
         if not isinstance(self.wall, SnappingWall):
             return SX(0, 1)

@@ -6,6 +6,9 @@ import math
 
 import numpy as np
 
+LARGEST_TIME_RATIO = 1e14
+"""Ratio of two times that double precision still carries."""
+
 
 def viscous_elastic_time(
     viscosity: float, area_per_pressure: float, tube_radius: float, total_tube_length: float

@@ -15,8 +15,7 @@ from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.postprocess.work_integrals import ENERGIES, EnergyTable, group_ends
 from viscodesign.results.trajectory import Invariants
-from viscodesign.solve.evaluation import evaluate_at
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, evaluate_at
 from viscodesign.solve.statics import Start, consistent
 
 

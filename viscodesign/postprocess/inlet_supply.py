@@ -1,4 +1,4 @@
-"""What each inlet has given to its network, told from what the network holds."""
+"""Volume that every inlet has delivered, from what the network holds."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
 
 
-class Given:
-    """Amounts since all was filled at the baseline, unloaded [m3 at ambient density].
+class DeliveredVolume:
+    """Amounts since the network was filled at the baseline, unloaded [m3 at ambient density].
 
-    Several inlets of given pressure in one network share equally what it held beyond its
-    filling when the run began: how it came in is nowhere told.
+    Several pressure-driven inlets of one network share equally what it held beyond its
+    filling at the start of the run, since nothing says through which one it came.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -22,14 +22,14 @@ class Given:
         self._at_start: np.ndarray | None = None
 
     def along(self, outputs: Outputs, solution: Solution) -> np.ndarray:
-        """Of every inlet, at the rows of a stretch (n, inlets); stretches come in their order."""
+        """Amount of every inlet at the rows of a block (n, inlets); blocks come in order."""
         problem, equations = self._problem, self._problem.equations
         beyond = outputs["stored"] - equations.filled_amounts
         if self._at_start is None:
             self._at_start = beyond[0].copy()
         names = [*problem.bellows_along_tubes, *equations.storing]
         given = {name: -beyond[:, k] for k, name in enumerate(names) if name in problem.inlets}
-        later = self._let_in(outputs, solution)
+        later = self._inflow(outputs, solution)
         for component in equations.fed:
             driven = [name for name in component.inlets if name in equations.driven]
             own = holding_columns(problem, component)
@@ -41,8 +41,8 @@ class Given:
         nothing = np.zeros((len(beyond), 0))
         return np.column_stack([nothing, *(given[name] for name in problem.inlets)])
 
-    def _let_in(self, outputs: Outputs, solution: Solution) -> dict[str, np.ndarray]:
-        """What each inlet of given pressure let in since t = 0, where flows are followed."""
+    def _inflow(self, outputs: Outputs, solution: Solution) -> dict[str, np.ndarray]:
+        """Inflow of every pressure-driven inlet since t = 0, where it is a state."""
         states = self._problem.equations.states
         if "inflow" not in states.blocks:
             return {}

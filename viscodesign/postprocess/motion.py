@@ -1,4 +1,4 @@
-"""From scaled unknowns back to a motion in SI, with its balances."""
+"""A solution as a motion in SI units, with its balances."""
 
 from __future__ import annotations
 
@@ -8,37 +8,42 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.postprocess.conservation import Ledger, SolvedEdges
-from viscodesign.postprocess.inlet_supply import Given
+from viscodesign.postprocess.inlet_supply import DeliveredVolume
 from viscodesign.postprocess.outputs import Outputs, read_outputs
-from viscodesign.postprocess.terminations import first_ending
+from viscodesign.postprocess.terminations import first_termination
 from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
-from viscodesign.storage.disk_arrays import ArrayStore, GrowingArray, NoRoomError
+from viscodesign.storage.disk_arrays import ArrayStore, GrowingArray, NoRoomError, blocks
 
-TOLD = ("inlet_pressure", "pressure", "volume", "junction_pressure")
-"""Outputs that a motion keeps as they are."""
+KEPT_OUTPUTS = ("inlet_pressure", "pressure", "volume", "junction_pressure")
+"""Outputs that become part of a motion unchanged."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Motion(MotionArrays):
-    """What was solved, as arrays, with its balances and what ended it early."""
+    """A solution as arrays, with its balances and the failure that ended it, if any."""
 
     invariants: Invariants
     failure: SolveError | None
+
+    def largest_displacement(self, length: float) -> float:
+        """Largest distance of the tip from that of the straight rod of a length [m]."""
+        blocks_of_tip = (self.tip[rows, :2] for rows in blocks(len(self.tip), self.tip))
+        return max(float(np.max(np.hypot(tip[:, 0], tip[:, 1] - length))) for tip in blocks_of_tip)
 
 
 def read_motion(
     problem: Problem, solution: Solution, store: ArrayStore | None = None, shape_every: int = 1
 ) -> Motion:
-    """Evaluate every output and balance over what was solved, stretch by stretch.
+    """Evaluate every output and balance of a solution, block by block.
 
-    A section pressed to nothing ends the motion just before, with its name; so does a
-    disk that has no more room. ``store``: for the arrays; ``shape_every``: outputs from
-    one whole shape to the next.
+    A section compressed to zero length ends the motion just before, with its name; so does a
+    full disk. ``store``: storage for the arrays; ``shape_every``: outputs from one whole
+    shape to the next.
     """
-    reader = _Reader(problem, solution, store or ArrayStore(), shape_every)
+    reader = _MotionReader(problem, solution, store or ArrayStore(), shape_every)
     for outputs in read_outputs(problem, solution):
         reader.take(outputs)
         if reader.is_over:
@@ -48,8 +53,8 @@ def read_motion(
     return reader.motion()
 
 
-class _Reader:
-    """Tables of a motion that grow stretch by stretch, until something ends it."""
+class _MotionReader:
+    """Tables of a motion that grow block by block, until something ends it."""
 
     def __init__(
         self, problem: Problem, solution: Solution, store: ArrayStore, shape_every: int
@@ -57,21 +62,21 @@ class _Reader:
         self.failure: SolveError | None = None
         self.is_over = False
         self.end = 0
-        """Edges that have a meaning, from the first on."""
+        """Number of edges of the schedule that have a meaning."""
         self.count = 0
         """Outputs among them."""
         self._problem, self._solution = problem, solution
         self._store, self._every = store, shape_every
         self._ledger = Ledger(problem)
-        self._given = Given(problem)
+        self._delivered = DeliveredVolume(problem)
         self._tables: dict[str, GrowingArray] = {}
         self._last_shape: np.ndarray | None = None
 
     def take(self, outputs: Outputs) -> None:
-        """Add what a stretch has up to the motion's end."""
+        """Add a block, up to the end of the motion."""
         stretch, turn = outputs.section_strains()
         is_last = outputs.end == self._solution.reached
-        end, failure = first_ending(
+        end, failure = first_termination(
             self._problem,
             outputs.time,
             outputs.values,
@@ -79,7 +84,7 @@ class _Reader:
             self._solution.failure if is_last else None,
         )
         end = min(outputs.first + end, outputs.end)
-        # What ends the motion in the margin behind is found again by the stretch that owns it.
+        # What ends the motion in the margin is found again by the block that owns those edges.
         self.is_over = is_last or end < outputs.end
         try:
             self._add(outputs, end, stretch, turn)
@@ -99,7 +104,7 @@ class _Reader:
         rows = {
             **_quantities(outputs, keep),
             "tip": np.column_stack((shape[:, -1], angle)),
-            "inflow": self._given.along(outputs, self._solution)[keep],
+            "inflow": self._delivered.along(outputs, self._solution)[keep],
             "section_stretch": stretch[keep],
             "section_turn": turn[keep],
             "shape": shape[due],
@@ -115,7 +120,7 @@ class _Reader:
         self.count = stop
 
     def _block(self, outputs: Outputs, end: int) -> SolvedEdges:
-        """A stretch's own edges up to ``end``, for the balances."""
+        """A block's own edges up to ``end``, for the balances."""
         own, edges, found = outputs.rows_to(end), slice(outputs.begin, end), self._solution
         return SolvedEdges(
             outputs.begin,
@@ -126,9 +131,9 @@ class _Reader:
         )
 
     def _cut(self) -> int:
-        """Back to the last row with a whole shape before a stretch that found no room.
+        """Cut back to the last row with a whole shape, before a block that found no room.
 
-        Returns the edges up to that stretch.
+        Returns the number of edges up to that block.
         """
         shapes = -(-self.count // self._every)
         self.count = (shapes - 1) * self._every + 1
@@ -138,7 +143,7 @@ class _Reader:
         return self.end
 
     def motion(self) -> Motion:
-        """All that was read."""
+        """The motion as read so far."""
         if self._last_shape is not None:
             self._tables["shape"].append(self._last_shape)
         arrays = {name: table.array() for name, table in self._tables.items()}
@@ -153,9 +158,9 @@ class _Reader:
 
 
 def _quantities(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:
-    """What the outputs hold of the motion at some of their rows (T,), by quantity."""
+    """Quantities of the motion at some rows (T,) of the outputs."""
     return {
         "time": outputs.time[rows],
         "flow": outputs.flows()[rows],
-        **{name: outputs[name][rows] for name in TOLD},
+        **{name: outputs[name][rows] for name in KEPT_OUTPUTS},
     }

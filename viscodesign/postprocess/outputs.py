@@ -1,4 +1,4 @@
-"""Named outputs at a stretch of solved edges, and what follows from them there."""
+"""Named outputs at a block of solved edges, and what follows from them."""
 
 from __future__ import annotations
 
@@ -11,16 +11,15 @@ from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.algebraic_polish import polish
-from viscodesign.solve.evaluation import evaluate_along
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, evaluate_along
 from viscodesign.solve.transient import Solution
 from viscodesign.storage.disk_arrays import BLOCK, release_pages
 
 SHAPE_POINTS = 64
-"""Points of a drawn axis, at least."""
-MARGIN = 64
-"""Edges on either side that a stretch is read with: rates of splines forget what is farther."""
-LARGEST_STRETCH = 2_000_000
+"""Points of an axis, at least."""
+MARGIN_EDGES = 64
+"""Edges read on either side of a block: rates of splines do not depend on what is farther."""
+BLOCK_NUMBERS = 2_000_000
 """Numbers that are read at once, about."""
 
 
@@ -28,7 +27,7 @@ LARGEST_STRETCH = 2_000_000
 class Outputs:
     """Named outputs (n, ...) at n edges; those from ``begin`` to ``end`` are its own.
 
-    What stands before and behind them is a margin that other stretches own.
+    The rows before and after them are a margin that other blocks own.
     """
 
     problem: Problem
@@ -36,7 +35,7 @@ class Outputs:
     """Which edge of the schedule its first row is."""
     begin: int
     end: int
-    """Edges of the schedule, too."""
+    """Edge behind its own last row, likewise."""
     time: np.ndarray
     values: Mapping[str, np.ndarray]
 
@@ -73,7 +72,7 @@ class Outputs:
         return np.concatenate([clamp, nodes], axis=1), tip_angle
 
     def flows(self) -> np.ndarray:
-        """Tube flows (n, Q); with one pressure per network, what its volume changes ask for."""
+        """Tube flows (n, Q); with one pressure per network, those that volume changes require."""
         if self.problem.equations.network_form is NetworkForm.DISTRIBUTED:
             return self["flow"]
         if len(self.time) < 2:
@@ -87,10 +86,10 @@ class Outputs:
 def read_outputs(
     problem: Problem, solution: Solution, at_once: int | None = None
 ) -> Iterator[Outputs]:
-    """All that was solved, stretch by stretch of up to ``at_once`` edges."""
+    """The outputs of a solution, in blocks of up to ``at_once`` edges."""
     output = problem.equations.output_function
     width = sum(output.size1_out(name) for name in output.name_out())
-    most = at_once or int(np.clip(LARGEST_STRETCH // max(width, 1), BLOCK // 8, BLOCK))
+    most = at_once or int(np.clip(BLOCK_NUMBERS // max(width, 1), BLOCK // 8, BLOCK))
     for begin in range(0, solution.reached, most):
         end = min(begin + most, solution.reached)
         yield _read(problem, solution, begin, end)
@@ -99,18 +98,18 @@ def read_outputs(
 
 
 def _read(problem: Problem, solution: Solution, begin: int, end: int) -> Outputs:
-    """Call the output function at the edges from ``begin`` to ``end``, and about them."""
+    """Call the output function at the edges from ``begin`` to ``end``, and in the margin."""
     equations = problem.equations
-    first, last = max(begin - MARGIN, 0), min(end + MARGIN, solution.reached)
+    first, last = max(begin - MARGIN_EDGES, 0), min(end + MARGIN_EDGES, solution.reached)
     states, algebraics = solution.states[:, first:last], solution.algebraics[:, first:last]
     shared = equations.network_form is NetworkForm.UNIFORM and equations.sealed
     if shared or "junction_pressure" in equations.algebraics.blocks:
-        # What comes to a junction leaves it, and what is sealed stays: between the steps of an
-        # integrator that holds to its tolerance only.
+        # Between the steps of an integrator, the balances of junctions and of sealed parts hold
+        # only to its tolerance.
         algebraics = polish(problem, states, algebraics, first)
     values = evaluate_along(problem, states, algebraics, first)
     if equations.network_form is NetworkForm.DISTRIBUTED:
-        # From the states, in which what is stored and what flowed in agree to round-off.
+        # From the states, in which storage and inflow agree to round-off.
         blocks = [n for n in ("volume", "node_volume") if n in equations.states.blocks]
         held = [equations.states.physical(n, states).T for n in blocks]
         values["stored"] = equations.rest_amounts + np.concatenate(held, axis=1)

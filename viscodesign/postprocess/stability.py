@@ -13,8 +13,7 @@ import scipy.linalg
 from viscodesign.model.equations import Formulas
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
-from viscodesign.solve.evaluation import evaluate
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.statics import Start
 
 MAX_STATES = 400

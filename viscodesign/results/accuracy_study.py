@@ -34,16 +34,10 @@ class Model:
     effects: tuple[str, ...]
     also: tuple[str, ...] = ()
     """Other names of the same set of effects."""
-
-    @property
-    def is_distributed(self) -> bool:
-        """Whether pressures differ along the network."""
-        return "pressure_distribution" in self.effects
-
-    @property
-    def is_inertial(self) -> bool:
-        """Whether the rod resists acceleration."""
-        return "inertia" in self.effects
+    is_distributed: bool = False
+    """Whether pressures differ along the network."""
+    is_inertial: bool = False
+    """Whether the rod resists acceleration."""
 
     @property
     def words(self) -> str:

@@ -1,4 +1,4 @@
-"""From a scene and the effects that it calls for to a problem that a solver takes."""
+"""From a scene and its effects to a problem for a solver."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
-from viscodesign.effects.base import Effect
+from viscodesign.effects.base import Effect, Trait
+from viscodesign.effects.catalogue import every_effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.chain import Chain
 from viscodesign.model.formulation import formulate
@@ -84,7 +85,8 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         bellows_along_tubes=quantities.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
         schedule=with_samples(schedule(scene), equations, scene.run.start == "rest"),
-        floor_volume=_floor(quantities, effects),
+        floor_volume=quantities.bellow.floor_volume if _may_empty(effects) else None,
+        floor_keys=_floor_keys(quantities),
         max_steps=scene.run.max_steps,
         flow_shares=_flow_shares(quantities, equations.network_form),
     )
@@ -124,10 +126,17 @@ def _as_stiff_as_can_be_told(quantities: SceneQuantities) -> Body:
     return replace(body, extension_stiffness=min(body.extension_stiffness, most))
 
 
-def _floor(quantities: SceneQuantities, effects: Sequence[Effect]) -> float | None:
-    names = {effect.name for effect in effects}
-    held = not names & {"collapse", "material_curve"}
-    return quantities.bellow.floor_volume if held and "gas_compressibility" in names else None
+def _may_empty(effects: Sequence[Effect]) -> bool:
+    """Whether a compressible fluid fills bellows whose law leads to negative volumes."""
+    traits = {trait for effect in effects for trait in effect.traits}
+    return Trait.COMPRESSIBLE_FLUID in traits and Trait.LIMITED_EMPTYING not in traits
+
+
+def _floor_keys(quantities: SceneQuantities) -> tuple[str, ...]:
+    """Keys of the spec's effects that would keep a bellow from emptying."""
+    effects = every_effect(quantities).values()
+    limiting = [e for e in effects if Trait.LIMITED_EMPTYING in e.traits and e.present(quantities)]
+    return tuple(f"effects.{effect.name}" for effect in limiting)
 
 
 def _source(scene: Scene, name: str) -> InletSource:

@@ -1,16 +1,16 @@
-"""How wrong the tip may be: in time, in space, and by what was left out.
+"""The error of the tip: in time, in space, and by neglected effects.
 
-Each part is measured or estimated apart, since each has its own cure:
+Each part is measured or estimated separately, since each has its own remedy:
 
 - **Time.** The scene is solved again on the same mesh with a tenth of the tolerance.
-  Of the two solutions the finer one is kept; its error is a fraction of the distance.
-- **Space.** Again on a mesh of half the edges' length, with the tolerance of before.
-- **Omitted effects.** The distance of two sketches, one with everything that the spec
-  allows, one with what was taken.
+  Of the two solutions the finer one is kept; its error is a fraction of their distance.
+- **Space.** Again on a mesh of half the edges' length, with the previous tolerance.
+- **Neglected effects.** The distance of two estimates, one with everything that the spec
+  allows, one with the active effects.
 
-A part that is too large is made smaller, and measured again, until all together are
-below the accuracy asked for. The fractions are such that the sum is rarely below the
-true error and rarely ten times above it (`benchmarks/error_study.py`).
+A part that is too large is refined and measured again, until the sum is below the requested
+accuracy. The fractions are such that the sum is rarely below the true error and rarely ten
+times above it (`benchmarks/error_study.py`).
 """
 
 from __future__ import annotations
@@ -33,43 +33,53 @@ from viscodesign.simulation.solve_once import (
     tip_difference,
 )
 
-MAX_REFINEMENTS = 6
-"""Solutions beyond the first after which a run is given up as not reaching its accuracy."""
-LEFT_BY_TIME = 0.5
-"""Error of the finer of two solutions whose tolerances differ tenfold, in parts of their
-distance: over a hundred scenes 0.16 in the median, above 0.5 only where it was negligible."""
-LEFT_BY_SPACE = 0.7
-"""The same where the edges differ twofold: a third in the median, as order two has it; more
-where the mesh is coarse for what happens on it."""
-LEAST = 0.002
-"""Part of the accuracy asked for that each of both is stated at least: two solutions may agree
-by chance, the more so where little moves."""
-NOISE = 0.9e-7
-"""Part of the length below which no error in time is stated: jumps leave as much."""
-MOST_GROWING = 2
-"""Refinements in a row that each move the tip farther than the one before, after which no more
-are tried."""
-ENERGY_LIMIT = 1e-4
-"""Imbalance of energy, over the work done, above which smaller steps are tried once the tip is
-exact enough: a motion that looks right may still lose or gain what it should keep."""
-MOST_LEFT = 0.8
-"""Part of the least imbalance so far that smaller steps may leave, or they were no use."""
-MOST_STUCK = 2
-"""Solutions in a row that were no use, after which no more are tried: by chance one may be."""
+
+@dataclass(frozen=True)
+class ErrorControlNumbers:
+    """How errors follow from distances, and when refinement ends."""
+
+    max_refinements: int = 6
+    """Solutions beyond the first after which the accuracy counts as not reached."""
+    time_share: float = 0.5
+    """Error of the finer of two solutions whose tolerances differ tenfold, in parts of their
+    distance: over a hundred scenes 0.16 in the median, above 0.5 only where it was negligible."""
+    space_share: float = 0.7
+    """The same where the edges differ twofold: a third in the median, as order two has it; more
+    where the mesh is coarse for what happens on it."""
+    least_share: float = 0.002
+    """Part of the requested accuracy that each of both is at least: two solutions may agree by
+    chance, the more so where little moves."""
+    least_time_per_length: float = 0.9e-7
+    """Least error in time, in parts of the length: jumps leave as much."""
+    max_growing: int = 2
+    """Refinements in a row that each move the tip farther than the one before, after which no
+    more are tried."""
+    energy_imbalance: float = 1e-4
+    """Energy residual, over the work done, above which smaller steps are tried once the tip is
+    accurate enough: a motion that looks right may still lose or gain what it should keep."""
+    useful_reduction: float = 0.8
+    """Part of the least residual so far that smaller steps may leave, or they were no use."""
+    max_useless: int = 2
+    """Solutions in a row that were no use, after which no more are tried."""
+    negligible_share: float = 0.05
+    """Error of a solution, in parts of that of neglected effects, that is not refined further."""
+
+
+ERROR_CONTROL = ErrorControlNumbers()
 
 
 @dataclass(frozen=True)
 class ErrorParts:
-    """What makes up the error at the tip [m]."""
+    """The parts of the error at the tip [m]."""
 
     time_m: float
     space_m: float
-    omitted_m: float
+    neglected_m: float
 
     @property
     def total_m(self) -> float:
-        """All parts added up, as if they all pointed the same way."""
-        return self.time_m + self.space_m + self.omitted_m
+        """The sum of all parts, as if they all pointed the same way."""
+        return self.time_m + self.space_m + self.neglected_m
 
 
 class Verifier:
@@ -79,14 +89,14 @@ class Verifier:
         self,
         quantities: SceneQuantities,
         effects: Sequence[Effect],
-        omitted_m: float,
+        neglected_m: float,
         progress: Progress | None,
         workspace: Workspace | None = None,
     ) -> None:
         self.quantities = quantities
         self.workspace = workspace or Workspace()
         self.effects = effects
-        self.omitted_m = omitted_m
+        self.neglected_m = neglected_m
         self.progress = progress
         self.requested_m = quantities.accuracy * quantities.body.length
         self.spent_s = 0.0
@@ -96,11 +106,11 @@ class Verifier:
         self.stalled = ""
         """Why further refinement is no use, where it is none."""
         self.flows_apart: FlowDifference | None = None
-        """How far the last cut of the tolerance moved the flows."""
-        self._apart: dict[str, float] = {}
-        self._growing = 0
+        """How far the last reduction of the tolerance changed the flows."""
         self.interrupted = False
         """Whether verification was stopped; the solution before it is kept."""
+        self._distance: dict[str, float] = {}
+        self._growing = 0
 
     def solve(self, settings: Settings) -> Run:
         """Build and solve once."""
@@ -114,68 +124,102 @@ class Verifier:
 
     def verify(self, run: Run) -> tuple[Run, ErrorParts | None]:
         """The finest solution, and its error; None where one of them ended early."""
-        space_m = 0.0 if run.is_exact_in_space else None
-        time_m: float | None = None
-        lost = math.inf  # least imbalance of energy, that smaller steps are to lessen
-        stuck = 0
-        while self.solutions <= MAX_REFINEMENTS and not self.stalled:
-            if run.solution.asked_to_stop:
+        refinement = _Refinement(self, run)
+        while self.solutions <= ERROR_CONTROL.max_refinements and not self.stalled:
+            if refinement.run.solution.asked_to_stop:
                 self.interrupted = True
-                return run, None
-            coarse = time_m is not None and (space_m is None or space_m > time_m)
-            in_space = coarse and lost == math.inf
-            if in_space:
-                settings = replace(
-                    run.settings, edges_per_section=2 * run.settings.edges_per_section
-                )
-            else:
-                settings = replace(run.settings, tolerance=run.settings.tolerance / 10)
+                return refinement.run, None
             try:
-                finer = self.solve(settings)
+                finer = self.solve(refinement.next_settings())
             except SolveError as error:
                 # Not even its start was found: the coarser solution stays as it is.
-                self.stalled = f"a finer solution has no start: {error.short}"
+                self.stalled = f"the refined problem has no initial equilibrium: {error.short}"
                 break
             if finer.solution.interrupted:
                 self.interrupted = True
-                return run, None
+                return refinement.run, None
             if not finer.is_complete:
                 return finer, None
-            apart = tip_difference(run.motion, finer.motion)
-            if not in_space:
-                self.flows_apart = flow_difference(run.motion, finer.motion)
-            run = finer
-            self._watch_shrinking("space" if in_space else "time", apart)
-            if in_space:
-                space_m = max(LEFT_BY_SPACE * apart, LEAST * self.requested_m)
-            else:
-                floor = max(LEAST * self.requested_m, NOISE * self.quantities.body.length)
-                time_m = max(LEFT_BY_TIME * apart, floor)
-            if time_m is None or space_m is None:
-                continue
-            parts = ErrorParts(time_m, space_m, self.omitted_m)
-            solved_m = time_m + space_m
-            if parts.total_m <= self.requested_m or solved_m <= self._negligible():
-                imbalance = run.motion.invariants.energy_imbalance_rel or 0.0
-                stuck = stuck + 1 if imbalance > MOST_LEFT * lost else 0
-                if imbalance <= ENERGY_LIMIT or stuck >= MOST_STUCK:
-                    return run, parts
-                lost = min(lost, imbalance)
-        if time_m is None or space_m is None:
-            return run, None
-        return run, ErrorParts(time_m, space_m, self.omitted_m)
+            refinement.add(finer)
+            if refinement.is_sufficient():
+                break
+        return refinement.run, refinement.parts
 
-    def _watch_shrinking(self, part: str, apart: float) -> None:
-        """Note where a refinement moved the tip as far as the one before it did."""
-        before = self._apart.get(part, math.inf)
-        self._growing = self._growing + 1 if apart > self.requested_m and apart >= before else 0
-        if self._growing >= MOST_GROWING:
+    def check_convergence(self, part: str, distance: float) -> None:
+        """Note where refinements move the tip as far as those before them did."""
+        before = self._distance.get(part, math.inf)
+        is_growing = distance > self.requested_m and distance >= before
+        self._growing = self._growing + 1 if is_growing else 0
+        if self._growing >= ERROR_CONTROL.max_growing:
             self.stalled = (
-                f"the part of {part} does not shrink: refined again and again, the tip moved by "
-                f"{1e3 * before:.3g} mm and then by {1e3 * apart:.3g} mm"
+                f"the error in {part} does not converge: successive refinements moved the tip by "
+                f"{1e3 * before:.3g} mm and then by {1e3 * distance:.3g} mm"
             )
-        self._apart[part] = apart
+        self._distance[part] = distance
 
-    def _negligible(self) -> float:
-        """Error of a solution beside which that of omitted effects is all that counts [m]."""
-        return 0.05 * min(self.omitted_m, self.requested_m)
+
+class _Refinement:
+    """The solutions of one verification: the finest so far, and what is known of its error."""
+
+    def __init__(self, verifier: Verifier, run: Run) -> None:
+        self.run = run
+        self._verifier = verifier
+        self._space_m = 0.0 if run.is_exact_in_space else None
+        self._time_m: float | None = None
+        self._least_imbalance = math.inf
+        """Least energy residual, once smaller steps are to reduce it."""
+        self._useless = 0
+
+    @property
+    def parts(self) -> ErrorParts | None:
+        """The error of the finest solution, once all of its parts are known."""
+        if self._time_m is None or self._space_m is None:
+            return None
+        return ErrorParts(self._time_m, self._space_m, self._verifier.neglected_m)
+
+    @property
+    def _is_in_space(self) -> bool:
+        """Whether the mesh is to be refined next, or else the tolerance."""
+        time_m, space_m = self._time_m, self._space_m
+        is_coarse = time_m is not None and (space_m is None or space_m > time_m)
+        return is_coarse and self._least_imbalance == math.inf
+
+    def next_settings(self) -> Settings:
+        """Settings of the next solution."""
+        settings = self.run.settings
+        if self._is_in_space:
+            return replace(settings, edges_per_section=2 * settings.edges_per_section)
+        return replace(settings, tolerance=settings.tolerance / 10)
+
+    def add(self, finer: Run) -> None:
+        """Take over a finer solution, and what its distance says of the error."""
+        verifier, is_in_space = self._verifier, self._is_in_space
+        distance = tip_difference(self.run.motion, finer.motion)
+        if not is_in_space:
+            verifier.flows_apart = flow_difference(self.run.motion, finer.motion)
+        self.run = finer
+        verifier.check_convergence("space" if is_in_space else "time", distance)
+        least = ERROR_CONTROL.least_share * verifier.requested_m
+        if is_in_space:
+            self._space_m = max(ERROR_CONTROL.space_share * distance, least)
+        else:
+            length = verifier.quantities.body.length
+            least = max(least, ERROR_CONTROL.least_time_per_length * length)
+            self._time_m = max(ERROR_CONTROL.time_share * distance, least)
+
+    def is_sufficient(self) -> bool:
+        """Whether the tip is accurate enough, and the energy balance as good as it gets."""
+        parts, verifier = self.parts, self._verifier
+        if parts is None:
+            return False
+        smaller = min(verifier.neglected_m, verifier.requested_m)
+        is_negligible = parts.time_m + parts.space_m <= ERROR_CONTROL.negligible_share * smaller
+        if parts.total_m > verifier.requested_m and not is_negligible:
+            return False
+        imbalance = self.run.motion.invariants.energy_imbalance_rel or 0.0
+        is_useless = imbalance > ERROR_CONTROL.useful_reduction * self._least_imbalance
+        self._useless = self._useless + 1 if is_useless else 0
+        if imbalance <= ERROR_CONTROL.energy_imbalance:
+            return True
+        self._least_imbalance = min(self._least_imbalance, imbalance)
+        return self._useless >= ERROR_CONTROL.max_useless

@@ -1,4 +1,4 @@
-"""Every effect switched, solved again, and the tips compared: what an estimate is worth."""
+"""Every effect switched and solved again, to measure what the estimates only guess."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from viscodesign.results.findings import EffectAblation, Verdict
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run, Workspace, solve, tip_difference
 
-FINER = 20
-"""By how much the tolerance is cut, so that small changes stand out from the steps' noise."""
+TOLERANCE_REDUCTION = 20
+"""Factor on the tolerance, so that small changes stand out from the error of the steps."""
 
 
 def measure_effects(
@@ -23,17 +23,17 @@ def measure_effects(
     progress: Callable[[float], None] | None = None,
     workspace: Workspace | None = None,
 ) -> tuple[EffectAblation, ...]:
-    """Switch each effect that a scene has, one at a time, and measure the tip's move.
+    """Switch each effect that a scene has, one at a time, and measure the displacement of the tip.
 
-    A scene that cannot be solved with the effect switched says so in the note; an
-    interrupt ends the list. Raises `SolveError` where the scene itself cannot start.
+    Where the scene cannot be solved with the effect switched, the note says why; an interrupt
+    ends the list. Raises `SolveError` where the scene itself cannot start.
     """
-    finer = replace(settings, tolerance=settings.tolerance / FINER)
+    finer = replace(settings, tolerance=settings.tolerance / TOLERANCE_REDUCTION)
     workspace = workspace or Workspace()
     base = solve(quantities, selection.effects, finer, workspace=workspace)
     if base.solution.interrupted:
         return ()
-    verdicts = [v for v in selection.verdicts if v.name in selection.provable]
+    verdicts = [v for v in selection.verdicts if v.name in selection.measurable]
     ablations: list[EffectAblation] = []
     for k, verdict in enumerate(verdicts):
         ablation, run = _switched(quantities, selection, finer, base, verdict, workspace)
@@ -53,13 +53,13 @@ def _switched(
     verdict: Verdict,
     workspace: Workspace,
 ) -> tuple[EffectAblation, Run | None]:
-    told = (verdict.name, verdict.taken, verdict.contribution_m)
+    known = (verdict.name, verdict.taken, verdict.contribution_m)
     try:
-        run = solve(quantities, selection.switched(verdict.name), settings, workspace=workspace)
+        run = solve(quantities, selection.with_flipped(verdict.name), settings, workspace=workspace)
     except ViscodesignError as error:
-        return EffectAblation(*told, None, 0.0, str(error).splitlines()[0]), None
+        return EffectAblation(*known, None, 0.0, str(error).splitlines()[0]), None
     measured = tip_difference(base.motion, run.motion)
     note = ""
     if not run.is_complete:
-        note = f"compared up to t = {run.motion.time[-1]:.4g} s, where it ended"
-    return EffectAblation(*told, measured, run.spent_s, note), run
+        note = f"compared up to t = {run.motion.time[-1]:.4g} s, where that run ended"
+    return EffectAblation(*known, measured, run.spent_s, note), run

@@ -1,4 +1,4 @@
-"""One scene solved at one setting."""
+"""One solution of a scene at one setting."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ Progress = Callable[[float], None]
 
 @dataclass
 class Workspace:
-    """What several solutions of one scene share; never used by two threads at once."""
+    """What the solutions of one scene share; never used by two threads at once."""
 
     store: ArrayStore = field(default_factory=ArrayStore)
-    """Where what is solved goes when it is large."""
+    """Storage for large solutions."""
     _problems: dict[Hashable, Problem] = field(default_factory=dict)
 
     def problem(
         self, quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings
     ) -> Problem:
-        """The scene's equations, made once for every set of effects and mesh."""
+        """The scene's equations, formulated once for every set of effects and mesh."""
         key = (quantities, tuple(map(type, effects)), settings.edges_per_section)
         if key not in self._problems:
             self._problems[key] = build(quantities, effects, settings)
@@ -52,12 +52,12 @@ class Run:
 
     @property
     def is_complete(self) -> bool:
-        """Whether it came to the end."""
+        """Whether it reached the end."""
         return self.motion.failure is None and not self.solution.interrupted
 
     @property
     def is_exact_in_space(self) -> bool:
-        """Whether the rod is a row of arcs, which no mesh divides."""
+        """Whether the rod is a row of arcs, which have no mesh."""
         return self.problem.equations.rod_form is RodForm.ARCS
 
     @property
@@ -73,9 +73,9 @@ def solve(
     progress: Progress | None = None,
     workspace: Workspace | None = None,
 ) -> Run:
-    """Build and solve once. Raises `SolveError` where not even a first equilibrium exists.
+    """Build and solve once. Raises `SolveError` where no initial equilibrium exists.
 
-    ``workspace``: that of earlier solutions of this scene, whose problems serve again.
+    ``workspace``: that of earlier solutions of this scene, whose problems are reused.
     """
     workspace = workspace or Workspace()
     began = clock.perf_counter()
@@ -91,7 +91,7 @@ def solve(
     motion = read_motion(problem, solution, workspace.store, quantities.scene.run.shape_stride)
     compile_s = solution.work.compile_s
     build_s, solve_s = built - began + compile_s, solved - built - compile_s
-    # What was read of the solution is not needed twice.
+    # The columns of the solution were read into the motion.
     return Run(settings, problem, motion, solution.without_columns(), build_s, solve_s)
 
 

@@ -9,9 +9,8 @@ from functools import partial
 import numpy as np
 
 from viscodesign.solve.branch_following import OperatingPoint, constraints
-from viscodesign.solve.evaluation import evaluate_rows, rows_along
 from viscodesign.solve.numerics.newton import CONTROL, NewtonError, newton
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, mapped, rows_along
 
 
 @dataclass(frozen=True)
@@ -73,9 +72,7 @@ def _polish_some(
     size = np.full(count, np.inf)
     done, lost = np.zeros((2, count), dtype=bool)
     for _ in range(LIMITS.max_iterations):
-        residual, slopes = evaluate_rows(
-            problem, function, rows_along(problem, states, trial, first)
-        )
+        residual, slopes = mapped(problem, function, rows_along(problem, states, trial, first))
         matrix[:, rows, columns], right[:, known, 0] = slopes, residual
         try:
             step = np.linalg.solve(matrix, right)[:, :, 0].T

@@ -15,10 +15,9 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.model.unknowns import Unknowns
-from viscodesign.solve.evaluation import evaluate
 from viscodesign.solve.numerics.newton import Acceptance, NewtonError, continuation
 from viscodesign.solve.numerics.stability import StabilityTest
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, evaluate
 
 SAME_BRANCH_DISTANCE = 0.1
 """Distance of a coordinate from its extrapolation, in sizes of the largest one, up to which a

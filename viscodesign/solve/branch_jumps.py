@@ -17,10 +17,10 @@ from scipy.sparse.linalg import splu
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Formulas
 from viscodesign.model.jacobian import jacobian
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch
-from viscodesign.solve.evaluation import evaluate, evaluate_rows
 from viscodesign.solve.numerics.newton import NewtonError, newton
-from viscodesign.solve.problem import Pieces, Problem, Schedule
+from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate, mapped
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
 
@@ -132,7 +132,7 @@ class AlgebraicRates:
         function = problem.equations.compiled(_following)
         numbers = np.tile(problem.numbers(), (count, 1))
         given = [states.T, algebraics.T, times, pieces, numbers]
-        self._drift, self.jacobians = evaluate_rows(problem, function, given)
+        self._drift, self.jacobians = mapped(problem, function, given)
         """Nonzeros of the algebraic equations' Jacobian (m + 1, nnz), column by column."""
         pattern = function.sparsity_out(1)
         rows, starts = (np.array(k, dtype=np.int32) for k in (pattern.row(), pattern.colind()))
@@ -205,7 +205,7 @@ def solve_on_branch(
 ) -> tuple[Columns, SolveError | None]:
     """A solver's solution, as far as a rod without inertia stays on its branch in it."""
     columns, failure = solver(here, first, stop, work)
-    if not may_jump(solver.problem):
+    if not has_branches(solver.problem):
         return columns, failure
     detector = BranchJumpDetector(solver.problem, solver.tolerance)
     states = np.column_stack((here.states, columns[0]))
@@ -215,9 +215,10 @@ def solve_on_branch(
     return (columns[0][:, :valid], columns[1][:, :valid], columns[2][:, :valid]), jump
 
 
-def may_jump(problem: Problem) -> bool:
+def has_branches(problem: Problem) -> bool:
     """Whether a static rod is solved together with a fluid that is integrated."""
-    return problem.has_branches and problem.equations.states.count > 0
+    static = problem.equations.rod_form is RodForm.STATIC
+    return static and problem.equations.states.count > 0
 
 
 def branch_jump(time: float) -> SolveError:

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 
 from viscodesign.errors import SolveError
 from viscodesign.results.findings import RetryAttempt
-from viscodesign.solve.branch_jumps import end_of_branch, may_jump, solve_on_branch
+from viscodesign.solve.branch_jumps import end_of_branch, has_branches, solve_on_branch
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
 
@@ -40,7 +40,7 @@ class Fallbacks:
         """Solve the interval from ``edge`` in another way; the last failure where none succeeds."""
         time = float(self.solver.problem.schedule.edges[edge])
         reason = failure.short
-        if self._others and may_jump(self.solver.problem) and failure.quantity == "motion":
+        if self._others and has_branches(self.solver.problem) and failure.quantity == "motion":
             failure = end_of_branch(self.solver, here, edge, work) or failure
         if not self._others or failure.quantity == "equilibrium":
             return self.solver.nothing(), failure  # no solver finds what does not exist

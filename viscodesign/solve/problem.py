@@ -9,7 +9,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.equations import Equations
+from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.unknowns import Unknowns
@@ -78,6 +78,8 @@ class Problem:
     floor_volume: float | None
     """Minimum volume, at which a gas-filled bellow ends a run [m3]; None where the model covers
     the contact of its walls, or where the fluid is no gas."""
+    floor_keys: tuple[str, ...]
+    """Keys of a spec that would keep bellows from emptying, as a remedy."""
     max_steps: int
     """Steps after which a run is ended."""
     flow_shares: np.ndarray
@@ -98,11 +100,6 @@ class Problem:
     def static_stability(self) -> StabilityTest | None:
         """The same by the equations of the equilibrium."""
         return self._stability_test(self.equations.statics, self.equations.static_function)
-
-    @property
-    def has_branches(self) -> bool:
-        """Whether the algebraic equations have several solutions, on branches to be followed."""
-        return self.equations.algebraics.branch_span is not None
 
     def _stability_test(self, unknowns: Unknowns, function: ca.Function) -> StabilityTest | None:
         if unknowns.branch_span is None:
@@ -146,3 +143,88 @@ class Problem:
             self.equations.sealed_volumes,
             self.equations.parameter_values,
         )
+
+
+class Bound:
+    """A call that reads and writes the same arrays each time, without any conversion.
+
+    The arrays are contiguous and of `float`, each with as many entries as the function has.
+    """
+
+    def __init__(
+        self, function: ca.Function, arguments: Sequence[np.ndarray], results: Sequence[np.ndarray]
+    ) -> None:
+        # The buffer knows no more than addresses: whoever drops an array here loses its memory.
+        self._kept = (*arguments, *results)
+        self._buffer, self._run = function.buffer()
+        places = (self._buffer.set_arg, arguments), (self._buffer.set_res, results)
+        for place, arrays in places:
+            for k, array in enumerate(arrays):
+                if array.size:
+                    place(k, memoryview(array.reshape(-1)))  # type: ignore[call-arg, arg-type]
+
+    def __call__(self) -> None:
+        """Read the arguments, write the results."""
+        self._run()
+
+
+def evaluate_along(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
+) -> dict[str, np.ndarray]:
+    """All named outputs (m, n) at m edges from ``first`` on, from unknowns (nx, m) and (nz, m)."""
+    output = problem.equations.output_function
+    found = mapped(problem, output, rows_along(problem, states, algebraics, first))
+    return dict(zip(output.name_out(), found, strict=True))
+
+
+def rows_along(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int
+) -> list[np.ndarray]:
+    """Arguments of the equations' functions at m edges from ``first`` on, each (m, n)."""
+    equations, schedule = problem.equations, problem.schedule
+    count = states.shape[1]
+    edges = np.arange(first, first + count)
+    # A state just before a corner belongs to the interval that ends there.
+    pieces = schedule.pieces[np.maximum(edges - 1, 0)]
+    tail = (equations.sealed_volumes, equations.parameter_values)
+    return [
+        states.T,
+        algebraics.T,
+        schedule.edges[edges],
+        pieces,
+        np.ones(count),
+        *(np.broadcast_to(values, (count, len(values))) for values in tail),
+    ]
+
+
+def mapped(problem: Problem, function: ca.Function, rows: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """A function of rows of arguments, each (m, n); of its results what is not zero by structure,
+    column by column (m, n).
+    """
+    count = len(rows[0])
+    found = [np.zeros((count, function.nnz_out(k))) for k in range(function.n_out())]
+    call = Bound(
+        problem.equations.compiled(_mapped, function, count),
+        [np.ascontiguousarray(row, dtype=float) for row in rows],
+        found,
+    )
+    call()
+    return found
+
+
+def _mapped(_: Formulas, function: ca.Function, count: int) -> ca.Function:
+    return function.map(count)
+
+
+def evaluate_at(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, time: float, piece: np.ndarray
+) -> dict[str, np.ndarray]:
+    """All named outputs (1, n) at one instant."""
+    output = problem.equations.output_function
+    found = evaluate(output, states, algebraics, *problem.tail(time, piece))
+    return {n: np.array(v).reshape(1, -1) for n, v in zip(output.name_out(), found, strict=True)}
+
+
+def evaluate(function: ca.Function, *arguments: float | np.ndarray) -> list[ca.DM]:
+    """Call a CasADi function with numbers."""
+    return list(function.call([ca.DM(argument) for argument in arguments]))

@@ -37,7 +37,7 @@ def accuracy(
     with gentle_interrupt() as interrupt:
         refuse_beyond_numbers(quantities)
         selection = select_effects(quantities)
-        refuse_unsolvable(quantities, selection.taken)
+        refuse_unsolvable(quantities, selection.active)
         runs = TimedRuns(quantities, selection, limit, interrupt, progress)
         return _study(runs)
 

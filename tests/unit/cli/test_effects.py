@@ -9,6 +9,7 @@ from typing import ClassVar
 import pytest
 
 from viscodesign.effects import select
+from viscodesign.effects.catalogue import catalogue
 from viscodesign.effects.gravity import Gravity
 
 from .conftest import Call
@@ -32,8 +33,8 @@ class Buoyancy(Gravity):
 @pytest.fixture
 def with_buoyancy(monkeypatch: pytest.MonkeyPatch) -> None:
     """A catalogue with one effect more."""
-    known = {**select.catalogue(), "buoyancy": Buoyancy}
-    monkeypatch.setattr(select, "catalogue", lambda: known)
+    known = {**catalogue(), "buoyancy": Buoyancy}
+    monkeypatch.setattr("viscodesign.effects.catalogue.catalogue", lambda: known)
 
 
 def words(text: str) -> str:
@@ -45,7 +46,7 @@ def test_the_catalogue_in_order_with_summary_and_weight(call: Call) -> None:
     assert (outcome.status, outcome.err) == (0, "")
     told = words(outcome.out)
     places = []
-    for name, kind in select.catalogue().items():
+    for name, kind in catalogue().items():
         first = words((kind.__doc__ or "").split("\n\n")[0])
         entry = f"{name} {first} weight = {kind.formula}"
         assert entry in told
@@ -53,10 +54,10 @@ def test_the_catalogue_in_order_with_summary_and_weight(call: Call) -> None:
     assert places == sorted(places)
 
 
-@pytest.mark.parametrize("name", select.catalogue())
+@pytest.mark.parametrize("name", catalogue())
 def test_every_effect_has_a_page(call: Call, name: str) -> None:
     outcome = call("effects", name)
-    kind = select.catalogue()[name]
+    kind = catalogue()[name]
     told = words(outcome.out)
     assert outcome.status == 0
     for fact in (words(kind.__doc__ or ""), kind.formula, kind.validity, kind.source, *kind.keys):
@@ -102,7 +103,7 @@ def test_the_document_of_one(call: Call) -> None:
 def test_the_document_of_all(call: Call, tmp_path: Path) -> None:
     outcome = call("effects", "--json", "-o", tmp_path)
     document = json.loads(outcome.out)
-    assert [told["name"] for told in document["effects"]] == list(select.catalogue())
+    assert [told["name"] for told in document["effects"]] == list(catalogue())
     assert (tmp_path / "effects.json").read_text() == outcome.out
     assert call("effects", "-q").out == ""
 

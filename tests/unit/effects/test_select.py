@@ -8,6 +8,7 @@ from functools import cache
 from itertools import pairwise
 from typing import ClassVar
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -15,11 +16,12 @@ from hypothesis import strategies as st
 from tests.scenes import LEG_LENGTH, leg
 from viscodesign import check
 from viscodesign.checks.check import Check
-from viscodesign.effects import select
+from viscodesign.effects.catalogue import catalogue, every_effect
 from viscodesign.effects.gravity import Gravity
-from viscodesign.effects.select import SHARE_OF_ACCURACY, Selection, catalogue, select_effects
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.effects.select import NUMBERS, Selection, select_effects
+from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 from viscodesign.results.findings import Verdict
 
 AUTO = "effects=auto"
@@ -47,17 +49,15 @@ def verdicts(*overrides: str) -> dict[str, Verdict]:
     return {v.name: v for v in check(leg(*overrides)).effects}
 
 
-def taken(*overrides: str) -> set[str]:
+def active(*overrides: str) -> set[str]:
     return {name for name, verdict in verdicts(*overrides).items() if verdict.taken}
 
 
-def sketched(quantities: SceneQuantities, names: Iterable[str]) -> Sketch:
-    """The sketch with these effects, in the order of the catalogue."""
-    sketch, own = quantities.bare_sketch, set(names)
-    for name, kind in catalogue().items():
-        if name in own:
-            sketch = kind.of(quantities).sketch(sketch) or sketch
-    return sketch
+def estimated(quantities: SceneQuantities, names: Iterable[str]) -> MotionEstimate:
+    """The estimate with these effects, in the order of the catalogue."""
+    effects, own = every_effect(quantities), set(names)
+    terms = [effects[name].estimate_term() for name in effects if name in own]
+    return quantities.bare_estimate.plus(*(term for term in terms if term is not None))
 
 
 # -- what may be left out ---------------------------------------------------
@@ -75,9 +75,9 @@ def ladder(scene: str) -> tuple[tuple[SceneQuantities, Selection], ...]:
 
 def together(quantities: SceneQuantities, found: Selection) -> float:
     """How far the tip moves by all omissions, over what they may spend."""
-    everything = sketched(quantities, found.present)
-    apart = sketched(quantities, (e.name for e in found.effects)).distance(everything)
-    return apart / (SHARE_OF_ACCURACY * quantities.accuracy * LEG_LENGTH)
+    everything = estimated(quantities, found.sets.present)
+    apart = estimated(quantities, (e.name for e in found.effects)).distance(everything)
+    return apart / (NUMBERS.accuracy_share * quantities.accuracy * LEG_LENGTH)
 
 
 @pytest.mark.parametrize("scene", SCENES)
@@ -87,8 +87,8 @@ def test_omissions_fit_into_their_share_together(scene: str) -> None:
         names = {e.name for e in found.effects}
         for verdict in found.verdicts:
             needed = catalogue()[verdict.name].needs
-            if verdict.name in found.present - names and (needed is None or needed in names):
-                assert verdict.budget_share <= SHARE_OF_ACCURACY
+            if verdict.name in found.sets.present - names and (needed is None or needed in names):
+                assert verdict.budget_share <= NUMBERS.accuracy_share
 
 
 @pytest.mark.parametrize("scene", SCENES)
@@ -108,7 +108,7 @@ def test_a_smaller_accuracy_mostly_keeps_what_a_larger_one_took(scene: str) -> N
 @pytest.mark.parametrize("scene", SCENES)
 def test_the_finest_accuracy_leaves_out_only_what_does_nothing(scene: str) -> None:
     _, found = ladder(scene)[-1]
-    assert found.present - {e.name for e in found.effects} <= {"collapse"}
+    assert found.sets.present - {e.name for e in found.effects} <= {"collapse"}
 
 
 @given(
@@ -131,16 +131,23 @@ def test_omissions_fit_whatever_the_scene(
     assert together(quantities, select_effects(quantities)) <= 1.0
 
 
+def bent(pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A law of bellows of which the first one bends at any pressure."""
+    curvature = np.zeros_like(pressure)
+    curvature[..., 0] = 10.0
+    return 1e-12 * pressure, curvature, np.zeros_like(pressure)
+
+
 class Push(Gravity):
-    """A force that it takes two to leave out: either of them alone is enough."""
+    """A law that it takes two to leave out: either of them alone is enough."""
 
     name: ClassVar[str] = "push"
 
     def present(self, quantities: SceneQuantities) -> bool:
         return True
 
-    def sketch(self, sketch: Sketch) -> Sketch:
-        return sketch.with_(tip_force=(1.0, 0.0))
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(wall=bent)
 
 
 class Shove(Push):
@@ -150,8 +157,8 @@ class Shove(Push):
 
 
 def test_omissions_may_add_up_to_more_than_each_does_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    known = {**select.catalogue(), "push": Push, "shove": Shove}
-    monkeypatch.setattr(select, "catalogue", lambda: known)
+    known = {**catalogue(), "push": Push, "shove": Shove}
+    monkeypatch.setattr("viscodesign.effects.catalogue.catalogue", lambda: known)
     found = {e.name for e in selection(AUTO, STILL).effects}
     assert len(found & {"push", "shove"}) == 1
 
@@ -184,11 +191,11 @@ def test_a_slow_input_needs_no_inertia() -> None:
 
 
 def test_a_pressure_that_never_moves_calls_for_nothing() -> None:
-    assert taken(AUTO, STILL) == set()
+    assert active(AUTO, STILL) == set()
 
 
 def test_a_collapse_that_no_pressure_reaches_does_nothing() -> None:
-    """Up to the iteration by which a sketch finds its means over the motion."""
+    """Up to the iteration by which an estimate finds its means over the motion."""
     assert verdicts(AUTO, *SMALL)["collapse"].budget_share <= 1e-3
 
 
@@ -206,11 +213,14 @@ def test_dependants_go_with_what_they_need(needed: str, dependants: list[str]) -
     assert {n for n, kind in catalogue().items() if kind.needs == needed} == set(dependants)
     # So fine that nothing else would be left out.
     everything = (AUTO, "accuracy=1e-6")
-    assert set(dependants) <= taken(*everything)
+    assert set(dependants) <= active(*everything)
     without = verdicts(*everything, f"effects={{{needed}: off}}")
     for name in dependants:
         assert not without[name].taken
-        assert f"left out with {needed}, without which it acts on nothing" in without[name].reason
+        assert (
+            f"neglected with {needed}, without which it has nothing to act on"
+            in without[name].reason
+        )
 
 
 @pytest.mark.parametrize("name", [n for n, kind in catalogue().items() if kind.needs])
@@ -222,7 +232,7 @@ def test_a_dependant_that_is_wanted_keeps_what_it_needs(name: str) -> None:
         "loads.gravity=off",
         "network.tube_wall={youngs_modulus: 1 MPa, thickness: 1 mm}",
     )
-    assert needed not in taken(AUTO, *still)
+    assert needed not in active(AUTO, *still)
     found = verdicts(*still, f"effects={{{name}: on}}")
     assert found[name].taken
     assert found[needed].taken
@@ -233,7 +243,7 @@ def test_off_of_what_is_needed_wins_over_on_of_a_dependant() -> None:
     found = verdicts("effects={rotary_inertia: on, inertia: off}")
     assert not found["rotary_inertia"].taken
     assert found["rotary_inertia"].mode == "on"
-    assert "without which it acts on nothing" in found["rotary_inertia"].reason
+    assert "without which it has nothing to act on" in found["rotary_inertia"].reason
 
 
 def test_inertance_stays_beside_losses_of_fast_flow() -> None:
@@ -241,8 +251,8 @@ def test_inertance_stays_beside_losses_of_fast_flow() -> None:
     found = verdicts(AUTO, "bellows.count=4")
     assert found["flow_regime"].taken
     assert found["fluid_inertance"].taken
-    assert found["fluid_inertance"].budget_share < SHARE_OF_ACCURACY
-    assert "costs nothing beside flow_regime" in found["fluid_inertance"].reason
+    assert found["fluid_inertance"].budget_share < NUMBERS.accuracy_share
+    assert "no extra cost beside flow_regime" in found["fluid_inertance"].reason
     alone = verdicts("bellows.count=4", "effects={flow_regime: off}")["fluid_inertance"]
     assert not alone.taken
 
@@ -250,7 +260,7 @@ def test_inertance_stays_beside_losses_of_fast_flow() -> None:
 def test_inertia_brings_damping_unless_it_is_forbidden() -> None:
     def names(*overrides: str) -> tuple[set[str], set[str]]:
         found = selection(*SLOW, *overrides)
-        return {e.name for e in found.effects}, {e.name for e in found.switched("inertia")}
+        return {e.name for e in found.effects}, {e.name for e in found.with_flipped("inertia")}
 
     before, after = names(AUTO)
     assert not before & {"inertia", "damping"}
@@ -263,11 +273,11 @@ def test_inertia_brings_damping_unless_it_is_forbidden() -> None:
 
 def test_switching_takes_dependants_along_and_brings_what_is_needed() -> None:
     found = selection("effects={others: on}")
-    gone = {e.name for e in found.effects} - {e.name for e in found.switched("inertia")}
+    gone = {e.name for e in found.effects} - {e.name for e in found.with_flipped("inertia")}
     assert gone == {"inertia", "rotary_inertia"}
     still = selection(AUTO, STILL)
     assert [e.name for e in still.effects] == []
-    brought = [e.name for e in still.switched("flow_regime")]
+    brought = [e.name for e in still.with_flipped("flow_regime")]
     assert brought == ["pressure_distribution", "flow_regime"]
 
 
@@ -284,8 +294,8 @@ def test_effects_join_in_the_order_of_the_catalogue() -> None:
 def test_loads_that_meet_a_straight_rod_need_inertia() -> None:
     found = verdicts(AUTO, STILL, "run.start=rest", "loads.tip_force.x=1e-9", "accuracy=20 %")
     assert found["inertia"].taken
-    assert found["inertia"].budget_share < SHARE_OF_ACCURACY
-    assert "no sense without it" in found["inertia"].reason
+    assert found["inertia"].budget_share < NUMBERS.accuracy_share
+    assert "this scene requires it" in found["inertia"].reason
     assert found["tip_load"].taken
 
 
@@ -298,7 +308,7 @@ def test_two_inlets_of_one_network_need_its_flow() -> None:
         f"network={{layout: custom, tubes: [{tubes}]}}",
     )["pressure_distribution"]  # fmt: skip
     assert found.taken
-    assert "no sense without it" in found.reason
+    assert "this scene requires it" in found.reason
 
 
 # -- what is told -----------------------------------------------------------
@@ -331,7 +341,7 @@ def test_what_is_off_although_needed_is_warned_of_in_millimetres() -> None:
         assert told[name].budget_share > 1.0
         assert f"effects.{name} is off" in message
         assert f"about {1e3 * told[name].contribution_m:.3g} mm" in message
-        assert f"{told[name].budget_share:.3g} times the accuracy asked for" in message
+        assert f"{told[name].budget_share:.3g} times the requested accuracy" in message
 
 
 def test_what_is_off_and_not_needed_is_not_warned_of() -> None:
@@ -344,19 +354,19 @@ def test_what_is_off_and_not_needed_is_not_warned_of() -> None:
 
 def test_reasons_say_how_the_choice_was_made() -> None:
     found = verdicts("effects={inertia: on, collapse: off}")
-    assert found["inertia"].reason.startswith("taken as the spec says; ")
-    assert found["collapse"].reason.startswith("left out as the spec says; ")
-    assert found["tip_load"].reason == "absent: the tip is free"
-    assert found["pressure_distribution"].reason.startswith("taken: it moves the tip by about ")
+    assert found["inertia"].reason.startswith("included: set in the spec; ")
+    assert found["collapse"].reason.startswith("neglected: set in the spec; ")
+    assert found["tip_load"].reason == "not applicable: the tip is free"
+    assert found["pressure_distribution"].reason.startswith("included: moves the tip by about ")
     assert "times the accuracy" in found["pressure_distribution"].reason
-    assert found["feedback"].reason.startswith("left out: it moves the tip by about ")
+    assert found["feedback"].reason.startswith("neglected: moves the tip by about ")
     assert "% of the accuracy" in found["feedback"].reason
 
 
 def test_what_is_absent_has_no_weight() -> None:
     found = verdicts(AUTO, STILL)["gravity"]
     assert (found.taken, found.weight, found.contribution_m) == (False, 0.0, 0.0)
-    assert found.reason.startswith("absent: ")
+    assert found.reason.startswith("not applicable: ")
 
 
 def test_choosing_effects_leaves_the_quantities_of_a_scene_as_they_were() -> None:

@@ -1,4 +1,4 @@
-"""Sketches against exact networks and beams, and against what the solver makes of them."""
+"""MotionEstimatees against exact networks and beams, and against what the solver makes of them."""
 
 from __future__ import annotations
 
@@ -11,9 +11,12 @@ from scipy.linalg import expm
 
 from tests.scenes import LEG_EA, LEG_EI, LEG_LENGTH, leg
 from viscodesign import classify, simulate
+from viscodesign.effects.gas_compressibility import PolytropicGas
+from viscodesign.effects.rotary_inertia import RotaryInertia
 from viscodesign.effects.select import select_effects
-from viscodesign.estimate.estimate import Sketch
+from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
 
 RAMPS = "input={kind: table, rows: [[0, 1 kPa], [0.25, 5 kPa], [0.25, -2 kPa], [0.875, -2 kPa], [1, 0]]}"
 SHORT = "run={duration: 2 s, output_interval: 0.0625 s}"
@@ -21,15 +24,19 @@ STILL = "input={kind: constant, value: 0}"
 SOFT = "network.tube_wall={youngs_modulus: 100 kPa, thickness: 0.3 mm}"
 
 
-def bare(*overrides: str) -> Sketch:
-    return SceneQuantities(leg(*overrides)).bare_sketch
+def bare(*overrides: str) -> MotionEstimate:
+    return SceneQuantities(leg(*overrides)).bare_estimate
 
 
 def exact(
-    sketch: Sketch, matrix: np.ndarray, feed: np.ndarray, start: np.ndarray, drive: np.ndarray
+    estimate: MotionEstimate,
+    matrix: np.ndarray,
+    feed: np.ndarray,
+    start: np.ndarray,
+    drive: np.ndarray,
 ) -> np.ndarray:
-    """y' = matrix y + feed u at the sketch's times, u straight between them, by exponentials."""
-    step, count = np.diff(sketch.ground.time), len(start)
+    """y' = matrix y + feed u at the estimate's times, u straight between them, by exponentials."""
+    step, count = np.diff(estimate.setting.time), len(start)
     block = np.zeros((len(step), count + 2, count + 2))
     block[:, :count, :count] = matrix
     block[:, :count, count] = feed
@@ -41,9 +48,9 @@ def exact(
     return np.array(found)
 
 
-def chain(sketch: Sketch) -> tuple[np.ndarray, np.ndarray]:
+def chain(estimate: MotionEstimate) -> tuple[np.ndarray, np.ndarray]:
     """Conductances of the straight chain R1, R2, L2, L1, in the order of the bellows."""
-    conductance = 1 / sketch.ground.resistance[0]
+    conductance = 1 / estimate.setting.resistance[0]
     order = [0, 1, 3, 2]
     laplacian = np.zeros((4, 4))
     for a, b in pairwise(order):
@@ -55,28 +62,28 @@ def chain(sketch: Sketch) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize("start", ["rest", "equilibrium"])
 def test_a_linear_chain_is_solved_exactly(start: str) -> None:
-    sketch = bare("bellows.count=4", RAMPS, SHORT, f"run.start={start}", "gauge_pressure=1 kPa")
-    sketch = sketch.with_(uniform=False)
-    inlet = sketch.ground.drive[:, 0]
-    leaving, feed = chain(sketch)
-    capacity = sketch.ground.compliance
+    estimate = bare("bellows.count=4", RAMPS, SHORT, f"run.start={start}", "gauge_pressure=1 kPa")
+    estimate = estimate.plus(EstimateTerm(distributed=True))
+    inlet = estimate.setting.drive[:, 0]
+    leaving, feed = chain(estimate)
+    capacity = estimate.setting.compliance
     first = np.full(4, inlet[0] if start == "equilibrium" else 0.0)
-    expected = 1e3 + exact(sketch, leaving / capacity, feed / capacity, first, inlet)
-    assert np.max(np.abs(sketch.pressure - expected)) <= 1e-6
-    assert np.ptp(sketch.pressure) > 1e3
+    expected = 1e3 + exact(estimate, leaving / capacity, feed / capacity, first, inlet)
+    assert np.max(np.abs(estimate.network.pressure - expected)) <= 1e-6
+    assert np.ptp(estimate.network.pressure) > 1e3
 
 
 def test_flows_follow_from_the_pressures() -> None:
-    sketch = bare("bellows.count=4", RAMPS, SHORT).with_(uniform=False)
-    pressure, inlet = sketch.pressure, sketch.ground.drive[:, 0]
+    estimate = bare("bellows.count=4", RAMPS, SHORT).plus(EstimateTerm(distributed=True))
+    pressure, inlet = estimate.network.pressure, estimate.setting.drive[:, 0]
     along = np.column_stack((inlet, pressure[:, [0, 1, 3, 2]]))
-    expected = -np.diff(along, axis=1) / sketch.ground.resistance
-    assert sketch.flows() == pytest.approx(expected, rel=1e-9, abs=1e-15)
+    expected = -np.diff(along, axis=1) / estimate.setting.resistance
+    assert estimate.network.flows() == pytest.approx(expected, rel=1e-9, abs=1e-15)
 
 
 def test_inertance_of_one_tube_is_an_oscillator() -> None:
-    """One bellow behind one tube: I C p'' + R C p' + p = u, which is exact in a sketch."""
-    sketch = bare(
+    """One bellow behind one tube: I C p'' + R C p' + p = u, which is exact in an estimate."""
+    estimate = bare(
         "bellows.count=2",
         "network={layout: custom, tubes: [{from: inlet, to: R1, length: 0.5 m, radius: 2 mm}]}",
         "fluid=water",
@@ -84,14 +91,14 @@ def test_inertance_of_one_tube_is_an_oscillator() -> None:
         "run={duration: 2 s, start: rest, output_interval: 0.25 s}",
     )
     inertance = 4 / 3 * 1000.0 * 0.5 / (math.pi * 2e-3**2)
-    sketch = sketch.with_(uniform=False, inertances=(inertance,))
-    capacity, resistance = sketch.ground.compliance, float(sketch.ground.resistance[0])
+    estimate = estimate.plus(EstimateTerm(distributed=True, inertance=(inertance,)))
+    capacity, resistance = estimate.setting.compliance, float(estimate.setting.resistance[0])
     assert resistance < 2 * math.sqrt(inertance / capacity)  # it rings
     matrix = np.array([[0.0, 1 / capacity], [-1 / inertance, -resistance / inertance]])
     feed = np.array([0.0, 1 / inertance])
-    state = exact(sketch, matrix, feed, np.zeros(2), sketch.ground.drive[:, 0])
-    assert np.max(np.abs(sketch.pressure[:, 0] - state[:, 0])) <= 1e-3
-    flow = sketch.flows()[:, 0]
+    state = exact(estimate, matrix, feed, np.zeros(2), estimate.setting.drive[:, 0])
+    assert np.max(np.abs(estimate.network.pressure[:, 0] - state[:, 0])) <= 1e-3
+    flow = estimate.network.flows()[:, 0]
     # Driven by pressures that are straight between samples, which is near enough.
     assert np.max(np.abs(flow - state[:, 1])) <= 0.05 * np.max(np.abs(state[:, 1]))
 
@@ -99,7 +106,7 @@ def test_inertance_of_one_tube_is_an_oscillator() -> None:
 @pytest.mark.parametrize("uniform", [True, False])
 def test_sealed_islands_keep_their_amount(uniform: bool) -> None:
     tubes = "{from: inlet, to: R1}, {from: L1, to: T}, {from: T, to: L2}"
-    sketch = bare(
+    estimate = bare(
         "bellows.count=4",
         f"network={{layout: custom, tube_radius: 0.3 mm, tube_length: 4 cm, tubes: [{tubes}]}}",
         "gauge_pressure=2 kPa",
@@ -108,13 +115,13 @@ def test_sealed_islands_keep_their_amount(uniform: bool) -> None:
         SHORT,
         "loads.tip_force.x=0.05 N",
     )
-    sketch = sketch.with_(uniform=uniform)
-    taken = np.zeros_like(sketch.pressure)
-    assert np.all(sketch.pressure[:, 1:] == pytest.approx(2e3, rel=1e-12))
+    estimate = estimate.plus(EstimateTerm(distributed=not uniform))
+    taken = np.zeros_like(estimate.network.pressure)
+    assert np.all(estimate.network.pressure[:, 1:] == pytest.approx(2e3, rel=1e-12))
     # What loads take up in one bellow of the island leaves the other.
-    taken[:, 2] = 1e-8 * sketch.ground.time
-    found = sketch._network[0].pressures(taken)
-    held = sketch.ground.compliance * (found[:, 2:4] - 2e3).sum(axis=1) + taken[:, 2]
+    taken[:, 2] = 1e-8 * estimate.setting.time
+    found = estimate.network.averaged[0].pressures(taken)
+    held = estimate.setting.compliance * (found[:, 2:4] - 2e3).sum(axis=1) + taken[:, 2]
     assert np.max(np.abs(held)) <= 1e-12 * np.max(np.abs(taken))
     assert np.max(np.abs(found[:, 2] - 2e3)) > 0.1
     assert found[:, 1] == pytest.approx(np.full(len(found), 2e3), rel=1e-12)
@@ -122,16 +129,16 @@ def test_sealed_islands_keep_their_amount(uniform: bool) -> None:
 
 @pytest.mark.parametrize("uniform", [True, False])
 def test_a_plunger_fills_its_closed_network(uniform: bool) -> None:
-    sketch = bare(
+    estimate = bare(
         "bellows.count=4",
         "fluid=air",
         SHORT,
         "input={kind: syringe, diameter: 20 mm, start: 40 mm, rows: [[0, 0], [1, 1 mm]]}",
-    ).with_(uniform=uniform)
-    pushed = np.pi / 4 * 0.02**2 * np.interp(sketch.ground.time, [0, 1], [0, 1e-3])
-    network, _ = sketch._network
+    ).plus(EstimateTerm(distributed=not uniform))
+    pushed = np.pi / 4 * 0.02**2 * np.interp(estimate.setting.time, [0, 1], [0, 1e-3])
+    network, _ = estimate.network.averaged
     everywhere = network.pressures()
-    capacity = np.array([sketch.ground.compliance] * 4 + [sketch.ground.syringes["inlet"]])
+    capacity = np.array([estimate.setting.compliance] * 4 + [estimate.setting.syringes["inlet"]])
     held = everywhere @ capacity
     assert np.max(np.abs(held - pushed)) <= 1e-8 * np.max(pushed)
     # Long after the stroke one pressure rules.
@@ -140,10 +147,10 @@ def test_a_plunger_fills_its_closed_network(uniform: bool) -> None:
 
 def test_soft_tubes_store_at_their_ends() -> None:
     """All that a step brings in is what bellows and tube ends hold."""
-    plain = bare(RAMPS, SHORT).with_(uniform=False)
+    plain = bare(RAMPS, SHORT).plus(EstimateTerm(distributed=True))
     end = 1e-12
-    stored = plain.with_(capacity=(("R1", end), ("inlet", 5.0)))
-    held = [sketch._network[0].capacity for sketch in (plain, stored)]
+    stored = plain.plus(EstimateTerm(storage=(("R1", end), ("inlet", 5.0))))
+    held = [estimate.network.averaged[0].capacity for estimate in (plain, stored)]
     assert held[1] - held[0] == pytest.approx([end] + [0.0] * 15, rel=1e-9)
 
 
@@ -152,25 +159,25 @@ def test_soft_tubes_store_at_their_ends() -> None:
 
 def test_a_small_tip_force_bends_it_like_a_cantilever() -> None:
     force = 1e-4
-    sketch = bare(STILL, "run.duration=1 s").with_(tip_force=(force, 0.0))
+    estimate = bare(STILL, "run.duration=1 s").plus(EstimateTerm(tip_force=(force, 0.0)))
     expected = force * LEG_LENGTH**3 / (3 * LEG_EI)
     # Moments at the middles of 8 pieces: too little by (1/8)^2/4.
-    assert sketch.tip[-1, 0] == pytest.approx(expected, rel=6e-3)
-    assert sketch.tip[-1, 0] == pytest.approx(expected * (1 - 1 / 256), rel=1e-4)
+    assert estimate.tip[-1, 0] == pytest.approx(expected, rel=6e-3)
+    assert estimate.tip[-1, 0] == pytest.approx(expected * (1 - 1 / 256), rel=1e-4)
 
 
 def test_a_force_along_the_axis_draws_it() -> None:
-    sketch = bare(STILL, "run.duration=1 s").with_(tip_force=(0.0, 2.0))
-    assert sketch.tip[-1, 1] - LEG_LENGTH == pytest.approx(2.0 * LEG_LENGTH / LEG_EA, rel=1e-9)
-    assert sketch.tip[-1, 0] == 0.0
+    estimate = bare(STILL, "run.duration=1 s").plus(EstimateTerm(tip_force=(0.0, 2.0)))
+    assert estimate.tip[-1, 1] - LEG_LENGTH == pytest.approx(2.0 * LEG_LENGTH / LEG_EA, rel=1e-9)
+    assert estimate.tip[-1, 0] == 0.0
 
 
 def test_weight_across_bends_it_as_an_even_load() -> None:
-    sketch = bare(STILL, "run.duration=1 s").with_(gravity=(0.1, 0.0))
-    weight = sketch.mass_per_length * 0.1
+    estimate = bare(STILL, "run.duration=1 s").plus(EstimateTerm(acceleration=(0.1, 0.0)))
+    weight = estimate.setting.mass_per_length * 0.1
     expected = weight * LEG_LENGTH**4 / (8 * LEG_EI)
-    assert sketch.tip[-1, 0] == pytest.approx(expected, rel=0.02)
-    heavier = sketch.with_(payload=0.01)
+    assert estimate.tip[-1, 0] == pytest.approx(expected, rel=0.02)
+    heavier = estimate.plus(EstimateTerm(tip_mass=0.01))
     more = expected + 0.01 * 0.1 * LEG_LENGTH**3 / (3 * LEG_EI)
     assert heavier.tip[-1, 0] == pytest.approx(more, rel=0.02)
 
@@ -179,9 +186,9 @@ def test_large_loads_stay_near_the_solver() -> None:
     """The shape that loads have bent is loaded once more."""
     loads = ("loads.tip_force.x=4 N", STILL, "run={duration: 1 s, output_interval: 1 s}")
     solved = simulate(leg(*loads, "effects={others: off}"), verify=False).tip[-1, :2]
-    sketched = bare(*loads).with_(tip_force=(4.0, 0.0)).tip[-1]
+    estimated = bare(*loads).plus(EstimateTerm(tip_force=(4.0, 0.0))).tip[-1]
     assert abs(solved[0]) > 0.3 * LEG_LENGTH
-    assert math.dist(solved, sketched) <= 0.05 * math.dist(solved, (0.0, LEG_LENGTH))
+    assert math.dist(solved, estimated) <= 0.05 * math.dist(solved, (0.0, LEG_LENGTH))
 
 
 def one_sided(count: int) -> str:
@@ -193,14 +200,14 @@ def one_sided(count: int) -> str:
 
 @pytest.mark.parametrize("count", [4, 8, 16])
 def test_without_effects_it_is_the_row_of_arcs(count: int) -> None:
-    """Sections that the pieces of a sketch divide evenly: nearly to round-off."""
+    """Sections that the pieces of an estimate divide evenly: nearly to round-off."""
     overrides = (f"bellows.count={count}", one_sided(count), RAMPS, SHORT, "gauge_pressure=1 kPa")
     solved = simulate(leg(*overrides, "effects={others: off}"), verify=False)
-    sketch = bare(*overrides)
-    times = sketch.ground.time[sketch.ground.told]
+    estimate = bare(*overrides)
+    times = estimate.setting.time[estimate.setting.output_mask]
     assert times == pytest.approx(solved.time, abs=1e-12)
     # A corner is told a billionth of the run before it.
-    apart = sketch.tip[sketch.ground.told] - solved.tip[:, :2]
+    apart = estimate.tip[estimate.setting.output_mask] - solved.tip[:, :2]
     assert np.max(np.abs(apart)) <= 1e-8 * LEG_LENGTH
     assert np.ptp(solved.tip[:, 0]) > 1e-3
 
@@ -210,8 +217,8 @@ def test_sections_that_pieces_divide_unevenly_differ_little(count: int) -> None:
     overrides = (f"bellows.count={count}", RAMPS, SHORT)
     taken = "effects={pressure_distribution: on, others: off}"
     solved = simulate(leg(*overrides, taken), verify=False)
-    sketch = bare(*overrides).with_(uniform=False)
-    apart = sketch.tip[sketch.ground.told] - solved.tip[:, :2]
+    estimate = bare(*overrides).plus(EstimateTerm(distributed=True))
+    apart = estimate.tip[estimate.setting.output_mask] - solved.tip[:, :2]
     moved = np.max(np.abs(solved.tip[:, :2] - (0.0, LEG_LENGTH)))
     assert np.max(np.hypot(*apart.T)) <= 0.02 * moved
 
@@ -222,11 +229,11 @@ def test_sections_that_pieces_divide_unevenly_differ_little(count: int) -> None:
 def test_a_damped_massless_rod_lags_behind() -> None:
     """A jump is followed as 1 - exp(-t/t_v)."""
     jump = "input={kind: table, rows: [[0, 0], [1, 0], [1, 2 kPa], [2, 2 kPa]]}"
-    sketch = bare(jump, SHORT)
-    late = sketch.with_(damping_time=0.2)
-    time = sketch.ground.time
+    estimate = bare(jump, SHORT)
+    late = estimate.plus(EstimateTerm(damping_time=0.2))
+    time = estimate.setting.time
     after = time > 1.0
-    there, start = sketch.tip[-1], sketch.tip[0]
+    there, start = estimate.tip[-1], estimate.tip[0]
     expected = start + (there - start) * (1 - np.exp(-(time[after, None] - 1.0) / 0.2))
     assert np.max(np.abs(late.tip[after] - expected)) <= 1e-9
     assert np.max(np.abs(late.tip[time < 1.0] - start)) <= 1e-12
@@ -236,28 +243,41 @@ def test_masses_let_a_jump_overshoot_and_settle() -> None:
     """Bending of one side: the tip of a first mode swings to twice where it goes."""
     network = "network={layout: custom, tubes: [{from: inlet, to: R1, length: 1 mm, radius: 1 mm}]}"
     jump = "input={kind: table, rows: [[0, 0], [0.125, 0], [0.125, 500 Pa], [2, 500 Pa]]}"
-    sketch = bare("bellows.count=2", network, jump, "run={duration: 0.25 s, output_interval: 3 ms}")
-    there = sketch.tip[-1, 0]
+    estimate = bare(
+        "bellows.count=2", network, jump, "run={duration: 0.25 s, output_interval: 3 ms}"
+    )
+    there = estimate.tip[-1, 0]
     assert abs(there) > 1e-4
-    ringing = sketch.with_(moving=True, damping_time=1e-4).tip[:, 0] / there
+    ringing = (
+        estimate.plus(EstimateTerm(resists_acceleration=True, damping_time=1e-4)).tip[:, 0] / there
+    )
     assert np.max(ringing) == pytest.approx(1.9, abs=0.1)
-    assert np.min(ringing[sketch.ground.time > 0.15]) == pytest.approx(0.1, abs=0.1)
-    damped = sketch.with_(moving=True, damping_time=1e-2).tip[:, 0] / there
+    assert np.min(ringing[estimate.setting.time > 0.15]) == pytest.approx(0.1, abs=0.1)
+    damped = (
+        estimate.plus(EstimateTerm(resists_acceleration=True, damping_time=1e-2)).tip[:, 0] / there
+    )
     assert damped[-1] == pytest.approx(1.0, rel=1e-2)
     assert np.max(damped) < 1.3
 
 
 def test_turning_and_payload_slow_the_swing() -> None:
-    sketch = bare(STILL)
-    plain = sketch._bending_rate()
+    estimate = bare(STILL)
+    plain = estimate.bending_rate()
     # First root of a clamped-free beam, squared: 3.516/t_s.
     assert plain == pytest.approx(3.516 / classify(leg()).scales.t_s, rel=1e-3)
-    assert sketch.with_(gyration=0.03 / math.sqrt(12))._bending_rate() < plain
+    assert (
+        estimate.plus(
+            EstimateTerm(modal_mass=RotaryInertia(0.03 / math.sqrt(12)).modal_mass)
+        ).bending_rate()
+        < plain
+    )
     mass = 0.02
-    carried = sketch.with_(mass_per_length=1e-9, payload=mass)._bending_rate()
+    light = bare(STILL)
+    light.setting.mass_per_length = 1e-9
+    carried = light.plus(EstimateTerm(tip_mass=mass)).bending_rate()
     assert carried == pytest.approx(math.sqrt(3 * LEG_EI / LEG_LENGTH**3 / mass), rel=1e-5)
-    axial = sketch._axial_rate()
-    speed = math.sqrt(LEG_EA / sketch.mass_per_length)
+    axial = estimate.axial_rate()
+    speed = math.sqrt(LEG_EA / estimate.setting.mass_per_length)
     assert axial == pytest.approx(math.pi / 2 * speed / LEG_LENGTH, rel=1e-9)
 
 
@@ -265,46 +285,54 @@ def test_turning_and_payload_slow_the_swing() -> None:
 
 
 def test_distance_is_the_largest_over_the_outputs() -> None:
-    sketch = bare(RAMPS, SHORT)
-    other = sketch.with_(uniform=False)
-    told = sketch.ground.told
-    expected = max(math.dist(a, b) for a, b in zip(sketch.tip[told], other.tip[told], strict=True))
-    assert sketch.distance(other) == pytest.approx(expected)
-    assert sketch.distance(other) == other.distance(sketch)
-    assert sketch.distance(sketch.with_()) == 0.0
+    estimate = bare(RAMPS, SHORT)
+    other = estimate.plus(EstimateTerm(distributed=True))
+    told = estimate.setting.output_mask
+    expected = max(
+        math.dist(a, b) for a, b in zip(estimate.tip[told], other.tip[told], strict=True)
+    )
+    assert estimate.distance(other) == pytest.approx(expected)
+    assert estimate.distance(other) == other.distance(estimate)
+    assert estimate.distance(estimate.plus()) == 0.0
 
 
 def test_what_is_not_finite_is_infinitely_far() -> None:
-    sketch = bare(RAMPS, SHORT)
-    assert sketch.distance(sketch.with_(tip_force=(math.nan, 0.0))) == math.inf
+    estimate = bare(RAMPS, SHORT)
+    assert estimate.distance(estimate.plus(EstimateTerm(tip_force=(math.nan, 0.0)))) == math.inf
 
 
 def test_a_network_is_settled_once_for_the_same_numbers() -> None:
-    sketch = bare(RAMPS, SHORT).with_(uniform=False)
-    assert sketch.with_(moving=True)._network is sketch._network
-    assert sketch.with_(gas_exponent=1.0)._network is not sketch._network
+    estimate = bare(RAMPS, SHORT).plus(EstimateTerm(distributed=True))
+    assert (
+        estimate.plus(EstimateTerm(resists_acceleration=True)).network.averaged
+        is estimate.network.averaged
+    )
+    assert (
+        estimate.plus(EstimateTerm(fluid=PolytropicGas(1.0))).network.averaged
+        is not estimate.network.averaged
+    )
 
 
-def test_a_long_train_is_sketched_by_its_beginning() -> None:
-    sketch = bare("input={kind: sine, amplitude: 3 kPa, frequency: 10 Hz}", "run.duration=100 s")
-    assert 1.0 < sketch.ground.time[-1] < 10.0
-    assert len(sketch.ground.time) < 3000
+def test_a_long_train_is_estimated_by_its_beginning() -> None:
+    estimate = bare("input={kind: sine, amplitude: 3 kPa, frequency: 10 Hz}", "run.duration=100 s")
+    assert 1.0 < estimate.setting.time[-1] < 10.0
+    assert len(estimate.setting.time) < 3000
 
 
-def test_outputs_rarer_than_the_sketch_is_long_may_fall_upon_any_sample() -> None:
+def test_outputs_rarer_than_the_estimate_is_long_may_fall_upon_any_sample() -> None:
     run = "run={duration: 2000 s, output_interval: 50 s}"
-    sketch = bare("input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}", run)
-    assert len(sketch.ground.told) > 500
-    assert sketch.distance(sketch.with_(uniform=False)) > 0.0
+    estimate = bare("input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}", run)
+    assert len(estimate.setting.output_mask) > 500
+    assert estimate.distance(estimate.plus(EstimateTerm(distributed=True))) > 0.0
 
 
 def test_the_start_is_told_as_it_leaves_and_a_corner_as_it_is_reached() -> None:
     """A step at zero shows at once; one at an output time not yet."""
-    sketch = bare(
+    estimate = bare(
         "input={kind: table, rows: [[0, 0], [1, 0], [1, 5 kPa], [2, 5 kPa]]}",
         "run={duration: 2 s, output_times: [0, 1, 2]}",
     )
-    tips = sketch.tip[sketch.ground.told]
+    tips = estimate.tip[estimate.setting.output_mask]
     assert len(tips) == 3
     assert tips[1] == pytest.approx(tips[0], abs=1e-12)
     assert math.dist(tips[2], tips[0]) > 1e-4
@@ -314,13 +342,13 @@ def test_a_step_at_zero_is_told_from_the_start() -> None:
     step = ("bellows.count=4", "input={kind: step, value: 5 kPa}",
             "run={duration: 1 s, output_times: [0, 1]}")  # fmt: skip
     solved = simulate(leg(*step, "effects=off"), verify=False).tip[:, :2]
-    sketch = bare(*step)
-    assert sketch.tip[sketch.ground.told] == pytest.approx(solved, abs=1e-9)
+    estimate = bare(*step)
+    assert estimate.tip[estimate.setting.output_mask] == pytest.approx(solved, abs=1e-9)
     assert solved[0, 1] > LEG_LENGTH * 1.001
 
 
-def test_outputs_that_begin_behind_the_sketch_do_not_empty_it() -> None:
-    """A long train of swings is sketched for its first ones, whenever the outputs begin."""
+def test_outputs_that_begin_behind_the_estimate_do_not_empty_it() -> None:
+    """A long train of swings is estimated for its first ones, whenever the outputs begin."""
     scene = leg(
         "input={kind: sine, amplitude: 5 kPa, frequency: 2 Hz}",
         "run={duration: 40 s, output_times: [39.5, 40]}",
@@ -333,22 +361,25 @@ def test_outputs_that_begin_behind_the_sketch_do_not_empty_it() -> None:
 def test_a_gas_between_two_inlets_is_densest_at_the_higher() -> None:
     """Of a steady isothermal flow through equal tubes the square of the pressure falls evenly."""
     ambient, high, low = 101325.0, 60e3, -60e3
-    sketch = bare(
+    estimate = bare(
         "bellows.count=2",
         "input=null",
         "network={layout: custom, tube_length: 40 mm, tube_radius: 0.3 mm, tubes: [{from: a, to: R1}, {from: R1, to: L1}, {from: L1, to: b}]}",
         f"inputs={{a: {{kind: constant, value: {high}}}, b: {{kind: constant, value: {low}}}}}",
         "run={duration: 1 s, output_interval: 0.1 s, start: equilibrium}",
         f"ambient_pressure={ambient}",
-    ).with_(uniform=False)
+    ).plus(EstimateTerm(distributed=True))
     squares = np.linspace((ambient + high) ** 2, (ambient + low) ** 2, 4)[1:-1]
-    found = sketch.with_(gas_exponent=1.0).pressure[-1]
+    found = estimate.plus(EstimateTerm(fluid=PolytropicGas(1.0))).network.pressure[-1]
     assert found == pytest.approx(np.sqrt(squares) - ambient, rel=0.03)
-    assert sketch.pressure[-1] == pytest.approx([20e3, -20e3], rel=1e-6)
+    assert estimate.network.pressure[-1] == pytest.approx([20e3, -20e3], rel=1e-6)
 
 
-def test_turning_counts_more_where_nothing_calms_the_rod() -> None:
-    calm = bare("bellows.count=4", RAMPS, SHORT).with_(moving=True, damping_time=1e-3)
-    lively = calm.with_(damping_time=0.0)
-    moved = [s.distance(s.with_(gyration=5e-3)) for s in (calm, lively)]
+def test_turning_counts_more_where_nothing_damps_the_rod() -> None:
+    lively = bare("bellows.count=4", RAMPS, SHORT).plus(EstimateTerm(resists_acceleration=True))
+    calm = lively.plus(EstimateTerm(damping_time=1e-3))
+    moved = [
+        s.distance(s.plus(EstimateTerm(modal_mass=RotaryInertia(5e-3).modal_mass)))
+        for s in (calm, lively)
+    ]
     assert moved[1] > 2 * moved[0] > 0.0

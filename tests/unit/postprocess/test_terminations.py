@@ -1,4 +1,4 @@
-"""Every watchdog barks at what it is for, and names it."""
+"""Every check finds its own failure, and names it."""
 
 from __future__ import annotations
 
@@ -11,19 +11,21 @@ import pytest
 from viscodesign.model.chain import Chain
 from viscodesign.model.rod import Body
 from viscodesign.model.rod_equations import RodForm
-from viscodesign.postprocess.terminations import broken_balance, doubted_balance, first_ending
+from viscodesign.postprocess.terminations import broken_balance, doubted_balance, first_termination
 from viscodesign.results.trajectory import Invariants
 
 TIME = np.linspace(0.0, 1.0, 5)
 
 
 def problem(floor: float | None = None) -> Any:
-    """Two bellows, one section, and what the watches read of a problem."""
+    """Two bellows, one section, and what the checks read of a problem."""
     equations = SimpleNamespace(
         incompressible=floor is None, rest_amounts=np.array([1.0, 1.0]), rod_form=RodForm.STATIC
     )
     rod = Chain(Body(1.0, 1, 1.0, 1.0, 1.0), 4)
-    return SimpleNamespace(equations=equations, rod=rod, bellows=("R1", "L1"), floor_volume=floor)
+    return SimpleNamespace(
+        equations=equations, rod=rod, bellows=("R1", "L1"), floor_volume=floor, floor_keys=()
+    )
 
 
 def rows(**changes: tuple[tuple[int, int], float]) -> dict[str, np.ndarray]:
@@ -35,7 +37,7 @@ def rows(**changes: tuple[tuple[int, int], float]) -> dict[str, np.ndarray]:
 
 
 def ended(problem: Any, values: dict[str, np.ndarray], stretch: np.ndarray | None = None) -> Any:
-    return first_ending(
+    return first_termination(
         problem, TIME, values, np.ones((5, 1)) if stretch is None else stretch, None
     )
 
@@ -60,7 +62,7 @@ def test_a_section_pressed_to_nothing_ends_a_run() -> None:
 def test_a_gas_filled_bellow_at_its_floor_ends_a_run() -> None:
     end, failure = ended(problem(0.1), rows(volume=((2, 0), 0.09)))
     assert (end, failure.quantity) == (2, "volume")
-    assert "floor" in str(failure)
+    assert "minimum (collapsed) volume" in str(failure)
     assert ended(problem(None), rows(volume=((2, 0), 0.09))) == (5, None)
 
 

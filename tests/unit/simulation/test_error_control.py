@@ -115,7 +115,7 @@ def test_a_coarse_first_solution_is_refined_until_it_serves() -> None:
     scene = leg(*SCENES["dynamic"], "accuracy=0.05 %")
     quantities = SceneQuantities(scene)
     selection = select_effects(quantities)
-    verifier = Verifier(quantities, selection.effects, selection.omitted_m, None)
+    verifier = Verifier(quantities, selection.effects, selection.neglected_m, None)
     run = verifier.solve(Settings(1, 1e-2))
     finest, parts = verifier.verify(run)
     assert isinstance(parts, ErrorParts)
@@ -153,5 +153,8 @@ def test_a_finer_solution_without_a_start_leaves_the_coarser_one(
     run = simulate(scene)
     assert run.status == "failed"
     assert run.failure is not None
-    assert "its error is not known: a finer solution has no start: no way" in run.failure
+    assert (
+        "could not be estimated: the refined problem has no initial equilibrium: no way"
+        in run.failure
+    )
     assert np.array_equal(run.tip, solutions[0].motion.tip)

@@ -53,7 +53,7 @@ def test_estimates_are_near_measurements_where_they_count(scene: str) -> None:
 def test_everything_that_the_scene_has_is_switched_once(scene: str) -> None:
     found = ablated(scene)
     overrides = (*SMALL, *SCENES[scene])
-    switchable = select_effects(SceneQuantities(leg(*overrides))).provable
+    switchable = select_effects(SceneQuantities(leg(*overrides))).measurable
     told = {v.name: v for v in found.effects}
     assert [p.name for p in found.proof] == switchable
     for ablation in found.proof:
@@ -116,7 +116,7 @@ def test_a_switch_that_ends_early_is_compared_as_far_as_it_came() -> None:
     )
     assert run is not None
     assert not run.is_complete
-    assert ablation.note == f"compared up to t = {run.motion.time[-1]:.4g} s, where it ended"
+    assert ablation.note == f"compared up to t = {run.motion.time[-1]:.4g} s, where that run ended"
     both = len(run.motion.tip)
     assert 1 < both < len(base.motion.tip)
     apart = base.motion.tip[:both, :2] - run.motion.tip[:, :2]
@@ -175,8 +175,8 @@ def test_small_changes_stand_out_from_the_steps_noise(monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(measured_effects, "solve", noted)
     found = simulate(leg(*SMALL, "effects=off"), verify=False, prove=True)
-    tolerance = found.settings["tolerance"] / measured_effects.FINER
+    tolerance = found.settings["tolerance"] / measured_effects.TOLERANCE_REDUCTION
     assert [s.tolerance for s in settings] == pytest.approx([tolerance] * len(settings))
     assert {s.edges_per_section for s in settings} == {found.settings["edges_per_section"]}
     assert len(settings) == len(found.proof) + 1
-    assert measured_effects.FINER >= 10
+    assert measured_effects.TOLERANCE_REDUCTION >= 10

@@ -1,4 +1,4 @@
-"""What a run calls for that the sketches had left out."""
+"""What a run calls for that the estimates had neglected."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation import simulate as simulating
 from viscodesign.simulation.build_problem import suggest_settings
-from viscodesign.simulation.missed_effects import reselected
+from viscodesign.simulation.missed_effects import escalation
 from viscodesign.simulation.solve_once import Run, solve
 
 Solved = tuple[SceneQuantities, Selection, Run]
@@ -36,29 +36,29 @@ def fast() -> Solved:
 
 def test_fast_flow_calls_for_its_losses_once(fast: Solved) -> None:
     quantities, selection, run = fast
-    assert "flow_regime" not in selection.taken
-    found = reselected(quantities, selection, run)
+    assert "flow_regime" not in selection.active
+    found = escalation(quantities, selection, run)
     assert found is not None
-    assert found.selection.taken == selection.taken | {"flow_regime"}
+    assert found.selection.active == selection.active | {"flow_regime"}
     (verdict,) = (v for v in found.selection.verdicts if v.name == "flow_regime")
     assert verdict.taken
-    assert "the flows that were found would lose" in verdict.reason
+    assert "the computed flows would lose" in verdict.reason
     again = solve(quantities, found.selection.effects, run.settings)
-    assert reselected(quantities, found.selection, again) is None
+    assert escalation(quantities, found.selection, again) is None
 
 
 def test_what_the_spec_forbids_is_not_called_for(fast: Solved) -> None:
     scene = leg(*LEFT_ITS_FLOOR, "effects={others: auto, flow_regime: off}")
     quantities = SceneQuantities(scene)
     selection = select_effects(quantities)
-    assert reselected(quantities, selection, fast[2]) is None
+    assert escalation(quantities, selection, fast[2]) is None
 
 
 def test_a_rod_that_does_not_move_calls_for_nothing(fast: Solved) -> None:
     quantities, selection, run = fast
     still = np.tile([0.0, quantities.body.length, 0.0], (len(run.motion.tip), 1))
     unmoved = replace(run, motion=run.motion.with_arrays(tip=still))
-    assert reselected(quantities, selection, unmoved) is None
+    assert escalation(quantities, selection, unmoved) is None
 
 
 def test_the_first_instant_does_not_count(fast: Solved) -> None:
@@ -66,11 +66,11 @@ def test_the_first_instant_does_not_count(fast: Solved) -> None:
     flow = np.zeros_like(run.motion.flow)
     flow[0] = run.motion.flow.max()
     burst = replace(run, motion=run.motion.with_arrays(flow=flow))
-    assert reselected(quantities, selection, burst) is None
+    assert escalation(quantities, selection, burst) is None
 
 
 def test_slow_flow_calls_for_nothing() -> None:
-    assert reselected(*solved("effects=auto")) is None
+    assert escalation(*solved("effects=auto")) is None
 
 
 def test_what_it_needs_and_what_costs_nothing_beside_it_come_along() -> None:
@@ -78,10 +78,10 @@ def test_what_it_needs_and_what_costs_nothing_beside_it_come_along() -> None:
         leg("effects=auto", "accuracy=20 %", "input={kind: constant, value: 1 kPa}")
     )
     selection = select_effects(quantities)
-    assert not selection.taken & {"pressure_distribution", "flow_regime", "fluid_inertance"}
+    assert not selection.active & {"pressure_distribution", "flow_regime", "fluid_inertance"}
     grown = selection.grown("flow_regime", "it is asked for")
     assert grown is not None
-    assert grown.taken - selection.taken == {
+    assert grown.active - selection.active == {
         "pressure_distribution",
         "flow_regime",
         "fluid_inertance",
@@ -92,7 +92,7 @@ def test_what_it_needs_and_what_costs_nothing_beside_it_come_along() -> None:
 def test_the_run_tells_why_it_was_done_again() -> None:
     run = simulate(leg(*LEFT_ITS_FLOOR), verify=False)
     (rung,) = run.ladder
-    assert (rung.tried, rung.solved) == ("flow_regime taken in, from the start", True)
+    assert (rung.tried, rung.solved) == ("flow_regime included, from the start", True)
     assert "of the largest pressure" in rung.reason
     assert "turbulent_flow" not in {notice.code for notice in run.warnings}
 
@@ -101,7 +101,7 @@ def test_without_a_start_the_first_run_is_kept(monkeypatch: pytest.MonkeyPatch) 
     solve_scene = simulating._solve
 
     def first_only(*args: Any) -> Any:
-        if "flow_regime" in args[1].taken:
+        if "flow_regime" in args[1].active:
             raise SolveError("no pressures", quantity="pressure", where="network")
         return solve_scene(*args)
 
@@ -110,8 +110,8 @@ def test_without_a_start_the_first_run_is_kept(monkeypatch: pytest.MonkeyPatch) 
     run = simulate(scene)
     assert (run.status, len(run.time)) == ("failed", len(scene.run.output_times_array()))
     assert run.failure is not None
-    assert "flow_regime taken in, from the start" in run.failure
+    assert "flow_regime included, from the start" in run.failure
     assert "no pressures" in run.failure
     assert [rung.solved for rung in run.ladder] == [False]
-    # What was not taken in is still warned of.
+    # The missing effect is still warned of.
     assert "turbulent_flow" in {notice.code for notice in run.warnings}

@@ -9,7 +9,7 @@ import numpy as np
 
 from tests.scenes import leg
 from viscodesign import simulate
-from viscodesign.simulation.simulate import FLOWS_UNSURE, _uncertain_flows
+from viscodesign.simulation.assemble import FLOW_ERROR_WARNED, uncertain_flows
 from viscodesign.simulation.solve_once import FlowDifference, flow_difference
 
 
@@ -30,14 +30,14 @@ def test_no_flow_has_no_difference() -> None:
 
 def test_uncertain_flows_are_told_with_number_and_place() -> None:
     run = simulate(leg("bellows.count=4", "run={duration: 0.2 s}"), verify=False)
-    verifier: Any = SimpleNamespace(flows_apart=FlowDifference(2.1 * FLOWS_UNSURE, 1, 3))
-    (notice,) = _uncertain_flows(run, verifier)
+    verifier: Any = SimpleNamespace(flows_apart=FlowDifference(2.1 * FLOW_ERROR_WARNED, 1, 3))
+    (notice,) = uncertain_flows(run, verifier)
     assert notice.code == "uncertain_flows"
     assert notice.where == run.tubes[1]
     assert notice.time_s == run.time[3]
-    assert "0.021 of the largest flow" in notice.message
-    verifier.flows_apart = FlowDifference(1.9 * FLOWS_UNSURE, 1, 3)
-    assert not list(_uncertain_flows(run, verifier))
+    assert "2.1 % of the peak flow" in notice.message
+    verifier.flows_apart = FlowDifference(1.9 * FLOW_ERROR_WARNED, 1, 3)
+    assert not list(uncertain_flows(run, verifier))
     # A finer solution that ended before that output is told of by itself.
-    verifier.flows_apart = FlowDifference(2.1 * FLOWS_UNSURE, 1, len(run.time))
-    assert not list(_uncertain_flows(run, verifier))
+    verifier.flows_apart = FlowDifference(2.1 * FLOW_ERROR_WARNED, 1, len(run.time))
+    assert not list(uncertain_flows(run, verifier))

@@ -13,14 +13,15 @@ from tests.validation.rc_network import COMPLIANCE, columns, resistance
 from viscodesign import Trajectory, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.model.chain import TurningSteps
 from viscodesign.model.rod_equations import COORDINATES, INTERNAL, RodForm
+from viscodesign.model.step_geometry import STRAIGHT
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve import branch_jumps
 from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch
-from viscodesign.solve.evaluation import evaluate
 from viscodesign.solve.numerics import stability
 from viscodesign.solve.numerics.newton import newton
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.idas import Idas
 from viscodesign.solve.statics import Start, consistent, equilibrium
@@ -123,9 +124,9 @@ def test_a_jump_of_the_solver_is_detected() -> None:
 
 def test_only_a_static_rod_beside_a_fluid_has_branches() -> None:
     arcs, _ = made("effects={pressure_distribution: on, others: off}", "run={duration: 1 s}")
-    assert not branch_jumps.may_jump(arcs)
+    assert not branch_jumps.has_branches(arcs)
     beside, _ = made(BESIDE_A_FLUID, "run={duration: 1 s}", "loads.gravity=on")
-    assert branch_jumps.may_jump(beside)
+    assert branch_jumps.has_branches(beside)
 
 
 def test_following_a_branch_ends_at_a_solution() -> None:
@@ -140,3 +141,24 @@ def test_following_a_branch_ends_at_a_solution() -> None:
     residual, _ = constraints(problem, after, found)
     assert np.max(np.abs(residual)) <= 1e-9
     assert before.towards(after, 0.25).time == pytest.approx(0.025)
+
+
+def test_turning_steps_preserve_lengths_to_second_order() -> None:
+    chords = np.array([[0.0, 1.0], [0.3, 0.9], [0.5, 0.7]])
+    y = np.append(np.cumsum(chords, axis=0).ravel(), 7.0)
+    turn = np.append(np.cumsum(np.column_stack((chords[:, 1], -chords[:, 0])), axis=0).ravel(), 1.0)
+    geometry = TurningSteps(slice(0, 6))
+    for angle in (1e-4, 0.3):
+        after = geometry.step(y, angle * turn)
+        lengths = np.hypot(*np.diff(after[:6].reshape(-1, 2), axis=0, prepend=0.0).T)
+        assert lengths == pytest.approx(np.hypot(*chords.T), rel=1e-12)
+        assert after[6] == pytest.approx(7.0 + angle)
+    small = 1e-6 * turn
+    assert geometry.step(y, small) == pytest.approx(STRAIGHT.step(y, small), abs=1e-11)
+
+
+def test_extrapolation_repeats_the_turn() -> None:
+    geometry = TurningSteps(slice(0, 2))
+    points = [np.array([np.sin(a), np.cos(a)]) for a in (0.1, 0.4, 1.0)]
+    assert geometry.extrapolate(points[0], points[1], 2.0) == pytest.approx(points[2])
+    assert STRAIGHT.extrapolate(np.zeros(2), np.ones(2), 0.5) == pytest.approx(np.full(2, 1.5))

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.effects.tube_compliance import TubeCompliance
+from viscodesign.effects.base import Trait
+from viscodesign.effects.catalogue import every_effect, traits_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import gas
 from viscodesign.pump.drive import Drive
@@ -32,11 +33,10 @@ class FeedLine:
 
 def feed_line_at(scene: Scene, inlet: str, active: frozenset[str]) -> FeedLine:
     """The line of an inlet in a model with these effects."""
-    if TubeCompliance.name not in active:
-        return FeedLine()
-    compressible = "gas_compressibility" in active
-    volume, compliance = TubeCompliance.of(SceneQuantities(scene)).stored_at(inlet, compressible)
-    return FeedLine(volume, compliance, compressible)
+    compressible = Trait.COMPRESSIBLE_FLUID in traits_of(active)
+    effects = every_effect(SceneQuantities(scene))
+    stored = [effects[name].node_storage(inlet, compressible) for name in sorted(active)]
+    return FeedLine(sum(v for v, _ in stored), sum(c for _, c in stored), compressible)
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from viscodesign.effects.select import catalogue
+from viscodesign.effects.catalogue import catalogue
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt

@@ -8,6 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from viscodesign._version import __version__
+from viscodesign.effects.base import Trait
+from viscodesign.effects.catalogue import names_with
 from viscodesign.physics import gas
 from viscodesign.pump import syringe
 from viscodesign.pump.planning.achievable import SWEEPS, AchievableMotion, achievable_motion
@@ -146,23 +148,29 @@ def _network_compliance(demand: PumpDemand) -> float:
     part = next(c for c in scene.graph.components() if demand.inlet in c.inlets)
     bellows, absolute = scene.bellows, scene.ambient_pressure + scene.gauge_pressure
     one = bellows.length * bellows.area_per_pressure
-    if scene.effects.mode("gas_compressibility") == "on":
+    if not _gas_effects_off(scene):
         rest = bellows.height * bellows.width * bellows.length
         one += gas.gas_compliance(rest, absolute, scene.fluid.polytropic_exponent)
     return len(part.bellows) * one / len(part.inlets)
+
+
+def _gas_effects_off(scene: Scene) -> list[str]:
+    """Names of the effects that make the gas compressible and are not switched on."""
+    names = names_with(Trait.COMPRESSIBLE_FLUID)
+    return [name for name in names if scene.effects.mode(name) != "on"]
 
 
 def _notices(
     scene: Scene, demands: tuple[PumpDemand, ...], achieved: AchievableMotion
 ) -> Iterator[Notice]:
     """What a reader of the plan should hear beside its verdicts."""
-    if scene.fluid.is_gas and scene.effects.mode("gas_compressibility") != "on":
+    if scene.fluid.is_gas and (off := _gas_effects_off(scene)):
         rest = scene.bellows.height * scene.bellows.width * scene.bellows.length
         swing = max(float(np.ptp(d.pressure)) for d in demands)
         missing = len(scene.graph.bellows) * rest * swing / scene.ambient_pressure
         yield Notice(
             "gas_not_counted",
-            "effects.gas_compressibility is off, so the gas in the bellows counts as "
+            f"effects.{off[0]} is off, so the gas in the bellows counts as "
             f"incompressible: up to {1e6 * missing:.3g} mL that the plunger would have to move "
             "for its compression are left out",
         )

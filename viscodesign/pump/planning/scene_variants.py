@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.effects.select import effect_names
+from viscodesign.effects.base import Trait
+from viscodesign.effects.catalogue import catalogue, effect_names, names_with
 from viscodesign.errors import Fault, SpecError
 from viscodesign.pump.drive import Drive
 from viscodesign.results.trajectory import Trajectory
@@ -18,8 +19,8 @@ from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
 
-COUNTED = ("gas_compressibility", "tube_compliance")
-"""Effects that a plunger feels even where the tip does not."""
+COUNTED = (Trait.COMPRESSIBLE_FLUID, Trait.TUBE_STORAGE)
+"""What a plunger feels even where the tip does not."""
 
 
 @dataclass(frozen=True)
@@ -108,14 +109,15 @@ def planned(scene: Scene) -> Scene:
     """The scene with outputs as fine as a plunger needs, and what a plunger feels taken in."""
     modes = dict(scene.effects.modes)
     if scene.fluid.is_gas:
-        modes |= {name: "on" for name in COUNTED if _may_switch_on(scene, name)}
+        counted = [name for trait in COUNTED for name in names_with(trait)]
+        modes |= {name: "on" for name in counted if _may_switch_on(scene, name)}
     effects = scene.effects.model_copy(update={"modes": modes})
     return with_outputs(scene.model_copy(update={"effects": effects}), _times(scene))
 
 
 def _may_switch_on(scene: Scene, name: str) -> bool:
-    needs_flow = name == "tube_compliance" and scene.effects.mode("pressure_distribution") == "off"
-    return scene.effects.mode(name) == "auto" and not needs_flow
+    needed, choice = catalogue()[name].needs, scene.effects
+    return choice.mode(name) == "auto" and (needed is None or choice.mode(needed) != "off")
 
 
 def _times(scene: Scene) -> np.ndarray:

@@ -11,7 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.effects.select import catalogue, select_effects
+from viscodesign.effects.catalogue import catalogue
+from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.outputs import Outputs
 from viscodesign.pump.drive import Drive
@@ -20,8 +21,7 @@ from viscodesign.pump.planning.scene_variants import planned, pump_of, with_inpu
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import build, suggest_settings
-from viscodesign.solve.evaluation import evaluate_along
-from viscodesign.solve.problem import Pieces, Problem, Schedule
+from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate_along
 from viscodesign.solve.solvers.base import Solver, Work
 from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, equilibrium
@@ -49,7 +49,7 @@ class ActuatorPlant(Plant):
         pump, scene = pump_of(scene), planned(scene)
         drive = Drive(pump)
         self.area, self._longest_way = drive.area, (1 - KEPT_FREE) * drive.filled_at_home
-        names = select_effects(SceneQuantities(scene)).taken
+        names = select_effects(SceneQuantities(scene)).active
         self.problem, self.effects = _problem(scene, drive, names)
         self.inlets = tuple(scene.inputs)
         self.time = 0.0

@@ -12,7 +12,7 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.solve.problem import Pieces, Problem
-from viscodesign.solve.statics import Instant, Start, consistent
+from viscodesign.solve.statics import Instant, Start
 
 Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
 """States (nx, m), algebraic unknowns (nz, m) and integrals from the first edge (nq, m)."""
@@ -109,47 +109,6 @@ class Solver(ABC):
             time_s=time,
             remedy="Check the last shapes; lower the pressure or the loads, or include inertia.",
         )
-
-
-class StretchSolver(Solver):
-    """A solver of stretches of smooth input, each of them from consistent unknowns."""
-
-    @abstractmethod
-    def follow(
-        self, y: np.ndarray, begin: int, end: int, work: Work
-    ) -> tuple[list[np.ndarray], SolveError | None]:
-        """States, algebraic unknowns and integrals (n,) at edges begin+1..end, or at fewer.
-
-        ``y`` (n,): the same at edge ``begin``.
-        """
-
-    def __call__(
-        self, here: Start, first: int, stop: int, work: Work
-    ) -> tuple[Columns, SolveError | None]:
-        """Solve the stretches of smooth input in first..stop one after the other."""
-        equations, schedule = self.problem.equations, self.problem.schedule
-        ends = [equations.states.count, self.problem.unknowns]
-        columns: list[np.ndarray] = []
-        total = np.zeros(equations.quadrature.numel())
-        failure: SolveError | None = None
-        for begin, end in smooth_stretches(schedule.pieces, first, stop):
-            time, piece = schedule.edges[begin], schedule.pieces[begin]
-            try:
-                here = consistent(self.problem, here, time, piece, self.before(begin))
-            except SolveError as error:
-                failure = error
-                break
-            y = np.concatenate([here.states, here.algebraics, total])
-            found, failure = self.follow(y, begin, end, work)
-            columns += found
-            if failure is not None:
-                break
-            x, z, total = np.split(found[-1], ends)
-            here = Start(x, z)
-        if not columns:
-            return self.nothing(), failure
-        x, z, q = np.split(np.array(columns).T, ends)
-        return (x, z, q), failure
 
 
 def smooth_stretches(pieces: Pieces, first: int, stop: int) -> list[tuple[int, int]]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Formulas
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import PreviousSolution
 from viscodesign.solve.numerics.newton import CONTROL
 from viscodesign.solve.solvers.base import Columns, Solver, Work
@@ -25,7 +26,7 @@ class QuasiStatic(Solver):
         """Solve the constraints at edges first+1..stop."""
         # Pressures have one solution. A loaded rod may have several, and plain Newton would
         # jump from one to another where a fold ends its branch.
-        if not self.problem.has_branches:
+        if self.problem.equations.rod_form is RodForm.ARCS:
             found = self._at_once(here, first, stop)
             if found is not None:
                 work.steps += stop - first

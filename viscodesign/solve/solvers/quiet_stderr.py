@@ -10,7 +10,7 @@ from contextlib import contextmanager
 
 
 class _Sink:
-    """Redirects standard error, once for all threads, since a process has only one."""
+    """Where standard error goes meanwhile: one for all threads, since a process has but one."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -18,7 +18,7 @@ class _Sink:
         self._kept: int | None = None
 
     def enter(self) -> None:
-        """Redirect standard error, unless another thread has done so."""
+        """Turn standard error away, unless another thread has done so."""
         with self._lock:
             self._users += 1
             if self._users > 1:
@@ -33,7 +33,7 @@ class _Sink:
             os.close(sink)
 
     def leave(self) -> None:
-        """Restore it, unless another thread still needs it redirected."""
+        """Turn it back, if nobody else needs it away."""
         with self._lock:
             self._users -= 1
             if self._users or self._kept is None:

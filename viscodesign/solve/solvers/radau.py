@@ -16,10 +16,10 @@ from scipy.integrate import Radau as ScipyRadau
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Formulas
 from viscodesign.model.jacobian import jacobian
-from viscodesign.solve.evaluation import evaluate
 from viscodesign.solve.numerics.newton import NewtonError, newton
-from viscodesign.solve.problem import Problem
-from viscodesign.solve.solvers.base import StretchSolver, Work
+from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
+from viscodesign.solve.statics import Start, consistent
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class RadauLimits:
 LIMITS = RadauLimits()
 
 
-class Radau(StretchSolver):
+class Radau(Solver):
     """SciPy's Radau of order 5, restarted at every corner."""
 
     name: ClassVar[str] = "radau"
@@ -59,32 +59,54 @@ class Radau(StretchSolver):
         """Its matrices are dense."""
         return problem.equations.states.count <= LIMITS.max_states
 
-    def follow(
-        self, y: np.ndarray, begin: int, end: int, work: Work
-    ) -> tuple[list[np.ndarray], SolveError | None]:
-        """One run of SciPy's solver."""
-        try:
-            found = _RadauStretch(self, y, self.problem.schedule.pieces[begin], work).follow(
-                begin, end
-            )
-        except SolveError as error:
-            return [], error
-        except NewtonError as error:
-            return [], self.failure(str(error), begin)
-        if len(found) < end - begin:
-            return found, self.failure("step size fell below its minimum", begin + len(found))
-        return found, None
+    def __call__(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """Solve the stretches of smooth input in first..stop one after the other."""
+        schedule = self.problem.schedule
+        columns: list[np.ndarray] = []
+        total = np.zeros(self.problem.equations.quadrature.numel())
+        failure: SolveError | None = None
+        for begin, end in smooth_stretches(schedule.pieces, first, stop):
+            try:
+                here = consistent(
+                    self.problem,
+                    here,
+                    schedule.edges[begin],
+                    schedule.pieces[begin],
+                    self.before(begin),
+                )
+                found = _RadauStretch(self, here, total, schedule.pieces[begin], work).follow(
+                    begin, end
+                )
+            except (SolveError, NewtonError) as error:
+                failure = (
+                    error if isinstance(error, SolveError) else self.failure(str(error), begin)
+                )
+                break
+            columns += found
+            if len(found) < end - begin:
+                failure = self.failure("step size fell below its minimum", begin + len(found))
+                break
+            x, z, total = np.split(found[-1], [self.states, len(found[-1]) - len(total)])
+            here = Start(x, z)
+        if not columns:
+            return self.nothing(), failure
+        x, z, q = np.split(np.array(columns).T, [self.states, len(columns[0]) - len(total)])
+        return (x, z, q), failure
 
 
 class _RadauStretch:
     """One run of SciPy's solver over smooth input."""
 
-    def __init__(self, solver: Radau, y: np.ndarray, piece: np.ndarray, work: Work) -> None:
+    def __init__(
+        self, solver: Radau, here: Start, total: np.ndarray, piece: np.ndarray, work: Work
+    ) -> None:
         self.solver, self.piece, self.work = solver, piece, work
-        x, self.guess, total = np.split(y, [solver.states, solver.problem.unknowns])
+        self.guess = here.algebraics
         self.steps_left = min(LIMITS.max_steps, solver.problem.max_steps - work.steps)
         self.rates_left = LIMITS.rates_per_step * self.steps_left
-        self.start = np.concatenate([x, total])
+        self.start = np.concatenate([here.states, total])
         self.numbers = solver.problem.numbers()
 
     def _evaluate(self, time: float, x: np.ndarray, z: np.ndarray) -> list[ca.DM]:

@@ -17,11 +17,11 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.jacobian import jacobian
-from viscodesign.solve.evaluation import BufferedCall
 from viscodesign.solve.numerics.symbolic_lu import SymbolicLU, has_whole_diagonal
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Bound, Problem
 from viscodesign.solve.solvers import rodas
-from viscodesign.solve.solvers.base import StretchSolver, Work
+from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
+from viscodesign.solve.statics import Start, consistent
 
 SX = ca.SX
 
@@ -49,7 +49,7 @@ class StepControl:
 CONTROL = StepControl()
 
 
-class Rosenbrock(StretchSolver):
+class Rosenbrock(Solver):
     """Steps of Rodas5P, as long as the embedded error allows."""
 
     name: ClassVar[str] = "rosenbrock"
@@ -65,6 +65,7 @@ class Rosenbrock(StretchSolver):
         self.step = RosenbrockStep(equations)
         self.build_s = clock.perf_counter() - began
         self.size: float | None = None
+        self.states = equations.states.count
         self.unknowns = problem.unknowns
         self._powers = _weight_powers(equations)
 
@@ -78,11 +79,42 @@ class Rosenbrock(StretchSolver):
         """Its formulas are long: generating them for a thousand unknowns takes seconds."""
         return problem.unknowns <= CONTROL.max_unknowns
 
-    def follow(
+    def __call__(
+        self, here: Start, first: int, stop: int, work: Work
+    ) -> tuple[Columns, SolveError | None]:
+        """Solve the stretches of smooth input in first..stop one after the other."""
+        work.compile_s, self.build_s = work.compile_s + self.build_s, 0.0
+        columns: list[np.ndarray] = []
+        total = np.zeros(self.problem.equations.quadrature.numel())
+        failure: SolveError | None = None
+        for begin, end in smooth_stretches(self.problem.schedule.pieces, first, stop):
+            try:
+                here = consistent(
+                    self.problem,
+                    here,
+                    self.problem.schedule.edges[begin],
+                    self.problem.schedule.pieces[begin],
+                    self.before(begin),
+                )
+            except SolveError as error:
+                failure = error
+                break
+            y = np.concatenate([here.states, here.algebraics, total])
+            found, failure = self._stretch(y, begin, end, work)
+            columns += found
+            if failure is not None:
+                break
+            x, z = found[-1][: self.states], found[-1][self.states : self.unknowns]
+            here, total = Start(x, z), found[-1][self.unknowns :]
+        if not columns:
+            return self.nothing(), failure
+        x, z, q = np.split(np.array(columns).T, [self.states, self.unknowns])
+        return (x, z, q), failure
+
+    def _stretch(
         self, y: np.ndarray, begin: int, end: int, work: Work
     ) -> tuple[list[np.ndarray], SolveError | None]:
-        """Steps of adaptive size, interpolated at the edges."""
-        work.compile_s, self.build_s = work.compile_s + self.build_s, 0.0
+        """Unknowns at edges begin+1..end, or as many as possible."""
         schedule = self.problem.schedule
         edges, whole = schedule.edges, schedule.edges[-1]
         self.step.bind(schedule.pieces[begin], self.problem.numbers())
@@ -199,7 +231,7 @@ class RosenbrockStep:
         self._arguments = [np.zeros(function.nnz_in(k)) for k in range(function.n_in())]
         self._after = np.zeros(function.nnz_out(0))
         self._stages = np.zeros(function.nnz_out(1))
-        self._run = BufferedCall(function, self._arguments, (self._after, self._stages))
+        self._run = Bound(function, self._arguments, (self._after, self._stages))
 
     def bind(self, piece: np.ndarray, numbers: np.ndarray) -> None:
         """Set the inputs' coefficients and all parameters."""

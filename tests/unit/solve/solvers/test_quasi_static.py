@@ -8,9 +8,8 @@ import pytest
 
 from tests.scenes import leg, problem_of
 from tests.validation.rc_network import columns
-from viscodesign.solve.evaluation import evaluate, evaluate_along
 from viscodesign.solve.numerics.newton import NewtonError, newton
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, evaluate, evaluate_along
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, consistent, equilibrium

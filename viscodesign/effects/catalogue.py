@@ -1,0 +1,41 @@
+"""All effects of this version, found by their files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from typing import TYPE_CHECKING
+
+from viscodesign import effects
+from viscodesign.effects.base import Effect, Trait
+from viscodesign.plugins import members
+
+if TYPE_CHECKING:
+    from viscodesign.estimate.scene_quantities import SceneQuantities
+
+
+@cache
+def catalogue() -> dict[str, type[Effect]]:
+    """Every effect by its name, in the order of listing and joining."""
+    return members(effects.__name__, Effect)  # type: ignore[type-abstract]
+
+
+def effect_names() -> tuple[str, ...]:
+    """Names that a spec may switch."""
+    return tuple(name for name, kind in catalogue().items() if kind.switchable)
+
+
+def every_effect(quantities: SceneQuantities) -> dict[str, Effect]:
+    """All effects of a scene by name, whether they act on something or not."""
+    return {name: kind.of(quantities) for name, kind in catalogue().items()}
+
+
+def traits_of(names: Iterable[str]) -> frozenset[Trait]:
+    """What these effects make of the model."""
+    known = catalogue()
+    return frozenset(trait for name in names for trait in known[name].traits)
+
+
+def names_with(trait: Trait) -> tuple[str, ...]:
+    """Names of the effects that have a trait."""
+    return tuple(name for name, kind in catalogue().items() if trait in kind.traits)

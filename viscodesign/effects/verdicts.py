@@ -1,0 +1,56 @@
+"""What a user is told about the choice of every effect."""
+
+from __future__ import annotations
+
+from viscodesign.effects.allowed_sets import AllowedSets, Names
+from viscodesign.effects.tip_displacements import TipDisplacements
+from viscodesign.results.findings import Verdict
+
+
+def verdict(
+    sets: AllowedSets, displacements: TipDisplacements, name: str, active: Names
+) -> Verdict:
+    """Why one effect is active or not, and how far it moves the tip."""
+    effect, quantities, present = sets.effects[name], sets.quantities, name in sets.present
+    acts = present and sets.acts_in(name, active)
+    moved = displacements.between(active, sets.flipped(active, name)) if acts else 0.0
+    share = moved / (quantities.accuracy * quantities.body.length)
+    return Verdict(
+        name=name,
+        mode=sets.mode(name),  # type: ignore[arg-type]
+        taken=name in active,
+        weight=effect.weight(quantities) if present else 0.0,
+        formula=effect.formula,
+        reason=_sentence(sets, name, active, moved, share),
+        contribution_m=moved,
+        budget_share=share,
+        present=present,
+    )
+
+
+def _sentence(sets: AllowedSets, name: str, active: Names, moved: float, share: float) -> str:
+    effect, mode = sets.effects[name], sets.mode(name)
+    reason = effect.reason(sets.quantities)
+    if name not in sets.present:
+        if effect.replaced_by in sets.present and effect.present(sets.quantities):
+            return f"not applicable: replaced by {effect.replaced_by}"
+        return f"not applicable: {reason}"
+    if not sets.acts_in(name, active):
+        return f"neglected with {effect.needs}, without which it has nothing to act on; {reason}"
+    if mode != "auto":
+        return f"{'included' if mode == 'on' else 'neglected'}: set in the spec; {reason}"
+    moves = f"{1e3 * moved:.3g} mm, {_of_accuracy(share)}"
+    if name not in active:
+        return f"neglected: moves the tip by about {moves}; {reason}"
+    if effect.indispensable(sets.quantities):
+        return f"included: this scene requires it; {reason}"
+    if sets.costs_nothing(name, active):
+        return f"included: no extra cost beside {effect.free_with}; {moves}; {reason}"
+    return f"included: moves the tip by about {moves}; {reason}"
+
+
+def _of_accuracy(share: float) -> str:
+    """A part of the requested accuracy, or a multiple of it."""
+    if share < 1.0:
+        return f"{100 * share:.2g} % of the accuracy"
+    return f"{share:.3g} times the accuracy"

@@ -1,0 +1,165 @@
+"""A solved run with all that is known of its scene, as one trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+
+from viscodesign._version import __version__
+from viscodesign.checks.classify import classification
+from viscodesign.checks.motion_warnings import motion_notices
+from viscodesign.checks.scene_warnings import verdict_notices
+from viscodesign.effects.select import Selection
+from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.model.graph import Graph
+from viscodesign.postprocess.motion import Motion
+from viscodesign.postprocess.motion_limits import MotionBlock
+from viscodesign.postprocess.terminations import doubted_balance
+from viscodesign.results.findings import Notice
+from viscodesign.results.trajectory import Accuracy, Cost, Trajectory
+from viscodesign.scene.reading.write import resolved_yaml
+from viscodesign.simulation.error_control import ERROR_CONTROL, Verifier
+from viscodesign.simulation.outcome import NOT_VERIFIED
+from viscodesign.simulation.solve_once import Run
+from viscodesign.storage.disk_arrays import blocks
+
+FLOW_ERROR_WARNED = 0.02
+"""Estimated error of a flow, of the largest in the network, from which a warning is given."""
+
+
+def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -> Trajectory:
+    """The motion with its warnings; how it ended and how accurate it is come later."""
+    scene, motion, graph = quantities.scene, run.motion, quantities.graph
+    found = classification(quantities, selection.active)
+    return Trajectory(
+        name=scene.name,
+        status="complete",
+        arrays=motion.arrays,
+        arc=motion.arc,
+        shape_every=motion.shape_every,
+        inlets=tuple(scene.inputs),
+        bellows=graph.bellows,
+        tubes=tuple(t.name for t in graph.tubes),
+        junctions=graph.junctions,
+        length=scene.actuator.length,
+        width=scene.actuator.height,
+        classification=found,
+        effects=selection.verdicts,
+        accuracy=Accuracy(quantities.accuracy * quantities.body.length, None, NOT_VERIFIED),
+        cost=cost_of(run, 0.0),
+        invariants=motion.invariants,
+        warnings=_merged(
+            (
+                *verdict_notices(selection.verdicts),
+                *found.warnings,
+                *_start_notices(quantities, selection, run),
+            ),
+            (
+                *motion_notices(quantities, selection.active, _motion_blocks(quantities, motion)),
+                *doubted_balance(motion.invariants),
+                *_thinned_shapes(motion),
+            ),
+        ),
+        spec_text=resolved_yaml(scene),
+        spec_sha256=scene.source.sha256,
+        version=__version__,
+        ambient_pressure=scene.ambient_pressure,
+        settings=_settings(run),
+    )
+
+
+def cost_of(run: Run, verify_s: float) -> Cost:
+    """What a run cost; ``verify_s``: time of the other solutions [s]."""
+    work = run.solution.work
+    return Cost(
+        build_s=run.build_s,
+        solve_s=run.solve_s,
+        verify_s=verify_s,
+        steps=work.steps,
+        residual_calls=work.residual_calls,
+        jacobian_calls=work.jacobian_calls,
+    )
+
+
+def uncertain_flows(found: Trajectory, verifier: Verifier) -> Iterator[Notice]:
+    """A warning where smaller steps change the flows, even if the tip stays."""
+    apart = verifier.flows_apart
+    if apart is None or ERROR_CONTROL.time_share * apart.share <= FLOW_ERROR_WARNED:
+        return
+    if apart.row >= len(found.time):
+        return  # a finer solution ended before, and says so itself
+    tube = found.tubes[apart.tube]
+    yield Notice(
+        "uncertain_flows",
+        f"the flow in {tube} has an estimated error of "
+        f"{100 * ERROR_CONTROL.time_share * apart.share:.2g} % of the peak flow; tighten "
+        "`accuracy` if you use flows",
+        tube,
+        float(found.time[apart.row]),
+    )
+
+
+def _start_notices(quantities: SceneQuantities, selection: Selection, run: Run) -> Iterator[Notice]:
+    """What the effects say of the first state."""
+    for effect in selection.effects:
+        yield from effect.start_warnings(
+            quantities, selection.active, run.problem, run.solution.beginning
+        )
+
+
+def _motion_blocks(quantities: SceneQuantities, motion: Motion) -> Iterator[MotionBlock]:
+    graph, names = quantities.graph, tuple(quantities.scene.inputs)
+    for rows in blocks(len(motion.time), *motion.arrays.values()):
+        yield MotionBlock(
+            motion.time[rows],
+            motion.pressure[rows],
+            motion.volume[rows],
+            motion.flow[rows],
+            _lower_ends(graph, motion, names, rows),
+            motion["section_stretch"][rows],
+            motion["section_turn"][rows],
+        )
+
+
+def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...], rows: slice) -> np.ndarray:
+    """Lower gauge pressure of each tube's ends (T, Q) [Pa]."""
+    columns = {
+        **dict(zip(graph.bellows, motion.pressure[rows].T, strict=True)),
+        **dict(zip(inlets, motion["inlet_pressure"][rows].T, strict=True)),
+        **dict(zip(graph.junctions, motion["junction_pressure"][rows].T, strict=True)),
+    }
+    lower = [np.minimum(columns[t.start], columns[t.end]) for t in graph.tubes]
+    return np.array(lower).T.reshape(len(motion.time[rows]), len(graph.tubes))
+
+
+def _thinned_shapes(motion: Motion) -> Iterator[Notice]:
+    """Whether shapes were left out to keep the run's files small."""
+    if motion.shape_every > 1:
+        yield Notice(
+            "thinned_shapes",
+            f"whole shapes are stored at {len(motion.shape)} of {len(motion.time)} output times, "
+            f"every {motion.shape_every} of them and the last (run.shape_every); the tip at all",
+            "shape.csv",
+        )
+
+
+def _settings(run: Run) -> dict[str, Any]:
+    equations = run.problem.equations
+    return {
+        "rod": equations.rod_form.value,
+        "network": equations.network_form.value,
+        "edges_per_section": run.settings.edges_per_section,
+        "tolerance": run.settings.tolerance,
+        "solver": run.solution.solver,
+        "states": equations.states.count,
+        "algebraic_unknowns": equations.algebraics.count,
+    }
+
+
+def _merged(before: Iterable[Notice], after: Iterable[Notice]) -> tuple[Notice, ...]:
+    """What a run shows replaces what the scene only announced, code by code."""
+    met = list(after)
+    codes = {notice.code for notice in met}
+    return (*(n for n in before if n.code not in codes), *met)
