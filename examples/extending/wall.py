@@ -16,7 +16,7 @@ from viscodesign.model.system import System
 
 
 @dataclass(frozen=True)
-class Wall(Effect):
+class TipWall(Effect):
     """A flat, frictionless wall to the right of the tip, where a spec says `wall: on`.
 
     Contact by a penalty: the tip may enter the wall, which pushes back by its stiffness times the
