@@ -8,6 +8,7 @@ from typing import Literal
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import FinalServoState, Sample
 from viscodesign.pump.play.path import TargetPath, led_in, top_speed, way_back
 from viscodesign.pump.play.pump import Pump
@@ -165,14 +166,9 @@ class Stream:
             elif self.on_stop == "hold" and result.rule == "pressure_cap":
                 result.standing = self._retreat(self.pump.limits.max_pressure)
         if result.status == "interrupted" and self.on_stop != "release" and self.pump.armed:
-            self._wait_for_second_request()
+            wait_for_second_request(self.request, self.pump.clock)
         if self.on_stop == "release" or self.request.urgent:
             result.standing = self.pump.release()
-
-    def _wait_for_second_request(self) -> None:
-        end = self.pump.clock.now() + SECOND_REQUEST_TIME
-        while not self.request.urgent and self.pump.clock.now() < end:
-            self.pump.clock.sleep(SLICE)
 
     def _retreat(self, pressure: float | None = None) -> list[FinalServoState]:
         """Draw the plungers back slowly, under all rules that still apply.
@@ -305,3 +301,10 @@ class PathRun:
 
 def _all_below(pressure: tuple[float | None, ...], cap: float) -> bool:
     return all(p is None or p <= cap for p in pressure)
+
+
+def wait_for_second_request(request: StopRequest, clock: Clock) -> None:
+    """Leave somebody time to ask again, which drops the torque of a pump that is held."""
+    end = clock.now() + SECOND_REQUEST_TIME
+    while not request.urgent and clock.now() < end:
+        clock.sleep(SLICE)

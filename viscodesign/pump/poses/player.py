@@ -20,7 +20,7 @@ from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.transactions import NoReplyError
 from viscodesign.pump.play.axis import FinalServoState
-from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
+from viscodesign.pump.play.stream import Stream, StreamResult, TickReport, wait_for_second_request
 from viscodesign.pump.play.ticks import SLICE
 from viscodesign.pump.poses import packets as pose_packets
 from viscodesign.pump.poses.engine import FRAME
@@ -227,7 +227,10 @@ class PosePlayer:
                 )
                 for servo in self.pump.servos
             ]
-        return self.pump.release() if self.request.urgent else self.pump.hold()
+        left = [] if self.request.urgent else self.pump.hold()
+        if self.request.asked:
+            wait_for_second_request(self.request, self.pump.clock)
+        return self.pump.release() if self.request.urgent else left
 
     def _halted(self) -> bool:
         """Halt; repeated, since a halt may be lost on the way, and never anything before it."""

@@ -106,6 +106,25 @@ def test_a_second_wish_to_stop_drops_the_torque_once_it_is_halted() -> None:
     assert "torque is off" in ending.standing[0].words
 
 
+def test_a_second_request_long_after_the_halt_drops_the_torque() -> None:
+    rig = PoseRig(loop=True)
+    rig.stop_at = 1.0
+    sleep = rig.clock.sleep
+
+    def slept(seconds: float) -> None:
+        sleep(seconds)
+        if "halting" in " ".join(rig.told) and rig.clock.now() > halted[0] + 1.5:
+            rig.wish.times = 2
+
+    halted = [np.inf]
+    rig.player.tell = lambda text: (rig.told.append(text), halted.insert(0, rig.clock.now()))  # type: ignore[func-returns-value]
+    rig.clock.sleep = slept  # type: ignore[method-assign]
+    result = rig.play()
+    assert result.status == "interrupted"
+    assert result.verified
+    assert "torque is off" in result.standing[0].words
+
+
 @pytest.mark.parametrize("kind", [faults.LostReply, faults.CorruptReply, faults.CorruptRequest])
 def test_one_fault_anywhere_ends_well_or_is_told(kind: type[faults.Fault]) -> None:
     for request in range(0, 6):
