@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -184,6 +183,23 @@ def test_an_interrupted_study_is_written_and_ends_with_130(
     assert json.loads((tmp_path / "accuracy.json").read_text())["status"] == "interrupted"
 
 
+PRINTS_WHEN_IT_MEASURES = """
+import sys
+from viscodesign.cli.main import main
+from viscodesign.studies.timed_runs import TimedRuns
+
+measure = TimedRuns.measure
+
+def printing(*given):
+    print("measuring", flush=True)
+    TimedRuns.measure = measure
+    return measure(*given)
+
+TimedRuns.measure = printing
+sys.exit(main())
+"""
+
+
 @pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
 def test_ctrl_c_keeps_what_is_done(tmp_path: Path) -> None:
     words = [
@@ -192,12 +208,15 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path) -> None:
         "-o",
         str(tmp_path),
         "--no-plots",
+        "--limit",
+        "10 min",
     ]
     process = subprocess.Popen(
-        [sys.executable, "-m", "viscodesign", *words, "--set", "effects=auto"],
+        [sys.executable, "-c", PRINTS_WHEN_IT_MEASURES, *words, "--set", "effects=auto"],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
-    time.sleep(6.0)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "measuring\n"
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=60)
     assert process.returncode == 130
