@@ -1,1 +1,1 @@
-"""From a solution to what is told of it: motion, balances, events, validity."""
+"""From a solution to its motion, balances, terminations and warnings."""

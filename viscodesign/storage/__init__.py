@@ -1,1 +1,1 @@
-"""Arrays on disk, and files that are whole or absent."""
+"""Arrays on disk, and files that are complete or absent."""
