@@ -20,7 +20,7 @@ from tests.fuzz.scenes import Draft
 from tests.hard.case import STIR, VOLUME
 from viscodesign import Scene, Trajectory, check, load, simulate
 from viscodesign.errors import SolveError, SpecError
-from viscodesign.postprocess.terminations import ENERGY_BROKEN, ENERGY_DOUBTED
+from viscodesign.postprocess.terminations import LIMITS
 from viscodesign.report.run_folder import write_run
 
 CPU_LIMIT_S = 60
@@ -158,10 +158,10 @@ def _balance_problems(run: Trajectory) -> Iterator[str]:
     error = run.accuracy.estimated_tip_error_m
     if volume is not None and not volume <= VOLUME:
         yield f"volume imbalance {volume:.2g}"
-    if energy is not None and not 0 <= energy <= ENERGY_BROKEN:
+    if energy is not None and not 0 <= energy <= LIMITS.energy_imbalance:
         yield f"energy imbalance {energy:.2g}"
     doubted = any(notice.code == "energy_imbalance" for notice in run.warnings)
-    if energy is not None and energy > ENERGY_DOUBTED and not doubted:
+    if energy is not None and energy > LIMITS.energy_doubtful and not doubted:
         yield f"energy imbalance {energy:.2g} without a warning"
     if error is None or not 0 <= error <= run.accuracy.requested_m:
         yield f"complete with an error of {error}"
