@@ -10,18 +10,12 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal, Protocol
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from viscodesign.results.trajectory import Trajectory
-
 WHOLE = slice(None)
 Rows = slice | np.ndarray
-Read = Callable[["Trajectory", Rows], np.ndarray]
-"""Values at some rows of a run: (n,) of the run itself, else (n, members)."""
-
 TRAJECTORY, SHAPE = "trajectory.csv", "shape.csv"
 PICTURE_UNITS = {"m": ("mm", 1e3), "Pa": ("kPa", 1e-3), "m^3": ("mL", 1e6), "m^3/s": ("mL/s", 1e6)}
 """SI unit -> what pictures show instead, and how many of these it is."""
@@ -39,17 +33,38 @@ class Per(enum.StrEnum):
     ARC = "point of the axis"
 
 
+class NamedArrays(Protocol):
+    """The arrays of a motion, with the names of what they belong to."""
+
+    @property
+    def arc(self) -> np.ndarray: ...
+
+    @property
+    def shape(self) -> np.ndarray: ...
+
+    @property
+    def shape_rows(self) -> np.ndarray: ...
+
+    def __getitem__(self, quantity: str) -> np.ndarray: ...
+
+    def members(self, per: Per) -> tuple[str, ...]: ...
+
+
+Read = Callable[[NamedArrays, Rows], np.ndarray]
+"""Values at some rows of a run: (n,) of the run itself, else (n, members)."""
+
+
 def stored(array: str, component: int | None = None) -> Read:
     """Read an array of the run, or one component along its last axis."""
 
-    def read(trajectory: Trajectory, rows: Rows) -> np.ndarray:
+    def read(trajectory: NamedArrays, rows: Rows) -> np.ndarray:
         values = trajectory[array][rows]
         return values if component is None else values[..., component]
 
     return read
 
 
-def _arc(trajectory: Trajectory, rows: Rows) -> np.ndarray:
+def _arc(trajectory: NamedArrays, rows: Rows) -> np.ndarray:
     return np.broadcast_to(trajectory.arc, trajectory.shape[rows].shape[:2])
 
 
@@ -92,7 +107,7 @@ class Channel:
         """The column of a member: an inlet, a bellow, a tube."""
         return "_".join(part for part in (self.quantity, member, self.unit_words) if part)
 
-    def columns(self, trajectory: Trajectory) -> list[str]:
+    def columns(self, trajectory: NamedArrays) -> list[str]:
         """Its columns in a table of the run, in order."""
         if self.per in (Per.RUN, Per.ARC):
             return [self.column()]
@@ -101,7 +116,7 @@ class Channel:
             return [self.column()]
         return [self.column(name) for name in members]
 
-    def values(self, trajectory: Trajectory, rows: Rows = WHOLE) -> np.ndarray:
+    def values(self, trajectory: NamedArrays, rows: Rows = WHOLE) -> np.ndarray:
         """Its values (n,) or (n, members) at some rows."""
         return (self.read or stored(self.quantity))(trajectory, rows)
 
@@ -173,7 +188,7 @@ def channels_of(table: str) -> list[Channel]:
 
 
 def columns_of(
-    channels: Iterable[Channel], trajectory: Trajectory, rows: slice = WHOLE
+    channels: Iterable[Channel], trajectory: NamedArrays, rows: slice = WHOLE
 ) -> tuple[list[str], np.ndarray]:
     """Names and values (n, columns) of quantities over time."""
     listed = list(channels)
@@ -181,12 +196,14 @@ def columns_of(
     return names, np.column_stack([row.values(trajectory, rows) for row in listed])
 
 
-def trajectory_columns(trajectory: Trajectory, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
+def trajectory_columns(
+    trajectory: NamedArrays, rows: slice = WHOLE
+) -> tuple[list[str], np.ndarray]:
     """Names and values (T, columns) of `trajectory.csv`, or of some rows."""
     return columns_of(channels_of(TRAJECTORY), trajectory, rows)
 
 
-def shape_columns(trajectory: Trajectory, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
+def shape_columns(trajectory: NamedArrays, rows: slice = WHOLE) -> tuple[list[str], np.ndarray]:
     """Names and values (N K, columns) of `shape.csv`, or of some shapes."""
     points = len(trajectory.arc)
     columns = []
