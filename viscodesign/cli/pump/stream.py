@@ -68,8 +68,8 @@ def command(
 
     Shows the plan and asks before anything moves. Every tick reads position, load, voltage,
     temperature and pressure, and stops at the first broken rule. Ctrl-C holds the plunger
-    where it is; pressed again, it drops the torque. Writes record.csv, with the simulator's
-    columns, record.json and log.jsonl (every byte) to one folder.
+    where it is; pressed again within 3 s, it drops the torque. Writes record.csv, with the
+    simulator's columns, record.json and log.jsonl (every byte) to one folder.
     """
     from viscodesign import load
     from viscodesign.cli.confirm import asking
