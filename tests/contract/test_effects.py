@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 from tests.scenes import LEG_LENGTH, leg
-from viscodesign import Scene, check, effects, simulate
+from viscodesign import Scene, check, classify, effects, simulate
 from viscodesign.cli.main import main
 from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import catalogue
 from viscodesign.effects.select import select_effects
+from viscodesign.errors import SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.rod_equations import COORDINATES, RATES, RodForm
@@ -249,6 +250,9 @@ def test_what_is_off_is_absent() -> None:
 NEW_EFFECT = '''
 """A drag on the tip, for a test."""
 from viscodesign.effects.base import Effect
+from viscodesign.errors import Fault
+from viscodesign.postprocess.motion_limits import Limit
+from viscodesign.results.findings import Notice
 
 class TipDrag(Effect):
     """Drag of the air around the tip."""
@@ -267,6 +271,19 @@ class TipDrag(Effect):
 
     def reason(self, quantities):
         return "for a test"
+
+    def refusals(self, quantities, active):
+        if self.name in active and quantities.scene.accuracy < 1e-5:
+            yield Fault("no drag law is so accurate", "accuracy")
+
+    def warnings(self, quantities, active):
+        if self.name in active:
+            yield Notice("still_air", "the air is taken to be at rest")
+
+    def limits(self, quantities, active):
+        if self.name in active:
+            notice = lambda peak: Notice("long_tip", f"{peak.value:.3g} long", "tip", peak.time_s)
+            yield Limit(lambda block: block.section_stretch, 0.5, notice)
 
     def join(self, system):
         system.dissipation_power += 1e-6 * system.rod.velocity[0, -1] ** 2
@@ -320,6 +337,20 @@ def test_a_new_effect_without_an_estimate_counts_by_its_weight(tip_drag: str) ->
     )
     assert run.status == "complete", run.failure
     assert {v.name for v in run.effects if v.taken} == {tip_drag, "inertia"}
+
+
+def test_a_new_effect_brings_its_warnings_limits_and_refusals(tip_drag: str) -> None:
+    active = ("bellows.count=4", "effects={tip_drag: on, inertia: on, others: off}")
+    short = "run.duration=0.1 s"
+    for found in (check(leg(*active)), classify(leg(*active))):
+        assert "still_air" in {notice.code for notice in found.warnings}
+    run = simulate(leg(*active, short), verify=False)
+    assert {"still_air", "long_tip"} <= {notice.code for notice in run.warnings}
+    for attempt in (check, simulate):
+        with pytest.raises(SpecError, match="accuracy: no drag law is so accurate"):
+            attempt(leg(*active, short, "accuracy=1e-6"))
+    without = simulate(leg("bellows.count=4", short, "effects={tip_drag: off}"), verify=False)
+    assert not {"still_air", "long_tip"} & {notice.code for notice in without.warnings}
 
 
 def test_a_new_effect_is_told_by_the_command_line(
