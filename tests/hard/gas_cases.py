@@ -122,7 +122,7 @@ CASES: tuple[Case, ...] = (
         "ends at the minimum volume, with a message",
         ("effects={gas_compressibility: on, collapse: off, others: off}",),
         ending="failed",
-        says=("floor", "effects.collapse"),
+        says=("minimum (collapsed) volume", "effects.collapse"),
     ),
     Case(
         "17",
