@@ -159,3 +159,14 @@ def test_scene_numbers_cannot_enter_formulas_as_constants(
         *problem.tail(0.0, problem.schedule.initial_piece),
     )
     assert np.isnan(np.array(values[0])).any()
+
+
+@pytest.mark.parametrize("name", ["length", "compliance"])
+def test_a_parameter_has_one_value(name: str) -> None:
+    class Careless(_Stiffer):
+        def join(self, system: System) -> None:
+            system.parameter(name, 123.0)
+
+    quantities = SceneQuantities(leg(SHORT, EFFECTS))
+    with pytest.raises(ValueError, match=f"parameter '{name}' is .* already"):
+        build(quantities, [*select_effects(quantities).effects, Careless()], Settings(1, 1e-6))

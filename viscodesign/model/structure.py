@@ -9,12 +9,14 @@ made from a copy in which these fields are NaN, so that none can be used by mist
 from __future__ import annotations
 
 import copy
+import copyreg
 import math
-from collections.abc import Hashable, Mapping, Set
+from collections.abc import Hashable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
 from functools import cached_property
-from types import FunctionType, MethodType
+from numbers import Number
+from types import FunctionType, MappingProxyType, MethodType
 from typing import Any
 
 import casadi as ca
@@ -74,23 +76,21 @@ class _Walk:
 
     def key_of(self, value: Any) -> Hashable:
         """A key for a value; expressions are gathered, and represented by their sparsity."""
-        if value is None or isinstance(value, str | bytes | int | float | Enum | type):
+        if value is None or isinstance(value, str | bytes | Number | Enum | type):
             return type(value), value
         if isinstance(value, SX):
             self.expressions.append(value)
             return SX, _pattern(value)
-        if isinstance(value, ca.Function):
-            return ca.Function, value.serialize()
-        if isinstance(value, np.ndarray):
+        if isinstance(value, ca.Function | ca.DM):
+            return type(value), value.serialize()
+        if type(value) is np.ndarray and not value.dtype.hasobject:
             return np.ndarray, value.dtype.str, value.shape, value.tobytes()
-        if isinstance(value, Mapping):
-            return type(value), tuple((self.key_of(k), self.key_of(v)) for k, v in value.items())
-        if isinstance(value, Set):
-            return type(value), frozenset(self.key_of(item) for item in value)
-        if isinstance(value, list | tuple):
+        if type(value) in (dict, MappingProxyType):
+            return dict, tuple((self.key_of(k), self.key_of(v)) for k, v in value.items())
+        if type(value) in (set, frozenset):
+            return set, frozenset(self.key_of(item) for item in value)
+        if type(value) in (list, tuple):
             return type(value), tuple(self.key_of(item) for item in value)
-        if isinstance(value, FunctionType):
-            return value  # by identity: no two functions are known to be equal
         return self._object(value)
 
     def _object(self, value: Any) -> Hashable:
@@ -98,17 +98,46 @@ class _Walk:
             return "met", self._met[id(value)]
         self._met[id(value)] = len(self._met)
         self._alive.append(value)
+        if isinstance(value, FunctionType):
+            parts = (value.__defaults__, value.__kwdefaults__, _closure(value))
+            return FunctionType, value.__module__, value.__code__, self.key_of(parts)
         if isinstance(value, MethodType):
-            return MethodType, value.__func__, self.key_of(value.__self__)
-        if isinstance(value, ca.DM):
-            return ca.DM, value.serialize()
-        numbers = _number_fields(value)
+            return MethodType, self.key_of((value.__func__, value.__self__))
+        return self._state(value)
+
+    def _state(self, value: Any) -> Hashable:
+        """By the way in which an object is copied, which is all that there is to it."""
         for name in _derived(type(value)):
             getattr(value, name)  # or the key would depend on what had been computed before
-        return type(value), tuple(
+        try:
+            made = value.__reduce_ex__(4)
+        except Exception:  # whatever its class raises where it cannot be copied
+            return _Unlike()
+        if isinstance(made, str):
+            return type(value), value.__module__, made
+        make, given, state, *items = (*made, None, None, None)[:5]
+        if make is copyreg.__newobj__ and isinstance(state, dict):  # type: ignore[attr-defined]
+            state = self._attributes(value, state)
+        else:
+            state = self.key_of(state)
+        listed = [tuple(part) if part is not None else None for part in items]
+        return type(value), self.key_of(make), self.key_of((given, *listed)), state
+
+    def _attributes(self, value: object, state: Mapping[str, Any]) -> Hashable:
+        """Those of a plain object, of which scene numbers do not count."""
+        numbers = _number_fields(value)
+        return tuple(
             (name, self.key_of(own) if name not in numbers else numbers[name] and _counts(own))
-            for name, own in sorted(vars(value).items())
+            for name, own in sorted(state.items())
         )
+
+
+class _Unlike:
+    """The key of what nothing is known to equal: its formulas are never used again."""
+
+
+def _closure(function: FunctionType) -> tuple[Any, ...]:
+    return tuple(cell.cell_contents for cell in function.__closure__ or ())
 
 
 def _pattern(value: SX) -> Hashable:

@@ -13,6 +13,7 @@ Amounts of fluid are stated as volume at ambient density; so are flows.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -128,10 +129,20 @@ class System:
         """Tubes of so little resistance that an error of pressure must not turn into a flow."""
 
     def parameter(self, name: str, value: float) -> SX:
-        """A named number of the scene as a symbol, so that the same formulas serve many values."""
+        """A named number of the scene as a symbol, so that the same formulas serve many values.
+
+        Raises `ValueError` where the name stands for another number already: an effect's own
+        numbers begin with its name, as in ``gravity.tilt``.
+        """
         if name not in self._parameters:
             self._parameters[name] = Parameter(SX.sym(name), float(value))
-        return self._parameters[name].symbol
+        known = self._parameters[name]
+        if value != known.value and not math.isnan(value):  # which formulation makes of it
+            raise ValueError(
+                f"parameter {name!r} is {known.value:g} already, and cannot be {value:g} as well; "
+                "begin the names of an effect's own parameters with its name"
+            )
+        return known.symbol
 
     def parameters(self) -> tuple[SX, np.ndarray]:
         """All parameters' symbols and values, in the order of their first use."""

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
+from fractions import Fraction
+from functools import partial
+from operator import methodcaller
 
 import casadi as ca
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from viscodesign.model.scene_number import PARAMETER_VALUE, SCENE_NUMBER
 from viscodesign.model.structure import structure_of, without_numbers
@@ -62,3 +69,46 @@ def test_scene_numbers_are_replaced_at_any_depth() -> None:
     assert np.isnan(first.stiffness)
     assert second.stiffness == 0.0
     assert first.exponent == 1.4
+
+
+class _Slotted:
+    __slots__ = ("value",)
+
+    def __init__(self, value: float) -> None:
+        self.value = value
+
+
+class _Named(dict[str, float]):
+    """A dictionary with an attribute."""
+
+    def __init__(self, value: float) -> None:
+        super().__init__()
+        self.value = value
+
+
+def _adding(value: float) -> Callable[[float], float]:
+    return lambda x: x + value
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        _Slotted, _Named, _adding, np.float32, np.int64, Fraction, Decimal, complex,
+        lambda v: partial(pow, v), lambda v: methodcaller("scale", v),
+        lambda v: CubicSpline([0.0, 1.0, 2.0], [0.0, v, 1.0]),
+        lambda v: PchipInterpolator([0.0, 1.0, 2.0], [0.0, v, 1.0]),
+        lambda v: np.array([Fraction(v)], dtype=object), lambda v: [deque([v])],
+    ],
+)  # fmt: skip
+def test_a_number_counts_wherever_it_hides(make: Callable[[int], object]) -> None:
+    assert structure_of(make(2)) != structure_of(make(3))
+
+
+@pytest.mark.parametrize("make", [_Slotted, _Named, _adding, lambda v: partial(pow, v), np.float32])
+def test_equal_things_have_equal_keys(make: Callable[[int], object]) -> None:
+    assert structure_of(make(2)) == structure_of(make(2))
+
+
+def test_what_cannot_be_copied_equals_nothing() -> None:
+    with open(__file__) as file:
+        assert structure_of(file) != structure_of(file)

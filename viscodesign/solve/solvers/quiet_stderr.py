@@ -23,7 +23,8 @@ class _Sink:
             self._users += 1
             if self._users > 1:
                 return
-            sys.stderr.flush()
+            if sys.stderr is not None:  # closed by whoever started the process
+                sys.stderr.flush()
             try:
                 self._kept = os.dup(2)
             except OSError:  # no standard error at all
