@@ -50,6 +50,9 @@ def following_limit(held: int, needed: int) -> int:
     # A little more than needed, so that a speed that rises slowly does not raise it each tick.
     high, low = divmod(min(needed + NOTABLE // 4, FULL), 256)
     low = max(low, 1)
+    settled = 256 * high + held % 256
+    if held % 256 and needed <= settled <= needed + NOTABLE:
+        return settled  # its low byte will do: a speed that goes on changing draws out no detour
     # The low byte first where that is enough, so that what is reached is exact.
     steps = [256 * (held // 256) + low] if held >= 256 and low != held % 256 else []
     steps += [256 * high + held % 256] if high != held // 256 else []

@@ -36,7 +36,9 @@ def board_kind(name: str) -> type[Board]:
     if name not in kinds:
         close = get_close_matches(name, kinds, n=1)
         meant = f"; did you mean {close[0]!r}?" if close else ""
-        raise UsageError(f"--board {name}: no such board{meant} There are: {', '.join(kinds)}")
+        raise UsageError(
+            f"--board {name}: no such board{meant or '.'} There are: {', '.join(kinds)}"
+        )
     return kinds[name]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -93,6 +94,8 @@ def record(
 def _refuse_options(path: Path, address: BoardAddress, rate: float, duration: float | None) -> None:
     if not 0.0 < rate <= HIGHEST_RATE_HZ:
         raise UsageError(f"--rate must be above 0 and at most {HIGHEST_RATE_HZ:g} Hz; got {rate:g}")
+    if duration is not None and not 0.0 < duration < math.inf:
+        raise UsageError(f"--duration must be above 0 s and finite; got {duration:g}")
     if path.suffix == ".json":
         raise UsageError(f"{path}: its JSON would have the same name; call the table .csv")
     if address.pace == "max" and duration is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 
@@ -113,6 +113,9 @@ class UploadSession:
         progress: Progress | None = None,
     ) -> UploadSession:
         """Plan and fit; opens no port. `PumpError` where the fit is too coarse."""
+        if playback not in get_args(Playback):
+            allowed_words = ", ".join(get_args(Playback))
+            raise UsageError(f"playback must be one of {allowed_words}; got {playback!r}")
         allowed, settings = Tolerance.of(tolerance), pump_of(scene)
         plan = plan_pump(scene, progress=progress)
         refuse_infeasible(plan, achievable)

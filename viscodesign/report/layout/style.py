@@ -39,6 +39,7 @@ RC: Any = {
     # Names are printed as they are: a dollar sign in one is no formula.
     "text.parse_math": False,
     "text.usetex": False,
+    "svg.hashsalt": "viscodesign",  # the same picture is the same file
 }
 INK = "#222222"
 GREY = "#8a8a8a"
@@ -70,7 +71,7 @@ def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
         yield made
         kind = path.suffix.lstrip(".").lower() or "png"
         with replaced(path) as file:
-            made.savefig(file, format=kind)
+            made.savefig(file, format=kind, metadata={"Date": None} if kind == "svg" else None)
 
 
 def axes_at(made: Figure, left: float, bottom: float, width: float, height: float) -> Axes:

@@ -95,6 +95,16 @@ def test_every_limit_is_reached_byte_by_byte_and_none_in_between_is_too_low() ->
             assert needed <= held <= needed + NOTABLE, (start, needed, held)
 
 
+def test_a_limit_that_follows_a_changing_speed_is_too_high_for_two_ticks_at_most() -> None:
+    """Low limits change by way of one 256 higher: a speed that goes on changing must not keep it there."""
+    held, loose = 159, 0
+    for tick in range(300):
+        needed = 151 + tick
+        held = following_limit(held, needed)
+        loose = loose + 1 if held > needed + NOTABLE else 0
+        assert loose <= 2, (tick, needed, held)
+
+
 @pytest.mark.parametrize(("before", "after", "then"), [(300, 311, 55), (311, 567, 512)])
 def test_a_servo_that_was_off_when_its_limit_was_changed_is_found(
     before: int, after: int, then: int
