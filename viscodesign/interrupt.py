@@ -29,7 +29,7 @@ class StopRequest:
 
     @property
     def urgent(self) -> bool:
-        """Whether it was asked for again while the work was being stopped."""
+        """Whether a second request arrived while the work was being stopped."""
         return self.times > 1
 
     def ask(self, who: str = "program") -> None:

@@ -1,4 +1,4 @@
-"""What a user is told about the choice of every effect."""
+"""The verdict on every effect, in words for the user."""
 
 from __future__ import annotations
 

@@ -139,5 +139,5 @@ class UniformNetwork:
         return found
 
     def flows(self, pressure: np.ndarray) -> np.ndarray:
-        """None are told: where pressure is uniform nothing depends on them (T, 0)."""
+        """None: where the pressure is uniform nothing depends on them (T, 0)."""
         return np.zeros((len(pressure), 0))

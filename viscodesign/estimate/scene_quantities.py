@@ -96,7 +96,7 @@ class SceneQuantities:
 
     @property
     def swing_time(self) -> float:
-        """Shortest swing of any inlet's profile, at most the run; no t_i that is stated [s]."""
+        """Shortest swing of any inlet's profile, at most the run; ignores a stated t_i [s]."""
         swings = (source.swing_time() for source in self.scene.inputs.values())
         return min([*swings, self.scene.run.duration])
 

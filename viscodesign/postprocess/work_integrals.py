@@ -1,4 +1,4 @@
-"""Works that no integrator integrates, and the energies that they are balanced against.
+"""Work integrals evaluated after the solution, and the energies they are balanced against.
 
 A work is the integral of a force along a path, both known at the solved times only. Groups of
 intervals share one polynomial; comparing it with two of half the degree gives the uncertainty.

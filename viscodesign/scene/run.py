@@ -43,7 +43,7 @@ class RunSettings(SpecPart):
     shape_every: int | None = Field(
         None,
         ge=1,
-        description="Number of outputs from one shape in shape.csv to the next; default: 1, or "
+        description="Write every n-th output to shape.csv; default: 1, or "
         f"more for at most {MAX_SHAPES} shapes",
     )
     start: Literal["equilibrium", "rest"] = Field(
@@ -98,7 +98,7 @@ class RunSettings(SpecPart):
 
     @property
     def shape_stride(self) -> int:
-        """Number of outputs from one shape to the next."""
+        """Write every n-th shape."""
         return self.shape_every or max(1, -(-(self.outputs - 1) // MAX_SHAPES))
 
     def output_times_array(self) -> np.ndarray:

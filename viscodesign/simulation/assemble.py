@@ -140,7 +140,8 @@ def _thinned_shapes(motion: Motion) -> Iterator[Notice]:
         yield Notice(
             "thinned_shapes",
             f"whole shapes are stored at {len(motion.shape)} of {len(motion.time)} output times, "
-            f"every {motion.shape_every} of them and the last (run.shape_every); the tip at all",
+            f"every {motion.shape_every} of them and the last (run.shape_every); "
+            "the tip at all output times",
             "shape.csv",
         )
 

@@ -50,7 +50,7 @@ def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> 
 
 
 def _rings_on(effects: Sequence[Effect]) -> bool:
-    """Whether something moves the rod without what always comes along to calm it."""
+    """Whether an effect moves the rod without the damping that normally comes with it."""
     names = {effect.name for effect in effects}
     return any(effect.companion and effect.companion not in names for effect in effects)
 
@@ -61,7 +61,7 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
     rod = Chain(quantities.body, settings.edges_per_section)
     system = System(
         quantities.graph,
-        _as_stiff_as_can_be_told(quantities),
+        _with_resolvable_stiffness(quantities),
         quantities.bellow,
         {name: _source(scene, name) for name in scene.inputs},
         scene.gauge_pressure,
@@ -116,10 +116,10 @@ INEXTENSIBLE = 30.0
 only makes its equations harder to solve."""
 
 
-def _as_stiff_as_can_be_told(quantities: SceneQuantities) -> Body:
+def _with_resolvable_stiffness(quantities: SceneQuantities) -> Body:
     """The body, its axis made no stiffer than moves the tip by a thirtieth of the accuracy.
 
-    A force F stretches a rod by F/EA of its length; forces are told by EI/L2.
+    A force F stretches a rod by F/EA of its length; forces are scaled by EI/L2.
     """
     body, pull = quantities.body, quantities.load_force + quantities.fluid_weight
     most = INEXTENSIBLE / quantities.accuracy * max(quantities.bending_force, pull)

@@ -85,7 +85,7 @@ def follow_branch(
 def _as_share_of_step(
     previous: PreviousSolution | None, before: OperatingPoint, after: OperatingPoint
 ) -> tuple[np.ndarray, float] | None:
-    """A previous solution with its share of the step from one point to the other, below zero."""
+    """An earlier solution and its position along the current step, as a negative fraction."""
     if previous is None:
         return None
     unknowns, time = previous

@@ -110,7 +110,7 @@ def _temporary_beside(path: Path) -> tuple[int, str]:
 
 
 def clear_leftovers(folder: Path, names: Iterable[str]) -> None:
-    """Remove the temporary files that killed writers of these names left in a folder."""
+    """Remove temporary files of these names that interrupted writers left in a folder."""
     known = "|".join(re.escape(name) for name in names)
     for file in folder.iterdir():
         if re.fullmatch(rf"\.({known}){TEMPORARY_SUFFIX}", file.name):

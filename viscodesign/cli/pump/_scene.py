@@ -1,4 +1,4 @@
-"""The scene of a command that can do without one."""
+"""The scene of a command for which a spec is optional."""
 
 from __future__ import annotations
 

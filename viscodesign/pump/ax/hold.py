@@ -158,7 +158,7 @@ def _each(board: Board, ids: Sequence[int], clock: Clock, drop: bool) -> list[Fi
 
 
 def _is_there(board: Board, servo: int) -> bool:
-    """Also where what comes from it is broken: then it is told all the same."""
+    """Also where what comes from it is broken: then it is reported all the same."""
     try:
         return board.answers(servo)
     except PumpError:

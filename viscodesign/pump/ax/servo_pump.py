@@ -107,7 +107,7 @@ class ServoPump(Pump):
         return state
 
     def _standing(self, servo: int, position: int, limit: int) -> int:
-        """The goal that an armed servo holds, checked to be where it stands."""
+        """The goal that an armed servo holds, verified to equal its position."""
         state = self._healthy(servo)
         wrong = (
             abs(state.goal - position) > TAKEN

@@ -1,4 +1,4 @@
-"""Where bytes go out and come in: a serial port, or a device that is only computed."""
+"""Where bytes go out and come in: a serial port, or a simulated device."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class Line(ABC):
     """
 
     clock: Clock
-    """By which deadlines are told."""
+    """The clock that deadlines refer to."""
 
     @abstractmethod
     def write(self, data: bytes) -> None:

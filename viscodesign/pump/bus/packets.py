@@ -46,7 +46,7 @@ class ErrorBits(IntFlag):
 
 MEANING = {
     ErrorBits.VOLTAGE: "supply voltage out of its limits",
-    ErrorBits.ANGLE_LIMIT: "goal position out of the angle limits",
+    ErrorBits.ANGLE_LIMIT: "goal position outside the angle limits",
     ErrorBits.OVERHEAT: "too hot",
     ErrorBits.RANGE: "value out of a register's range",
     ErrorBits.CHECKSUM: "request arrived with a wrong checksum",

@@ -47,7 +47,7 @@ SWEEPS = SweepNumbers()
 
 @dataclass(frozen=True)
 class AchievableMotion:
-    """The pumps' own motion, and what the actuator made of it."""
+    """The motion of the pumps, and how the actuator responded."""
 
     demands: tuple[PumpDemand, ...]
     run: Trajectory

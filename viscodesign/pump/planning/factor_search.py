@@ -1,4 +1,4 @@
-"""The number nearest to what is there that makes a limit pass: found by halving, then confirmed."""
+"""The smallest change of a number that satisfies a limit: found by bisection, then confirmed."""
 
 from __future__ import annotations
 

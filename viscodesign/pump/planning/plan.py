@@ -98,7 +98,7 @@ def _deviation(run: Trajectory, other: Trajectory) -> np.ndarray:
 
 
 def _limits(demands: tuple[PumpDemand, ...]) -> dict[str, float]:
-    """What holds for the pumps of all inlets."""
+    """Limits that apply to the pumps of all inlets."""
     first, pump = demands[0], demands[0].pump
     current = sum(d.mean_current for d in demands)
     return {
@@ -163,7 +163,7 @@ def _gas_effects_off(scene: Scene) -> list[str]:
 def _notices(
     scene: Scene, demands: tuple[PumpDemand, ...], achieved: AchievableMotion
 ) -> Iterator[Notice]:
-    """What a reader of the plan should hear beside its verdicts."""
+    """Warnings that belong to the plan as a whole."""
     if scene.fluid.is_gas and (off := _gas_effects_off(scene)):
         rest = scene.bellows.height * scene.bellows.width * scene.bellows.length
         swing = max(float(np.ptp(d.pressure)) for d in demands)

@@ -27,7 +27,7 @@ def travel(demand: PumpDemand) -> Assessment:
 
 
 def barrel(demand: PumpDemand) -> Assessment:
-    """Plunger against the ends of the barrel, whatever travel says."""
+    """Plunger against the ends of the barrel, independent of the stated travel."""
     filled, stroke = demand.drive.filled_at_home, demand.pump.syringe_stroke
     place = demand.position
     beyond = np.maximum(place - filled, filled - stroke - place)

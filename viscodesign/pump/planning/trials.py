@@ -59,7 +59,7 @@ class Trials:
     _known: dict[tuple[float, ...], RequestedMotion | None] = field(default_factory=dict)
 
     def pump_of(self, case: Variation) -> PumpSpec:
-        """The pump of a variation."""
+        """The pump settings of a variation."""
         return case.pump or self.pump
 
     def demands(self, case: Variation) -> tuple[PumpDemand, ...] | None:

@@ -138,7 +138,7 @@ class Pump(ABC):
             if self.alarm is not None and not self._draws_back(step):
                 raise PumpError(f"locked by an alarm ({self.alarm}); start a new command")
             if not low <= goal <= high:
-                raise PumpError(f"servo {servo}: goal {goal} is outside of travel [{low}, {high}]")
+                raise PumpError(f"servo {servo}: goal {goal} is outside its travel [{low}, {high}]")
             if abs(step) > self.reach:
                 raise PumpError(
                     f"servo {servo}: goal {goal} is {abs(step)} counts from the last one; one "

@@ -218,7 +218,7 @@ class PosePlayer:
     def _stand(self) -> list[FinalServoState]:
         """Halt what may be playing, then hold, or drop the torque where a stop was asked twice.
 
-        Where the board stays deaf, only that is told.
+        If the board does not respond, only that is reported.
         """
         if self._began is not None and not self._halted():
             return [

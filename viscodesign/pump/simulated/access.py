@@ -92,7 +92,7 @@ class Access:
         return ErrorBits(0)
 
     def _sync_write(self, parameters: bytes) -> None:
-        """Start, length, then id and data of each; broken ones change nothing."""
+        """Start, length, then id and data of each servo; malformed packets change nothing."""
         if len(parameters) < 2:
             return
         start, length, each = parameters[0], parameters[1], parameters[2:]

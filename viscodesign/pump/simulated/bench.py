@@ -47,7 +47,7 @@ class SimulatedBench:
             servo.supply(voltage)
 
     def advance(self, now: float) -> None:
-        """Let time pass up to a moment; the first one that is told is the start."""
+        """Advance to a moment; the first call sets the start."""
         if self._steps is None:
             self._start, self._steps = now, 0
         while self._start + (self._steps + 1) * STEP <= now:

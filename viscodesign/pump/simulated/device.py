@@ -1,4 +1,4 @@
-"""What a device that is only computed has to do, and the queue of what it sends."""
+"""What a simulated device has to do, and the queue of what it sends."""
 
 from __future__ import annotations
 

@@ -85,7 +85,7 @@ class Firmware(Device):
         return min(self._outbox.due(), self._next())
 
     def run(self, until: float) -> None:
-        """Let the processor work up to a moment; the first one that is told is power-on."""
+        """Run the processor up to a moment; the first call is power-on."""
         if self._program is None:
             self.reset(until)
         while (moment := self._next()) <= until:

@@ -1,4 +1,4 @@
-"""An AX servo that is only computed: registers, alarms and the law of its motion.
+"""A simulated AX servo: registers, alarms and the law of its motion.
 
 Source of the registers: ROBOTIS e-manual, AX-12A and AX-18A. What the manual leaves open is
 assumed: a goal outside of the limits is reported and not followed; a motor that is held back
