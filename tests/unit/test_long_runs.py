@@ -13,7 +13,7 @@ from tests.scenes import CONFIGS, leg, problem_of
 from tests.unit.storage.test_disk_arrays import Full
 from viscodesign import Trajectory, simulate
 from viscodesign.errors import SpecError
-from viscodesign.postprocess.outputs import MARGIN, read_outputs
+from viscodesign.postprocess.outputs import MARGIN_EDGES, read_outputs
 from viscodesign.report.run_folder import write_run
 from viscodesign.scene.run import MAX_SHAPES
 
@@ -33,7 +33,7 @@ def arrays(run: Trajectory) -> dict[str, np.ndarray]:
 def in_small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Everything on the disk, in blocks that are far smaller than a short run."""
     for place, value in (
-        ("postprocess.outputs.LARGEST_STRETCH", 0),
+        ("postprocess.outputs.BLOCK_NUMBERS", 0),
         ("postprocess.outputs.BLOCK", 1200),
         ("storage.disk_arrays.ArrayStore.__init__.__defaults__", (None, 0)),
     ):
@@ -83,8 +83,8 @@ def test_blocks_overlap_by_a_margin_and_own_every_edge_once() -> None:
     parts = list(read_outputs(problem, solution, at_once=300))
     owned = [k for part in parts for k in range(part.begin, part.end)]
     assert owned == list(range(solution.reached))
-    assert parts[1].first == 300 - MARGIN
-    assert len(parts[1].time) == 300 + 2 * MARGIN
+    assert parts[1].first == 300 - MARGIN_EDGES
+    assert len(parts[1].time) == 300 + 2 * MARGIN_EDGES
 
 
 def test_a_full_disk_ends_a_run_that_keeps_what_it_has(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,7 +14,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model import formulation
 from viscodesign.results.trajectory import Invariants
 from viscodesign.simulation.build_problem import suggest_settings
-from viscodesign.simulation.error_control import ENERGY_LIMIT
+from viscodesign.simulation.error_control import ERROR_CONTROL
 from viscodesign.simulation.solve_once import solve
 
 SEEN = 5e-4
@@ -107,7 +107,7 @@ def test_energy_is_balanced(scene: str) -> None:
     assert run.status == "complete", run.failure
     for found in (run.invariants, balance(scene)):
         assert found.energy_imbalance_rel is not None
-        assert found.energy_imbalance_rel <= ENERGY_LIMIT
+        assert found.energy_imbalance_rel <= ERROR_CONTROL.energy_imbalance
 
 
 @pytest.mark.usefixtures("fresh")
