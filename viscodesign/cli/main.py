@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import traceback
 from collections.abc import Sequence
@@ -17,6 +18,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command line (by default the process's own) and return its exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = _asks_for_debug(words)
+    _replace_closed_streams()
     try:
         status = _run(words)
     except ReaderGoneError:
@@ -32,6 +34,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if status == INTERRUPTED:
         complain("interrupted")
     return status
+
+
+def _replace_closed_streams() -> None:
+    """Let what is printed go nowhere where the caller has closed an output (`>&-`, `2>&-`)."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115  # until the process ends
 
 
 def _run(words: list[str]) -> int:

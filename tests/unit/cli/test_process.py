@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.scenes import ROOT
+
 from .conftest import CONFIGS
 
 COMMAND = [sys.executable, "-m", "viscodesign"]
@@ -70,3 +72,14 @@ def test_an_interrupt_is_130_and_no_traceback(tmp_path: Path) -> None:
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
     assert done.returncode == 128 + signal.SIGINT
     assert done.stderr == "interrupted\n"
+
+
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-"])
+def test_closed_outputs_do_not_stop_a_run(closed: str, tmp_path: Path) -> None:
+    spec = CONFIGS / "leg_4_water_auto.yaml"
+    command = (
+        f"{sys.executable} -m viscodesign simulate {spec} --no-plots -o {tmp_path / 'run'} {closed}"
+    )
+    done = subprocess.run(["sh", "-c", command], cwd=ROOT, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "run" / "summary.json").exists()
