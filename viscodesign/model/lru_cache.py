@@ -42,8 +42,10 @@ class LruCache(Generic[Made]):
         One that raised inside is discarded, since its state is unknown.
         """
         with ONE_AT_A_TIME:
-            free = self._lendable.get(key)
+            free = self._lendable.pop(key, [])
             thing = free.pop() if free else make()
+            if free:
+                self._lendable[key] = free
         yield thing
         with ONE_AT_A_TIME:
             self._lendable.setdefault(key, []).append(thing)

@@ -49,3 +49,19 @@ def test_lendable_results_are_limited() -> None:
         with cache.lend(key, make):
             pass
     assert len(made) == 6
+
+
+def test_what_is_away_or_spoiled_is_not_counted_among_what_may_be_dropped() -> None:
+    cache: LruCache[object] = LruCache(1)
+    with cache.lend("spoiled", object):
+        pass
+    with pytest.raises(RuntimeError), cache.lend("spoiled", object):
+        raise RuntimeError
+    with cache.lend("away", object):
+        pass
+    with cache.lend("away", object) as away:
+        for key in ("b", "c"):
+            with cache.lend(key, object):
+                pass
+    with cache.lend("away", object) as again:
+        assert again is away
