@@ -36,6 +36,7 @@ LAYERS = [
     ["scene"],
     ["model"],
     ["results"],
+    ["native"],
     ["storage", "physics"],
     ["units", "errors", "plugins", "interrupt", "_version"],
 ]
