@@ -2,25 +2,45 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Sequence
+from weakref import WeakValueDictionary
 
 import casadi as ca
+import numpy as np
 
-from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign._version import __version__
+from viscodesign.native.code_cache import cached, digest
+from viscodesign.native.ir_writer import module_ir
+from viscodesign.native.loops_primitives import PythonKernel
+from viscodesign.native.machine import Loaded, load, object_code, this_machine
 
 LANES = 8
 """Elements that a kernel treats at once, unless told otherwise."""
+OPTIMISE, GENERATE = 0, 1
+"""Levels of passes and of code generation: CasADi's formulas have few subexpressions to share."""
 
 
 class CompiledKernels:
     """Machine code of some functions; it stays loaded as long as this object lives."""
+
+    def __init__(self, loaded: Loaded, names: Sequence[str]) -> None:
+        self._loaded = loaded
+        self._names = tuple(names)
+
+    def __len__(self) -> int:
+        return len(self._names)
 
     def address(self, k: int) -> int:
         """Address of kernel k: ``void (double *local, double *numbers, double *out)``.
 
         Arrays are laid out (entry, lane), and may begin at any multiple of 8 bytes.
         """
-        raise NotImplementedError
+        return self._loaded[self._names[k]]
+
+
+_LOADED: WeakValueDictionary[str, CompiledKernels] = WeakValueDictionary()
+_LOCK = threading.Lock()
 
 
 def compile_kernels(functions: Sequence[ca.Function], key: str, lanes: int) -> CompiledKernels:
@@ -30,4 +50,39 @@ def compile_kernels(functions: Sequence[ca.Function], key: str, lanes: int) -> C
     a cached copy should depend on; the formulas themselves always count. ``lanes``: 1 or more.
     Raises `NativeUnavailable`.
     """
-    raise NativeUnavailable("native code is not built yet")
+    settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}"
+    formulas = [function.serialize() for function in functions]
+    parts = (key, __version__, str(this_machine()), settings, *formulas)
+    name = digest(parts)
+    with _LOCK:
+        kernels = _LOADED.get(name)
+        if kernels is None:
+            kernels = _LOADED[name] = _compiled(functions, parts, lanes)
+    return kernels
+
+
+def _compiled(
+    functions: Sequence[ca.Function], parts: tuple[str, ...], lanes: int
+) -> CompiledKernels:
+    names = [f"kernel{k}" for k in range(len(functions))]
+
+    def make() -> bytes:
+        ir = module_ir(functions, names, lanes)
+        return object_code(ir, optimise=OPTIMISE, generate=GENERATE)
+
+    return CompiledKernels(load(cached(parts, make), names), names)
+
+
+def python_kernel(function: ca.Function, lanes: int) -> PythonKernel:
+    """The same kernel in CasADi's virtual machine, for the loops in Python."""
+    locals_, numbers, values = function.numel_in(0), function.numel_in(1), function.numel_out(0)
+    many = function.map(lanes)
+
+    def kernel(local: np.ndarray, own: np.ndarray, out: np.ndarray) -> None:
+        found = many(
+            local[: locals_ * lanes].reshape(locals_, lanes),
+            own[: numbers * lanes].reshape(numbers, lanes),
+        )
+        out[: values * lanes] = np.array(found).reshape(-1)
+
+    return kernel

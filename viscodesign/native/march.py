@@ -7,8 +7,22 @@ from enum import IntEnum
 
 import numpy as np
 
+from viscodesign.native import rodas
+from viscodesign.native.loops import DTYPES
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly
+
+
+def _square(rows: tuple[tuple[float, ...], ...]) -> np.ndarray:
+    """Rows of growing length as one square, row by row."""
+    return np.concatenate([[*row, *[0.0] * (rodas.STAGES - len(row))] for row in rows])
+
+
+METHOD = np.concatenate([
+    _square(rodas.A), _square(rodas.C), rodas.NODES, rodas.SLOPES, rodas.DENSE.ravel(),
+    [rodas.GAMMA, rodas.ORDER],
+])  # fmt: skip
+"""Coefficients in the order that `loops_source` expects."""
 
 
 class MarchStatus(IntEnum):
@@ -68,11 +82,62 @@ def march(
     settings: MarchSettings,
     max_steps: int,
 ) -> tuple[MarchStatus, np.ndarray]:
-    """March from state.time to edges[-1]; returns unknowns (m, n) at the edges passed by it.
+    """March from state.time to edges[-1]; returns unknowns (m, n) at the edges that it passed.
 
     ``mass`` (n,): 0 for algebraic rows; ``rest``: coefficients of the inputs and constants, the
-    end of Y; ``edges`` (ne,): times after the start [s], the last one ends the stretch;
-    ``max_steps``: tried in this call, accepted or not. What is returned are those of
-    edges[state.edge:] (as it was before the call) that were passed.
+    end of Y; ``edges`` (ne,): rising times after the start [s], the last one ends the stretch;
+    ``max_steps``: tried in this call, accepted or not. Edges before state.edge were passed by an
+    earlier call. Steps are those of `rodas`, with dense output at edges within them.
     """
-    raise NotImplementedError
+    n = assembly.unknowns
+    Y = np.concatenate([np.zeros(n + assembly.drives + 1), rest])
+    _check(assembly, lu, mass, state, edges, settings, Y)
+    numbers = np.array([
+        settings.tolerance, settings.motion_time, settings.largest, settings.smallest,
+        settings.safety, settings.max_factor, settings.min_factor, settings.memory,
+    ])  # fmt: skip
+    clock = np.array([state.time, state.size, state.before])
+    counts = np.array(
+        [state.edge, state.steps, state.rejected, state.residuals, state.jacobians],
+        dtype=DTYPES["counts"],
+    )
+    y = np.array(state.y, dtype=float)
+    outputs = np.empty((len(edges) - state.edge, n))
+    status = assembly.loops(
+        "march",
+        *(assembly.layout, assembly.kernels, assembly.idx, assembly.rows, assembly.pos),
+        *(assembly.all_numbers, assembly.drive_rows, assembly.drive_columns),
+        *(lu.count, lu.place, lu.order, lu.lu_start, lu.lu_columns, lu.diagonal),
+        *(mass, len(settings.powers), settings.powers, METHOD, numbers, edges, len(edges)),
+        *(max_steps, y, Y, clock, counts, outputs.reshape(-1), np.empty(work_size(assembly, lu))),
+    )
+    passed = int(counts[0]) - state.edge
+    state.y = y
+    state.time, state.size, state.before = clock.tolist()
+    state.edge, state.steps, state.rejected, state.residuals, state.jacobians = counts.tolist()
+    return MarchStatus(status), outputs[:passed]
+
+
+def work_size(assembly: Assembly, lu: SparseLU) -> int:
+    """Numbers that a march works with."""
+    drives = assembly.drives + len(assembly.drive_rows)
+    kernels = 2 * assembly.width
+    return 14 * assembly.unknowns + 1 + lu.count + assembly.entries + 2 + drives + kernels
+
+
+def _check(
+    assembly: Assembly,
+    lu: SparseLU,
+    mass: np.ndarray,
+    state: MarchState,
+    edges: np.ndarray,
+    settings: MarchSettings,
+    Y: np.ndarray,
+) -> None:
+    """Raise `ValueError` where sizes do not fit: native code would not notice."""
+    n = assembly.unknowns
+    fits = (lu.size, lu.entries, len(mass), len(state.y)) == (n, assembly.entries, n, n)
+    if not fits or len(settings.powers) > n or len(Y) < assembly.reach:
+        raise ValueError("assembly, LU, masses, unknowns and inputs do not belong together")
+    if not 0 <= state.edge < len(edges):
+        raise ValueError("all edges were passed before")

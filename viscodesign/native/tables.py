@@ -10,16 +10,16 @@ smooth stretch of the inputs.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import copy
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-Kernel = int | Callable[[np.ndarray, np.ndarray, np.ndarray], None]
-"""An address of machine code, or (local, numbers, out) in Python for the loops in Python.
+from viscodesign.native.loops import DTYPES, Kernel, Loops, native_loops
 
-Arrays of the latter are flat, laid out (entry, lane).
-"""
+Scratch = tuple[np.ndarray, np.ndarray]
+"""Arguments and results of one call of a kernel."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,8 @@ class Assembly:
     """Sums over all elements: the residual r (n,) and its Jacobian.
 
     ``unknowns`` n, ``drives`` nd, ``entries`` nnz of the Jacobian (duplicates merged, any order);
-    ``drive_rows``, ``drive_columns`` (ndr,): where the derivatives by drives belong.
+    ``drive_rows``, ``drive_columns`` (ndr,): where the derivatives by drives belong. ``loops``:
+    native ones by default, the twin in Python takes kernels in Python.
     """
 
     def __init__(
@@ -76,23 +77,118 @@ class Assembly:
         unknowns: int,
         drives: int,
         entries: int,
-        drive_rows: np.ndarray | None = None,
-        drive_columns: np.ndarray | None = None,
+        drive_rows: Sequence[int] | np.ndarray = (),
+        drive_columns: Sequence[int] | np.ndarray = (),
+        *,
+        loops: Loops | None = None,
     ) -> None:
-        raise NotImplementedError
+        self.loops = loops or native_loops()
+        self.unknowns, self.drives, self.entries = unknowns, drives, entries
+        self.drive_rows = np.ascontiguousarray(drive_rows, dtype=DTYPES["places"])
+        self.drive_columns = np.ascontiguousarray(drive_columns, dtype=DTYPES["places"])
+        tables: list[ElementTable | SourceTable] = [*elements, *sources]
+        pairs = [(t.residual, t.jacobian) for t in elements] + [(t.value, t.rate) for t in sources]
+        targets = [t.rows for t in elements] + [t.places for t in sources]
+        derivatives = [t.pos for t in elements] + [t.places for t in sources]
+        _check_range("drive_rows", [self.drive_rows], unknowns)
+        _check_range("drive_columns", [self.drive_columns], drives)
+        _check_range("rows", targets[: len(elements)], unknowns + 1)
+        _check_range("places", targets[len(elements) :], drives + 1)
+        _check_range("pos", derivatives[: len(elements)], entries + 1 + len(self.drive_rows))
+        idx = [table.idx for table in tables]
+        _check_range("idx", idx, np.iinfo(np.int32).max)
+        self.reach = max((int(array.max()) + 1 for array in idx if array.size), default=0)
+        """Entries of Y that the kernels read at most."""
+        self.kernels = self.loops.kernels([kernel for pair in pairs for kernel in pair])
+        self.keeper = tables
+        self.idx, idx_at = _joined(idx, "places")
+        self.rows, rows_at = _joined(targets, "places")
+        self.pos, pos_at = _joined(derivatives[: len(elements)], "places")
+        self.all_numbers, numbers_at = _joined([table.numbers for table in tables], "reals")
+        self._number_shapes = [table.numbers.shape for table in tables]
+        self._numbers_at = numbers_at
+        fields = []
+        self.width = 1
+        """Numbers that one call of a kernel takes or gives at most."""
+        for k, table in enumerate(tables):
+            groups, locals_, lanes = table.idx.shape
+            own, values, slopes = (
+                _entries(array, groups, lanes)
+                for array in (table.numbers, targets[k], derivatives[k])
+            )
+            self.width = max(self.width, lanes * max(locals_, values, slopes))
+            pos = pos_at[k] if k < len(elements) else 0
+            counts = (groups, lanes, locals_, own, values, slopes)
+            fields += [*counts, idx_at[k], numbers_at[k], rows_at[k], pos, 2 * k]
+        head = (unknowns, drives, entries, len(self.drive_rows), len(elements), len(sources))
+        self.layout = np.array([*head, self.width, 0, *fields], dtype=DTYPES["counts"])
+
+    def copy(self) -> Assembly:
+        """An assembly with numbers of its own; all else is shared."""
+        other = copy.copy(self)
+        other.all_numbers = self.all_numbers.copy()
+        return other
 
     def numbers(self, k: int) -> np.ndarray:
-        """Numbers (groups, np, W) of element table k, to be read or written between calls."""
-        raise NotImplementedError
+        """Numbers (groups, np, W) of a table, to be read or written between calls.
+
+        Tables of elements come first, then those of sources.
+        """
+        shape = self._number_shapes[k]
+        at = self._numbers_at[k]
+        return self.all_numbers[at : at + int(np.prod(shape))].reshape(shape)
+
+    def scratch(self) -> Scratch:
+        """What one call at a time works with."""
+        return np.empty(self.width), np.empty(self.width)
 
     def drive(self, Y: np.ndarray) -> np.ndarray:
         """Set the drives in Y from its time and coefficients; returns their rates (nd,) [1/s]."""
-        raise NotImplementedError
+        self._check(Y)
+        rates = np.empty(self.drives + 1)
+        scratch = self.scratch()
+        tables = (self.layout, self.kernels, self.idx, self.rows, self.all_numbers)
+        self.loops("drive", *tables, Y, *scratch)
+        self.loops("drive_rates", *tables, Y, rates, *scratch)
+        return rates[: self.drives]
 
     def residual(self, Y: np.ndarray) -> np.ndarray:
         """r (n,) at Y, whose drives are set."""
-        raise NotImplementedError
+        self._check(Y)
+        r = np.empty(self.unknowns + 1)
+        tables = (self.layout, self.kernels, self.idx, self.rows, self.all_numbers)
+        self.loops("residual", *tables, Y, r, *self.scratch())
+        return r[: self.unknowns]
 
     def jacobian(self, Y: np.ndarray) -> np.ndarray:
         """Values (nnz + 1 + ndr,): dr/dunknowns, the spare entry, dr/ddrives."""
-        raise NotImplementedError
+        self._check(Y)
+        J = np.empty(self.entries + 1 + len(self.drive_rows))
+        tables = (self.layout, self.kernels, self.idx, self.pos, self.all_numbers)
+        self.loops("jacobian", *tables, Y, J, *self.scratch())
+        return J
+
+    def _check(self, Y: np.ndarray) -> None:
+        if Y.ndim != 1 or len(Y) < max(self.reach, self.unknowns + self.drives + 1):
+            raise ValueError(f"Y is too short: {Y.shape}, needs {self.reach}")
+
+
+def _entries(array: np.ndarray, groups: int, lanes: int) -> int:
+    """Entries of one element in an array (groups, entries, W)."""
+    if array.ndim != 3 or (array.shape[0], array.shape[2]) != (groups, lanes):
+        raise ValueError(f"an array has shape {array.shape}, needs ({groups}, any, {lanes})")
+    return int(array.shape[1])
+
+
+def _joined(arrays: Sequence[np.ndarray], kind: str) -> tuple[np.ndarray, list[int]]:
+    """All arrays one after the other, and where each begins."""
+    ends = np.cumsum([0, *(array.size for array in arrays)])
+    parts = [np.zeros(0), *(array.reshape(-1) for array in arrays)]
+    return np.concatenate(parts).astype(DTYPES[kind]), ends[:-1].tolist()
+
+
+def _check_range(name: str, arrays: Sequence[np.ndarray], stop: int) -> None:
+    """Raise `ValueError` where an index is not in 0..stop-1: native code would not notice."""
+    for array in arrays:
+        if array.size and not 0 <= int(array.min()) <= int(array.max()) < stop:
+            raise ValueError(f"an index in {name} is not below {stop}")

@@ -17,9 +17,9 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.jacobian import jacobian
+from viscodesign.native import rodas
 from viscodesign.solve.numerics.symbolic_lu import SymbolicLU, has_whole_diagonal
 from viscodesign.solve.problem import Bound, Problem
-from viscodesign.solve.solvers import rodas
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.statics import Start, consistent
 

@@ -1,0 +1,101 @@
+"""Machine code kept in the user's cache folder between processes.
+
+A file is whole or absent, and only loaded if its checksum agrees. A folder that cannot be read
+or written only costs the time to compile again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from viscodesign.errors import UsageError
+from viscodesign.storage.atomic_files import write_bytes
+
+FOLDER_VARIABLE = "VISCODESIGN_CACHE"
+"""Environment variable: another cache folder; empty or ``off`` for none."""
+MAX_BYTES = 64 * 2**20
+"""Bytes of machine code that are kept; beyond, what was not used for longest goes."""
+MAGIC = b"viscodesign machine code 1\n"
+SUFFIX = ".code"
+
+
+def cached(parts: tuple[str | bytes, ...], make: Callable[[], bytes]) -> bytes:
+    """What ``make`` gives, from the cache folder if it was made there for the same parts."""
+    folder = cache_folder()
+    if folder is None:
+        return make()
+    path = folder / (digest(parts) + SUFFIX)
+    code = _read(path)
+    if code is None:
+        code = make()
+        _write(path, code)
+    return code
+
+
+def cache_folder() -> Path | None:
+    """The folder of machine code, which need not exist; None without a cache."""
+    moved = os.environ.get(FOLDER_VARIABLE)
+    if moved is not None:
+        off = moved.strip().lower() in ("", "off")
+        return None if off else Path(moved) / "native"
+    try:
+        home = Path.home()
+    except RuntimeError:
+        return None
+    usual = home / ("Library/Caches" if sys.platform == "darwin" else ".cache")
+    given = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    return (given if given.is_absolute() else usual) / "viscodesign" / "native"
+
+
+def digest(parts: tuple[str | bytes, ...]) -> str:
+    """One name for all parts, whatever they contain."""
+    whole = hashlib.sha256()
+    for part in parts:
+        data = part.encode() if isinstance(part, str) else part
+        whole.update(f"{len(data)}:".encode() + data)
+    return whole.hexdigest()
+
+
+def _read(path: Path) -> bytes | None:
+    """The code in a file, if it is whole and a file of this user (or of root)."""
+    try:
+        with path.open("rb") as file:
+            owner = os.fstat(file.fileno()).st_uid
+            content = file.read(MAX_BYTES + 1)
+    except OSError:
+        return None
+    head, code = content[: len(MAGIC) + 32], content[len(MAGIC) + 32 :]
+    if owner not in (os.getuid(), 0) or head != MAGIC + hashlib.sha256(code).digest():
+        return None
+    # The time of the last use, for `_make_room`.
+    with contextlib.suppress(OSError):
+        os.utime(path)
+    return code
+
+
+def _write(path: Path, code: bytes) -> None:
+    """Add a file, and remove the oldest ones if they are too many."""
+    with contextlib.suppress(OSError, UsageError):
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        write_bytes(path, MAGIC + hashlib.sha256(code).digest() + code)
+        _make_room(path.parent)
+
+
+def _make_room(folder: Path) -> None:
+    files = []
+    for entry in os.scandir(folder):
+        # Others may remove files at the same time.
+        with contextlib.suppress(OSError):
+            files.append((entry.stat().st_mtime, entry.stat().st_size, entry.path))
+    total = sum(size for _, size, _ in files)
+    for _, size, name in sorted(files):
+        if total <= MAX_BYTES:
+            return
+        with contextlib.suppress(OSError):
+            os.unlink(name)
+        total -= size

@@ -1,0 +1,123 @@
+"""The loops in native code, and the same loops in Python as their twin.
+
+``loops.ll`` is made of `loops_source` when that changes (`docs/make_loops.py`), finished for the
+processor of the user by the first run, and kept in the cache folder.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from viscodesign._version import __version__
+from viscodesign.native import loops_source
+from viscodesign.native.code_cache import cached
+from viscodesign.native.loops_primitives import PythonKernel
+from viscodesign.native.machine import load, object_code, this_machine
+
+Kernel = int | PythonKernel
+"""An address of machine code, or the same in Python for the loops in Python."""
+
+FOLDER = Path(__file__).parent
+IR_FILE = FOLDER / "loops.ll"
+OPTIMISE, GENERATE = 3, 3
+"""Levels of passes and of code generation."""
+
+_KERNELS = ("counts", "counts")
+_LU = ("places", "places", "places", "reals")
+SIGNATURES: dict[str, tuple[str, ...]] = {
+    "residual": (*_KERNELS, "places", "places", *["reals"] * 5),
+    "jacobian": (*_KERNELS, "places", "places", *["reals"] * 5),
+    "drive": (*_KERNELS, "places", "places", *["reals"] * 4),
+    "drive_rates": (*_KERNELS, "places", "places", *["reals"] * 5),
+    "lu_pattern": ("count", "places", "places", "count", *["places"] * 4),
+    "lu_fill": (
+        *("count", "count", "count", "reals", "places"),
+        *("reals", "real", "places", "places", "reals"),
+    ),
+    "lu_factor": ("count", *_LU, "reals"),
+    "lu_solve": ("count", "places", *_LU, *["reals"] * 3),
+    "march": (
+        *(*_KERNELS, "places", "places", "places", "reals", "places", "places"),
+        *("count", *["places"] * 5),
+        *("reals", "count", "reals", "reals", "reals", "reals", "count", "count"),
+        *("reals", "reals", "reals", "counts", "reals", "reals"),
+    ),
+}
+"""Arguments of the loops: numbers, or arrays without any gaps."""
+DTYPES = {"counts": np.int64, "places": np.int32, "reals": np.float64}
+
+
+class Loops(ABC):
+    """The loops of `loops_source`, called with arrays."""
+
+    @abstractmethod
+    def __call__(self, name: str, *arguments: Any) -> int:
+        """Call a loop by its name."""
+
+    @abstractmethod
+    def kernels(self, kernels: Sequence[Kernel]) -> Any:
+        """Kernels in the form in which the loops take them."""
+
+
+class NativeLoops(Loops):
+    """Machine code; releases the interpreter's lock while it runs."""
+
+    def __init__(self) -> None:
+        ir = IR_FILE.read_text(encoding="utf-8")
+        settings = f"loops, levels {OPTIMISE} {GENERATE}"
+        parts = (settings, __version__, str(this_machine()), ir)
+        code = cached(parts, lambda: object_code(ir, optimise=OPTIMISE, generate=GENERATE))
+        self._loaded = load(code, list(SIGNATURES))
+        self._calls = {name: self._foreign(name) for name in SIGNATURES}
+
+    def _foreign(self, name: str) -> Callable[..., int]:
+        kinds: dict[str, Any] = {"count": ctypes.c_int64, "real": ctypes.c_double}
+        arguments = [kinds.get(kind, ctypes.c_void_p) for kind in SIGNATURES[name]]
+        return ctypes.CFUNCTYPE(ctypes.c_int64, *arguments)(self._loaded[name])
+
+    def __call__(self, name: str, *arguments: Any) -> int:
+        return self._calls[name](*[
+            argument if kind in ("count", "real") else address(argument, kind)
+            for argument, kind in zip(arguments, SIGNATURES[name], strict=True)
+        ])  # fmt: skip
+
+    def kernels(self, kernels: Sequence[Kernel]) -> np.ndarray:
+        return np.array([k for k in kernels if isinstance(k, int)], dtype=np.int64)
+
+
+class PythonLoops(Loops):
+    """The twin: slow, and independent of llvmlite."""
+
+    def __call__(self, name: str, *arguments: Any) -> int:
+        with np.errstate(all="ignore"):
+            return getattr(loops_source, name)(*arguments) or 0
+
+    def kernels(self, kernels: Sequence[Kernel]) -> list[PythonKernel]:
+        return [k for k in kernels if not isinstance(k, int)]
+
+
+@cache
+def native_loops() -> NativeLoops:
+    """The loops in native code. Raises `NativeUnavailable`."""
+    return NativeLoops()
+
+
+def source_digest() -> str:
+    """What tells whether ``loops.ll`` belongs to its source."""
+    source = (FOLDER / "loops_source.py").read_bytes()
+    return hashlib.sha256(source + repr(SIGNATURES).encode()).hexdigest()
+
+
+def address(array: np.ndarray, kind: str) -> int:
+    """Where the values of an array begin."""
+    if array.dtype != DTYPES[kind] or not array.flags.c_contiguous:
+        raise ValueError(f"needs an array of {DTYPES[kind].__name__} without gaps")
+    return int(array.ctypes.data)

@@ -1,0 +1,133 @@
+"""Machine code from LLVM IR for the processor that it runs on.
+
+llvmlite is imported when it is first needed: most commands never do.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from viscodesign.native.unavailable import NativeUnavailable
+
+SWITCH = "VISCODESIGN_NATIVE"
+"""Environment variable: ``off`` does without native code."""
+_LOCK = threading.Lock()
+"""llvmlite's targets are shared by all threads."""
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What machine code depends on, besides its source."""
+
+    llvm: str
+    triple: str
+    cpu: str
+    features: str
+
+    def __str__(self) -> str:
+        return f"{self.llvm} {self.triple} {self.cpu} {self.features}"
+
+
+class Loaded:
+    """Machine code in memory; it stays there as long as this object lives."""
+
+    def __init__(self, addresses: dict[str, int], keeper: Any) -> None:
+        self._addresses = addresses
+        self._keeper = keeper
+
+    def __getitem__(self, name: str) -> int:
+        """Address of a function."""
+        return self._addresses[name]
+
+
+def this_machine() -> Machine:
+    """The machine that this process runs on. Raises `NativeUnavailable`."""
+    if os.environ.get(SWITCH, "").strip().lower() == "off":
+        raise NativeUnavailable(f"native code is switched off ({SWITCH}=off)")
+    return _this_machine()
+
+
+@cache
+def _this_machine() -> Machine:
+    with _refusals_as_unavailable():
+        llvm = _binding()
+        version = ".".join(map(str, llvm.llvm_version_info))
+        return Machine(
+            llvm=f"llvm {version} {platform.python_implementation()}",
+            triple=llvm.get_process_triple(),
+            cpu=llvm.get_host_cpu_name(),
+            features=llvm.get_host_cpu_features().flatten(),
+        )
+
+
+def object_code(ir: str, *, optimise: int, generate: int) -> bytes:
+    """Object code of LLVM IR for this machine.
+
+    ``optimise``: level of the passes over the IR, 0 for none; ``generate``: level of the code
+    generator. Raises `NativeUnavailable`.
+    """
+    this_machine()
+    with _refusals_as_unavailable(), _LOCK:
+        llvm = _binding()
+        target = _target_machine(generate)
+        module = llvm.parse_assembly(ir)
+        module.triple = llvm.get_process_triple()
+        module.data_layout = str(target.target_data)
+        module.verify()
+        if optimise:
+            options = llvm.create_pipeline_tuning_options(speed_level=optimise)
+            passes = llvm.create_pass_builder(target, options)
+            passes.getModulePassManager().run(module, passes)
+        return bytes(target.emit_object(module))
+
+
+def load(code: bytes, names: Sequence[str]) -> Loaded:
+    """Load object code that defines functions of these names. Raises `NativeUnavailable`."""
+    this_machine()
+    with _refusals_as_unavailable(), _LOCK:
+        llvm = _binding()
+        jit = llvm.create_lljit_compiler(_target_machine(2))
+        builder = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
+        for name in names:
+            builder.export_symbol(name)
+        library = builder.link(jit, "viscodesign")
+        return Loaded({name: library[name] for name in names}, (library, jit))
+
+
+def _binding() -> Any:
+    """llvmlite's binding, with the targets of this machine."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    return llvm
+
+
+def _target_machine(level: int) -> Any:
+    llvm = _binding()
+    machine = _this_machine()
+    return llvm.Target.from_triple(machine.triple).create_target_machine(
+        cpu=machine.cpu,
+        features=machine.features,
+        opt=level,
+        reloc="pic",
+        codemodel="jitdefault",
+    )
+
+
+@contextmanager
+def _refusals_as_unavailable() -> Iterator[None]:
+    """Turn whatever llvmlite refuses into `NativeUnavailable`."""
+    try:
+        yield
+    except NativeUnavailable:
+        raise
+    except (ImportError, OSError, RuntimeError, AttributeError, ValueError) as error:
+        raise NativeUnavailable(f"no native code: {type(error).__name__}: {error}") from error
