@@ -1,8 +1,8 @@
 """CasADi's scalar functions as LLVM IR that treats W elements at once.
 
-Every scalar becomes a vector of W lanes, laid out (entry, lane). Only contraction of products
-and sums is allowed, so that results agree with CasADi's own to round-off, and what is not finite
-stays so.
+Every scalar becomes a vector of W lanes, laid out (entry, lane). Products and sums may be
+contracted, and divisors inverted, nothing else: results agree with CasADi's own to round-off,
+and what is not finite stays so.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from viscodesign.native.ir_operations import (
     COMPARISONS,
     INTRINSICS,
     LIBRARY,
+    LOGIC,
     expansion,
 )
 from viscodesign.native.unavailable import NativeUnavailable
@@ -62,10 +63,7 @@ class _Module:
 
     def constant(self, value: float) -> str:
         """A constant in every lane."""
-        bits = f"0x{np.float64(value).view(np.uint64):016X}"
-        if self.lanes == 1:
-            return bits
-        return "<" + ", ".join([f"double {bits}"] * self.lanes) + ">"
+        return _splat(f"double 0x{np.float64(value).view(np.uint64):016X}", self.lanes)
 
     def intrinsic(self, name: str, arguments: int) -> str:
         """The name of an operation that LLVM has for vectors; declared once."""
@@ -130,6 +128,10 @@ class _Writer:
         self.lines: list[str] = []
         self._count = 0
         self._blocks = 0
+        self._truths: dict[str, str] = {}
+        self._opposites: dict[str, str] = {}
+        self._choices: dict[str, tuple[str, str]] = {}
+        """Truth values of numbers, what a truth value is the opposite of, and `if_else_zero`s."""
 
     def read(self, array: str) -> _Reader:
         return _Reader(self, array)
@@ -173,6 +175,8 @@ class _Writer:
     def operation(self, name: str, operands: list[str]) -> str:
         """The result of one of CasADi's operations."""
         module = self.module
+        if name == "ADD" and (choice := self._choice(*operands)):
+            return choice
         if name in ARITHMETIC:
             instruction, form = ARITHMETIC[name]
             given = {"x": operands[0], "y": operands[-1], "one": module.constant(1.0)}
@@ -186,31 +190,40 @@ class _Writer:
             return self.number(self.compare(COMPARISONS[name], *operands))
         if name in ("ASSIGN", "LIFT"):
             return operands[0]
-        return self.logic(name, operands)
-
-    def logic(self, name: str, operands: list[str]) -> str:
-        """The result of an operation on truth values, which are what is not zero."""
-        double, zero = self.module.double, self.module.constant(0.0)
-        if name == "NOT":
-            return self.number(self.compare("oeq", operands[0], zero))
-        if name in ("AND", "OR"):
-            x, y = (self.compare("une", value, zero) for value in operands)
-            return self.number(self.let(f"{name.lower()} {self.module.truth} {x}, {y}"))
-        if name == "IF_ELSE_ZERO":
-            true = self.compare("une", operands[0], zero)
-            return self.choose(true, operands[1], zero)
-        if name == "SIGN":
-            one = self.module.intrinsic("copysign", 2)
-            unit = self.let(
-                f"call {double} @{one}({double} {self.module.constant(1.0)}, "
-                f"{double} {operands[0]})"
-            )
-            # Zero, of either sign, and what is not a number stay as they are.
-            return self.choose(self.compare("one", operands[0], zero), unit, operands[0])
+        if name in LOGIC:
+            return self.logic(name, operands)
         expanded = expansion(name)
         if expanded is None:
             raise NativeUnavailable(f"CasADi's operation {name.lower()} has no native form")
         return self.values(expanded, [[value] for value in operands])[0]
+
+    def logic(self, name: str, operands: list[str]) -> str:
+        """The result of an operation on truth values, which are what is not zero."""
+        double, truth = self.module.double, self.module.truth
+        zero, one = self.module.constant(0.0), self.module.constant(1.0)
+        if name == "SIGN":
+            copied = self.module.intrinsic("copysign", 2)
+            unit = self.let(f"call {double} @{copied}({double} {one}, {double} {operands[0]})")
+            # Zero, of either sign, and what is not a number stay as they are.
+            return self.choose(self.compare("one", operands[0], zero), unit, operands[0])
+        x = self.true(operands[0])
+        if name == "NOT":
+            opposite = self.let(f"xor {truth} {x}, {_splat('i1 true', self.module.lanes)}")
+            self._opposites[opposite] = x
+            return self.number(opposite)
+        if name == "IF_ELSE_ZERO":
+            value = self.choose(x, operands[1], zero)
+            self._choices[value] = (x, operands[1])
+            return value
+        return self.number(self.let(f"{name.lower()} {truth} {x}, {self.true(operands[1])}"))
+
+    def _choice(self, x: str, y: str) -> str | None:
+        """CasADi's if_else, which is a sum of two numbers one of which is zero, as a choice."""
+        if x in self._choices and y in self._choices:
+            (first, one), (second, other) = self._choices[x], self._choices[y]
+            if self._opposites.get(second) == first:
+                return self.choose(first, one, other)
+        return None
 
     def compare(self, how: str, x: str, y: str) -> str:
         return self.let(f"fcmp {how} {self.module.double} {x}, {y}")
@@ -221,11 +234,24 @@ class _Writer:
 
     def number(self, truth: str) -> str:
         """A truth value as 0 or 1."""
-        return self.let(f"uitofp {self.module.truth} {truth} to {self.module.double}")
+        value = self.let(f"uitofp {self.module.truth} {truth} to {self.module.double}")
+        self._truths[value] = truth
+        return value
+
+    def true(self, value: str) -> str:
+        """A number as a truth value."""
+        if value not in self._truths:
+            self._truths[value] = self.compare("une", value, self.module.constant(0.0))
+        return self._truths[value]
 
 
 def _vector(scalar: str, lanes: int) -> str:
     return scalar if lanes == 1 else f"<{lanes} x {scalar}>"
+
+
+def _splat(constant: str, lanes: int) -> str:
+    """A constant with its type, in every lane."""
+    return constant.split()[1] if lanes == 1 else f"<{', '.join([constant] * lanes)}>"
 
 
 def _check_shape(function: ca.Function) -> None:
