@@ -38,7 +38,10 @@ KINDS = {
     "places": types.CPointer(types.int32),
     "reals": types.CPointer(types.float64),
 }
-INLINED = ("copy", "add_scaled", "gather", "scatter", "numba")
+INLINED = (
+    *("copy", "copy_block", "add_scaled", "gather", "scatter", "numba"),
+    *("enlist", "delist"),
+)
 """Loops that are copied into what calls them; the others keep that arrays never overlap."""
 
 
@@ -82,7 +85,7 @@ def loops_ir() -> str:
         if isinstance(value, FunctionType) and value.__module__ == loops_source.__name__:
             own = FunctionType(value.__code__, given, name)
             options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "_nrt": False}
-            given[name] = njit(error_model="numpy", **options)(own)
+            given[name] = njit(error_model="numpy", fastmath={"contract"}, **options)(own)
     module = llvm.parse_assembly("")
     for name, kinds in loops.SIGNATURES.items():
         module.link_in(llvm.parse_assembly(compiled(given[name], name, kinds)))

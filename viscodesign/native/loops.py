@@ -37,13 +37,12 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
     "jacobian": (*_KERNELS, "places", "places", *["reals"] * 5),
     "drive": (*_KERNELS, "places", "places", *["reals"] * 4),
     "drive_rates": (*_KERNELS, "places", "places", *["reals"] * 5),
+    "pair_up": ("count", *["places"] * 5),
+    "elimination_order": ("count", "places", "places", "count", *["places"] * 10),
     "lu_pattern": ("count", "places", "places", "count", *["places"] * 4),
-    "lu_fill": (
-        *("count", "count", "count", "reals", "places"),
-        *("reals", "real", "places", "places", "reals"),
-    ),
+    "lu_fill": ("count", "count", "reals", "places", "reals", "real", "reals"),
     "lu_factor": ("count", *_LU, "reals"),
-    "lu_solve": ("count", "places", *_LU, *["reals"] * 3),
+    "lu_solve": ("count", "places", "count", *_LU, *["reals"] * 3),
     "march": (
         *(*_KERNELS, "places", "places", "places", "reals", "places", "places"),
         *("count", *["places"] * 5),

@@ -110,6 +110,134 @@ def scatter(count, places, source, target):
         target[places[i]] += source[i]
 
 
+def pair_up(n, start, columns, partner, common, seen):
+    """Pair unknowns whose rows of a symmetric pattern overlap most: partner (n,), -1 for none.
+
+    ``common``, ``seen`` int32 (n,): to work with.
+    """
+    for i in range(n):
+        partner[i] = -1
+        common[i] = 0
+    for i in range(n):
+        if partner[i] >= 0:
+            continue
+        count = 0
+        for p in range(start[i], start[i + 1]):
+            k = columns[p]
+            for q in range(start[k], start[k + 1]):
+                j = columns[q]
+                if j > i and partner[j] < 0:
+                    if common[j] == 0:
+                        seen[count] = j
+                        count += 1
+                    common[j] += 1
+        best, most = -1, 0.0
+        for c in range(count):
+            j = seen[c]
+            union = start[i + 1] - start[i] + start[j + 1] - start[j] - common[j]
+            share = common[j] / union
+            if share > most:
+                best, most = j, share
+            common[j] = 0
+        if best >= 0:
+            partner[i] = best
+            partner[best] = i
+
+
+def elimination_order(
+    n, start, members, capacity, order, at, count, room, pool, degree, head, after, before, mark
+):
+    """Order of elimination (n,) that keeps the factors sparse.
+
+    Next is whoever has the fewest others in its row and its column together: rows of positions
+    are short, their columns long, so that they go early. Lists 0..n-1 of ``members`` are the
+    rows, n..2n-1 the columns, all without the diagonal. ``pool``: int32 (capacity,), no fewer
+    than the members; the others int32 (2 n,), to work with. Returns 0, or -1 where ``pool`` is
+    too short.
+    """
+    free = start[2 * n]
+    for i in range(2 * n):
+        at[i] = start[i]
+        count[i] = room[i] = start[i + 1] - start[i]
+        head[i] = mark[i] = -1
+    for p in range(free):
+        pool[p] = members[p]
+    for k in range(n):
+        i = n - 1 - k
+        degree[i] = count[i] + count[n + i]
+        enlist(i, degree, head, after, before)
+    least = 0
+    for k in range(n):
+        while head[least] < 0:
+            least += 1
+        pivot = head[least]
+        delist(pivot, degree, head, after, before)
+        order[k] = pivot
+        # Whatever is in the pivot's column gets its row, and the other way round.
+        for side in range(2):
+            source, across = pivot + side * n, pivot + (1 - side) * n
+            for a in range(count[across]):
+                i = pool[at[across] + a]
+                free = merge(
+                    i + side * n, source, i, pivot, free, capacity, at, count, room, pool, mark
+                )
+                if free < 0:
+                    return -1
+                delist(i, degree, head, after, before)
+                degree[i] = count[i] + count[n + i]
+                enlist(i, degree, head, after, before)
+                least = min(least, degree[i])
+    return 0
+
+
+def merge(target, source, own, gone, free, capacity, at, count, room, pool, mark):
+    """Add a list to another, without two members; returns where the pool is free then, or -1."""
+    if free + count[target] + count[source] > capacity:
+        return -1
+    # Marks are the free place, or -1 again where that does not move on.
+    mark[own] = mark[gone] = free
+    end = free
+    for side in range(2):
+        given = target if side == 0 else source
+        for c in range(count[given]):
+            j = pool[at[given] + c]
+            if mark[j] != free:
+                mark[j] = free
+                pool[end] = j
+                end += 1
+    size = end - free
+    count[target] = size
+    if size > room[target]:
+        at[target] = free
+        room[target] = size
+        return end
+    for c in range(size):
+        pool[at[target] + c] = pool[free + c]
+        mark[pool[free + c]] = -1
+    mark[own] = mark[gone] = -1
+    return free
+
+
+def enlist(i, degree, head, after, before):
+    """Put i first in the list of its degree."""
+    other = head[degree[i]]
+    after[i] = other
+    before[i] = -1
+    if other >= 0:
+        before[other] = i
+    head[degree[i]] = i
+
+
+def delist(i, degree, head, after, before):
+    """Take i out of the list of its degree."""
+    if before[i] >= 0:
+        after[before[i]] = after[i]
+    else:
+        head[degree[i]] = after[i]
+    if after[i] >= 0:
+        before[after[i]] = before[i]
+
+
 def lu_pattern(n, start, columns, capacity, lu_start, lu_columns, diagonal, follow):
     """Rows of the factors of a matrix whose rows are sorted and hold their diagonal.
 
@@ -148,54 +276,100 @@ def lu_pattern(n, start, columns, capacity, lu_start, lu_columns, diagonal, foll
     return count
 
 
-def lu_fill(n, count, entries, J, place, mass, scale, order, diagonal, lu):
-    """Set lu (count,) to diag(mass) scale - J, in the order of elimination."""
-    for p in range(count):
-        lu[p] = 0.0
-    for k in range(entries):
-        lu[place[k]] -= J[k]
-    for i in range(n):
-        lu[diagonal[i]] += mass[order[i]] * scale
+def lu_fill(n, count, J, own, mass, scale, lu):
+    """Set lu (4 count,) to diag(mass) scale - J, for J in the places of the factors.
 
-
-def lu_factor(n, lu_start, lu_columns, diagonal, lu, row):
-    """Factor in place: L without its unit diagonal, U with its inverse diagonal.
-
-    ``row`` (n,): to work with. Returns 0, or 1 + the place of a pivot that is zero or not finite.
+    ``own`` (n + 1,): where the diagonal entries of the unknowns are, and that of nobody.
     """
+    for p in range(4 * count):
+        lu[p] = -J[p]
     for i in range(n):
+        lu[own[i]] += mass[i] * scale
+    if own[n] >= 0:
+        lu[own[n]] = 1.0
+
+
+def lu_factor(blocks, lu_start, lu_columns, diagonal, lu, row):
+    """Factor in place: L without its unit diagonal, U with its diagonal blocks inverted.
+
+    ``row`` (4 blocks,): to work with. Returns 0, or 1 + the first block that is singular or not
+    finite.
+    """
+    for i in range(blocks):
         first, middle, last = lu_start[i], diagonal[i], lu_start[i + 1]
         for p in range(first, last):
-            row[lu_columns[p]] = lu[p]
+            copy_block(lu, 4 * p, row, 4 * lu_columns[p])
         for p in range(first, middle):
             k = lu_columns[p]
-            multiplier = row[k] * lu[diagonal[k]]
-            lu[p] = multiplier
+            w, d, e = 4 * k, 4 * diagonal[k], 4 * p
+            a = row[w] * lu[d] + row[w + 1] * lu[d + 2]
+            b = row[w] * lu[d + 1] + row[w + 1] * lu[d + 3]
+            c = row[w + 2] * lu[d] + row[w + 3] * lu[d + 2]
+            f = row[w + 2] * lu[d + 1] + row[w + 3] * lu[d + 3]
+            lu[e] = a
+            lu[e + 1] = b
+            lu[e + 2] = c
+            lu[e + 3] = f
             for q in range(diagonal[k] + 1, lu_start[k + 1]):
-                row[lu_columns[q]] -= multiplier * lu[q]
+                w, u = 4 * lu_columns[q], 4 * q
+                row_0 = row[w] - a * lu[u] - b * lu[u + 2]
+                row_1 = row[w + 1] - a * lu[u + 1] - b * lu[u + 3]
+                row_2 = row[w + 2] - c * lu[u] - f * lu[u + 2]
+                row_3 = row[w + 3] - c * lu[u + 1] - f * lu[u + 3]
+                row[w] = row_0
+                row[w + 1] = row_1
+                row[w + 2] = row_2
+                row[w + 3] = row_3
         for p in range(middle, last):
-            lu[p] = row[lu_columns[p]]
-        pivot = lu[middle]
-        if pivot == 0.0 or not math.isfinite(pivot):
+            copy_block(row, 4 * lu_columns[p], lu, 4 * p)
+        d = 4 * middle
+        a, b, c, f = lu[d], lu[d + 1], lu[d + 2], lu[d + 3]
+        determinant = a * f - b * c
+        if determinant == 0.0 or not math.isfinite(determinant):
             return i + 1
-        lu[middle] = 1.0 / pivot
+        inverse = 1.0 / determinant
+        lu[d] = f * inverse
+        lu[d + 1] = -b * inverse
+        lu[d + 2] = -c * inverse
+        lu[d + 3] = a * inverse
     return 0
 
 
-def lu_solve(n, order, lu_start, lu_columns, diagonal, lu, right, solution, x):
-    """Solution (n,) for a right side (n,); ``x`` (n,): to work with."""
+def copy_block(source, at, target, to):
+    """Copy four numbers."""
+    for i in range(4):
+        target[to + i] = source[at + i]
+
+
+def lu_solve(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, solution, x):
+    """Solution (n,) for a right side (n,).
+
+    ``slots`` (n,): places of the unknowns in the order of elimination; ``x`` (2 blocks,): to work
+    with.
+    """
+    for i in range(2 * blocks):
+        x[i] = 0.0
     for i in range(n):
-        rest = right[order[i]]
+        x[slots[i]] = right[i]
+    for i in range(blocks):
+        first, second = x[2 * i], x[2 * i + 1]
         for p in range(lu_start[i], diagonal[i]):
-            rest -= lu[p] * x[lu_columns[p]]
-        x[i] = rest
-    for i in range(n - 1, -1, -1):
-        rest = x[i]
+            e, y, z = 4 * p, x[2 * lu_columns[p]], x[2 * lu_columns[p] + 1]
+            first -= lu[e] * y + lu[e + 1] * z
+            second -= lu[e + 2] * y + lu[e + 3] * z
+        x[2 * i] = first
+        x[2 * i + 1] = second
+    for i in range(blocks - 1, -1, -1):
+        first, second = x[2 * i], x[2 * i + 1]
         for p in range(diagonal[i] + 1, lu_start[i + 1]):
-            rest -= lu[p] * x[lu_columns[p]]
-        x[i] = rest * lu[diagonal[i]]
+            e, y, z = 4 * p, x[2 * lu_columns[p]], x[2 * lu_columns[p] + 1]
+            first -= lu[e] * y + lu[e + 1] * z
+            second -= lu[e + 2] * y + lu[e + 3] * z
+        d = 4 * diagonal[i]
+        x[2 * i] = lu[d] * first + lu[d + 1] * second
+        x[2 * i + 1] = lu[d + 2] * first + lu[d + 3] * second
     for i in range(n):
-        solution[order[i]] = x[i]
+        solution[i] = x[slots[i]]
 
 
 def add_scaled(n, factor, x, y):
@@ -212,22 +386,24 @@ def copy(n, x, y):
 
 def march(
     layout, kernels, idx, rows, pos, numbers, drive_rows, drive_columns,
-    factors, place, order, lu_start, lu_columns, diagonal,
+    blocks, own, slots, lu_start, lu_columns, diagonal,
     mass, tested, powers, method, settings, edges, edge_count, max_steps,
     y, Y, state, counts, outputs, work,
 ):  # fmt: skip
     """Take steps from state[TIME] to the last edge; see `march.march`.
 
-    ``factors``: entries of L and U; ``tested``: unknowns in front of the integrals; ``outputs``
-    (edges from counts[EDGE] on, n); ``work``: see `march.work_size`. Returns how it ended.
+    ``pos`` and layout[ENTRIES] are those of the factors; ``tested``: unknowns in front of the
+    integrals; ``outputs`` (edges from counts[EDGE] on, n); ``work``: see `march.work_size`.
+    Returns how it ended.
     """
     n, entries = layout[UNKNOWNS], layout[ENTRIES]
     clock = n + layout[DRIVES]
     stages = part(work, 0)
     place_, right, after = part(work, 8 * n), part(work, 9 * n), part(work, 10 * n + 1)
-    drift, row, x = part(work, 11 * n + 1), part(work, 12 * n + 1), part(work, 13 * n + 1)
-    lu = part(work, 14 * n + 1)
-    J = part(lu, factors)
+    drift, row = part(work, 11 * n + 1), part(work, 12 * n + 1)
+    x = part(row, 4 * blocks)
+    lu = part(x, 2 * blocks)
+    J = part(lu, entries)
     rates = part(J, entries + 1 + layout[DRIVE_ENTRIES])
     local = part(rates, layout[DRIVES] + 1)
     out = part(local, layout[WIDTH])
@@ -256,8 +432,8 @@ def march(
             counts[JACOBIANS] += 1
             fresh = True
         scale = 1.0 / (h * method[GAMMA_AT])
-        lu_fill(n, factors, entries, J, place, mass, scale, order, diagonal, lu)
-        singular = lu_factor(n, lu_start, lu_columns, diagonal, lu, row)
+        lu_fill(n, lu_start[blocks], J, own, mass, scale, lu)
+        singular = lu_factor(blocks, lu_start, lu_columns, diagonal, lu, row)
         counts[STEPS] += 1
         error = math.inf
         if singular == 0:
@@ -277,7 +453,7 @@ def march(
                 if slope != 0.0:
                     add_scaled(n, slope, drift, right)
                 stage = part(stages, i * n)
-                lu_solve(n, order, lu_start, lu_columns, diagonal, lu, right, stage, x)
+                lu_solve(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, stage, x)
             counts[RESIDUALS] += STAGES
             apart = part(stages, (STAGES - 1) * n)
             copy(n, place_, after)

@@ -83,6 +83,7 @@ def object_code(ir: str, *, optimise: int, generate: int) -> bytes:
         module.verify()
         if optimise:
             options = llvm.create_pipeline_tuning_options(speed_level=optimise)
+            options.slp_vectorization = True
             passes = llvm.create_pass_builder(target, options)
             passes.getModulePassManager().run(module, passes)
         return bytes(target.emit_object(module))

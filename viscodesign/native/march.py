@@ -9,6 +9,7 @@ import numpy as np
 
 from viscodesign.native import rodas
 from viscodesign.native.loops import DTYPES
+from viscodesign.native.loops_source import ENTRIES
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly
 
@@ -103,11 +104,13 @@ def march(
     )
     y = np.array(state.y, dtype=float)
     outputs = np.empty((len(edges) - state.edge, n))
+    layout = assembly.layout.copy()
+    layout[ENTRIES] = lu.count
     status = assembly.loops(
         "march",
-        *(assembly.layout, assembly.kernels, assembly.idx, assembly.rows, assembly.pos),
+        *(layout, assembly.kernels, assembly.idx, assembly.rows, lu.entries_of(assembly.pos)),
         *(assembly.all_numbers, assembly.drive_rows, assembly.drive_columns),
-        *(lu.count, lu.place, lu.order, lu.lu_start, lu.lu_columns, lu.diagonal),
+        *(lu.blocks, lu.own, lu.slots, lu.lu_start, lu.lu_columns, lu.diagonal),
         *(mass, len(settings.powers), settings.powers, METHOD, numbers, edges, len(edges)),
         *(max_steps, y, Y, clock, counts, outputs.reshape(-1), np.empty(work_size(assembly, lu))),
     )
@@ -122,7 +125,7 @@ def work_size(assembly: Assembly, lu: SparseLU) -> int:
     """Numbers that a march works with."""
     drives = assembly.drives + len(assembly.drive_rows)
     kernels = 2 * assembly.width
-    return 14 * assembly.unknowns + 1 + lu.count + assembly.entries + 2 + drives + kernels
+    return 12 * assembly.unknowns + 1 + 6 * lu.blocks + 2 * lu.count + 2 + drives + kernels
 
 
 def _check(

@@ -65,7 +65,7 @@ def test_lu_solves_what_scipy_solves(size: int) -> None:
     matrix[rows, columns] -= values
     for loops in both():
         lu = SparseLU(size, rows, columns, loops=loops)
-        assert (np.sort(lu.order) == np.arange(size)).all()
+        assert len(np.unique(lu.slots)) == size
         found = lu.solve(lu.factor(values, mass, 9.0), right)
         np.testing.assert_allclose(matrix @ found, right, rtol=1e-11, atol=1e-12)
 
@@ -73,7 +73,7 @@ def test_lu_solves_what_scipy_solves(size: int) -> None:
 def test_fill_of_an_arrow_in_its_worst_place_is_avoided() -> None:
     k = np.arange(1, 40)
     lu = SparseLU(40, np.r_[k, 0 * k], np.r_[0 * k, k])
-    assert lu.count == 3 * 39 + 1
+    assert lu.count == 4 * (3 * 19 + 1)
 
 
 def test_a_singular_matrix_is_told() -> None:
