@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Sequence
+from functools import cache
+from inspect import getsource
 from weakref import WeakValueDictionary
 
 import casadi as ca
 import numpy as np
 
 from viscodesign._version import __version__
+from viscodesign.native import ir_operations, ir_writer
 from viscodesign.native.code_cache import cached, digest
 from viscodesign.native.ir_writer import module_ir
 from viscodesign.native.loops_primitives import PythonKernel
@@ -50,7 +53,7 @@ def compile_kernels(functions: Sequence[ca.Function], key: str, lanes: int) -> C
     a cached copy should depend on; the formulas themselves always count. ``lanes``: 1 or more.
     Raises `NativeUnavailable`.
     """
-    settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}"
+    settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}, written by {_writer()}"
     formulas = [function.serialize() for function in functions]
     parts = (key, __version__, str(this_machine()), settings, *formulas)
     name = digest(parts)
@@ -71,6 +74,15 @@ def _compiled(
         return object_code(ir, optimise=OPTIMISE, generate=GENERATE)
 
     return CompiledKernels(load(cached(parts, make), names), names)
+
+
+@cache
+def _writer() -> str:
+    """What tells one way of writing IR from another; two of them may have the same version."""
+    try:
+        return digest(tuple(getsource(module) for module in (ir_operations, ir_writer)))
+    except OSError:
+        return "code without source"
 
 
 def python_kernel(function: ca.Function, lanes: int) -> PythonKernel:

@@ -57,13 +57,18 @@ def this_machine() -> Machine:
 @cache
 def _this_machine() -> Machine:
     with _refusals_as_unavailable():
+        import llvmlite
+
         llvm = _binding()
         version = ".".join(map(str, llvm.llvm_version_info))
+        triple = llvm.get_process_triple()
+        # Gathers are no faster than loads one by one, and far slower where Intel had to mend them.
+        tuning = ",+prefer-no-gather,+prefer-no-scatter" if triple.startswith("x86_64") else ""
         return Machine(
-            llvm=f"llvm {version} {platform.python_implementation()}",
-            triple=llvm.get_process_triple(),
+            llvm=f"llvm {version} {llvmlite.__version__} {platform.python_implementation()}",
+            triple=triple,
             cpu=llvm.get_host_cpu_name(),
-            features=llvm.get_host_cpu_features().flatten(),
+            features=llvm.get_host_cpu_features().flatten() + tuning,
         )
 
 
