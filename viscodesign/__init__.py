@@ -13,64 +13,39 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from viscodesign._version import __version__
+from viscodesign._version import __version__ as __version__
+from viscodesign.lazy_names import lazy_names
 
 if TYPE_CHECKING:
-    from viscodesign.checks.check import Check, check
-    from viscodesign.checks.classify import classify
-    from viscodesign.loading import load
-    from viscodesign.pump.planning.plan import plan
-    from viscodesign.pump.planning.result import PumpPlan
-    from viscodesign.results.accuracy_study import AccuracyStudy
-    from viscodesign.results.findings import Classification
-    from viscodesign.results.trajectory import Trajectory
-    from viscodesign.scene.scene import Scene
-    from viscodesign.simulation.simulate import simulate
-    from viscodesign.studies.accuracy import accuracy
-
-__all__ = [
-    "AccuracyStudy",
-    "Check",
-    "Classification",
-    "PumpPlan",
-    "Scene",
-    "Trajectory",
-    "__version__",
-    "accuracy",
-    "check",
-    "classify",
-    "load",
-    "plan",
-    "simulate",
-]
+    from viscodesign.checks.check import Check as Check
+    from viscodesign.checks.check import check as check
+    from viscodesign.checks.classify import classify as classify
+    from viscodesign.loading import load as load
+    from viscodesign.pump.planning.plan import plan as plan
+    from viscodesign.pump.planning.result import PumpPlan as PumpPlan
+    from viscodesign.results.accuracy_study import AccuracyStudy as AccuracyStudy
+    from viscodesign.results.findings import Classification as Classification
+    from viscodesign.results.trajectory import Trajectory as Trajectory
+    from viscodesign.scene.scene import Scene as Scene
+    from viscodesign.simulation.simulate import simulate as simulate
+    from viscodesign.studies.accuracy import accuracy as accuracy
 
 _HOMES = {
-    "AccuracyStudy": "results.accuracy_study",
-    "Check": "checks.check",
-    "Classification": "results.findings",
-    "PumpPlan": "pump.planning.result",
-    "Scene": "scene.scene",
-    "Trajectory": "results.trajectory",
-    "accuracy": "studies.accuracy",
-    "check": "checks.check",
-    "classify": "checks.classify",
-    "load": "loading",
-    "plan": "pump.planning.plan",
-    "simulate": "simulation.simulate",
+    "AccuracyStudy": ".results.accuracy_study",
+    "Check": ".checks.check",
+    "Classification": ".results.findings",
+    "PumpPlan": ".pump.planning.result",
+    "Scene": ".scene.scene",
+    "Trajectory": ".results.trajectory",
+    "accuracy": ".studies.accuracy",
+    "check": ".checks.check",
+    "classify": ".checks.classify",
+    "load": ".loading",
+    "plan": ".pump.planning.plan",
+    "simulate": ".simulation.simulate",
 }
+"""Where each name is imported from when it is first asked for: `--help` needs none of them."""
 
+__all__ = ["__version__", *_HOMES]
 
-def __getattr__(name: str) -> object:
-    """Import a public name when it is first asked for: `--help` needs none of them."""
-    import importlib
-
-    if name not in _HOMES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    """What there is to import, whether it has been asked for or not."""
-    return sorted(__all__)
+__getattr__, __dir__ = lazy_names(__name__, _HOMES)

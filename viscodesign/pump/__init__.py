@@ -15,61 +15,38 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from viscodesign.interrupt import StopRequest
-    from viscodesign.pump.bus.ports import ports
-    from viscodesign.pump.planning.plan import plan
-    from viscodesign.pump.planning.result import PumpPlan
-    from viscodesign.pump.sessions.calibrating import calibrate
-    from viscodesign.pump.sessions.connection import BoardAddress
-    from viscodesign.pump.sessions.dry_run import rehearse
-    from viscodesign.pump.sessions.inspecting import status, stop
-    from viscodesign.pump.sessions.recording import record
-    from viscodesign.pump.sessions.streaming import stream
-    from viscodesign.pump.sessions.uploading import upload
+from viscodesign.lazy_names import lazy_names
 
-__all__ = [
-    "BoardAddress",
-    "PumpPlan",
-    "StopRequest",
-    "calibrate",
-    "plan",
-    "ports",
-    "record",
-    "rehearse",
-    "status",
-    "stop",
-    "stream",
-    "upload",
-]
+if TYPE_CHECKING:
+    from viscodesign.interrupt import StopRequest as StopRequest
+    from viscodesign.pump.bus.ports import ports as ports
+    from viscodesign.pump.planning.plan import plan as plan
+    from viscodesign.pump.planning.result import PumpPlan as PumpPlan
+    from viscodesign.pump.sessions.calibrating import calibrate as calibrate
+    from viscodesign.pump.sessions.connection import BoardAddress as BoardAddress
+    from viscodesign.pump.sessions.dry_run import rehearse as rehearse
+    from viscodesign.pump.sessions.inspecting import status as status
+    from viscodesign.pump.sessions.inspecting import stop as stop
+    from viscodesign.pump.sessions.recording import record as record
+    from viscodesign.pump.sessions.streaming import stream as stream
+    from viscodesign.pump.sessions.uploading import upload as upload
 
 _HOMES = {
-    "BoardAddress": "sessions.connection",
-    "PumpPlan": "planning.result",
-    "StopRequest": ".interrupt",
-    "calibrate": "sessions.calibrating",
-    "plan": "planning.plan",
-    "ports": "bus.ports",
-    "record": "sessions.recording",
-    "rehearse": "sessions.dry_run",
-    "status": "sessions.inspecting",
-    "stop": "sessions.inspecting",
-    "stream": "sessions.streaming",
-    "upload": "sessions.uploading",
+    "BoardAddress": ".sessions.connection",
+    "PumpPlan": ".planning.result",
+    "StopRequest": "..interrupt",
+    "calibrate": ".sessions.calibrating",
+    "plan": ".planning.plan",
+    "ports": ".bus.ports",
+    "record": ".sessions.recording",
+    "rehearse": ".sessions.dry_run",
+    "status": ".sessions.inspecting",
+    "stop": ".sessions.inspecting",
+    "stream": ".sessions.streaming",
+    "upload": ".sessions.uploading",
 }
+"""Where each name is imported from when it is first asked for: `--help` needs none of them."""
 
+__all__ = [*_HOMES]
 
-def __getattr__(name: str) -> object:
-    """Import a public name when it is first asked for."""
-    import importlib
-
-    if name not in _HOMES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(importlib.import_module(f".{_HOMES[name]}", __name__), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    """What there is to import, whether it has been asked for or not."""
-    return sorted(__all__)
+__getattr__, __dir__ = lazy_names(__name__, _HOMES)

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+from viscodesign.errors import UsageError
+
+if TYPE_CHECKING:
+    from viscodesign.scene.scene import Scene
 
 Board = Annotated[
     str,
@@ -45,3 +50,14 @@ Achievable = Annotated[
     bool, typer.Option("--achievable", help="Play what the pump can do where it cannot do all.")
 ]
 Force = Annotated[bool, typer.Option("--force", help="Overwrite files that exist.")]
+
+
+def optional_scene(spec: Path | None, overrides: list[str] | None) -> Scene | None:
+    """The scene of a command for which a spec is optional."""
+    from viscodesign import load
+
+    if spec is not None:
+        return load(spec, overrides or ())
+    if overrides:
+        raise UsageError("--set overrides a spec, and none is given")
+    return None

@@ -52,8 +52,8 @@ def command(
     from viscodesign import load
     from viscodesign.cli.confirm import asking
     from viscodesign.cli.output import complain, say
-    from viscodesign.pump.sessions.calibrating import calibrate, calibration_steps
-    from viscodesign.pump.sessions.connection import BoardAddress
+    from viscodesign.pump import BoardAddress, calibrate
+    from viscodesign.pump.sessions.calibrating import calibration_steps
     from viscodesign.scene.reading.edit import write_values
 
     scene, ids = load(spec, overrides or ()), _ids(rename)

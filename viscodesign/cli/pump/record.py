@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from viscodesign.cli.options import Debug, Json, Overrides, Quiet
-from viscodesign.cli.pump._options import Baud, Board, Log, OptionalSpec, Pace, Port
+from viscodesign.cli.pump._options import Baud, Board, Log, OptionalSpec, Pace, Port, optional_scene
 
 EXAMPLE = """\b
 Examples:
@@ -46,9 +46,7 @@ def command(
     recorded, and no pressure.
     """
     from viscodesign.cli.output import complain, json_text, say
-    from viscodesign.cli.pump._scene import optional_scene
-    from viscodesign.pump.sessions.connection import BoardAddress
-    from viscodesign.pump.sessions.recording import record
+    from viscodesign.pump import BoardAddress, record
 
     address = BoardAddress(board, port, baud, pace, log)
     scene = optional_scene(spec, overrides)

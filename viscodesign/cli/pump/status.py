@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from viscodesign.cli.options import Debug, Json, Overrides, Quiet
-from viscodesign.cli.pump._options import Baud, Board, Log, OptionalSpec, Port
+from viscodesign.cli.pump._options import Baud, Board, Log, OptionalSpec, Port, optional_scene
 from viscodesign.errors import PumpError
 
 if TYPE_CHECKING:
@@ -34,31 +34,28 @@ def command(
     written to a servo. Exits with 4 where a servo must not be moved as it is, and says why.
     """
     from viscodesign.cli.output import complain, json_text, say
-    from viscodesign.cli.pump._scene import optional_scene
-    from viscodesign.pump.sessions.connection import BoardAddress
-    from viscodesign.pump.sessions.inspecting import status
+    from viscodesign.pump import BoardAddress, status
 
     address = BoardAddress(board, port, baud, log=log)
     found = status(address, optional_scene(spec, overrides), tell=complain)
     if json:
         say(json_text(found.document()))
     elif not quiet:
-        say("\n".join(_lines(found, address.label)))
+        say("\n".join(_lines(found)))
     if found.objections:
         raise PumpError("\n".join(["the pump must not be moved as it is:", *found.objections]))
 
 
-def _lines(found: PumpStatus, label: str) -> list[str]:
+def _lines(found: PumpStatus) -> list[str]:
     from viscodesign.cli.texts.layout import table
-    from viscodesign.pump.sessions.reports import servo_documents, servo_rows
+    from viscodesign.pump.sessions.reports import servo_rows
 
-    lines = [f"{label}{found.identity}"]
-    rows = servo_rows(servo_documents(found.servos))
-    lines += table(rows) if found.servos else ["  no servo answers"]
+    lines = [f"{found.address.label}{found.identity}"]
+    lines += table(servo_rows(found.servos)) if found.servos else ["  no servo answers"]
     for inlet, value in zip(found.inlets, found.pressure or (), strict=False):
         reading = "no sensor" if value is None else f"{value / 1e3:.2f} kPa gauge"
         name = f" of {inlet}" if len(found.inlets) > 1 else ""
         lines.append(f"  pressure{name}  {reading}")
     if found.pressed:
         lines.append(f"  pressed switches (or broken wires)  {', '.join(found.pressed)}")
-    return [*lines, *(f"  {hint}" for hint in found.hints)]
+    return [*lines, *(f"  {hint}" for hint in found.address.hints)]

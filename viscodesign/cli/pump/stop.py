@@ -38,8 +38,7 @@ def command(
     exits with 4 where it was not. A servo without torque is left without.
     """
     from viscodesign.cli.output import complain, json_text, say
-    from viscodesign.pump.sessions.connection import BoardAddress
-    from viscodesign.pump.sessions.inspecting import stop
+    from viscodesign.pump import BoardAddress, stop
 
     address = BoardAddress(board, port, baud, log=log)
     if address.simulated:

@@ -3,21 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
-from viscodesign.cli.pump._options import (
-    Achievable,
-    Baud,
-    Board,
-    DryRun,
-    Log,
-    Pace,
-    Port,
-    Yes,
-)
+from viscodesign.cli.pump._options import Achievable, Baud, Board, DryRun, Log, Pace, Port, Yes
 
 EXAMPLE = """\b
 Examples:
@@ -77,22 +68,16 @@ def command(
     from viscodesign.cli.progress import progress
     from viscodesign.cli.simulate import folder_name
     from viscodesign.cli.texts.live_view import live_view
-    from viscodesign.pump.sessions.connection import BoardAddress
+    from viscodesign.pump import BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse_stream
     from viscodesign.pump.sessions.streaming import StreamSession
 
     scene = load(spec, overrides or ())
     address = BoardAddress(board, port, baud, pace, log)
     with progress(quiet, "planning", "planning") as advance:
-        session = StreamSession.prepare(
-            scene,
-            address,
-            rate,
-            on_stop,  # type: ignore[arg-type]  # one of them, as `prepare` checks
-            achievable,
-            without_sensor,
-            advance,
-        )
+        # `on_stop` is one of the words, as the session checks.
+        options: Any = (rate, on_stop, achievable, without_sensor, advance)
+        session = StreamSession(scene, address, *options)
     if dry_run:
         return say(rehearse_stream(session).text)
     folder = output or Path("runs") / f"{folder_name(scene.name)}-stream"

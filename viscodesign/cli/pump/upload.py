@@ -8,21 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
-from viscodesign.cli.pump._options import (
-    Achievable,
-    Baud,
-    Board,
-    DryRun,
-    Force,
-    Log,
-    Port,
-    Yes,
-)
+from viscodesign.cli.pump._options import Achievable, Baud, Board, DryRun, Force, Log, Port, Yes
 from viscodesign.errors import UsageError
 
 if TYPE_CHECKING:
-    from viscodesign.pump.sessions.connection import BoardAddress
-    from viscodesign.pump.sessions.reports import PlaybackReport
     from viscodesign.pump.sessions.uploading import Playback, UploadSession
 
 EXAMPLE = """\b
@@ -78,9 +67,10 @@ def command(
     monitors the pump while the board plays: Ctrl-C halts it after the current move.
     """
     from viscodesign import load
-    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.confirm import asking
+    from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.pump.sessions.connection import BoardAddress
+    from viscodesign.pump import BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse_upload
     from viscodesign.pump.sessions.uploading import UploadSession, refuse_board
 
@@ -89,9 +79,9 @@ def command(
     playable = port is not None or address.simulated
     _refuse_options(play, loop, playable or bool(export or picture or dry_run))
     scene = load(spec, overrides or ())
+    playback: Playback = "loop" if loop else "once" if play else "none"
     with progress(quiet, "planning and fitting", "planning") as advance:
-        playback: Playback = "loop" if loop else "once" if play else "none"
-        session = UploadSession.prepare(scene, tolerance, playback, achievable, advance)
+        session = UploadSession(scene, tolerance, playback, achievable, advance)
     files = _write(session, export, picture, force)
     document, lines, report = session.document(), session.description(), None
     if files:
@@ -99,7 +89,11 @@ def command(
     if dry_run:
         document["status"], lines = "dry run", rehearse_upload(session).text.splitlines()
     elif playable:
-        report = _perform(session, address, yes, quiet)
+        confirm = asking(yes=yes, quiet=quiet)
+        with progress(quiet or playback == "none", "round", "playing") as advance:
+            report = session.perform(address, confirm=confirm, tell=complain, on_round=advance)
+        if report.status == "complete" and not quiet:
+            complain("\n".join(report.lines))
         document |= report.document()
         lines = [] if report.result else [VOLATILE]
     if export is not None:
@@ -128,6 +122,7 @@ def _write(
 ) -> list[Path]:
     """The files asked for, each whole or not at all; none over another unless forced."""
     from viscodesign.cli.output import write_text
+    from viscodesign.pump.report.fit_chart import draw_fit
 
     files = [file for file in (export, picture) if file is not None]
     existing = [file for file in files if file.exists()]
@@ -136,22 +131,5 @@ def _write(
     if export is not None:
         write_text(export, session.header(), overwrite=force)
     if picture is not None:
-        from viscodesign.pump.report.fit_chart import draw_fit
-
         draw_fit(session.fit, session.plan.wanted_run, picture)
     return files
-
-
-def _perform(
-    session: UploadSession, address: BoardAddress, yes: bool, quiet: bool
-) -> PlaybackReport:
-    from viscodesign.cli.confirm import asking
-    from viscodesign.cli.output import complain
-    from viscodesign.cli.progress import progress
-
-    confirm = asking(yes=yes, quiet=quiet)
-    with progress(quiet or session.playback == "none", "round", "playing") as advance:
-        report = session.perform(address, confirm=confirm, tell=complain, on_round=advance)
-    if report.status == "complete" and not quiet:
-        complain("\n".join(report.lines))
-    return report

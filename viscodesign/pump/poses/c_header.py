@@ -14,7 +14,7 @@ from viscodesign.pump.poses.engine import FRAME_MS, PoseSequence, time_asking
 LEAD_FRAMES = 600
 """Of the way to the first pose: at most 20 s, and 52 counts/s."""
 
-_HEAD = """\
+_HEADER = """\
 /* {title}
  *
  * Made by viscodesign; changes are lost when it is made again.
@@ -45,9 +45,27 @@ _HEAD = """\
  *     bioloid.play();
  *     {again}
  *   }}
- */"""
-_POINTER = "(unsigned int *) "
-"""The library's type of a pose is not constant."""
+ */
+#ifndef POSES_H
+#define POSES_H
+
+#include <avr/pgmspace.h>
+#include <stdint.h>
+
+#define TORQUE_LIMIT {torque_limit}
+#define MOVING_SPEED {moving_speed}
+#define LEAD_IN_MS {lead_in_ms}
+
+{poses}
+
+/* times in ms, each one less than its frames of {frame_ms} ms */
+const PROGMEM transition_t profile[] = {{
+  {{0, {count}}},
+{moves}
+}};
+
+#endif
+"""
 _ONCE = "// once"
 _AGAIN = "if (bioloid.playing == 0) bioloid.playSeq(profile);"
 
@@ -67,51 +85,26 @@ def poses_h(
     ``moving_speed`` as their registers take them.
     """
     phantom = len(sequence.poses[0])
-    listed = "\n".join(f" * {name}: {_plain(words)}" for name, words in facts.items())
-    head = _HEAD.format(
+    poses = [
+        f"const PROGMEM uint16_t pose_{index}[] = {{{', '.join(map(str, (len(pose), *pose)))}}};"
+        for index, pose in enumerate(sequence.poses)
+    ]
+    # The library's type of a pose is not constant.
+    moves = [f"  {{(unsigned int *) pose_{move.pose}, {move.ms}}}" for move in sequence.moves]
+    return _HEADER.format(
         title=_plain(title),
-        facts=listed,
+        facts="\n".join(f" * {name}: {_plain(words)}" for name, words in facts.items()),
         phantom=phantom,
         servos=phantom - 1,
         again=_AGAIN if looped else _ONCE,
+        torque_limit=torque_limit,
+        moving_speed=moving_speed,
+        lead_in_ms=time_asking(LEAD_FRAMES),
+        poses="\n".join(poses),
+        frame_ms=FRAME_MS,
+        count=len(sequence.moves),
+        moves=",\n".join(moves),
     )
-    constants = {
-        "TORQUE_LIMIT": torque_limit,
-        "MOVING_SPEED": moving_speed,
-        "LEAD_IN_MS": time_asking(LEAD_FRAMES),
-    }
-    poses = [
-        f"const PROGMEM uint16_t pose_{index}[] = {{{_listed((len(pose), *pose))}}};"
-        for index, pose in enumerate(sequence.poses)
-    ]
-    moves = ",\n".join(f"  {{{_POINTER}pose_{m.pose}, {m.ms}}}" for m in sequence.moves)
-    return "\n".join(
-        [
-            head,
-            "#ifndef POSES_H",
-            "#define POSES_H",
-            "",
-            "#include <avr/pgmspace.h>",
-            "#include <stdint.h>",
-            "",
-            *(f"#define {name} {value}" for name, value in constants.items()),
-            "",
-            *poses,
-            "",
-            f"/* times in ms, each one less than its frames of {FRAME_MS} ms */",
-            "const PROGMEM transition_t profile[] = {",
-            f"  {{0, {len(sequence.moves)}}},",
-            moves,
-            "};",
-            "",
-            "#endif",
-            "",
-        ]
-    )
-
-
-def _listed(values: tuple[int, ...]) -> str:
-    return ", ".join(map(str, values))
 
 
 def _plain(words: str) -> str:

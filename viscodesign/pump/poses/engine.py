@@ -88,67 +88,39 @@ EXACT_FRAMES = tuple(
 """Durations that the phantom holds exactly: all up to 92 frames (3 s), then ever fewer."""
 
 
-def duration(sequence: PoseSequence, start: Sequence[int]) -> int:
-    """Frames that a sequence lasts from a start [counts], in closed form."""
-    return sum(frames_of_moves(sequence, start))
-
-
-def frames_of_moves(sequence: PoseSequence, start: Sequence[int]) -> list[int]:
-    """Frames that each move lasts, in closed form; the start [counts] has to be read."""
-    taken, here = [], tuple(start)
-    for move, goal in zip(sequence.moves, sequence.goals(), strict=True):
-        frames = frames_asked(move.ms)
-        taken.append(
-            max(frames_taken(EIGHTHS * abs(b - a), frames) for a, b in zip(here, goal, strict=True))
-        )
-        here = goal
-    return taken
-
-
 def play(sequence: PoseSequence, start: Sequence[int]) -> np.ndarray:
     """Positions (frames, servos) [1/8 count] at the end of each frame, frame by frame.
 
     ``start``: counts that the servos were read at, or `UNREAD`. Raises `PumpError` where the
     firmware would never end.
     """
-    here = [EIGHTHS * count % 2**16 for count in start]
-    rows: list[list[int]] = []
+    here = _position(start)
+    rows: list[np.ndarray] = []
     for number, (move, goal) in enumerate(zip(sequence.moves, sequence.goals(), strict=True), 1):
-        asked = [EIGHTHS * count % 2**16 for count in goal]
-        rows += _frames(here, asked, frames_asked(move.ms))
+        target = _position(goal)
+        rows += _frames(here, target, frames_asked(move.ms))
         here = rows[-1]
-        if here != asked:
+        if (here != target).any():
             raise PumpError(f"move {number} of the sequence would never end on the board")
-    return np.array(rows, dtype=int).reshape(-1, len(here))
+    return np.stack(rows).astype(int)
 
 
-def _frames(here: list[int], goal: list[int], frames: int) -> Iterator[list[int]]:
+def _position(counts: Sequence[int]) -> np.ndarray:
+    return (EIGHTHS * np.array(counts)).astype(np.uint16)
+
+
+def _frames(here: np.ndarray, goal: np.ndarray, frames: int) -> Iterator[np.ndarray]:
     """Positions at the end of each frame of one move; ends early where it would not end."""
-    steps = [_step(a, b, frames) for a, b in zip(here, goal, strict=True)]
-    seen: set[tuple[int, ...]] = set()
+    distance = np.where(goal > here, goal - here, here - goal)
+    # Dividing by zero gives all ones there.
+    quotient = distance // np.uint16(frames) if frames else np.full_like(here, 2**16 - 1)
+    step = (quotient + np.uint16(1)).astype(np.int16)
+    seen: set[bytes] = set()
     arrived = False
-    while not arrived and tuple(here) not in seen:
-        seen.add(tuple(here))
-        moved = [_advance(a, b, s) for a, b, s in zip(here, goal, steps, strict=True)]
-        here = [place for place, _ in moved]
-        arrived = all(done for _, done in moved)
+    while not arrived and here.tobytes() not in seen:
+        seen.add(here.tobytes())
+        ahead = (goal - here).astype(np.int16)
+        near = (ahead == 0) | (np.abs(ahead) < step)
+        here = np.where(near, goal, here + (np.sign(ahead) * step).astype(np.uint16))
+        arrived = bool(near.all())
         yield here
-
-
-def _step(here: int, goal: int, frames: int) -> int:
-    """Eighths a frame, an int of 16 bits; their division by zero gives all ones."""
-    quotient = abs(goal - here) // frames if frames else 2**16 - 1
-    return _signed(quotient + 1)
-
-
-def _advance(here: int, goal: int, step: int) -> tuple[int, bool]:
-    """One frame of one servo: where it is then, and whether it counts as arrived."""
-    difference = _signed(goal - here)
-    ahead = difference > 0
-    if difference == 0 or _signed(difference if ahead else -difference) < step:
-        return goal, True
-    return (here + (step if ahead else -step)) % 2**16, False
-
-
-def _signed(value: int) -> int:
-    return (value + 2**15) % 2**16 - 2**15

@@ -6,6 +6,7 @@ through it; the stated error is measured afterwards, by playing the poses by the
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -25,8 +26,7 @@ from viscodesign.pump.poses.engine import (
     play,
     time_asking,
 )
-from viscodesign.pump.poses.pose_choice import poses_of, shared_poses
-from viscodesign.pump.poses.search import FIRST_FRAMES, MoveSearch, Pose, Vertex
+from viscodesign.pump.poses.search import FIRST_FRAMES, MoveSearch, Vertex
 from viscodesign.pump.poses.tolerance_band import HIGHEST_COUNT, ToleranceBand
 from viscodesign.pump.profile import Profile
 
@@ -39,12 +39,10 @@ class FitNumbers:
     """Margin below which whole counts cannot follow any slope [counts]."""
     ratio: float = 1.04
     """Between the margins that are tried."""
-    widest: int = 196
-    """Number of a margin that is wider than all counts."""
+    margins: int = 197
+    """How many there are; the last is wider than all counts."""
     most_frames: int = 10_000
     """Of a profile: searching one of a minute takes about as long."""
-    usual_searches: int = 18
-    """Of one fit."""
 
 
 FIT = FitNumbers()
@@ -106,154 +104,81 @@ def fit_poses(
 
     ``progress`` is given the part that is done, roughly.
     """
-    return _PoseFitting(profile, loop, travel, progress).best()
+    exact = profile.duration / FRAME
+    if exact > FIT.most_frames:
+        raise PumpError(
+            f"the profile lasts {profile.duration:.6g} s; poses are fitted to at most "
+            f"{FIT.most_frames * FRAME:.0f} s. Loop one cycle of it, or use `pump stream`"
+        )
+    frames = max(round(exact) if loop else int(np.ceil(exact - 1e-9)), 2 * FIRST_FRAMES)
+    pace = profile.duration / (frames * FRAME) if loop else 1.0
+    bounds = [_bounds(profile.time, c, FRAME * pace, frames) for c in profile.counts.T]
+    paths: dict[int, list[Vertex] | None] = {}
 
-
-@dataclass(frozen=True)
-class _BandPath:
-    """Corners found, and the number of the margin they keep."""
-
-    number: int
-    vertices: list[Vertex]
-
-
-_Finder = Callable[[int], list[Vertex] | None]
-"""Finds corners within the margin of a number, if there is a path."""
-
-
-class _PoseFitting:
-    def __init__(
-        self,
-        profile: Profile,
-        loop: bool,
-        travel: tuple[int, int],
-        progress: Callable[[float], None],
-    ) -> None:
-        self.profile, self.loop, self.travel = profile, loop, travel
-        self.progress = progress
-        self._searches = 0
-        exact = profile.duration / FRAME
-        if exact > FIT.most_frames:
-            raise PumpError(
-                f"the profile lasts {profile.duration:.6g} s; poses are fitted to at most "
-                f"{FIT.most_frames * FRAME:.0f} s. Loop one cycle of it, or use `pump stream`"
-            )
-        self.frames = max(round(exact) if loop else int(np.ceil(exact - 1e-9)), 2 * FIRST_FRAMES)
-        self.pace = profile.duration / (self.frames * FRAME) if loop else 1.0
-        self._paths: dict[int, list[Vertex] | None] = {}
-        self._bounds = [self._bounds_of(column) for column in profile.counts.T]
-
-    def best(self) -> PoseFit:
-        own = self._narrowest(self._with_own_poses, -1, FIT.widest)
-        least = self._narrowest(self._shortest, -1, own.number, own)
-        shared = self._narrowest(self._with_shared_poses, least.number - 1, own.number, own)
-        fits = [self._played(path) for path in (own, shared)]
-        return min(fits, key=lambda fit: fit.largest_error)
-
-    def _narrowest(
-        self, find: _Finder, below: int, number: int, known: _BandPath | None = None
-    ) -> _BandPath:
-        """The narrowest margin with a path; ``below`` has none, ``number`` has the one known."""
-        while number - below > 1 or known is None:
-            middle = (below + number) // 2 if known else number
-            vertices = find(middle)
-            if vertices is not None:
-                number, known = middle, _BandPath(middle, vertices)
-            elif known is None:
-                raise PumpError("no poses keep within the servo's travel; check home and travel")
-            else:
-                below = middle
-        return known
-
-    def _shortest(self, number: int) -> list[Vertex] | None:
-        """The path with the fewest moves, however many poses it needs."""
-        if number not in self._paths:
-            self._paths[number] = self._search(number).vertices(MOST_MOVES - 1)
-        return self._paths[number]
-
-    def _with_own_poses(self, number: int) -> list[Vertex] | None:
-        """The shortest path, if it happens to need few enough poses."""
-        vertices = self._shortest(number)
-        return vertices if vertices and len(poses_of(vertices)) <= MOST_POSES else None
-
-    def _with_shared_poses(self, number: int) -> list[Vertex] | None:
-        """A path that is content with few enough poses."""
-        vertices = self._shortest(number)
-        if vertices is None or len(poses_of(vertices)) <= MOST_POSES:
-            return vertices
-        poses = shared_poses(vertices, self._bands(number)[0].grid)
-        return self._search(number, poses).vertices(MOST_MOVES - 1)
-
-    def _search(self, number: int, poses: set[Pose] | None = None) -> MoveSearch:
-        self._searches += 1
-        self.progress(min(self._searches / FIT.usual_searches, 1.0))
-        return MoveSearch(self._bands(number), closed=self.loop, poses=poses)
-
-    def _bands(self, number: int) -> list[ToleranceBand]:
+    def has_path(number: int) -> bool:
         margin = FIT.finest * FIT.ratio**number
-        return [
-            ToleranceBand.around(*b, margin, self.travel, closed=self.loop) for b in self._bounds
-        ]
+        bands = [ToleranceBand.around(*b, margin, travel, closed=loop) for b in bounds]
+        path = MoveSearch(bands, closed=loop).vertices(MOST_MOVES - 1)
+        paths[number] = path if path and len(_poses(path)) <= MOST_POSES else None
+        progress(min(len(paths) / FIT.margins.bit_length(), 1.0))
+        return paths[number] is not None
 
-    def _bounds_of(self, counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Lowest and highest (N + 1,) that a goal in a frame has to be near to [counts].
-
-        Between frames the profile leaves its chord by its bumps; what is within a margin of
-        these bounds in both frames is within it of the profile all the path.
-        """
-        instants = np.arange(self.frames + 1) * FRAME * self.pace
-        wanted = np.interp(instants, self.profile.time, counts)
-        place = np.searchsorted(instants, self.profile.time, side="right") - 1
-        inside = (place >= 0) & (place < self.frames)
-        bumps = (counts - np.interp(self.profile.time, instants, wanted))[inside]
-        up, down = np.zeros(self.frames + 2), np.zeros(self.frames + 2)
-        for end in (1, 2):
-            np.maximum.at(up, place[inside] + end, bumps)
-            np.minimum.at(down, place[inside] + end, bumps)
-        return wanted + down[1:], wanted + up[1:]
-
-    def _played(self, path: _BandPath) -> PoseFit:
-        sequence = sequence_of(path.vertices)
-        start = (*path.vertices[0].goals, UNREAD)
-        return measure_fit(self.profile, sequence, start, loop=self.loop)
+    path = paths.get(bisect_left(range(FIT.margins), True, key=has_path))
+    if path is None:
+        raise PumpError("no poses keep within the servo's travel; check home and travel")
+    return _measured(profile, _sequence(path), loop)
 
 
-def sequence_of(vertices: Sequence[Vertex]) -> PoseSequence:
-    """Poses and moves along corners; the first entry brings the phantom to its zero."""
-    poses = poses_of(vertices)
-    number = {pose: index for index, pose in enumerate(poses)}
-    frames = [FIRST_FRAMES, *np.diff([vertex.frame for vertex in vertices]).tolist()]
-    return PoseSequence(
-        tuple((*goals, PHANTOM * phase) for goals, phase in poses),
-        tuple(
-            Move(number[vertex.goals, place % 2], time_asking(length))
-            for place, (vertex, length) in enumerate(zip(vertices, frames, strict=True))
-        ),
-    )
+def _bounds(
+    time: np.ndarray, counts: np.ndarray, frame: float, frames: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest (N + 1,) that a goal in a frame has to be near to [counts].
 
-
-def measure_fit(
-    profile: Profile, sequence: PoseSequence, start: Sequence[int], *, loop: bool
-) -> PoseFit:
-    """A sequence, played from a start [counts], against the profile it is for.
-
-    The profile begins when the first entry is done; of a loop, the second round is measured.
+    Between frames the profile leaves its chord by its bumps; what is within a margin of
+    these bounds in both frames is within it of the profile all the path.
     """
-    first = PoseSequence(sequence.poses, sequence.moves[:1])
-    begun = len(play(first, start))
-    once = play(sequence, start)
-    if loop:
-        twice = play(PoseSequence(sequence.poses, sequence.moves * 2), start)
-        # The entry that opens a round is the last piece of the one before.
-        again = play(first, (once[-1] // EIGHTHS).tolist())
-        rows = twice[begun - 1 : len(once) + len(again)]
-    else:
-        rows = once[begun - 1 :]
-    counts = rows[:, :-1] // EIGHTHS
-    return _compared(profile, sequence, counts, loop)
+    instants = np.arange(frames + 1) * frame
+    wanted = np.interp(instants, time, counts)
+    place = np.searchsorted(instants, time, side="right") - 1
+    inside = (place >= 0) & (place < frames)
+    bumps = (counts - np.interp(time, instants, wanted))[inside]
+    up, down = np.zeros(frames + 1), np.zeros(frames + 1)
+    for end in (0, 1):
+        np.maximum.at(up, place[inside] + end, bumps)
+        np.minimum.at(down, place[inside] + end, bumps)
+    return wanted + down, wanted + up
 
 
-def _compared(profile: Profile, sequence: PoseSequence, counts: np.ndarray, loop: bool) -> PoseFit:
+def _poses(path: Sequence[Vertex]) -> list[tuple[int, ...]]:
+    """Goals and the phantom's count at each corner; the phantom goes up and down in turn."""
+    return list(dict.fromkeys(_pose(vertex, k) for k, vertex in enumerate(path)))
+
+
+def _pose(vertex: Vertex, number: int) -> tuple[int, ...]:
+    return (*vertex.goals, PHANTOM * (number % 2))
+
+
+def _sequence(path: Sequence[Vertex]) -> PoseSequence:
+    """Poses and moves along corners; the first entry brings the phantom to its zero."""
+    poses = _poses(path)
+    frames = [FIRST_FRAMES, *np.diff([vertex.frame for vertex in path]).tolist()]
+    moves = [
+        Move(poses.index(_pose(vertex, k)), time_asking(length))
+        for k, (vertex, length) in enumerate(zip(path, frames, strict=True))
+    ]
+    return PoseSequence(tuple(poses), tuple(moves))
+
+
+def _measured(profile: Profile, sequence: PoseSequence, loop: bool) -> PoseFit:
+    """A sequence, played from its first pose, against the profile it is for.
+
+    The profile begins when the first entry is done. The entry that opens the next round of a
+    loop is the last piece of this one.
+    """
+    first, start = sequence.moves[:1], (*sequence.poses[0][:-1], UNREAD)
+    begun = len(play(PoseSequence(sequence.poses, first), start))
+    moves = sequence.moves + (first if loop else ())
+    counts = play(PoseSequence(sequence.poses, moves), start)[begun - 1 :, :-1] // EIGHTHS
     frames = len(counts) - 1
     instants = np.arange(frames + 1) * FRAME
     pace = profile.duration / (frames * FRAME) if loop else 1.0
@@ -265,6 +190,6 @@ def _compared(profile: Profile, sequence: PoseSequence, counts: np.ndarray, loop
         frames=frames,
         wanted_duration=profile.duration,
         time=time,
-        wanted=np.stack([profile.at(float(moment * pace)) for moment in time]),
-        played=np.stack([np.interp(time, instants, column) for column in counts.T], -1),
+        wanted=np.stack([np.interp(time * pace, profile.time, c) for c in profile.counts.T], -1),
+        played=np.stack([np.interp(time, instants, c) for c in counts.T], -1),
     )

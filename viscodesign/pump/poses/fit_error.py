@@ -29,10 +29,7 @@ class FitError:
     def of(
         cls, fit: PoseFit, volume_per_count: float, pressure_per_count: Sequence[float]
     ) -> FitError:
-        """Of a fit; ``volume_per_count`` [m3].
-
-        ``pressure_per_count`` (P,) [Pa], of the barrels at their stiffest.
-        """
+        """``volume_per_count`` [m3]; ``pressure_per_count`` (P,) [Pa] at the barrels' stiffest."""
         largest = np.max(np.abs(fit.error), axis=0)
         counts = float(np.max(largest))
         pressure = float(np.max(largest * np.asarray(pressure_per_count)))
@@ -68,9 +65,15 @@ class Tolerance:
             "unit: '1 kPa', '0.1 mL' or '2 counts'"
         )
 
-    def allows(self, error: FitError) -> bool:
-        """Whether a fit may be played."""
-        return bool(getattr(error, self.quantity) <= self.value)
+    def refuse(self, fit: PoseFit, error: FitError) -> None:
+        """Raise `PumpError` where a fit is farther off than allowed, with what would help."""
+        if getattr(error, self.quantity) <= self.value:
+            return
+        moves, poses = len(fit.sequence.moves), len(fit.sequence.poses)
+        raise PumpError(
+            f"the best fit with {MOST_MOVES} moves and {MOST_POSES} poses is off by {error} (it "
+            f"uses {moves} and {poses}); --tolerance is {self.text}. {_remedy(fit)}"
+        )
 
 
 def _counts(text: str) -> float:
@@ -85,17 +88,6 @@ _READERS: dict[Literal["counts", "volume", "pressure"], Callable[[str], float]] 
     "volume": QuantityKind("volume", "m^3", "0.1 mL").parse,
     "pressure": QuantityKind("pressure", "Pa", "1 kPa").parse,
 }
-
-
-def refuse_coarse(fit: PoseFit, error: FitError, tolerance: Tolerance) -> None:
-    """Raise `PumpError` where a fit is farther off than it may be, with what would help."""
-    if tolerance.allows(error):
-        return
-    moves, poses = len(fit.sequence.moves), len(fit.sequence.poses)
-    raise PumpError(
-        f"the best fit with {MOST_MOVES} moves and {MOST_POSES} poses is off by {error} (it uses "
-        f"{moves} and {poses}); --tolerance is {tolerance.text}. {_remedy(fit)}"
-    )
 
 
 def _remedy(fit: PoseFit) -> str:

@@ -11,16 +11,10 @@ from enum import IntEnum
 from viscodesign.errors import PumpError
 from viscodesign.pump.bus.packets import Packet
 from viscodesign.pump.bus.transactions import ARBOTIX
-from viscodesign.pump.poses.engine import (
-    LONGEST_MS,
-    MOST_MOVES,
-    MOST_POSES,
-    Move,
-    PoseSequence,
-)
+from viscodesign.pump.poses.engine import LONGEST_MS, MOST_MOVES, MOST_POSES, Move, PoseSequence
 
-END = 255
-"""Pose number behind the last move."""
+END = Move(255, 0)
+"""Stands behind the last move."""
 
 
 class PoseInstruction(IntEnum):
@@ -50,17 +44,11 @@ def load_sequence(moves: Sequence[Move]) -> Packet:
     """Keep the moves; more than its buffer takes would hang the board."""
     if not 1 <= len(moves) <= MOST_MOVES:
         raise PumpError(f"{len(moves)} moves; the board takes 1 to {MOST_MOVES}")
-    return Packet(
-        ARBOTIX,
-        PoseInstruction.LOAD_SEQUENCE,
-        b"".join(_entry(move.pose, move.ms) for move in moves) + _entry(END, 0),
-    )
-
-
-def _entry(pose: int, ms: int) -> bytes:
-    if not 0 <= ms <= LONGEST_MS:
-        raise PumpError(f"a move of {ms} ms; the board takes 0 to {LONGEST_MS}")
-    return bytes([pose]) + ms.to_bytes(2, "little")
+    for move in moves:
+        if not 0 <= move.ms <= LONGEST_MS:
+            raise PumpError(f"a move of {move.ms} ms; the board takes 0 to {LONGEST_MS}")
+    entries = [bytes([move.pose]) + move.ms.to_bytes(2, "little") for move in (*moves, END)]
+    return Packet(ARBOTIX, PoseInstruction.LOAD_SEQUENCE, b"".join(entries))
 
 
 def loading(sequence: PoseSequence) -> list[Packet]:

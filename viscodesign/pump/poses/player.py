@@ -49,10 +49,10 @@ def by_servo(profile: Profile) -> Profile:
             f"servo ids {', '.join(map(str, sorted(ids)))}; the PyPose firmware takes poses of the "
             f"servos 1 to {len(ids)} only. `pump calibrate` sets ids; then correct pump.servo_id"
         )
-    return Profile(
+    return replace(
+        profile,
         inlets=tuple(profile.inlets[k] for k in order),
         servos=tuple(ids),
-        time=profile.time,
         counts=profile.counts[:, order],
         pressure=profile.pressure[:, order],
     )
@@ -61,32 +61,19 @@ def by_servo(profile: Profile) -> Profile:
 def divided(profile: Profile, moment: float) -> tuple[Profile, Profile]:
     """The way up to a moment, and the rest from there on with a time from 0 on."""
     before, after = profile.time < moment - 1e-9, profile.time > moment + 1e-9
-    counts = profile.at(moment)[None]
-    pressure = np.array([[np.interp(moment, profile.time, p) for p in profile.pressure.T]])
-    return (
-        replace(
-            profile,
-            time=np.append(profile.time[before], moment),
-            counts=np.concatenate([profile.counts[before], counts]),
-            pressure=np.concatenate([profile.pressure[before], pressure]),
-        ),
-        replace(
-            profile,
-            time=np.append(0.0, profile.time[after] - moment),
-            counts=np.concatenate([counts, profile.counts[after]]),
-            pressure=np.concatenate([pressure, profile.pressure[after]]),
-        ),
-    )
+    lead = _at(profile, np.append(profile.time[before], moment))
+    rest = _at(profile, np.append(moment, profile.time[after]))
+    return lead, replace(rest, time=rest.time - moment)
 
 
-def _rested(lead: Profile) -> Profile:
-    """The same with a rest at its end."""
-    return replace(
-        lead,
-        time=np.append(lead.time, lead.duration + LEAD_SETTLE),
-        counts=np.concatenate([lead.counts, lead.counts[-1:]]),
-        pressure=np.concatenate([lead.pressure, lead.pressure[-1:]]),
-    )
+def _at(profile: Profile, time: np.ndarray) -> Profile:
+    """The profile at other times (T,) [s]; held behind its end."""
+
+    def columns(values: np.ndarray) -> np.ndarray:
+        return np.stack([np.interp(time, profile.time, column) for column in values.T], -1)
+
+    counts, pressure = columns(profile.counts), columns(profile.pressure)
+    return replace(profile, time=time, counts=counts, pressure=pressure)
 
 
 def playing_speed(fit: PoseFit) -> int:
@@ -113,13 +100,12 @@ class PosePlayer:
         self.request = request
         self.tell = tell
         self.see = see
+        self.servos = len(fit.sequence.poses[0])
+        """Of a pose, the phantom included; it has the last id."""
+        self._move_ends = FRAME * np.cumsum(fit.move_frames)
+        """From the start of a round [s]."""
         self._began: float | None = None
         """When it was told to play [s of the clock]; None where nothing plays."""
-
-    @property
-    def servos(self) -> int:
-        """Of a pose, the phantom included; it has the last id."""
-        return len(self.fit.sequence.poses[0])
 
     def load(self) -> None:
         """Bring poses and moves onto the board, which moves nothing."""
@@ -143,8 +129,9 @@ class PosePlayer:
         self, lead: Profile, see: Callable[[TickReport], None] = lambda shown: None
     ) -> StreamResult:
         """Torque on, then from where the plungers are to the lead's end, under all guards."""
+        rested = _at(lead, np.append(lead.time, lead.duration + LEAD_SETTLE))
         return Stream(
-            self.pump, _rested(lead), self.request, see, rate=LEAD_RATE, lead=lead.duration
+            self.pump, rested, self.request, see, rate=LEAD_RATE, lead=lead.duration
         ).play()
 
     def play(self) -> StreamResult:
@@ -153,20 +140,17 @@ class PosePlayer:
         Where the plungers are is read again by the board before, or its first move would begin
         where they were.
         """
-        ending = StreamResult()
+        result = StreamResult()
         try:
             self.board.size_pose(pose_packets.size_pose(self.servos))
-            self._allow_speed()
-            ending = self._played()
+            for servo in self.pump.servos:
+                self.board.set(servo, registers.MOVING_SPEED, playing_speed(self.fit))
+            result = self._played()
         except PumpError as error:
-            ending = StreamResult("stopped", str(error), "replies", may_retreat=False)
+            result = StreamResult("stopped", str(error), "replies", may_retreat=False)
         finally:
-            ending.standing = self._stand()
-        return ending
-
-    def _allow_speed(self) -> None:
-        for servo in self.pump.servos:
-            self.board.set(servo, registers.MOVING_SPEED, playing_speed(self.fit))
+            result.standing = self._come_to_rest()
+        return result
 
     def _played(self) -> StreamResult:
         clock, looped = self.pump.clock, self.fit.looped
@@ -176,7 +160,7 @@ class PosePlayer:
         self._began = clock.now()
         self.board.start(pose_packets.loop() if looped else pose_packets.play())
         self._began = clock.now()
-        end = self._began + self._moments()[-1]
+        end = self._began + self._move_ends[-1]
         while looped or clock.now() < end:
             if self.request.asked:
                 return self._interrupted()
@@ -191,10 +175,6 @@ class PosePlayer:
 
     def _interrupted(self) -> StreamResult:
         return StreamResult("interrupted", f"asked to stop ({self.request.first})")
-
-    def _moments(self) -> np.ndarray:
-        """When each move ends, from the start of a round [s]."""
-        return np.cumsum([FRAME * frames for frames in self.fit.move_frames])
 
     def _arrived(self) -> StreamResult:
         """Whether the plungers are where the last move ends, and well."""
@@ -215,18 +195,14 @@ class PosePlayer:
                 )
         return StreamResult("complete", "played to its end")
 
-    def _stand(self) -> list[FinalServoState]:
+    def _come_to_rest(self) -> list[FinalServoState]:
         """Halt what may be playing, then hold, or drop the torque where a stop was asked twice.
 
         If the board does not respond, only that is reported.
         """
         if self._began is not None and not self._halted():
-            return [
-                FinalServoState(
-                    servo, False, "the board is still playing or hangs; switch its power off"
-                )
-                for servo in self.pump.servos
-            ]
+            words = "the board is still playing or hangs; switch its power off"
+            return [FinalServoState(servo, False, words) for servo in self.pump.servos]
         left = [] if self.request.urgent else self.pump.hold()
         if self.request.asked:
             wait_for_second_request(self.request, self.pump.clock)
@@ -248,9 +224,8 @@ class PosePlayer:
 
     def _left_of_move(self) -> float:
         """Until the end of the move that runs, by our clock [s]."""
-        moments = self._moments()
         elapsed = self.pump.clock.now() - (self._began or 0.0)
         if self.fit.looped:
-            elapsed %= moments[-1]
-        running = moments[moments > elapsed]
+            elapsed %= self._move_ends[-1]
+        running = self._move_ends[self._move_ends > elapsed]
         return float(running[0] - elapsed) if len(running) else 0.0

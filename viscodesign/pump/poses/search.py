@@ -7,15 +7,14 @@ phase: 0 after an even number of moves, 1 after an odd one.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.pump.poses.engine import EXACT_FRAMES
 from viscodesign.pump.poses.tolerance_band import ToleranceBand
 
-Pose = tuple[tuple[int, ...], int]
-"""Counts of the servos, and the phase."""
 FIRST_FRAMES = 2
 """The first entry asks for this many frames; one would send a phantom that was never read
 wandering for minutes, for its step then overflows 16 bits."""
@@ -35,23 +34,17 @@ class _Node:
     frame: int
     goals: tuple[int, ...]
     """In steps of the grid."""
-    parent: int
+    parent: _Node | None
     root: tuple[int, ...]
 
 
 class MoveSearch:
     """One search through P bands at once; every servo's moves begin and end together."""
 
-    def __init__(
-        self, bands: list[ToleranceBand], *, closed: bool, poses: Iterable[Pose] | None = None
-    ) -> None:
-        """``poses``: if given, the only ones to go to."""
+    def __init__(self, bands: list[ToleranceBand], *, closed: bool) -> None:
         self.bands = bands
         self.closed = closed
         self.last = bands[0].last
-        self.grid = bands[0].grid
-        self._poses = None if poses is None else frozenset(poses)
-        self._nodes: list[_Node] = []
         widths = [band.width for band in bands]
         self._seen = np.zeros((2, self.last + 1, *widths), dtype=bool)
         self._moves: dict[tuple[int, int, int], np.ndarray] = {}
@@ -61,48 +54,29 @@ class MoveSearch:
 
         The first lies at frame 0. A closed path lacks its last move, back to the first corner.
         """
-        layer = self._roots()
+        rows = np.stack(np.meshgrid(*(band.goals(0) for band in self.bands), indexing="ij"), -1)
+        roots = map(tuple, rows.reshape(-1, len(self.bands)).tolist())
+        layer = [_Node(0, goals, None, goals) for goals in roots]
         for moves in range(most + 1):
-            for number in layer:
-                if self._is_end(self._nodes[number], moves % 2):
-                    return self._trace(number)
-            if moves < most:
-                layer = [n for parent in layer for n in self._expand(parent, (moves + 1) % 2)]
+            for node in layer:
+                if self._is_end(node, moves % 2):
+                    return self._path_to(node)
+            layer = [new for node in layer for new in self._expand(node, (moves + 1) % 2)]
         return None
 
-    def _roots(self) -> list[int]:
-        ranges = [band.goals(0) for band in self.bands]
-        rows = np.stack(np.meshgrid(*ranges, indexing="ij"), -1).reshape(-1, len(ranges))
-        roots = [tuple(row) for row in rows.tolist()]
-        return [self._add(0, goals, -1, goals) for goals in roots if self._is_allowed(goals, 0)]
-
-    def _add(self, frame: int, goals: tuple[int, ...], parent: int, root: tuple[int, ...]) -> int:
-        self._nodes.append(_Node(frame, goals, parent, root))
-        return len(self._nodes) - 1
-
-    def _is_allowed(self, goals: tuple[int, ...], phase: int) -> bool:
-        return self._poses is None or (self._counts(goals), phase) in self._poses
-
-    def _counts(self, goals: tuple[int, ...]) -> tuple[int, ...]:
-        return tuple(self.grid * goal for goal in goals)
-
-    def _expand(self, parent: int, phase: int) -> list[int]:
+    def _expand(self, node: _Node, phase: int) -> Iterator[_Node]:
         """New places that one move leads to from a node."""
-        node = self._nodes[parent]
         if node.frame == self.last:
-            return []
+            return
         options = self._options(node)
-        ahead = slice(node.frame + 1, node.frame + 1 + len(options))
-        new = options & ~self._seen[phase, ahead]
-        self._seen[phase, ahead] |= new
+        ends = node.frame + np.array(EXACT_FRAMES[: len(options)], dtype=int)
+        new = options & ~self._seen[phase, ends]
+        self._seen[phase, ends] |= new
         rows = np.argwhere(new)
-        frames = node.frame + 1 + rows[:, 0]
+        frames = ends[rows[:, 0]]
         goals = rows[:, 1:] + np.stack([band.base[frames] for band in self.bands], -1)
-        return [
-            self._add(frame, tuple(row), parent, node.root)
-            for frame, row in zip(frames.tolist(), goals.tolist(), strict=True)
-            if self._is_allowed(tuple(row), phase)
-        ]
+        for frame, row in zip(frames.tolist(), goals.tolist(), strict=True):
+            yield _Node(frame, tuple(row), node, node.root)
 
     def _options(self, node: _Node) -> np.ndarray:
         """(H, W1, ...) moves that all servos can take together."""
@@ -122,19 +96,19 @@ class MoveSearch:
     def _is_end(self, node: _Node, phase: int) -> bool:
         if not self.closed:
             return node.frame == self.last
-        at_root = node.goals == node.root
-        if phase == 0 and at_root:
+        if phase == 0 and node.goals == node.root:
             # Nothing is to go anywhere in the first entry: it lasts one frame.
             return node.frame == self.last - 1
         if node.frame != self.last - FIRST_FRAMES:
             return False
-        ends = zip(self.bands, node.goals, node.root, strict=True)
-        return all(band.is_open(self.last - FIRST_FRAMES, a, b) for band, a, b in ends)
+        pairs = zip(self.bands, node.root, strict=True)
+        back = tuple(goal - int(band.base[-1]) for band, goal in pairs)
+        return any(bool(row[back]) for row in self._options(node)[FIRST_FRAMES - 1 :])
 
-    def _trace(self, number: int) -> list[Vertex]:
-        path: list[Vertex] = []
-        while number >= 0:
-            node = self._nodes[number]
-            path.append(Vertex(node.frame, self._counts(node.goals)))
-            number = node.parent
-        return path[::-1]
+    def _path_to(self, end: _Node) -> list[Vertex]:
+        path, node, grid = [], end, self.bands[0].grid
+        while True:
+            path.append(Vertex(node.frame, tuple(grid * goal for goal in node.goals)))
+            if node.parent is None:
+                return path[::-1]
+            node = node.parent

@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from viscodesign.pump.poses.engine import EIGHTHS, EXACT_FRAMES, MOST_FRAMES
+from viscodesign.pump.poses.engine import EIGHTHS, EXACT_FRAMES
 
 HIGHEST_COUNT = 1023
 
@@ -56,15 +56,20 @@ class ToleranceBand:
         """The last frame N."""
         return len(self.low) - 1
 
+    @property
+    def unit(self) -> int:
+        """A step of the grid [1/8 count]."""
+        return EIGHTHS * self.grid
+
     @cached_property
     def base(self) -> np.ndarray:
         """(N + 1,) lowest goal of each frame, in steps of the grid."""
-        return -(-self.low // (EIGHTHS * self.grid))
+        return -(-self.low // self.unit)
 
     @cached_property
     def width(self) -> int:
         """Most goals that any frame has."""
-        return max(int(np.max(self.high // (EIGHTHS * self.grid) - self.base)) + 1, 1)
+        return max(int(np.max(self.high // self.unit - self.base)) + 1, 1)
 
     @cached_property
     def stay(self) -> np.ndarray:
@@ -72,106 +77,51 @@ class ToleranceBand:
 
         G: goals from 0 on, in steps of the grid.
         """
-        goals = EIGHTHS * self.grid * np.arange(HIGHEST_COUNT // self.grid + 1)
+        goals = self.unit * np.arange(HIGHEST_COUNT // self.grid + 1 + self.width)
         stay = np.full((self.last + 2, len(goals)), -1, dtype=np.int32)
         for frame in range(self.last, -1, -1):
             inside = (self.low[frame] <= goals) & (goals <= self.high[frame])
             stay[frame] = np.where(inside, np.maximum(stay[frame + 1], frame), -1)
-        held: np.ndarray = stay[:-1]
-        return held
+        return stay
 
     def goals(self, frame: int) -> np.ndarray:
         """Goals at a frame, in steps of the grid."""
-        return np.arange(self.base[frame], self.high[frame] // (EIGHTHS * self.grid) + 1)
+        return np.arange(self.base[frame], self.high[frame] // self.unit + 1)
 
     def moves_from(self, frame: int, goal: int) -> np.ndarray:
         """(H, W) whether a move from a goal may last so many frames, to goals above the base.
 
-        Row F - 1 is for F frames, and its goals count from the base of the frame it ends in;
-        the last row is that of the longest move there is.
+        A row for each of `EXACT_FRAMES` up to the longest move there is; its goals count from
+        the base of the frame in which it ends.
         """
-        longest = min(MOST_FRAMES, self.last - frame)
-        allowed = np.zeros((longest, self.width), dtype=bool)
-        for goals, first, end in (
-            self._ramps(frame, goal, longest),
-            self._jumps(frame),
-            self._dwell(frame, goal),
-        ):
-            self._mark(allowed, frame, goals, first, np.minimum(end, longest))
-        exact = np.array(EXACT_FRAMES)
-        inexact = np.ones(longest, dtype=bool)
-        inexact[exact[exact <= longest] - 1] = False
-        allowed[inexact] = False
-        return allowed[: int(np.max(np.flatnonzero(allowed.any(axis=1)), initial=-1)) + 1]
+        frames = _EXACT[: np.searchsorted(_EXACT, self.last - frame, side="right"), None]
+        ends = frame + frames
+        goals = self.base[ends] + np.arange(self.width)
+        distance = self.unit * np.abs(goals - goal)
+        step = distance // frames + 1
+        speed = np.sign(goals - goal) * step
+        slowest, fastest = self._speeds(frame, goal)
+        # Only in whole steps is it under way; in the frame behind them it arrives.
+        under_way, arrival = distance // step, frame - (-distance // step)
+        allowed = (
+            (slowest[under_way] <= speed)
+            & (speed <= fastest[under_way])
+            & (self.stay[arrival, goals] >= ends)
+        )
+        used = np.flatnonzero(allowed.any(axis=1))
+        return np.asarray(allowed[: int(used[-1]) + 1 if len(used) else 0])
 
-    def is_open(self, frame: int, start: int, goal: int) -> bool:
-        """Whether a move of two frames between goals stays inside."""
-        unit = EIGHTHS * self.grid
-        step = unit * abs(goal - start) // 2 + 1
-        middle = unit * start + min(step, unit * abs(goal - start)) * (1 if goal > start else -1)
-        return bool(self.low[frame + 1] <= middle <= self.high[frame + 1])
-
-    def _mark(
-        self,
-        allowed: np.ndarray,
-        frame: int,
-        goals: np.ndarray,
-        first: np.ndarray,
-        end: np.ndarray,
-    ) -> None:
-        """Allow moves to goals that last from the first to the end number of frames."""
-        lengths = np.maximum(end - first + 1, 0)
-        frames = np.repeat(first, lengths) + _counted(lengths)
-        allowed[frames - 1, np.repeat(goals, lengths) - self.base[frame + frames]] = True
-
-    def _jumps(self, frame: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Moves of one frame: any goal that is inside then."""
-        goals = self.goals(frame + 1)
-        one = np.ones_like(goals)
-        return goals, one, one
-
-    def _dwell(self, frame: int, goal: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Moves that go nowhere."""
-        return np.array([goal]), np.array([1]), self.stay[frame + 1, [goal]] - frame
-
-    def _ramps(
-        self, frame: int, goal: int, longest: int
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Goals, with the fewest and the most frames, of moves that take more than one."""
-        speeds, alive = self._speeds(frame, goal, longest)
-        step = np.abs(speeds)
-        unit = EIGHTHS * self.grid
-        # While D // step frames are alive, all frames before the arrival are inside.
-        number = (step * (alive + 1) - 1) // unit
-        index = np.repeat(np.arange(len(speeds)), number)
-        steps = _counted(number) + 1
-        step, distance = step[index], unit * steps
-        goals = goal + np.sign(speeds[index]) * steps
-        there = -(-distance // step)
-        inside = (there <= longest) & (goals >= 0) & (goals < self.stay.shape[1])
-        step, distance, goals, there = (a[inside] for a in (step, distance, goals, there))
-        first = distance // step + 1
-        # The law takes this step for F with (step - 1) F <= D < step F.
-        most = np.where(step > 1, distance // np.maximum(step - 1, 1), longest)
-        return goals, first, np.minimum(most, self.stay[frame + there, goals] - frame)
-
-    def _speeds(self, frame: int, goal: int, longest: int) -> tuple[np.ndarray, np.ndarray]:
-        """Speeds [1/8 count per frame] and for how many frames each stays inside."""
-        frames = np.arange(1, longest + 1)
-        here = EIGHTHS * self.grid * goal
-        ahead = slice(frame + 1, frame + longest + 1)
-        slowest = np.maximum.accumulate(-((here - self.low[ahead]) // frames))
-        fastest = np.minimum.accumulate((self.high[ahead] - here) // frames)
-        speeds = np.arange(slowest[0], fastest[0] + 1)
-        speeds = speeds[speeds != 0]
-        under = longest - np.searchsorted(fastest[::-1], speeds, side="left")
-        over = np.searchsorted(slowest, speeds, side="right")
-        return speeds, np.minimum(under, over)
+    def _speeds(self, frame: int, goal: int) -> tuple[np.ndarray, np.ndarray]:
+        """Lowest and highest speed [1/8 count per frame] that stay inside for 0, 1, ... frames."""
+        ahead = slice(frame + 1, frame + 1 + int(_EXACT[-1]))
+        frames = np.arange(1, len(self.low[ahead]) + 1)
+        start, any_speed = self.unit * goal, np.array([self.unit * (HIGHEST_COUNT + 1)])
+        slowest = -((start - self.low[ahead]) // frames)
+        fastest = (self.high[ahead] - start) // frames
+        return (
+            np.maximum.accumulate(np.append(-any_speed, slowest)),
+            np.minimum.accumulate(np.append(any_speed, fastest)),
+        )
 
 
-def _counted(lengths: np.ndarray) -> np.ndarray:
-    """0, 1, ... for each length, one after the other."""
-    ends = np.cumsum(lengths)
-    starts = np.repeat(ends - lengths, lengths)
-    number: np.ndarray = np.arange(len(starts)) - starts
-    return number
+_EXACT = np.array(EXACT_FRAMES)

@@ -11,12 +11,9 @@ from viscodesign.pump.ax import eeprom
 from viscodesign.pump.ax.eeprom import RegisterChange, changes
 from viscodesign.pump.ax.hold import release
 from viscodesign.pump.ax.preflight import identify
-from viscodesign.pump.ax.servo_pump import ServoPump as ConnectedPump
+from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.servo_state import read_register
-from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.bus.registers import PRESENT_POSITION
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.play.homing import find_travel
 from viscodesign.pump.sensors.limit_switches import Switches
@@ -24,9 +21,10 @@ from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import (
     BoardAddress,
     Confirm,
-    PumpSetup,
+    Connection,
     Tell,
     connected,
+    require,
     unheard,
 )
 from viscodesign.scene.pump import MAX_SERVO_COUNTS, PumpSpec
@@ -71,18 +69,29 @@ def calibrate(
     """
     if address.simulated:
         raise UsageError("--board simulated: a simulated pump is calibrated as its spec says")
-    clock, setup = address.clock(), PumpSetup.of(scene)
-    with connected(address, clock, setup, None, tell) as (board, log):
-        pump, asked = pump_of(scene), (confirm, vented or confirm)
-        session = _CalibrationSteps(board, clock, pump, *asked, by_hand, tell)
+    pump = pump_of(scene)
+    with connected(address, scene, tell=tell) as link:
         if rename is not None:
-            session.rename(*rename)
-        servos = setup.servos(board)
-        tell(f"found {board.identify()}")
-        found = session.as_stated() if keep else session.measured(servos)
-        for servo in servos:
-            session.keep_in(servo, found.travel)
-        log.event("calibrated", home_counts=found.home, travel_counts=found.travel)
+            _rename(link, *rename, confirm)
+        tell(f"found {link.board.identify()}")
+        if keep:
+            found = Calibration(pump.home, pump.travel)
+        elif len(link.servos) > 1:
+            raise UsageError(
+                "all servos of a spec share home and travel; calibrate each with a spec that has "
+                "its servo_id alone, then this one with --keep"
+            )
+        elif pump.limit_switches is None:
+            found = _by_hand(link, pump, by_hand, vented or confirm)
+        else:
+            found = _against_switches(link, pump, confirm)
+        for servo in link.servos:
+            different = changes(identify(link.board, servo), found.travel)
+            for change in different:
+                _write(link, change, confirm)
+            if not different:
+                tell(f"servo {servo} is up to date; nothing is written")
+        link.log.event("calibrated", home_counts=found.home, travel_counts=found.travel)
     return found
 
 
@@ -99,98 +108,61 @@ def calibration_steps(scene: Scene, keep: bool, rename: tuple[int, int] | None) 
     ]
 
 
-@dataclass(frozen=True)
-class _CalibrationSteps:
-    board: Board
-    clock: Clock
-    pump: PumpSpec
-    confirm: Confirm
-    vented: Confirm
-    by_hand: ShowPosition | None
-    tell: Tell
+def _rename(link: Connection, old: int, new: int, confirm: Confirm) -> None:
+    if not 0 <= new <= HIGHEST_ID:
+        raise UsageError(f"--rename: ids go from 0 to {HIGHEST_ID}; got {new}")
+    if link.board.answers(new):
+        raise PumpError(f"a servo with id {new} exists already; two would answer at once")
+    _write(link, RegisterChange(old, registers.ID, old, new), confirm)
 
-    def as_stated(self) -> Calibration:
-        return Calibration(self.pump.home, self.pump.travel)
 
-    def measured(self, servos: list[int]) -> Calibration:
-        if len(servos) > 1:
-            raise UsageError(
-                "all servos of a spec share home and travel; calibrate each with a spec that has "
-                "its servo_id alone, then this one with --keep"
-            )
-        if self.pump.limit_switches is None:
-            return self._by_hand(servos[0])
-        return self._against_switches(servos[0])
+def _write(link: Connection, change: RegisterChange, confirm: Confirm) -> None:
+    require(confirm, f"EEPROM of {change}\nWrite it?")
+    eeprom.write(link.board, change)
 
-    def _against_switches(self, servo: int) -> Calibration:
-        _require(
-            self.confirm,
-            "the plunger moves slowly to both ends, until their switches are pressed; vent it "
-            "first\nMove the plunger?",
+
+def _against_switches(link: Connection, pump: PumpSpec, confirm: Confirm) -> Calibration:
+    require(
+        confirm,
+        "the plunger moves slowly to both ends, until their switches are pressed; vent it "
+        "first\nMove the plunger?",
+    )
+    free = pump.model_copy(update={"travel": (0, MAX_SERVO_COUNTS)})
+    switches, no_sensor = Switches.of(pump, link.servos), PressureReadings([None], 0.0)
+    moved = ServoPump(link.board, free, link.servos, no_sensor, switches, link.clock)
+    with stop_on_signals() as request:
+        low, high = find_travel(moved, lambda: request.asked)
+    return Calibration(low if pump.push == "up" else high, (low, high))
+
+
+def _by_hand(
+    link: Connection, pump: PumpSpec, by_hand: ShowPosition | None, vented: Confirm
+) -> Calibration:
+    if by_hand is None:
+        raise UsageError(
+            "nobody to move the plunger by hand; keep the spec's home and travel instead"
         )
-        free = self.pump.model_copy(update={"travel": (0, MAX_SERVO_COUNTS)})
-        switches = Switches.of(self.pump, [servo])
-        moved = ConnectedPump(
-            self.board, free, [servo], PressureReadings([None], 0.0), switches, self.clock
+    require(
+        vented,
+        "the torque goes off; pressure in the syringe would push the plunger: vent it first\n"
+        "Is it vented?",
+    )
+    (servo,) = link.servos
+    (left,) = release(link.board, [servo], link.clock)
+    if not left.verified:
+        raise PumpError(str(left))
+    outer, inner, home = (
+        by_hand(
+            f"servo {servo}: move the plunger {place}, then press Enter",
+            lambda: read_register(link.board, servo, registers.PRESENT_POSITION),
         )
-        with stop_on_signals() as request:
-            low, high = find_travel(moved, lambda: request.asked)
-        return Calibration(low if self.pump.push == "up" else high, (low, high))
-
-    def _by_hand(self, servo: int) -> Calibration:
-        if self.by_hand is None:
-            raise UsageError(
-                "nobody to move the plunger by hand; keep the spec's home and travel instead"
-            )
-        _require(
-            self.vented,
-            "the torque goes off; pressure in the syringe would push the plunger: vent it first\n"
-            "Is it vented?",
-        )
-        for one in release(self.board, [servo], self.clock):
-            if not one.verified:
-                raise PumpError(str(one))
-        outer, inner, home = (
-            self.by_hand(
-                f"servo {servo}: move the plunger {place}, then press Enter",
-                lambda: read_register(self.board, servo, PRESENT_POSITION),
-            )
-            for place in ("out as far as it may go", "in as far as it may go", "to its home")
-        )
-        return _calibration_of(outer, inner, home, self.pump.push)
-
-    def rename(self, old: int, new: int) -> None:
-        if not 0 <= new <= HIGHEST_ID:
-            raise UsageError(f"--rename: ids go from 0 to {HIGHEST_ID}; got {new}")
-        if self.board.answers(new):
-            raise PumpError(f"a servo with id {new} exists already; two would answer at once")
-        self._write(RegisterChange(old, registers.ID, old, new))
-
-    def keep_in(self, servo: int, travel: tuple[int, int]) -> None:
-        """Bring a servo's EEPROM up to date, one register at a time."""
-        different = changes(identify(self.board, servo), travel)
-        for change in different:
-            self._write(change)
-        if not different:
-            self.tell(f"servo {servo} is up to date; nothing is written")
-
-    def _write(self, change: RegisterChange) -> None:
-        _require(self.confirm, f"EEPROM of {change}\nWrite it?")
-        eeprom.write(self.board, change)
-
-
-def _require(confirm: Confirm, text: str) -> None:
-    if not confirm(text):
-        raise UsageError("aborted; nothing moved")
-
-
-def _calibration_of(outer: int, inner: int, home: int, push: str) -> Calibration:
-    """From three positions [counts]: drawn out, pushed in, home."""
+        for place in ("out as far as it may go", "in as far as it may go", "to its home")
+    )
     low, high = sorted((outer, inner))
-    if (inner > outer) != (push == "up"):
+    if (inner > outer) != (pump.push == "up"):
         raise PumpError(
             f"counts went from {outer} to {inner} as the plunger was pushed in, but the spec says "
-            f"pump.push: {push}; correct it and calibrate again"
+            f"pump.push: {pump.push}; correct it and calibrate again"
         )
     if not low <= home <= high or low == high:
         raise PumpError(f"home {home} is not between the ends, {low} and {high}; try again")

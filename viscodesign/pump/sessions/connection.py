@@ -1,13 +1,15 @@
-"""The way to a board: its address, the pump that a spec puts behind it, one open connection."""
+"""The way to a board: its address, and an open connection with the pump that is behind it."""
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from viscodesign.errors import PumpError, UsageError
+from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import ports
 from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
@@ -17,24 +19,20 @@ from viscodesign.pump.bus.serial_line import SerialLine
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.sensors.base import PressureSource
 from viscodesign.pump.sensors.board_analog import BoardAnalog
+from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.phidget import Phidget
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.open_board import (
     SimulatedArbotix,
     board_kind,
     servo_ids,
-    simulated_bench,
     simulated_line,
 )
-from viscodesign.pump.simulated.direct_line import DirectLine
-from viscodesign.pump.simulated.plant import Plant
-from viscodesign.pump.simulated.pypose import PyPose
+from viscodesign.pump.simulated.plant import AMBIENT, Plant
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pump import PumpSpec, SensorSpec
 from viscodesign.scene.scene import Scene
 
-STANDARD_AMBIENT_PA = 101_325.0
-"""Absolute [Pa]."""
 SCANNED_IDS = range(1, 9)
 """Servo ids that are tried where no spec names them."""
 
@@ -97,8 +95,14 @@ class BoardAddress:
                 "a real pump is about to move: pass `confirm`, a function that is given the plan "
                 "and returns whether to go ahead"
             )
-        if confirm is not None and not confirm(text):
-            raise UsageError("aborted; nothing moved")
+        if confirm is not None:
+            require(confirm, text)
+
+
+def require(confirm: Confirm, text: str) -> None:
+    """Raise `UsageError` unless the user agrees."""
+    if not confirm(text):
+        raise UsageError("aborted; nothing moved")
 
 
 def _factor(text: str) -> float:
@@ -112,67 +116,80 @@ SIMULATED = BoardAddress()
 
 
 @dataclass(frozen=True)
-class PumpSetup:
-    """The drive, where it is known, and the air around it."""
+class Connection:
+    """An open board, and what is known of the pump behind it."""
 
+    board: Board
+    log: ByteLog
+    clock: Clock
     pump: PumpSpec | None
-    ambient: float = STANDARD_AMBIENT_PA
+    ambient: float
     """Absolute [Pa]."""
-    inlets: tuple[str, ...] = ()
-    """Names of the servos' inlets; empty where no spec names them."""
+    names: tuple[str, ...]
+    """Of the servos' inlets; empty where no spec names them."""
 
-    @classmethod
-    def of(cls, scene: Scene | None, *, simulated: bool = False) -> PumpSetup:
-        """A scene's; without one, that of the simulated board, or what is known of any pump."""
-        if scene is not None:
-            return cls(pump_of(scene), scene.ambient_pressure, tuple(scene.inputs))
-        if not simulated:
-            return cls(None)
-        default = {"syringe_diameter": "34.9 mm", "sensor": {"channel": 0}}
-        return cls(PumpSpec.model_validate(default), inlets=("inlet",))
-
-    def servos(self, board: Board) -> list[int]:
+    @cached_property
+    def servos(self) -> list[int]:
         """Ids of the spec's servos; without a spec, of all that answer."""
         if self.pump is not None:
             return servo_ids(self.pump)
-        return [servo for servo in SCANNED_IDS if board.answers(servo)]
+        return [servo for servo in SCANNED_IDS if self.board.answers(servo)]
 
-    def inlet_names(self, servos: Sequence[int]) -> tuple[str, ...]:
+    @property
+    def inlets(self) -> tuple[str, ...]:
         """One name per servo."""
-        if self.inlets:
-            return self.inlets
-        return ("inlet",) if len(servos) == 1 else tuple(f"servo{id}" for id in servos)
+        alone = len(self.servos) == 1
+        return self.names or (("inlet",) if alone else tuple(f"servo{id}" for id in self.servos))
+
+    @contextlib.contextmanager
+    def gauges(self) -> Iterator[PressureReadings]:
+        """The inlets' pressure sensors, each on the board or on a Phidgets interface kit."""
+        sensors = each(None if self.pump is None else self.pump.sensor, len(self.inlets))
+        with contextlib.ExitStack() as open_sources:
+            reads: list[Callable[[], float] | None] = []
+            for sensor in sensors:
+                source = None if sensor is None else self._source(sensor)
+                if source is not None:
+                    open_sources.callback(source.close)
+                reads.append(None if source is None else source.absolute)
+            yield PressureReadings(reads, self.ambient, self.inlets)
+
+    def _source(self, sensor: SensorSpec) -> PressureSource:
+        on_board = self.board.has_pins if sensor.on == "auto" else sensor.on == "board"
+        return BoardAnalog(self.board, sensor.channel) if on_board else Phidget(sensor.channel)
 
 
 @contextlib.contextmanager
 def connected(
     address: BoardAddress,
-    clock: Clock,
-    setup: PumpSetup,
+    scene: Scene | None = None,
     plant: Plant | None = None,
     tell: Tell = unheard,
     *,
     poses: bool = False,
-) -> Iterator[tuple[Board, ByteLog]]:
-    """An open board and the log of its bytes; nothing was asked yet, and nothing moves.
+) -> Iterator[Connection]:
+    """An open board and the scene's pump; nothing was asked yet, and nothing moves.
 
     ``plant``: what a simulated pump presses into; ``poses``: its board plays poses by itself.
     Closed on leaving, whatever happens.
     """
-    kind, name, port = board_kind(address.board), address.board, address.port
+    kind, clock = board_kind(address.board), address.clock()
     _refuse_port(kind, address)
+    pump, ambient, names = _known(scene, kind.simulated)
     log, baud = ByteLog(address.log, tell), address.baud or kind.baud
     try:
-        if not kind.simulated:
-            line: Line = SerialLine(str(port), baud, clock)
+        if pump is not None and kind.simulated:
+            line: Line = simulated_line(pump, clock, plant, ambient, poses=poses)
+            kind = SimulatedArbotix if poses else kind
         else:
-            kind, line = _simulated(kind, clock, setup, plant, poses)
-        log.event("opened", board=name, port=port, baud=baud, simulated=kind.simulated)
-        board = kind(LoggedLine(line, log), [] if setup.pump is None else servo_ids(setup.pump))
+            line = SerialLine(str(address.port), baud, clock)
+        how = {"board": address.board, "port": address.port, "baud": baud}
+        log.event("opened", **how, simulated=kind.simulated)
+        board = kind(LoggedLine(line, log), [] if pump is None else servo_ids(pump))
         clock.sleep(kind.boot)
         board.line.drain()
         try:
-            yield board, log
+            yield Connection(board, log, clock, pump, ambient, names)
         finally:
             # A port that is gone has been reported already.
             with contextlib.suppress(PumpError):
@@ -181,15 +198,22 @@ def connected(
         log.close()
 
 
-def _simulated(
-    kind: type[Board], clock: Clock, setup: PumpSetup, plant: Plant | None, poses: bool
-) -> tuple[type[Board], Line]:
-    if setup.pump is None:
-        raise UsageError("--board simulated needs the `pump:` section of a spec")
-    if not poses:
-        return kind, simulated_line(setup.pump, clock, plant, setup.ambient)
-    device = PyPose(simulated_bench(setup.pump, plant, setup.ambient))
-    return SimulatedArbotix, DirectLine(device, clock)
+def unmonitored_pump(
+    board: Board, pump: PumpSpec, servos: Sequence[int], clock: Clock
+) -> ServoPump:
+    """The pump behind a board that reads neither sensors nor switches."""
+    none = PressureReadings([None] * len(servos), AMBIENT)
+    return ServoPump(board, pump, servos, none, Switches({}), clock)
+
+
+def _known(scene: Scene | None, simulated: bool) -> tuple[PumpSpec | None, float, tuple[str, ...]]:
+    """Pump, ambient pressure and inlets: of a scene, of the simulated board, or of any pump."""
+    if scene is not None:
+        return pump_of(scene), scene.ambient_pressure, tuple(scene.inputs)
+    if not simulated:
+        return None, AMBIENT, ()
+    default = {"syringe_diameter": "34.9 mm", "sensor": {"channel": 0}}
+    return PumpSpec.model_validate(default), AMBIENT, ("inlet",)
 
 
 def _refuse_port(kind: type[Board], address: BoardAddress) -> None:
@@ -203,29 +227,3 @@ def _refuse_port(kind: type[Board], address: BoardAddress) -> None:
         )
     if baud is not None and baud <= 0:
         raise UsageError(f"--baud must be above 0, such as {kind.baud}; got {baud}")
-
-
-@contextlib.contextmanager
-def pressure_gauges(
-    board: Board, pump: PumpSpec | None, ambient: float, inlets: Sequence[str]
-) -> Iterator[PressureReadings]:
-    """The inlets' pressure sensors, each on the board or on a Phidgets interface kit.
-
-    ``ambient``: absolute [Pa].
-    """
-    sensors = each(None if pump is None else pump.sensor, len(inlets))
-    with contextlib.ExitStack() as open_sources:
-        reads: list[Callable[[], float] | None] = []
-        for sensor in sensors:
-            source = None if sensor is None else _source(board, sensor)
-            if source is not None:
-                open_sources.callback(source.close)
-            reads.append(None if source is None else source.absolute)
-        yield PressureReadings(reads, ambient, inlets)
-
-
-def _source(board: Board, sensor: SensorSpec) -> PressureSource:
-    where = sensor.on
-    if where == "auto":
-        where = "board" if board.has_pins else "phidget"
-    return BoardAnalog(board, sensor.channel) if where == "board" else Phidget(sensor.channel)

@@ -9,20 +9,19 @@ from typing import Any
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import stop_all
 from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
-from viscodesign.pump.boards.base import Board
 from viscodesign.pump.play.axis import FinalServoState
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sessions.connection import (
     SCANNED_IDS,
     SIMULATED,
     BoardAddress,
-    PumpSetup,
+    Connection,
     Tell,
     connected,
-    pressure_gauges,
     unheard,
 )
-from viscodesign.pump.sessions.reports import servo_documents
+from viscodesign.pump.sessions.reports import servo_document
+from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 
 NO_SERVO = (
@@ -39,33 +38,30 @@ BUSY_BOARD = (
 class PumpStatus:
     """What answers on a bus, as it was read."""
 
-    board: str
-    simulated: bool
+    address: BoardAddress
     identity: str
     servos: tuple[FoundServo, ...]
     inlets: tuple[str, ...]
     """One name per servo."""
-    pressure: tuple[float | None, ...] | None
+    pressure: tuple[float | None, ...] | None = None
     """Gauge, per inlet [Pa]; None where no spec names the sensors."""
-    pressed: tuple[str, ...]
+    pressed: tuple[str, ...] = ()
     """Limit switches, such as 'low'."""
-    objections: tuple[str, ...]
+    objections: tuple[str, ...] = ()
     """Why the pump must not be moved as it is."""
-    hints: tuple[str, ...]
-    """What would make its port faster."""
 
     def document(self) -> dict[str, Any]:
         """Under names with units."""
         pins = {"pressure_pa_gauge": self.pressure, "switches_pressed": list(self.pressed)}
         return {
-            "board": self.board,
-            "simulated": self.simulated,
+            "board": self.address.board,
+            "simulated": self.address.simulated,
             "identity": self.identity,
-            "servos": servo_documents(self.servos),
+            "servos": [servo_document(servo) for servo in self.servos],
             "inlets": self.inlets,
             **(pins if self.pressure is not None else {}),
             "objections": list(self.objections),
-            "hints": list(self.hints),
+            "hints": self.address.hints,
         }
 
 
@@ -73,39 +69,29 @@ def status(
     address: BoardAddress = SIMULATED, scene: Scene | None = None, *, tell: Tell = unheard
 ) -> PumpStatus:
     """Read the servos that answer, and with a scene its sensors and switches; writes nothing."""
-    setup = PumpSetup.of(scene, simulated=address.simulated)
-    with connected(address, address.clock(), setup, None, tell) as (board, _log):
-        identity = board.identify()
-        servos = tuple(identify(board, servo) for servo in setup.servos(board))
-        names = setup.inlet_names([servo.id for servo in servos])
-        pump = setup.pump
-        pressure, pressed = (None, ()) if pump is None else _pins(board, setup, names)
-        against = [] if pump is None else [r for s in servos for r in blocking_faults(s, pump)]
-    return PumpStatus(
-        board=address.board,
-        simulated=address.simulated,
-        identity=identity,
-        servos=servos,
-        inlets=names,
-        pressure=pressure,
-        pressed=pressed,
-        objections=tuple(against),
-        hints=tuple(address.hints),
+    with connected(address, scene, tell=tell) as link:
+        identity = link.board.identify()
+        servos = tuple(identify(link.board, servo) for servo in link.servos)
+        if link.pump is None:
+            return PumpStatus(address, identity, servos, link.inlets)
+        with link.gauges() as gauges:
+            pressure = gauges.read()
+        objections = [reason for servo in servos for reason in blocking_faults(servo, link.pump)]
+        pressed = _pressed(link, link.pump)
+        return PumpStatus(
+            address, identity, servos, link.inlets, pressure, pressed, tuple(objections)
+        )
+
+
+def _pressed(link: Connection, pump: PumpSpec) -> tuple[str, ...]:
+    """Switches that are pressed; their inlets are named where there are several."""
+    ends = Switches.of(pump, link.servos).read(link.board)
+    names = dict(zip(link.servos, link.inlets, strict=True))
+    return tuple(
+        f"{names[servo]} {end}" if len(names) > 1 else end
+        for servo in ends
+        for end in sorted(ends[servo])
     )
-
-
-def _pins(
-    board: Board, setup: PumpSetup, inlets: Sequence[str]
-) -> tuple[tuple[float | None, ...], tuple[str, ...]]:
-    """Pressures [Pa gauge], and the switches that are pressed."""
-    assert setup.pump is not None
-    with pressure_gauges(board, setup.pump, setup.ambient, inlets) as gauges:
-        pressure = gauges.read()
-    servos = setup.servos(board)
-    ends = Switches.of(setup.pump, servos).read(board)
-    prefix = [f"{name} " if len(inlets) > 1 else "" for name in inlets]
-    of = dict(zip(servos, prefix, strict=True))
-    return pressure, tuple(f"{of[servo]}{end}" for servo in ends for end in sorted(ends[servo]))
 
 
 def stop(
@@ -123,9 +109,8 @@ def stop(
     """
     if address.simulated:
         return []
-    clock = address.clock()
-    with connected(address, clock, PumpSetup(None), None, tell) as (board, _log):
-        left = stop_all(board, list(ids or SCANNED_IDS), clock, release=release)
+    with connected(address, tell=tell) as link:
+        left = stop_all(link.board, list(ids or SCANNED_IDS), link.clock, release=release)
         if not left:
-            raise PumpError(NO_SERVO if board.streams else f"{NO_SERVO}\n{BUSY_BOARD}")
+            raise PumpError(NO_SERVO if link.board.streams else f"{NO_SERVO}\n{BUSY_BOARD}")
     return left

@@ -17,6 +17,7 @@ from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.direct_line import DirectLine
 from viscodesign.pump.simulated.pins import Pins
 from viscodesign.pump.simulated.plant import AMBIENT, ClosedGas, Plant
+from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
 from viscodesign.scene.pump import PumpSpec
@@ -59,21 +60,28 @@ def servo_ids(pump: PumpSpec) -> list[int]:
 
 
 def simulated_line(
-    pump: PumpSpec, clock: Clock, plant: Plant | None = None, ambient: float = AMBIENT
+    pump: PumpSpec,
+    clock: Clock,
+    plant: Plant | None = None,
+    ambient: float = AMBIENT,
+    *,
+    poses: bool = False,
 ) -> Line:
-    """A line into a computed ArbotiX with the firmware for ROS, and a pump behind it."""
+    """A line into a computed ArbotiX, and a pump behind it.
+
+    Its firmware is that for ROS; with ``poses`` PyPose's. ``ambient``: absolute [Pa].
+    """
     bench = simulated_bench(pump, plant, ambient)
-    return DirectLine(Ros(bench, Pins(bench, ambient)), clock)
+    return DirectLine(PyPose(bench) if poses else Ros(bench, Pins(bench, ambient)), clock)
 
 
 def simulated_bench(
     pump: PumpSpec, plant: Plant | None = None, ambient: float = AMBIENT
 ) -> SimulatedBench:
     """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
-    drives = [Drive(pump) for _ in servo_ids(pump)]
-    servos = [
-        SimulatedServo(servo, SERVOS[pump.servo].model, pump.home) for servo in servo_ids(pump)
-    ]
+    model, ids = SERVOS[pump.servo].model, servo_ids(pump)
+    drives = [Drive(pump) for _ in ids]
+    servos = [SimulatedServo(servo, model, pump.home) for servo in ids]
     for servo in servos:
         servo.supply(min(pump.supply_voltage, HIGHEST_REPORTED_V))
         servo.set(registers.CW_LIMIT, pump.travel[0])

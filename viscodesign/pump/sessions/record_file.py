@@ -10,6 +10,8 @@ from io import FileIO
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from viscodesign._version import __version__
 from viscodesign.errors import UsageError
 from viscodesign.pump.play.axis import AxisState, Sample
@@ -18,130 +20,6 @@ from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
 FLUSH_INTERVAL_S = 1.0
 """Rows reach the disk this long after they were read, at the latest."""
-RUNNING = "running"
-
-
-class Record:
-    """A CSV that grows with each sample, and beside it a JSON document that describes it.
-
-    The document says "running" from the start, so that a record whose writer was killed is not
-    taken for a complete one.
-    """
-
-    def __init__(
-        self,
-        path: Path,
-        table: FileIO,
-        inlets: Sequence[str],
-        facts: Mapping[str, Any],
-        more: Mapping[str, Callable[[], float]],
-    ) -> None:
-        self.path = path
-        self.rows = 0
-        self._table = table
-        self._whole = 0
-        """Bytes of whole rows in the file."""
-        self._waiting = bytearray()
-        self.broken = False
-        """Whether the disk has refused a row; no more are written then."""
-        self.started = False
-        """Whether something may be moving: then a full disk is no fault of the command line."""
-        self._more = more
-        self._columns = columns(inlets, list(more))
-        self._facts = dict(facts)
-        self._flushed = time.monotonic()
-        self._line(self._columns)
-
-    @property
-    def beside(self) -> Path:
-        """The JSON's path."""
-        return self.path.with_suffix(".json")
-
-    def add(self, moment: float, sample: Sample) -> None:
-        """One row; ``moment`` is the time of its first column [s]."""
-        first, *others = values(moment, sample)
-        row = [first, *(value() for value in self._more.values()), *others]
-        self._line([_number(value) for value in row])
-        self.rows += 1
-        if time.monotonic() - self._flushed >= FLUSH_INTERVAL_S:
-            self.flush()
-
-    def state(self, status: str, **more: Any) -> None:
-        """Write the document again: whether the table is complete, and what is known of it."""
-        self.flush()
-        document = {
-            "record": self.path.name,
-            "version": __version__,
-            "status": status,
-            "partial": status != "complete",
-            "rows": self.rows,
-            "columns": self._columns,
-            **self._facts,
-            **more,
-        }
-        with self._write_errors():
-            write_bytes(self.beside, (json.dumps(document, indent=2) + "\n").encode())
-
-    @contextlib.contextmanager
-    def _write_errors(self) -> Iterator[None]:
-        try:
-            with write_errors_as_usage(self.path):
-                yield
-        except UsageError as error:
-            if not self.started:
-                raise
-            if self.broken:
-                return  # as reported already
-            self.broken = True
-            raise RecordingError(f"{error} The record ends here") from error
-
-    def _line(self, cells: Sequence[str]) -> None:
-        self._waiting += (",".join(cells) + "\n").encode()
-
-    def flush(self) -> None:
-        """All waiting rows, or none: a full disk leaves no half a row behind."""
-        self._flushed = time.monotonic()
-        if self.broken:
-            self._waiting.clear()
-        left = bytes(self._waiting)
-        with self._write_errors():
-            try:
-                while left:
-                    left = left[self._table.write(left) :]
-            except OSError:
-                with contextlib.suppress(OSError):
-                    self._table.truncate(self._whole)
-                    self._table.seek(self._whole)
-                raise
-        self._whole += len(self._waiting)
-        self._waiting.clear()
-
-
-@contextlib.contextmanager
-def recorded(
-    path: Path,
-    inlets: Sequence[str],
-    facts: Mapping[str, Any],
-    more: Mapping[str, Callable[[], float]] | None = None,
-) -> Iterator[Record]:
-    """A record in progress; replaces an earlier one of the same name.
-
-    ``facts`` go into the JSON: board, whether simulated, spec, plan. ``more`` are columns
-    behind the time, each with what gives its value.
-    """
-    with write_errors_as_usage(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        table = FileIO(path, "w")
-    with contextlib.closing(table):
-        record = Record(path, table, inlets, facts, more or {})
-        record.state(RUNNING)
-        record.started = True
-        try:
-            yield record
-        finally:
-            record.flush()
-
-
 SERVO_CHANNELS: dict[tuple[str, str], Callable[[AxisState, int], float]] = {
     ("position", "counts"): lambda state, goal: state.position,
     ("goal", "counts"): lambda state, goal: goal,
@@ -168,13 +46,129 @@ def columns(inlets: Sequence[str], more: Sequence[str] = ()) -> list[str]:
     ]
 
 
-def values(moment: float, sample: Sample) -> list[float | None]:
-    """One row; pressures are gauge, None where nothing is known."""
-    row: list[float | None] = [moment, *sample.pressure, *sample.wanted]
-    for servo, state in sample.servos.items():
-        goal = sample.goals.get(servo, state.goal)
-        row += [value(state, goal) for value in SERVO_CHANNELS.values()]
-    return row
+class Record:
+    """A CSV that grows with each sample, and beside it a JSON document that describes it.
+
+    The document says "running" from the start, so that a record whose writer was killed is not
+    taken for a complete one.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        table: FileIO,
+        inlets: Sequence[str],
+        facts: Mapping[str, Any],
+        more: Mapping[str, Callable[[], float]],
+    ) -> None:
+        self.path = path
+        self.beside = path.with_suffix(".json")
+        """The document."""
+        self.rows = 0
+        self.started = False
+        """Whether something may be moving: then a full disk is no fault of the command line."""
+        self.broken = False
+        """Whether the disk has refused a row; no more are written then."""
+        self._table = table
+        self._whole = 0
+        """Bytes of whole rows in the file."""
+        self._facts, self._more = facts, more
+        self._columns = columns(inlets, list(more))
+        self._waiting = (",".join(self._columns) + "\n").encode()
+        self._flushed = time.monotonic()
+        self._errors: list[float] = []
+
+    def add(self, moment: float, sample: Sample) -> None:
+        """One row; ``moment`` is the time of its first column [s]."""
+        row: list[float | None] = [moment, *(value() for value in self._more.values())]
+        row += [*sample.pressure, *sample.wanted]
+        for servo, state in sample.servos.items():
+            goal = sample.goals.get(servo, state.goal)
+            row += [value(state, goal) for value in SERVO_CHANNELS.values()]
+        self._waiting += (",".join(map(_number, row)) + "\n").encode()
+        self.rows += 1
+        pairs = zip(sample.pressure, sample.wanted, strict=True)
+        self._errors += [p - w for p, w in pairs if p is not None and w is not None]
+        if time.monotonic() - self._flushed >= FLUSH_INTERVAL_S:
+            self.flush()
+
+    def tracking_error(self) -> dict[str, Any]:
+        """Measured minus planned pressures, under names with units; empty without any."""
+        if not self._errors:
+            return {}
+        size = np.abs(self._errors)
+        rms = float(np.sqrt(np.mean(size**2)))
+        return {"largest_pa": float(size.max()), "rms_pa": rms, "samples": len(size)}
+
+    def state(self, status: str, **more: Any) -> None:
+        """Write the document again: whether the table is complete, and what is known of it."""
+        self.flush()
+        document = {
+            "record": self.path.name,
+            "version": __version__,
+            "status": status,
+            "partial": status != "complete",
+            "rows": self.rows,
+            "columns": self._columns,
+            **self._facts,
+            **more,
+        }
+        with self._write_errors():
+            write_bytes(self.beside, (json.dumps(document, indent=2) + "\n").encode())
+
+    def flush(self) -> None:
+        """All waiting rows, or none: a full disk leaves no half a row behind."""
+        self._flushed = time.monotonic()
+        left = rows = b"" if self.broken else self._waiting
+        with self._write_errors():
+            try:
+                while left:
+                    left = left[self._table.write(left) :]
+            except OSError:
+                with contextlib.suppress(OSError):
+                    self._table.truncate(self._whole)
+                    self._table.seek(self._whole)
+                raise
+        self._whole += len(rows)
+        self._waiting = b""
+
+    @contextlib.contextmanager
+    def _write_errors(self) -> Iterator[None]:
+        try:
+            with write_errors_as_usage(self.path):
+                yield
+        except UsageError as error:
+            if not self.started:
+                raise
+            if self.broken:
+                return  # as reported already
+            self.broken = True
+            raise RecordingError(f"{error} The record ends here") from error
+
+
+@contextlib.contextmanager
+def recorded(
+    path: Path,
+    inlets: Sequence[str],
+    facts: Mapping[str, Any],
+    more: Mapping[str, Callable[[], float]] | None = None,
+) -> Iterator[Record]:
+    """A record in progress; replaces an earlier one of the same name.
+
+    ``facts`` go into the JSON: board, whether simulated, spec, plan. ``more`` are columns
+    behind the time, each with what gives its value.
+    """
+    with write_errors_as_usage(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        table = FileIO(path, "w")
+    with contextlib.closing(table):
+        record = Record(path, table, inlets, facts, more or {})
+        record.state("running")
+        record.started = True
+        try:
+            yield record
+        finally:
+            record.flush()
 
 
 def _number(value: float | None) -> str:

@@ -13,10 +13,8 @@ from viscodesign.pump.ax.listen import listen
 from viscodesign.pump.sessions.connection import (
     SIMULATED,
     BoardAddress,
-    PumpSetup,
     Tell,
     connected,
-    pressure_gauges,
     unheard,
 )
 from viscodesign.pump.sessions.record_file import recorded
@@ -66,29 +64,26 @@ def record(
     """
     path = Path(path)
     _refuse_options(path, address, rate, duration)
-    clock, setup = address.clock(), PumpSetup.of(scene, simulated=address.simulated)
-    with connected(address, clock, setup, None, tell) as (board, log):
-        identity, servos = board.identify(), setup.servos(board)
-        names = setup.inlet_names(servos)
-        facts = {"board": address.board, "simulated": address.simulated, "identity": identity}
+    with connected(address, scene, tell=tell) as link:
+        who = (address.board, address.simulated, link.board.identify())
+        facts = dict(zip(("board", "simulated", "identity"), who, strict=True))
         with (
-            pressure_gauges(board, setup.pump, setup.ambient, names) as gauges,
-            recorded(path, names, facts) as file,
+            link.gauges() as gauges,
+            recorded(path, link.inlets, facts) as file,
             stop_on_signals(stop) as request,
         ):
+            read_from = (link.board, link.servos, gauges, link.clock)
             try:
-                ticks = listen(
-                    board, servos, gauges, clock, request, file.add, rate=rate, duration=duration
-                )
+                ticks = listen(*read_from, request, file.add, rate=rate, duration=duration)
             except PumpError as error:
                 file.state("stopped", reason=str(error))
                 raise
             # Without a duration there is no other end than the user's.
             early = request.asked and duration is not None
             status = "interrupted" if early else "complete"
-            log.event("ended", status=status, **ticks.document())
+            link.log.event("ended", status=status, **ticks.document())
             file.state(status, ticks=ticks.document())
-            return RecordReport(status, file.rows, path, address.board, address.simulated, identity)
+            return RecordReport(status, file.rows, path, *who)
 
 
 def _refuse_options(path: Path, address: BoardAddress, rate: float, duration: float | None) -> None:

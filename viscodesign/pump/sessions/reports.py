@@ -23,11 +23,9 @@ STATUS_WORDS = {
 
 def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     """Rows as indented lines with aligned columns."""
-    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
-    return [
-        "  " + "  ".join(f"{cell:<{w}}" for cell, w in zip(row, widths, strict=True)).rstrip()
-        for row in rows
-    ]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = (zip(row, widths, strict=True) for row in rows)
+    return ["  " + "  ".join(f"{cell:<{w}}" for cell, w in line).rstrip() for line in lines]
 
 
 def motion_rows(course: PumpCourse, pump: PumpSpec, counts: np.ndarray) -> list[tuple[str, str]]:
@@ -44,50 +42,47 @@ def motion_rows(course: PumpCourse, pump: PumpSpec, counts: np.ndarray) -> list[
     ]
 
 
-def servo_documents(servos: Sequence[FoundServo]) -> list[dict[str, Any]]:
-    """Servos as they were found, under names with units."""
-    return [
-        {
-            "id": servo.id,
-            "model": servo.name,
-            "firmware": servo.firmware,
-            "position_counts": servo.state.position,
-            "limits_counts": list(servo.limits),
-            "torque": servo.state.torque,
-            "goal_counts": servo.state.goal,
-            "load_rel": servo.state.load,
-            "voltage_v": servo.state.voltage,
-            "temperature_degc": servo.state.temperature,
-            "complaint": servo.state.complaint,
-        }
-        for servo in servos
-    ]
+def servo_document(servo: FoundServo) -> dict[str, Any]:
+    """A servo as it was found, under names with units."""
+    return {
+        "id": servo.id,
+        "model": servo.name,
+        "firmware": servo.firmware,
+        "position_counts": servo.state.position,
+        "limits_counts": list(servo.limits),
+        "torque": servo.state.torque,
+        "goal_counts": servo.state.goal,
+        "load_rel": servo.state.load,
+        "voltage_v": servo.state.voltage,
+        "temperature_degc": servo.state.temperature,
+        "complaint": servo.state.complaint,
+    }
 
 
-def servo_rows(servos: Sequence[dict[str, Any]]) -> list[tuple[str, ...]]:
-    """The same as a table, its heading first."""
+def servo_rows(servos: Sequence[FoundServo]) -> list[tuple[str, ...]]:
+    """Servos as a table, its heading first."""
     heading = ("id", "model", "position", "limits", "torque", "load", "voltage", "heat", "state")
     return [heading, *(_servo_row(servo) for servo in servos)]
 
 
-def _servo_row(servo: dict[str, Any]) -> tuple[str, ...]:
-    low, high = servo["limits_counts"]
+def _servo_row(servo: FoundServo) -> tuple[str, ...]:
+    state, (low, high) = servo.state, servo.limits
     return (
-        str(servo["id"]),
-        servo["model"],
-        f"{servo['position_counts']}",
-        f"{low} to {high}" if (low, high) != (0, 0) else "wheel mode",
-        "on" if servo["torque"] else "off",
-        f"{servo['load_rel']:+.0%}",
-        f"{servo['voltage_v']:.1f} V",
-        f"{servo['temperature_degc']:.0f} degC",
-        servo["complaint"] or "ok",
+        f"{servo.id}",
+        servo.name,
+        f"{state.position}",
+        "wheel mode" if servo.turns_endlessly else f"{low} to {high}",
+        "on" if state.torque else "off",
+        f"{state.load:+.0%}",
+        f"{state.voltage:.1f} V",
+        f"{state.temperature:.0f} degC",
+        state.complaint or "ok",
     )
 
 
 def found_lines(identity: str, servos: Sequence[FoundServo]) -> list[str]:
     """What answered on the bus."""
-    return [f"found {identity}", *aligned(servo_rows(servo_documents(servos)))]
+    return [f"found {identity}", *aligned(servo_rows(servos))]
 
 
 def result_lines(result: StreamResult) -> list[str]:
@@ -101,21 +96,6 @@ def result_lines(result: StreamResult) -> list[str]:
     if not result.verified:
         lines.append("  NOT VERIFIED: look at the pump, and switch its power off if in doubt")
     return lines
-
-
-def result_document(result: StreamResult) -> dict[str, Any]:
-    """The same for a program."""
-    return {
-        "status": result.status,
-        "reason": result.reason,
-        "rule": result.rule,
-        "hold_verified": result.verified,
-        "servos": [
-            {"id": one.servo, "verified": one.verified, "state": one.words}
-            for one in result.standing
-        ],
-        "retreat": result.retreat,
-    }
 
 
 @dataclass(frozen=True)
@@ -143,8 +123,19 @@ class PlaybackReport:
 
     def document(self) -> dict[str, Any]:
         """All of it for a program."""
-        result = {} if self.result is None else result_document(self.result)
-        return {"name": self.name, **self.facts, "status": self.status, **result}
+        document = {"name": self.name, **self.facts, "status": self.status}
+        if (result := self.result) is None:
+            return document
+        return document | {
+            "reason": result.reason,
+            "rule": result.rule,
+            "hold_verified": result.verified,
+            "servos": [
+                {"id": one.servo, "verified": one.verified, "state": one.words}
+                for one in result.standing
+            ],
+            "retreat": result.retreat,
+        }
 
     def raise_failure(self) -> None:
         """Raise what did not end well as an error."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from viscodesign.errors import UsageError
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.scene.per_inlet import each
@@ -21,32 +19,22 @@ def with_sensors(scene: Scene, *, simulated: bool, without: bool) -> Scene:
     still read; where all have one, none is. Raises `UsageError` where a real board would move
     a plunger whose pressure is not monitored.
     """
-    inlets = tuple(scene.inputs)
-    sensors = each(pump_of(scene).sensor, len(inlets))
+    inlets, pump = tuple(scene.inputs), pump_of(scene)
+    sensors = each(pump.sensor, len(inlets))
     blind = [name for name, sensor in zip(inlets, sensors, strict=True) if sensor is None]
-    if without:
-        return scene if 0 < len(blind) < len(inlets) else _with(scene, None)
-    if not blind:
+    if (0 < len(blind) < len(inlets)) if without else not blind:
         return scene
-    if not simulated:
+    if not (without or simulated):
         raise UsageError(_refusal(blind, inlets))
-    return _with(scene, _invented(sensors, inlets))
-
-
-def _with(scene: Scene, sensors: dict[str, SensorSpec] | None) -> Scene:
-    pump = pump_of(scene).model_copy(update={"sensor": sensors})
-    return scene.model_copy(update={"pump": pump})
-
-
-def _invented(sensors: Sequence[SensorSpec | None], inlets: Sequence[str]) -> dict[str, SensorSpec]:
-    """The first inlet's own sensor if there is one, the others on free channels."""
+    # The first inlet's own sensor, if there is one; the others on free channels.
     own = [sensor for sensor in sensors if sensor is not None]
-    used = {sensor.channel for sensor in own}
-    others = [SensorSpec(channel=c) for c in range(BOARD_CHANNELS) if c not in used]
-    return dict(zip(inlets, [*own, *others], strict=False))
+    free = set(range(BOARD_CHANNELS)) - {sensor.channel for sensor in own}
+    every = [*own, *(SensorSpec(channel=channel) for channel in sorted(free))]
+    chosen = None if without else dict(zip(inlets, every, strict=False))
+    return scene.model_copy(update={"pump": pump.model_copy(update={"sensor": chosen})})
 
 
-def _refusal(blind: Sequence[str], inlets: Sequence[str]) -> str:
+def _refusal(blind: list[str], inlets: tuple[str, ...]) -> str:
     """What to do about inlets that no software would keep below the cap."""
     missing, example = "the spec names no pressure sensor", "{channel: 0}"
     if len(inlets) > 1:

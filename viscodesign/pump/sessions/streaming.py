@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, get_args
 
@@ -12,11 +11,9 @@ from viscodesign.errors import UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.torque_limit import stalling_pressure, torque_limit
-from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus.byte_log import ByteLog
-from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.planning.plan import plan as plan_pump
-from viscodesign.pump.planning.result import PumpPlan, refuse_infeasible
+from viscodesign.pump.planning.result import refuse_infeasible
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play.link_rate import (
@@ -28,15 +25,12 @@ from viscodesign.pump.play.link_rate import (
 from viscodesign.pump.play.path import top_speed
 from viscodesign.pump.play.stream import OnStop, Stream, TickReport
 from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import (
     SIMULATED,
     BoardAddress,
     Confirm,
-    PumpSetup,
     Tell,
     connected,
-    pressure_gauges,
     unheard,
 )
 from viscodesign.pump.sessions.open_board import board_kind, boards
@@ -49,12 +43,12 @@ from viscodesign.pump.sessions.reports import (
     result_lines,
 )
 from viscodesign.pump.sessions.required_sensors import with_sensors
-from viscodesign.pump.sessions.tracking_error import TrackingError
-from viscodesign.scene.pump import PumpSpec as Settings
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 from viscodesign.storage.atomic_files import write_errors_as_usage
 
+TIP_COLUMNS = ("tip_x_m", "tip_z_m", "tip_angle_rad")
+"""Of the simulated actuator's tip, under the simulator's names."""
 OnTick = Callable[[TickReport], None]
 
 
@@ -84,28 +78,15 @@ def stream(
     rule or a request ended is a report with that status, not an exception; what does not begin
     raises `UsageError`, `SpecError` or `PumpError`.
     """
-    options = (rate, on_stop, achievable, without_sensor, progress)
-    session = StreamSession.prepare(scene, address, *options)
+    session = StreamSession(scene, address, rate, on_stop, achievable, without_sensor, progress)
     return session.perform(Path(folder), confirm=confirm, tell=tell, on_tick=on_tick, stop=stop)
 
 
-@dataclass
 class StreamSession:
     """One profile, planned and ready to be streamed to one board."""
 
-    scene: Scene
-    settings: Settings
-    plan: PumpPlan
-    address: BoardAddress
-    clock: Clock
-    rate: float
-    """[Hz]"""
-    on_stop: OnStop
-    tracking: TrackingError = field(default_factory=TrackingError)
-
-    @classmethod
-    def prepare(
-        cls,
+    def __init__(
+        self,
         scene: Scene,
         address: BoardAddress = SIMULATED,
         rate: float = 30.0,
@@ -113,14 +94,14 @@ class StreamSession:
         achievable: bool = False,
         without_sensor: bool = False,
         progress: Progress | None = None,
-    ) -> StreamSession:
+    ) -> None:
         """Check what was asked for, and plan it; opens no port. Arguments as for `stream`."""
-        _refuse_options(address.board, rate, on_stop)
-        scene = with_sensors(scene, simulated=address.simulated, without=without_sensor)
-        clock = address.clock()
-        plan = plan_pump(scene, progress=progress)
-        refuse_infeasible(plan, achievable)
-        return cls(scene, pump_of(scene), plan, address, clock, rate, on_stop)
+        _refuse_options(address, rate, on_stop)
+        self.scene = with_sensors(scene, simulated=address.simulated, without=without_sensor)
+        self.settings = pump_of(self.scene)
+        self.address, self.rate, self.on_stop = address, rate, on_stop
+        self.plan = plan_pump(self.scene, progress=progress)
+        refuse_infeasible(self.plan, achievable)
 
     def description(self) -> list[str]:
         """The plan, to be read before it is agreed to."""
@@ -129,31 +110,25 @@ class StreamSession:
         slow, fast = (torque_limit(pump, speed) for speed in speeds)
         at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
         plunger, (_, pressure) = motion_rows(course, pump, course.count)
-        return [
-            f"{self.address.label}to be played on the board {self.address.board}",
-            *aligned(
-                [
-                    (
-                        "plays",
-                        f"{self.plan.name}, {float(course.time[-1]) - course.lead_s:.4g} s at "
-                        f"{self.rate:g} Hz, after a lead-in of {course.lead_s:.3g} s",
-                    ),
-                    plunger,
-                    ("pressure", f"{pressure}; stops above {pump.max_pressure / 1e3:g} kPa"),
-                    (
-                        "torque",
-                        f"up to {course.stall_share.max():.0%} of stall; limited to "
-                        f"{slow / 1023:.0%} at rest (holds at most {at_rest:.0f} kPa) and "
-                        f"{fast / 1023:.0%} at top speed ({moving:.0f} kPa)",
-                    ),
-                    (
-                        "speed",
-                        f"up to {course.speed_share.max():.0%} of the speed left at that torque",
-                    ),
-                    ("on stop", self.on_stop),
-                ]
+        rows = [
+            (
+                "plays",
+                f"{self.plan.name}, {float(course.time[-1]) - course.lead_s:.4g} s at "
+                f"{self.rate:g} Hz, after a lead-in of {course.lead_s:.3g} s",
             ),
+            plunger,
+            ("pressure", f"{pressure}; stops above {pump.max_pressure / 1e3:g} kPa"),
+            (
+                "torque",
+                f"up to {course.stall_share.max():.0%} of stall; limited to "
+                f"{slow / 1023:.0%} at rest (holds at most {at_rest:.0f} kPa) and "
+                f"{fast / 1023:.0%} at top speed ({moving:.0f} kPa)",
+            ),
+            ("speed", f"up to {course.speed_share.max():.0%} of the speed left at that torque"),
+            ("on stop", self.on_stop),
         ]
+        heading = f"{self.address.label}to be played on the board {self.address.board}"
+        return [heading, *aligned(rows)]
 
     def perform(
         self,
@@ -169,22 +144,31 @@ class StreamSession:
             folder.mkdir(parents=True, exist_ok=True)
         address = replace(self.address, log=self.address.log or folder / "log.jsonl")
         plant = ActuatorPlant(self.scene) if address.simulated else None
-        setup = PumpSetup.of(self.scene)
-        with (
-            connected(address, self.clock, setup, plant, tell) as (board, log),
-            pressure_gauges(board, setup.pump, setup.ambient, self.plan.inlets) as gauges,
-        ):
-            pump = self.pump_on(board, gauges)
+        calibration = {
+            "home_counts": self.settings.home,
+            "travel_counts": list(self.settings.travel),
+        }
+        facts = {
+            "board": address.board,
+            "simulated": address.simulated,
+            "name": self.scene.name,
+            "spec_sha256": self.plan.spec_sha256,
+            "calibration": calibration,
+            "ambient_pressure_pa_abs": self.scene.ambient_pressure,
+        }
+        tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_COLUMNS)}
+        with connected(address, self.scene, plant, tell) as link, link.gauges() as gauges:
+            servos = self.plan.servos
+            switches = Switches.of(self.settings, servos)
+            pump = ServoPump(link.board, self.settings, servos, gauges, switches, link.clock)
             lines = self._connect(pump)
-            log.event("found", lines=lines, calibration=self._calibration())
+            link.log.event("found", lines=lines, calibration=calibration)
             address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
-            with stop_on_signals(stop) as request, self._record(folder, board, plant) as record:
-                return self._stream(pump, request, record, log, tell, on_tick)
-
-    def pump_on(self, board: Board, gauges: PressureReadings) -> ServoPump:
-        """The pump behind a board."""
-        switches = Switches.of(self.settings, self.plan.servos)
-        return ServoPump(board, self.settings, self.plan.servos, gauges, switches, self.clock)
+            with (
+                stop_on_signals(stop) as request,
+                recorded(folder / "record.csv", self.plan.inlets, facts, tip) as record,
+            ):
+                return self._stream(pump, request, record, link.log, tell, on_tick)
 
     def stream_on(self, pump: ServoPump, request: StopRequest, on_tick: OnTick) -> Stream:
         """The stream of this session, not begun."""
@@ -200,32 +184,16 @@ class StreamSession:
         The rate is lowered to what the link sustains.
         """
         servos = pump.connect()
-        trip = measure_round_trip(pump.look, self.clock)
+        trip = measure_round_trip(pump.look, pump.clock)
         self.rate, lowered = sustainable_rate(self.rate, trip)
         notes = [*([lowered] if lowered else []), *pump.gauges.zero()]
-        notes += _unmonitored(self.plan.inlets, pump.look()[1])
-        return [
-            *self.description(),
-            *found_lines(pump.identity, servos),
-            *notes,
-            *self.address.hints,
+        notes += [
+            f"{name} has no pressure sensor: only the torque limit protects it"
+            for name, pressure in zip(self.plan.inlets, pump.look()[1], strict=True)
+            if pressure is None
         ]
-
-    def _calibration(self) -> dict[str, Any]:
-        return {"home_counts": self.settings.home, "travel_counts": list(self.settings.travel)}
-
-    def _record(
-        self, folder: Path, board: Board, plant: ActuatorPlant | None
-    ) -> AbstractContextManager[Record]:
-        facts = {
-            "board": self.address.board,
-            "simulated": board.simulated,
-            "name": self.scene.name,
-            "spec_sha256": self.plan.spec_sha256,
-            "calibration": self._calibration(),
-            "ambient_pressure_pa_abs": self.scene.ambient_pressure,
-        }
-        return recorded(folder / "record.csv", self.plan.inlets, facts, _tip_columns(plant))
+        found = found_lines(pump.identity, servos)
+        return [*self.description(), *found, *notes, *self.address.hints]
 
     def _stream(
         self,
@@ -236,7 +204,21 @@ class StreamSession:
         tell: Tell,
         on_tick: OnTick | None,
     ) -> PlaybackReport:
-        stream = self.stream_on(pump, request, self._observer(record, log, on_tick))
+        def observe(tick: TickReport) -> None:
+            sample = tick.sample
+            record.add(tick.time, sample)
+            log.event(
+                "tick",
+                time_s=tick.time,
+                goals_counts=sample.next_goals,
+                positions_counts={s: state.position for s, state in sample.servos.items()},
+                pressure_pa_gauge=sample.pressure,
+                wanted_pa_gauge=sample.wanted,
+            )
+            if on_tick is not None:
+                on_tick(tick)
+
+        stream = self.stream_on(pump, request, observe)
         facts: dict[str, Any] = {}
         try:
             stream.play()
@@ -245,7 +227,7 @@ class StreamSession:
             result = stream.result
             facts["standing"] = [str(one) for one in result.standing]
             facts["ticks"] = stream.ticks.document()
-            facts["measured_against_plan"] = self.tracking.document()
+            facts["measured_against_plan"] = record.tracking_error()
             outcome = {
                 "reason": result.reason,
                 "rule": result.rule,
@@ -258,30 +240,12 @@ class StreamSession:
         kept = f"the record so far is in {record.path.parent}"
         return PlaybackReport(self.scene.name, result, facts, kept)
 
-    def _observer(self, record: Record, log: ByteLog, on_tick: OnTick | None) -> OnTick:
-        def observe(shown: TickReport) -> None:
-            sample = shown.sample
-            record.add(shown.time, sample)
-            self.tracking.update(shown)
-            log.event(
-                "tick",
-                time_s=shown.time,
-                goals_counts=sample.next_goals,
-                positions_counts={s: state.position for s, state in sample.servos.items()},
-                pressure_pa_gauge=sample.pressure,
-                wanted_pa_gauge=sample.wanted,
-            )
-            if on_tick is not None:
-                on_tick(shown)
 
-        return observe
-
-
-def _refuse_options(board: str, rate: float, on_stop: str) -> None:
-    if not board_kind(board).streams:
+def _refuse_options(address: BoardAddress, rate: float, on_stop: str) -> None:
+    if not board_kind(address.board).streams:
         able = ", ".join(name for name, kind in boards().items() if kind.streams)
         raise UsageError(
-            f"--board {board} takes no set-points in real time; those that do: {able}. "
+            f"--board {address.board} takes no set-points in real time; those that do: {able}. "
             "`pump upload` gives it a whole profile"
         )
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
@@ -289,16 +253,8 @@ def _refuse_options(board: str, rate: float, on_stop: str) -> None:
     if on_stop not in get_args(OnStop):
         allowed = ", ".join(get_args(OnStop))
         raise UsageError(f"--on-stop must be one of {allowed}; got {on_stop}")
+    address.clock()
 
 
-def _tip_columns(plant: ActuatorPlant | None) -> dict[str, Callable[[], float]]:
-    """The simulated actuator's tip, where there is one, under the simulator's names."""
-    if plant is None:
-        return {}
-    names = ("tip_x_m", "tip_z_m", "tip_angle_rad")
-    return {name: lambda k=k: float(plant.tip[k]) for k, name in enumerate(names)}  # type: ignore[misc]
-
-
-def _unmonitored(inlets: Sequence[str], pressure: Sequence[float | None]) -> list[str]:
-    blind = [name for name, value in zip(inlets, pressure, strict=True) if value is None]
-    return [f"{name} has no pressure sensor: only the torque limit protects it" for name in blind]
+def _tip(plant: ActuatorPlant, k: int) -> Callable[[], float]:
+    return lambda: float(plant.tip[k])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -13,29 +12,24 @@ from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.torque_limit import stalling_pressure, torque_limit
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.boards.base import Board
-from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.planning.plan import plan as plan_pump
-from viscodesign.pump.planning.result import PumpCourse, PumpPlan, refuse_infeasible
+from viscodesign.pump.planning.result import refuse_infeasible
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play.stream import StreamResult
 from viscodesign.pump.poses.c_header import poses_h
 from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
-from viscodesign.pump.poses.fit import PoseFit, fit_poses
-from viscodesign.pump.poses.fit_error import FitError, Tolerance, refuse_coarse
+from viscodesign.pump.poses.fit import fit_poses
+from viscodesign.pump.poses.fit_error import FitError, Tolerance
 from viscodesign.pump.poses.player import PosePlayer, by_servo, divided, playing_speed
-from viscodesign.pump.profile import Profile
-from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import (
     SIMULATED,
     BoardAddress,
     Confirm,
-    PumpSetup,
     Tell,
     connected,
     unheard,
+    unmonitored_pump,
 )
 from viscodesign.pump.sessions.open_board import board_kind
 from viscodesign.pump.sessions.reports import (
@@ -45,7 +39,6 @@ from viscodesign.pump.sessions.reports import (
     motion_rows,
     result_lines,
 )
-from viscodesign.scene.pump import PumpSpec as Settings
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -74,7 +67,7 @@ def upload(
     too coarse or the board does not answer.
     """
     refuse_board(address.board)
-    session = UploadSession.prepare(scene, tolerance, playback, achievable, progress)
+    session = UploadSession(scene, tolerance, playback, achievable, progress)
     return session.perform(address, confirm=confirm, tell=tell, stop=stop)
 
 
@@ -88,47 +81,39 @@ def refuse_board(name: str) -> None:
         )
 
 
-@dataclass(frozen=True)
 class UploadSession:
     """One profile, fitted and ready to be loaded."""
 
-    scene: Scene
-    settings: Settings
-    plan: PumpPlan
-    course: PumpCourse
-    lead: Profile
-    """From home to the start."""
-    fit: PoseFit
-    error: FitError
-    tolerance: Tolerance
-    playback: Playback
-
-    @classmethod
-    def prepare(
-        cls,
+    def __init__(
+        self,
         scene: Scene,
         tolerance: str = "1 kPa",
         playback: Playback = "none",
         achievable: bool = False,
         progress: Progress | None = None,
-    ) -> UploadSession:
+    ) -> None:
         """Plan and fit; opens no port. `PumpError` where the fit is too coarse."""
         if playback not in get_args(Playback):
-            allowed_words = ", ".join(get_args(Playback))
-            raise UsageError(f"playback must be one of {allowed_words}; got {playback!r}")
-        allowed, settings = Tolerance.of(tolerance), pump_of(scene)
-        plan = plan_pump(scene, progress=progress)
+            allowed = ", ".join(get_args(Playback))
+            raise UsageError(f"playback must be one of {allowed}; got {playback!r}")
+        self.scene, self.settings, self.playback = scene, pump_of(scene), playback
+        self.tolerance = Tolerance.of(tolerance)
+        self.plan = plan = plan_pump(scene, progress=progress)
         refuse_infeasible(plan, achievable)
-        course = plan.wanted if plan.is_feasible else plan.achievable
-        profile = by_servo(plan.profile(course))
-        lead, main = divided(profile, course.lead_s)
-        report = progress or (lambda part: None)
-        fit = fit_poses(main, loop=playback == "loop", travel=settings.travel, progress=report)
-        stiffness = [1e3 * plan.numbers[name]["kpa_per_count_fast"] for name in profile.inlets]
-        volume = plan.numbers[profile.inlets[0]]["volume_per_count_m3"]
-        error = FitError.of(fit, volume, stiffness)
-        refuse_coarse(fit, error, allowed)
-        return cls(scene, settings, plan, course, lead, fit, error, allowed, playback)
+        self.course = plan.wanted if plan.is_feasible else plan.achievable
+        profile = by_servo(plan.profile(self.course))
+        # The lead goes from home to the start.
+        self.lead, main = divided(profile, self.course.lead_s)
+        self.fit = fit_poses(
+            main,
+            loop=playback == "loop",
+            travel=self.settings.travel,
+            progress=progress or (lambda part: None),
+        )
+        numbers = [plan.numbers[name] for name in profile.inlets]
+        stiffness = [1e3 * each["kpa_per_count_fast"] for each in numbers]
+        self.error = FitError.of(self.fit, numbers[0]["volume_per_count_m3"], stiffness)
+        self.tolerance.refuse(self.fit, self.error)
 
     def description(self) -> list[str]:
         """What is about to be played, each number with its unit."""
@@ -176,8 +161,7 @@ class UploadSession:
 
     def header(self) -> str:
         """The text of `poses.h`, for a sketch that needs no computer."""
-        fit = self.fit
-        travel = f"{self.settings.travel[0]} to {self.settings.travel[1]} counts"
+        fit, (low, high) = self.fit, self.settings.travel
         return poses_h(
             fit.sequence,
             title=f"{self.scene.name}: poses for an ArbotiX",
@@ -186,7 +170,7 @@ class UploadSession:
                 "viscodesign": self.plan.version,
                 "duration": f"{fit.duration:.3f} s" + (" per round" if fit.looped else ""),
                 "largest error": str(self.error),
-                "travel": f"{travel}, home {self.settings.home}",
+                "travel": f"{low} to {high} counts, home {self.settings.home}",
             },
             torque_limit=torque_limit(self.settings),
             moving_speed=playing_speed(fit),
@@ -199,54 +183,43 @@ class UploadSession:
         *,
         confirm: Confirm | None = None,
         tell: Tell = unheard,
-        on_round: Progress | None = None,
+        on_round: Progress = lambda part: None,
         stop: StopRequest | None = None,
     ) -> PlaybackReport:
         """Connect, ask, load, go to the start, play, come to rest.
 
         ``on_round`` is given the part of the round that has been played.
         """
-        clock, setup = address.clock(), PumpSetup.of(self.scene)
         plant = ActuatorPlant(self.scene) if address.simulated else None
-        with connected(address, clock, setup, plant, tell, poses=True) as (board, log):
-            pump = self.pump_on(board, clock)
+        with connected(address, self.scene, plant, tell, poses=True) as link:
+            pump = unmonitored_pump(link.board, self.settings, self.lead.servos, link.clock)
             servos = pump.connect()
             lines = [*self.description(), *found_lines(pump.identity, servos)]
-            log.event("found", lines=lines, fit=self.document())
+            link.log.event("found", lines=lines, fit=self.document())
             if self.playback == "none":
                 tell("\n".join(lines))
             else:
                 address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
             with stop_on_signals(stop) as request:
-                result = self._play(pump, request, tell, on_round)
+                round_s = self.fit.duration
+                result = self.play_on(
+                    pump, request, tell, lambda elapsed: on_round(elapsed % round_s / round_s)
+                )
             if result is not None:
-                log.event("ended", status=result.status, reason=result.reason)
+                link.log.event("ended", status=result.status, reason=result.reason)
                 if result.status != "complete":
                     tell("\n".join(result_lines(result)))
             return PlaybackReport(self.scene.name, result, self.document())
 
-    def pump_on(self, board: Board, clock: Clock) -> ServoPump:
-        """The pump behind a board that reads neither sensors nor switches."""
-        servos = self.lead.servos
-        nothing = PressureReadings([None] * len(servos), self.scene.ambient_pressure)
-        return ServoPump(board, self.settings, servos, nothing, Switches({}), clock)
-
-    def player_on(
+    def play_on(
         self, pump: ServoPump, request: StopRequest, tell: Tell, see: Callable[[float], None]
-    ) -> PosePlayer:
-        """What plays the poses on a connected pump; ``see`` is given the time so far [s]."""
-        board = pump.board
-        assert isinstance(board, Arbotix)  # as `refuse_board` sees to
-        return PosePlayer(pump, board, self.fit, request, tell, see)
-
-    def _play(
-        self, pump: ServoPump, request: StopRequest, tell: Tell, on_round: Progress | None
     ) -> StreamResult | None:
-        def see(elapsed: float) -> None:
-            if on_round is not None:
-                on_round(elapsed % self.fit.duration / self.fit.duration)
+        """Load the poses on a connected pump and play them, unless they are to be loaded only.
 
-        player = self.player_on(pump, request, tell, see)
+        ``see`` is given the time that has been played [s].
+        """
+        assert isinstance(pump.board, Arbotix)  # as `refuse_board` sees to
+        player = PosePlayer(pump, pump.board, self.fit, request, tell, see)
         player.load()
         if self.playback == "none":
             return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ import pytest
 from tests.pose_rig import swing
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.pump.poses.fit import PoseFit, fit_poses
-from viscodesign.pump.poses.fit_error import FitError, Tolerance, refuse_coarse
+from viscodesign.pump.poses.fit_error import FitError, Tolerance
 
 ERROR = FitError(counts=2.0, volume=0.145e-6, pressure=800.0)
 
@@ -42,8 +43,9 @@ def test_the_error_is_the_largest_of_all_plungers(fit: PoseFit) -> None:
         ("1 count", False),
     ],
 )
-def test_tolerances_are_read_with_their_units(text: str, allows: bool) -> None:
-    assert Tolerance.of(text).allows(ERROR) is allows
+def test_tolerances_are_read_with_their_units(text: str, allows: bool, fit: PoseFit) -> None:
+    with nullcontext() if allows else pytest.raises(PumpError, match=f"--tolerance is {text}"):
+        Tolerance.of(text).refuse(fit, ERROR)
 
 
 @pytest.mark.parametrize(
@@ -55,9 +57,9 @@ def test_a_text_that_is_no_tolerance_is_refused_with_examples(text: str) -> None
 
 
 def test_a_coarse_fit_is_refused_with_a_remedy(fit: PoseFit) -> None:
-    refuse_coarse(fit, ERROR, Tolerance.of("1 kPa"))
+    Tolerance.of("1 kPa").refuse(fit, ERROR)
     with pytest.raises(PumpError) as told:
-        refuse_coarse(fit, ERROR, Tolerance.of("0.1 kPa"))
+        Tolerance.of("0.1 kPa").refuse(fit, ERROR)
     for words in ("2.00 counts, 0.145 mL, up to 0.8 kPa", "--tolerance is 0.1 kPa", "pump stream"):
         assert words in str(told.value)
 
@@ -69,4 +71,4 @@ def test_an_open_loop_is_refused_with_its_gap() -> None:
     # It cannot be at both ends at once: half of the gap is the least.
     assert fit.largest_error == pytest.approx(40.0, abs=2.0)
     with pytest.raises(PumpError, match=r"ends 80\.0 counts from where it begins"):
-        refuse_coarse(fit, ERROR, Tolerance.of("1 counts"))
+        Tolerance.of("1 counts").refuse(fit, ERROR)

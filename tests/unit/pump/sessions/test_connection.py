@@ -6,14 +6,17 @@ from pathlib import Path
 
 import pytest
 
-from tests.pumps import bench, pump, stepped
+from tests.pumps import bench
 from tests.rig.bus import BusAdapter
 from tests.rig.pty import PtyServer
-from viscodesign.errors import PumpError, UsageError
+from tests.scenes import leg
+from viscodesign.errors import PumpError, SpecError, UsageError
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus.clock import WallClock
-from viscodesign.pump.sessions.connection import BoardAddress, PumpSetup, connected
+from viscodesign.pump.sessions.connection import BoardAddress, connected
 from viscodesign.pump.sessions.open_board import boards
+
+SCENE = leg("pump.sensor=null", config="leg_16_pump")
 
 
 def test_the_catalogue_is_the_folder() -> None:
@@ -21,8 +24,8 @@ def test_the_catalogue_is_the_folder() -> None:
 
 
 def test_the_simulated_board_opens_without_a_port() -> None:
-    with connected(BoardAddress("simulated"), stepped(), PumpSetup(pump())) as (board, _log):
-        assert board.identify().startswith("simulated, nothing real moves")
+    with connected(BoardAddress("simulated", pace="max")) as link:
+        assert link.board.identify().startswith("simulated, nothing real moves")
 
 
 @pytest.mark.parametrize(
@@ -38,32 +41,30 @@ def test_the_simulated_board_opens_without_a_port() -> None:
 def test_missing_and_superfluous_options_are_refused(
     name: str, port: str | None, baud: int | None, words: str
 ) -> None:
-    opening = connected(BoardAddress(name, port, baud), stepped(), PumpSetup(pump()))
-    with pytest.raises(UsageError, match=words), opening:
+    with pytest.raises(UsageError, match=words), connected(BoardAddress(name, port, baud), SCENE):
         pass
 
 
 def test_the_simulated_board_needs_a_pump() -> None:
-    opening = connected(BoardAddress("simulated"), stepped(), PumpSetup(None))
-    with pytest.raises(UsageError, match="pump:"), opening:
+    with pytest.raises(SpecError, match="pump:"), connected(BoardAddress("simulated"), leg()):
         pass
 
 
 def test_a_board_on_a_port(tmp_path: Path) -> None:
     with PtyServer(BusAdapter(bench(1)), WallClock()) as server:
         address = BoardAddress("dynamixel", server.port, log=tmp_path / "log.jsonl")
-        with connected(address, WallClock(), PumpSetup(pump())) as (board, _log):
-            assert isinstance(board, Dynamixel)
-            board.wire.patience = 1.0
-            assert "AX-18A" in board.identify()
+        with connected(address, SCENE) as link:
+            assert isinstance(link.board, Dynamixel)
+            link.board.wire.patience = 1.0
+            assert "AX-18A" in link.board.identify()
         with pytest.raises(PumpError):
-            board.read(1, 0, 2)
+            link.board.read(1, 0, 2)
     text = (tmp_path / "log.jsonl").read_text()
     assert '"kind": "opened"' in text
     assert "ff ff 01 04 02 00 03" in text
 
 
 def test_a_supply_beyond_the_register_does_not_crash() -> None:
-    setup = PumpSetup(pump(supply_voltage=230.0))
-    with connected(BoardAddress("simulated"), stepped(), setup) as (board, _log):
-        assert board.identify().startswith("simulated")
+    scene = leg("pump.supply_voltage=230 V", config="leg_16_pump")
+    with connected(BoardAddress("simulated", pace="max"), scene) as link:
+        assert link.board.identify().startswith("simulated")
