@@ -9,10 +9,10 @@ import pandas as pd
 import pytest
 
 from viscodesign.cli import confirm as _confirm
+from viscodesign.pump.play import link_rate
 from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.link_rate import RoundTrip
 from viscodesign.pump.play.stream import RecordingError
-from viscodesign.pump.sessions import streaming
 from viscodesign.pump.sessions.record_file import Record
 
 from .conftest import CONFIGS, Call
@@ -220,7 +220,7 @@ def test_a_slow_adapter_is_reported_before_anything_moves(
 
 def slow_link(monkeypatch: pytest.MonkeyPatch, seconds: float) -> None:
     measured = RoundTrip(seconds, seconds)
-    monkeypatch.setattr(streaming, "measure_round_trip", lambda read, clock: measured)
+    monkeypatch.setattr(link_rate, "measure_round_trip", lambda read, clock: measured)
 
 
 def test_a_slow_link_lowers_the_rate_with_a_notice(

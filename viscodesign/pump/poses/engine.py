@@ -7,12 +7,12 @@ goals. Slow moves therefore end early, and a wait lasts one frame, unless a serv
 there (the phantom) has a long way to go in each move.
 
 Source: vanadiumlabs/arbotix, libraries/Bioloid/BioloidController.cpp, interpolateSetup and
-interpolateStep, whose 16 bit arithmetic on the ATmega644P is followed here.
+interpolateStep. Its integers have 16 bits on the ATmega644P; no move that is sent overflows them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,8 +27,6 @@ EIGHTHS = 8
 LONGEST_MS = 2**15 - 1
 """Of a move; the time is a signed number of 16 bits."""
 MOST_FRAMES = LONGEST_MS // FRAME_MS + 1
-UNREAD = -1
-"""Count that the engine holds for a servo which did not answer."""
 PHANTOM = 1000
 """Counts that the phantom goes to and from."""
 MOST_POSES = 30
@@ -60,10 +58,8 @@ class PoseSequence:
 
 
 def frames_asked(ms: int) -> int:
-    """Frames F that a time stands for, as the firmware's 16 bits have it."""
-    signed = (ms + 2**15) % 2**16 - 2**15
-    toward_zero = abs(signed) // FRAME_MS * (1 if signed >= 0 else -1)
-    return (toward_zero + 1) % 2**16
+    """Frames F that a time stands for."""
+    return ms // FRAME_MS + 1
 
 
 def time_asking(frames: int) -> int:
@@ -89,38 +85,14 @@ EXACT_FRAMES = tuple(
 
 
 def play(sequence: PoseSequence, start: Sequence[int]) -> np.ndarray:
-    """Positions (frames, servos) [1/8 count] at the end of each frame, frame by frame.
-
-    ``start``: counts that the servos were read at, or `UNREAD`. Raises `PumpError` where the
-    firmware would never end.
-    """
-    here = _position(start)
-    rows: list[np.ndarray] = []
-    for number, (move, goal) in enumerate(zip(sequence.moves, sequence.goals(), strict=True), 1):
-        target = _position(goal)
-        rows += _frames(here, target, frames_asked(move.ms))
-        here = rows[-1]
-        if (here != target).any():
-            raise PumpError(f"move {number} of the sequence would never end on the board")
-    return np.stack(rows).astype(int)
-
-
-def _position(counts: Sequence[int]) -> np.ndarray:
-    return (EIGHTHS * np.array(counts)).astype(np.uint16)
-
-
-def _frames(here: np.ndarray, goal: np.ndarray, frames: int) -> Iterator[np.ndarray]:
-    """Positions at the end of each frame of one move; ends early where it would not end."""
-    distance = np.where(goal > here, goal - here, here - goal)
-    # Dividing by zero gives all ones there.
-    quotient = distance // np.uint16(frames) if frames else np.full_like(here, 2**16 - 1)
-    step = (quotient + np.uint16(1)).astype(np.int16)
-    seen: set[bytes] = set()
-    arrived = False
-    while not arrived and here.tobytes() not in seen:
-        seen.add(here.tobytes())
-        ahead = (goal - here).astype(np.int16)
-        near = (ahead == 0) | (np.abs(ahead) < step)
-        here = np.where(near, goal, here + (np.sign(ahead) * step).astype(np.uint16))
-        arrived = bool(near.all())
-        yield here
+    """Positions (frames, servos) [1/8 count] at the end of each frame, from a start [counts]."""
+    here, rows = np.array(start), []
+    for move, goal in zip(sequence.moves, sequence.goals(), strict=True):
+        way = EIGHTHS * (np.array(goal) - here)
+        distance = np.abs(way)
+        step = distance // frames_asked(move.ms) + 1
+        frames = int(np.max(np.where(distance > 0, distance // step + 1, 1)))
+        gone = np.minimum(step * np.arange(1, frames + 1)[:, None], distance)
+        rows.append(EIGHTHS * here + np.sign(way) * gone)
+        here = np.array(goal)
+    return np.concatenate(rows)

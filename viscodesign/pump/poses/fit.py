@@ -19,7 +19,6 @@ from viscodesign.pump.poses.engine import (
     MOST_MOVES,
     MOST_POSES,
     PHANTOM,
-    UNREAD,
     Move,
     PoseSequence,
     frames_asked,
@@ -175,10 +174,10 @@ def _measured(profile: Profile, sequence: PoseSequence, loop: bool) -> PoseFit:
     The profile begins when the first entry is done. The entry that opens the next round of a
     loop is the last piece of this one.
     """
-    first, start = sequence.moves[:1], (*sequence.poses[0][:-1], UNREAD)
-    begun = len(play(PoseSequence(sequence.poses, first), start))
-    moves = sequence.moves + (first if loop else ())
-    counts = play(PoseSequence(sequence.poses, moves), start)[begun - 1 :, :-1] // EIGHTHS
+    # The servos are at the first pose already: the first entry lasts one frame.
+    moves = sequence.moves + (sequence.moves[:1] if loop else ())
+    program = PoseSequence(sequence.poses, moves)
+    counts = play(program, sequence.poses[0])[:, :-1] // EIGHTHS
     frames = len(counts) - 1
     instants = np.arange(frames + 1) * FRAME
     pace = profile.duration / (frames * FRAME) if loop else 1.0

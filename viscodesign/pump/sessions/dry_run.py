@@ -16,12 +16,7 @@ from viscodesign.pump.bus.packets import Instruction, shown
 from viscodesign.pump.bus.recording_line import RecordingLine
 from viscodesign.pump.bus.transactions import ARBOTIX
 from viscodesign.pump.play.stream import OnStop
-from viscodesign.pump.sessions.connection import (
-    SIMULATED,
-    BoardAddress,
-    unheard,
-    unmonitored_pump,
-)
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, unheard, unmonitored_pump
 from viscodesign.pump.sessions.open_board import board_kind, simulated_line
 from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession

@@ -10,13 +10,7 @@ from typing import Any
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.ax.listen import listen
-from viscodesign.pump.sessions.connection import (
-    SIMULATED,
-    BoardAddress,
-    Tell,
-    connected,
-    unheard,
-)
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, Tell, connected, unheard
 from viscodesign.pump.sessions.record_file import recorded
 from viscodesign.scene.scene import Scene
 

@@ -16,15 +16,11 @@ from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.result import refuse_infeasible
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-from viscodesign.pump.play.link_rate import (
-    HIGHEST_RATE,
-    LOWEST_RATE,
-    measure_round_trip,
-    sustainable_rate,
-)
+from viscodesign.pump.play import link_rate
 from viscodesign.pump.play.path import top_speed
 from viscodesign.pump.play.stream import OnStop, Stream, TickReport
 from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sessions import reports
 from viscodesign.pump.sessions.connection import (
     SIMULATED,
     BoardAddress,
@@ -35,13 +31,7 @@ from viscodesign.pump.sessions.connection import (
 )
 from viscodesign.pump.sessions.open_board import board_kind, boards
 from viscodesign.pump.sessions.record_file import Record, recorded
-from viscodesign.pump.sessions.reports import (
-    PlaybackReport,
-    aligned,
-    found_lines,
-    motion_rows,
-    result_lines,
-)
+from viscodesign.pump.sessions.reports import PlaybackReport
 from viscodesign.pump.sessions.required_sensors import with_sensors
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
@@ -109,7 +99,7 @@ class StreamSession:
         speeds = (0.0, top_speed(self.plan.profile(course)))
         slow, fast = (torque_limit(pump, speed) for speed in speeds)
         at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
-        plunger, (_, pressure) = motion_rows(course, pump, course.count)
+        plunger, (_, pressure) = reports.motion_rows(course, pump, course.count)
         rows = [
             (
                 "plays",
@@ -128,7 +118,7 @@ class StreamSession:
             ("on stop", self.on_stop),
         ]
         heading = f"{self.address.label}to be played on the board {self.address.board}"
-        return [heading, *aligned(rows)]
+        return [heading, *reports.aligned(rows)]
 
     def perform(
         self,
@@ -184,15 +174,15 @@ class StreamSession:
         The rate is lowered to what the link sustains.
         """
         servos = pump.connect()
-        trip = measure_round_trip(pump.look, pump.clock)
-        self.rate, lowered = sustainable_rate(self.rate, trip)
+        trip = link_rate.measure_round_trip(pump.look, pump.clock)
+        self.rate, lowered = link_rate.sustainable_rate(self.rate, trip)
         notes = [*([lowered] if lowered else []), *pump.gauges.zero()]
         notes += [
             f"{name} has no pressure sensor: only the torque limit protects it"
             for name, pressure in zip(self.plan.inlets, pump.look()[1], strict=True)
             if pressure is None
         ]
-        found = found_lines(pump.identity, servos)
+        found = reports.found_lines(pump.identity, servos)
         return [*self.description(), *found, *notes, *self.address.hints]
 
     def _stream(
@@ -235,7 +225,7 @@ class StreamSession:
             }
             log.event("ended", status=result.status, **outcome, **facts)
             if result.status != "complete":
-                tell("\n".join(result_lines(result)))
+                tell("\n".join(reports.result_lines(result)))
             record.state(result.status, **outcome, **facts)
         kept = f"the record so far is in {record.path.parent}"
         return PlaybackReport(self.scene.name, result, facts, kept)
@@ -248,8 +238,9 @@ def _refuse_options(address: BoardAddress, rate: float, on_stop: str) -> None:
             f"--board {address.board} takes no set-points in real time; those that do: {able}. "
             "`pump upload` gives it a whole profile"
         )
-    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-        raise UsageError(f"--rate must be {LOWEST_RATE:g} to {HIGHEST_RATE:g} Hz; got {rate:g}")
+    low, high = link_rate.LOWEST_RATE, link_rate.HIGHEST_RATE
+    if not low <= rate <= high:
+        raise UsageError(f"--rate must be {low:g} to {high:g} Hz; got {rate:g}")
     if on_stop not in get_args(OnStop):
         allowed = ", ".join(get_args(OnStop))
         raise UsageError(f"--on-stop must be one of {allowed}; got {on_stop}")

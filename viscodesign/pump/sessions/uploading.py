@@ -22,6 +22,7 @@ from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import fit_poses
 from viscodesign.pump.poses.fit_error import FitError, Tolerance
 from viscodesign.pump.poses.player import PosePlayer, by_servo, divided, playing_speed
+from viscodesign.pump.sessions import reports
 from viscodesign.pump.sessions.connection import (
     SIMULATED,
     BoardAddress,
@@ -32,13 +33,7 @@ from viscodesign.pump.sessions.connection import (
     unmonitored_pump,
 )
 from viscodesign.pump.sessions.open_board import board_kind
-from viscodesign.pump.sessions.reports import (
-    PlaybackReport,
-    aligned,
-    found_lines,
-    motion_rows,
-    result_lines,
-)
+from viscodesign.pump.sessions.reports import PlaybackReport
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -123,7 +118,7 @@ class UploadSession:
         pace = f"per round, until halted{drift}" if fit.looped else "once"
         rows = [
             ("plays", f"{self.scene.name}, {fit.duration:.4g} s {pace}"),
-            *motion_rows(course, self.settings, counts),
+            *reports.motion_rows(course, self.settings, counts),
             (
                 "torque",
                 f"up to {course.stall_share.max():.0%} of stall; limited to {limit / 1023:.0%}, "
@@ -140,7 +135,7 @@ class UploadSession:
                 "switch, and a move cannot be interrupted",
             ),
         ]
-        return aligned(rows)
+        return reports.aligned(rows)
 
     def document(self) -> dict[str, Any]:
         """The same for a program."""
@@ -194,7 +189,7 @@ class UploadSession:
         with connected(address, self.scene, plant, tell, poses=True) as link:
             pump = unmonitored_pump(link.board, self.settings, self.lead.servos, link.clock)
             servos = pump.connect()
-            lines = [*self.description(), *found_lines(pump.identity, servos)]
+            lines = [*self.description(), *reports.found_lines(pump.identity, servos)]
             link.log.event("found", lines=lines, fit=self.document())
             if self.playback == "none":
                 tell("\n".join(lines))
@@ -208,7 +203,7 @@ class UploadSession:
             if result is not None:
                 link.log.event("ended", status=result.status, reason=result.reason)
                 if result.status != "complete":
-                    tell("\n".join(result_lines(result)))
+                    tell("\n".join(reports.result_lines(result)))
             return PlaybackReport(self.scene.name, result, self.document())
 
     def play_on(

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.pose_law import UNREAD, frames_in_16_bits, frames_of_moves, play_in_16_bits
 from viscodesign.errors import PumpError
 from viscodesign.pump.poses.engine import (
     EIGHTHS,
@@ -17,7 +16,6 @@ from viscodesign.pump.poses.engine import (
     LONGEST_MS,
     MOST_FRAMES,
     PHANTOM,
-    UNREAD,
     Move,
     PoseSequence,
     frames_asked,
@@ -31,18 +29,6 @@ def sequence(*moves: tuple[tuple[int, ...], int]) -> PoseSequence:
     """Goals and times [ms], each with a pose of its own."""
     poses = tuple(goals for goals, _ in moves)
     return PoseSequence(poses, tuple(Move(index, ms) for index, (_, ms) in enumerate(moves)))
-
-
-def frames_of_moves(sequence: PoseSequence, start: Sequence[int]) -> list[int]:
-    """Frames that each move lasts, in closed form; the start [counts] has to be read."""
-    taken, here = [], tuple(start)
-    for move, goal in zip(sequence.moves, sequence.goals(), strict=True):
-        frames = frames_asked(move.ms)
-        taken.append(
-            max(frames_taken(EIGHTHS * abs(b - a), frames) for a, b in zip(here, goal, strict=True))
-        )
-        here = goal
-    return taken
 
 
 def servos(number: int) -> st.SearchStrategy[tuple[int, ...]]:
@@ -62,6 +48,7 @@ def played(draw: st.DrawFn) -> tuple[PoseSequence, tuple[int, ...]]:
 def test_closed_form_and_frames_agree(case: tuple[PoseSequence, tuple[int, ...]]) -> None:
     program, start = case
     rows = play(program, start)
+    assert np.array_equal(rows, play_in_16_bits(program, start))
     assert len(rows) == sum(frames_of_moves(program, start))
     ends = np.cumsum(frames_of_moves(program, start)) - 1
     assert rows[ends].tolist() == [[EIGHTHS * count for count in goal] for goal in program.goals()]
@@ -88,6 +75,7 @@ def test_no_servo_takes_longer_than_asked(distance: int, frames: int) -> None:
 @given(st.integers(1, MOST_FRAMES))
 def test_a_time_asks_for_its_frames(frames: int) -> None:
     assert frames_asked(time_asking(frames)) == frames
+    assert frames_in_16_bits(time_asking(frames)) == frames
 
 
 # Measured on the original firmware's image in an AVR emulator: 2.7 s and one frame.
@@ -125,7 +113,7 @@ def test_the_phantom_holds_all_short_times_and_few_of_the_long_ones() -> None:
 
 
 def test_a_time_of_sixteen_bits_that_overflows_goes_at_the_slowest_speed() -> None:
-    rows = play(sequence(((110,), LONGEST_MS + 1)), (100,))
+    rows = play_in_16_bits(sequence(((110,), LONGEST_MS + 1)), (100,))
     assert len(rows) == EIGHTHS * 10 + 1
 
 
@@ -137,19 +125,19 @@ def test_times_that_the_board_does_not_take_are_refused(frames: int) -> None:
 
 @pytest.mark.parametrize("frames", [2, 3, 30, MOST_FRAMES])
 def test_a_phantom_that_was_never_read_is_there_in_one_frame(frames: int) -> None:
-    assert len(play(sequence(((300, 0), time_asking(frames))), (300, UNREAD))) == 1
+    assert len(play_in_16_bits(sequence(((300, 0), time_asking(frames))), (300, UNREAD))) == 1
 
 
 def test_a_first_entry_of_one_frame_would_wander_for_minutes() -> None:
     """Its step overflows to -7: away from the goal, until the difference overflows too."""
-    rows = play(sequence(((300, 0), time_asking(1))), (300, UNREAD))
+    rows = play_in_16_bits(sequence(((300, 0), time_asking(1))), (300, UNREAD))
     assert len(rows) * FRAME > 150
 
 
 def test_a_move_without_a_step_is_told_to_be_endless() -> None:
     with pytest.raises(PumpError, match="move 1 of the sequence would never end"):
-        play(sequence(((300,), 2**16 - 40)), (200,))
+        play_in_16_bits(sequence(((300,), 2**16 - 40)), (200,))
 
 
 def test_a_servo_that_was_never_read_jumps_to_its_goal() -> None:
-    assert play(sequence(((300,), time_asking(2))), (UNREAD,)).tolist() == [[2400]]
+    assert play_in_16_bits(sequence(((300,), time_asking(2))), (UNREAD,)).tolist() == [[2400]]

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.pose_law import UNREAD, play_in_16_bits
 from viscodesign.errors import PumpError
 from viscodesign.pump.poses.engine import (
     EIGHTHS,
@@ -14,7 +15,6 @@ from viscodesign.pump.poses.engine import (
     MOST_MOVES,
     MOST_POSES,
     PHANTOM,
-    UNREAD,
     Move,
     PoseSequence,
     frames_taken,
@@ -56,7 +56,7 @@ def played_error(wanted: Profile, fit: PoseFit) -> float:
     """Largest error, by another way: seen at a fine grid of times, and at all corners."""
     start = (*fit.sequence.goals()[0][:-1], UNREAD)
     moves = fit.sequence.moves * (2 if fit.looped else 1)
-    rows = play(PoseSequence(fit.sequence.poses, moves), start)
+    rows = play_in_16_bits(PoseSequence(fit.sequence.poses, moves), start)
     # Of a loop the last round: its last frame is that of its opening entry.
     counts = rows[:, :-1] // EIGHTHS
     counts = counts[-fit.frames - 1 :] if not fit.looped else _one_round(counts, fit)
