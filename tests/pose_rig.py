@@ -17,7 +17,7 @@ from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.packets import Instruction, Packet
 from viscodesign.pump.play.stream import StreamResult
 from viscodesign.pump.poses.fit import PoseFit, fit_poses
-from viscodesign.pump.poses.player import PosePlayer, divided
+from viscodesign.pump.poses.player import PosePlayer, split_at
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
@@ -99,7 +99,7 @@ class PoseRig:
         """Connected, loaded and at the start."""
         self.pump.connect()
         self.player.load()
-        ending = self.player.approach(divided(self.wanted, 0.0)[0])
+        ending = self.player.approach(split_at(self.wanted, 0.0)[0])
         assert ending.status == "complete", ending.reason
         self.bench.goals.clear()
 

@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from viscodesign.pump.sessions.calibrating import calibrate as calibrate
     from viscodesign.pump.sessions.connection import BoardAddress as BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse as rehearse
+    from viscodesign.pump.sessions.inspecting import record as record
     from viscodesign.pump.sessions.inspecting import status as status
     from viscodesign.pump.sessions.inspecting import stop as stop
-    from viscodesign.pump.sessions.recording import record as record
     from viscodesign.pump.sessions.streaming import stream as stream
     from viscodesign.pump.sessions.uploading import upload as upload
 
@@ -38,7 +38,7 @@ _HOMES = {
     "calibrate": ".sessions.calibrating",
     "plan": ".planning.plan",
     "ports": ".bus.ports",
-    "record": ".sessions.recording",
+    "record": ".sessions.inspecting",
     "rehearse": ".sessions.dry_run",
     "status": ".sessions.inspecting",
     "stop": ".sessions.inspecting",

@@ -33,7 +33,7 @@ Log = Annotated[
 ]
 Yes = Annotated[bool, typer.Option("--yes", "-y", help="Move without asking.")]
 DryRun = Annotated[
-    bool, typer.Option("--dry-run", help="Say what would be done; open no port, move nothing.")
+    bool, typer.Option("--dry-run", help="Show what would be done; open no port, move nothing.")
 ]
 Pace = Annotated[
     str,
@@ -47,7 +47,8 @@ OptionalSpec = Annotated[
     Path | None, typer.Argument(metavar="[SPEC]", help="Names servos, sensors and switches.")
 ]
 Achievable = Annotated[
-    bool, typer.Option("--achievable", help="Play what the pump can do where it cannot do all.")
+    bool,
+    typer.Option("--achievable", help="Play the achievable part of a profile beyond the pump."),
 ]
 Force = Annotated[bool, typer.Option("--force", help="Overwrite files that exist.")]
 

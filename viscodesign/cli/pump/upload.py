@@ -47,7 +47,11 @@ def command(
     ] = None,
     picture: Annotated[
         Path | None,
-        typer.Option("--picture", metavar="FILE", help="Draw wanted, played and error, as PNG."),
+        typer.Option(
+            "--picture",
+            metavar="FILE",
+            help="Plot requested and played motion, as PNG.",
+        ),
     ] = None,
     force: Force = False,
     achievable: Achievable = False,
@@ -97,7 +101,7 @@ def command(
         document |= report.document()
         lines = [] if report.result else [VOLATILE]
     if export is not None:
-        lines.append("a sketch that plays the header stands in its first lines")
+        lines.append("the header's first lines show a sketch that plays it")
     lines += [f"written: {file}" for file in files]
     if json:
         say(json_text(document))

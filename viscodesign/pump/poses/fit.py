@@ -1,6 +1,6 @@
-"""A profile as poses and moves of the ArbotiX: the closest that its limits allow.
+"""The closest fit of poses and moves to a profile that the ArbotiX's limits allow.
 
-The tolerance band around the profile is narrowed until the moves there are find no path
+The tolerance band around the profile is narrowed until no path with that many moves fits
 through it; the stated error is measured afterwards, by playing the poses by the engine's law.
 """
 
@@ -32,12 +32,12 @@ from viscodesign.pump.profile import Profile
 
 @dataclass(frozen=True)
 class FitNumbers:
-    """How the margin around a profile is narrowed."""
+    """Margins that are tried around a profile."""
 
     finest: float = 0.5
-    """Margin below which whole counts cannot follow any slope [counts]."""
+    """The narrowest margin [counts]; within less, whole counts cannot follow a slope."""
     ratio: float = 1.04
-    """Between the margins that are tried."""
+    """Between successive margins."""
     margins: int = 197
     """How many there are; the last is wider than all counts."""
     most_frames: int = 10_000
@@ -49,20 +49,20 @@ FIT = FitNumbers()
 
 @dataclass(frozen=True)
 class PoseFit:
-    """What the board plays, and how far that is from the profile."""
+    """What the board plays, and how closely it follows the profile."""
 
     sequence: PoseSequence
     looped: bool
     frames: int
     """From the start of the profile to its end, or of one round."""
-    wanted_duration: float
+    requested_duration: float
     """[s]"""
     time: np.ndarray
-    """(T,) instants at which either of both has a corner [s]."""
-    wanted: np.ndarray
+    """(T,) times at which either has a corner [s]."""
+    requested: np.ndarray
     """(T, P) counts; of a loop, at the pace that fills whole frames."""
     played: np.ndarray
-    """(T, P) counts that the servos are sent, straight between frames."""
+    """(T, P) counts sent to the servos, linear between frames."""
 
     @property
     def duration(self) -> float:
@@ -82,8 +82,8 @@ class PoseFit:
 
     @property
     def error(self) -> np.ndarray:
-        """(T, P) played less wanted [counts]."""
-        error: np.ndarray = self.played - self.wanted
+        """(T, P) played minus requested [counts]."""
+        error: np.ndarray = self.played - self.requested
         return error
 
     @property
@@ -137,15 +137,15 @@ def _bounds(
     these bounds in both frames is within it of the profile all the path.
     """
     instants = np.arange(frames + 1) * frame
-    wanted = np.interp(instants, time, counts)
+    chord = np.interp(instants, time, counts)
     place = np.searchsorted(instants, time, side="right") - 1
     inside = (place >= 0) & (place < frames)
-    bumps = (counts - np.interp(time, instants, wanted))[inside]
+    bumps = (counts - np.interp(time, instants, chord))[inside]
     up, down = np.zeros(frames + 1), np.zeros(frames + 1)
     for end in (0, 1):
         np.maximum.at(up, place[inside] + end, bumps)
         np.minimum.at(down, place[inside] + end, bumps)
-    return wanted + down, wanted + up
+    return chord + down, chord + up
 
 
 def _poses(path: Sequence[Vertex]) -> list[tuple[int, ...]]:
@@ -187,8 +187,8 @@ def _measured(profile: Profile, sequence: PoseSequence, loop: bool) -> PoseFit:
         sequence=sequence,
         looped=loop,
         frames=frames,
-        wanted_duration=profile.duration,
+        requested_duration=profile.duration,
         time=time,
-        wanted=np.stack([np.interp(time * pace, profile.time, c) for c in profile.counts.T], -1),
+        requested=np.stack([np.interp(time * pace, profile.time, c) for c in profile.counts.T], -1),
         played=np.stack([np.interp(time, instants, c) for c in counts.T], -1),
     )

@@ -91,7 +91,7 @@ _READERS: dict[Literal["counts", "volume", "pressure"], Callable[[str], float]] 
 
 
 def _remedy(fit: PoseFit) -> str:
-    gap = float(np.max(np.abs(fit.wanted[-1] - fit.wanted[0])))
+    gap = float(np.max(np.abs(fit.requested[-1] - fit.requested[0])))
     if fit.looped and gap > 1.0:
         return (
             f"The profile ends {gap:.1f} counts from where it begins, so it cannot be looped: "

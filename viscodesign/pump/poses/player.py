@@ -1,7 +1,7 @@
-"""A sequence of poses on an ArbotiX: brought there, approached slowly, played, and ended.
+"""A sequence of poses on an ArbotiX: loaded, approached slowly, played, and ended.
 
-While the board plays it hears nothing but a halt, and that only between two moves; nothing is
-supervised then but the time.
+While the board plays it accepts nothing but a halt, and only between two moves; nothing is
+monitored then but the time.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ FASTER = 1.5
 HANDOVER = 2e-3
 """Time that the board may lose at each move [s]: a millisecond's rounding, and its writing."""
 ANSWER = 1.0
-"""To wait for a sign of life once it should be idle [s]."""
+"""How long to wait for a reply once it should be idle [s]."""
 HALT_TRIES = 3
 
 
@@ -58,15 +58,15 @@ def by_servo(profile: Profile) -> Profile:
     )
 
 
-def divided(profile: Profile, moment: float) -> tuple[Profile, Profile]:
-    """The way up to a moment, and the rest from there on with a time from 0 on."""
+def split_at(profile: Profile, moment: float) -> tuple[Profile, Profile]:
+    """The profile before a moment [s], and after it with times from 0 on."""
     before, after = profile.time < moment - 1e-9, profile.time > moment + 1e-9
-    lead = _at(profile, np.append(profile.time[before], moment))
-    rest = _at(profile, np.append(moment, profile.time[after]))
+    lead = _resampled(profile, np.append(profile.time[before], moment))
+    rest = _resampled(profile, np.append(moment, profile.time[after]))
     return lead, replace(rest, time=rest.time - moment)
 
 
-def _at(profile: Profile, time: np.ndarray) -> Profile:
+def _resampled(profile: Profile, time: np.ndarray) -> Profile:
     """The profile at other times (T,) [s]; held behind its end."""
 
     def columns(values: np.ndarray) -> np.ndarray:
@@ -93,7 +93,7 @@ class PosePlayer:
         tell: Callable[[str], None],
         see: Callable[[float], None] = lambda elapsed: None,
     ) -> None:
-        """``tell`` is given what a user has to hear; ``see`` the time since the start [s]."""
+        """``tell`` receives messages for the user, ``see`` the time since the start [s]."""
         self.pump = pump
         self.board = board
         self.fit = fit
@@ -105,10 +105,10 @@ class PosePlayer:
         self._move_ends = FRAME * np.cumsum(fit.move_frames)
         """From the start of a round [s]."""
         self._began: float | None = None
-        """When it was told to play [s of the clock]; None where nothing plays."""
+        """When the board was started [s of the clock]; None while nothing plays."""
 
     def load(self) -> None:
-        """Bring poses and moves onto the board, which moves nothing."""
+        """Load poses and moves onto the board; nothing moves."""
         self._refuse_a_real_phantom()
         size, *rest = pose_packets.loading(self.fit.sequence)
         self.board.size_pose(size)
@@ -128,8 +128,8 @@ class PosePlayer:
     def approach(
         self, lead: Profile, see: Callable[[TickReport], None] = lambda shown: None
     ) -> StreamResult:
-        """Torque on, then from where the plungers are to the lead's end, under all guards."""
-        rested = _at(lead, np.append(lead.time, lead.duration + LEAD_SETTLE))
+        """Torque on, then from where the plungers are to the lead's end, under all safety rules."""
+        rested = _resampled(lead, np.append(lead.time, lead.duration + LEAD_SETTLE))
         return Stream(
             self.pump, rested, self.request, see, rate=LEAD_RATE, lead=lead.duration
         ).play()
@@ -137,8 +137,8 @@ class PosePlayer:
     def play(self) -> StreamResult:
         """Play once, or loop until a request to stop; however this ends, nothing plays then.
 
-        Where the plungers are is read again by the board before, or its first move would begin
-        where they were.
+        The board reads the plungers' positions again first, or its first move would start
+        from the old ones.
         """
         result = StreamResult()
         try:
@@ -177,7 +177,7 @@ class PosePlayer:
         return StreamResult("interrupted", f"asked to stop ({self.request.first})")
 
     def _arrived(self) -> StreamResult:
-        """Whether the plungers are where the last move ends, and well."""
+        """Whether the plungers reach the end of the last move, with no errors reported."""
         last = self.fit.sequence.goals()[-1]
         for servo, goal in zip(sorted(self.pump.servos), last, strict=False):
             state = read_servo(self.board, servo)
@@ -196,7 +196,7 @@ class PosePlayer:
         return StreamResult("complete", "played to its end")
 
     def _come_to_rest(self) -> list[FinalServoState]:
-        """Halt what may be playing, then hold, or drop the torque where a stop was asked twice.
+        """Halt what may be playing, then hold; release the torque after a second stop request.
 
         If the board does not respond, only that is reported.
         """
@@ -223,7 +223,7 @@ class PosePlayer:
         return False
 
     def _left_of_move(self) -> float:
-        """Until the end of the move that runs, by our clock [s]."""
+        """Time left of the current move, by our clock [s]."""
         elapsed = self.pump.clock.now() - (self._began or 0.0)
         if self.fit.looped:
             elapsed %= self._move_ends[-1]

@@ -1,4 +1,4 @@
-"""A profile and the poses that stand for it: wanted, played, and the error between them."""
+"""A profile and the poses that stand for it: requested, played, and the error between them."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ def _draw_counts(axes: Axes, fit: PoseFit) -> None:
     moments = np.cumsum([0, *fit.move_frames[1:]]) * FRAME
     goals = np.array([goal[:-1] for goal in fit.sequence.goals()])
     for k, colour in enumerate(COLOURS[: fit.played.shape[1]]):
-        axes.plot(fit.time, fit.wanted[:, k], color=colour, lw=4.0, alpha=0.35)
+        axes.plot(fit.time, fit.requested[:, k], color=colour, lw=4.0, alpha=0.35)
         axes.plot(fit.time, fit.played[:, k], color=INK, lw=0.9)
         axes.plot(moments, goals[:, k], "o", color=colour, ms=3.5, mec=INK, mew=0.5)
     axes.set(xlim=(0.0, fit.duration), ylabel="servo [counts]")
-    axes.legend(["wanted", "played", "goals of the moves"], loc="best")
+    axes.legend(["requested", "played", "goals of the moves"], loc="best")
 
 
 def _draw_error(axes: Axes, fit: PoseFit) -> None:

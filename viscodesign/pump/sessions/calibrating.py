@@ -24,8 +24,8 @@ from viscodesign.pump.sessions.connection import (
     Connection,
     Tell,
     connected,
+    ignore,
     require,
-    unheard,
 )
 from viscodesign.scene.pump import MAX_SERVO_COUNTS, PumpSpec
 from viscodesign.scene.scene import Scene
@@ -57,7 +57,7 @@ def calibrate(
     vented: Confirm | None = None,
     keep: bool = False,
     rename: tuple[int, int] | None = None,
-    tell: Tell = unheard,
+    tell: Tell = ignore,
 ) -> Calibration:
     """Find home and travel, and set the servo's own angle limits to the travel.
 
@@ -140,7 +140,7 @@ def _by_hand(
 ) -> Calibration:
     if by_hand is None:
         raise UsageError(
-            "nobody to move the plunger by hand; keep the spec's home and travel instead"
+            "nobody to move the plunger by hand; pass `by_hand`, or keep the spec's home and travel"
         )
     require(
         vented,

@@ -42,7 +42,7 @@ Confirm = Callable[[str], bool]
 """Receives what is about to happen, its last line a question; whether the user agrees."""
 
 
-def unheard(message: str) -> None:
+def ignore(message: str) -> None:
     """Drop a message."""
 
 
@@ -164,7 +164,7 @@ def connected(
     address: BoardAddress,
     scene: Scene | None = None,
     plant: Plant | None = None,
-    tell: Tell = unheard,
+    tell: Tell = ignore,
     *,
     poses: bool = False,
 ) -> Iterator[Connection]:

@@ -1,4 +1,4 @@
-"""What a session would send, found on a computed pump without waiting; no port is opened."""
+"""Rehearsals: what a session would send, found on a simulated pump; no port is opened."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from viscodesign.pump.bus.packets import Instruction, shown
 from viscodesign.pump.bus.recording_line import RecordingLine
 from viscodesign.pump.bus.transactions import ARBOTIX
 from viscodesign.pump.play.stream import OnStop
-from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, unheard, unmonitored_pump
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, ignore, unmonitored_pump
 from viscodesign.pump.sessions.open_board import board_kind, simulated_line
 from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession
@@ -38,7 +38,7 @@ class Rehearsal:
     text: str
     """The plan and the packets, for people."""
     packets: tuple[bytes, ...]
-    """All that would be sent, reads included."""
+    """Everything that would be sent, reads included."""
 
 
 def rehearse(
@@ -73,7 +73,7 @@ class NoPressure(Plant):
 
 def rehearse_stream(session: StreamSession) -> Rehearsal:
     """The plan, and the packets that would set something."""
-    line, servos = _computed_line(session.settings), session.plan.servos
+    line, servos = _simulated_line(session.settings), session.plan.servos
     pump = unmonitored_pump(Simulated(line, servos), session.settings, servos, line.clock)
     stream = session.stream_on(pump, StopRequest(), lambda tick: None)
     pump.connect()
@@ -83,7 +83,7 @@ def rehearse_stream(session: StreamSession) -> Rehearsal:
     lines = [
         HEADING,
         *session.description(),
-        f"would send {len(packets)} packets that set something; first {SHOWN_PACKETS}, and last:",
+        f"would send {len(packets)} packets that write registers; first {SHOWN_PACKETS} and last:",
         *(f"  {shown(packet)}" for packet in packets[:SHOWN_PACKETS]),
         "  ...",
         f"  {shown(packets[-1])}",
@@ -94,7 +94,7 @@ def rehearse_stream(session: StreamSession) -> Rehearsal:
 
 def rehearse_upload(session: UploadSession) -> Rehearsal:
     """The plan and the packets, those on the way to the start only counted."""
-    line, servos = _computed_line(session.settings, poses=True), session.lead.servos
+    line, servos = _simulated_line(session.settings, poses=True), session.lead.servos
     pump = unmonitored_pump(Arbotix(line, servos), session.settings, servos, line.clock)
     request = StopRequest()
 
@@ -103,27 +103,21 @@ def rehearse_upload(session: UploadSession) -> Rehearsal:
             request.times, request.first = 1, "dry run"
 
     pump.connect()
-    result = session.play_on(pump, request, unheard, end_after_one_round)
+    result = session.play_on(pump, request, ignore, end_after_one_round)
     if result is not None and result.status == "stopped":
-        raise PumpError(f"the computed pump cannot play this: {result.reason}")
+        raise PumpError(f"the simulated pump cannot play this: {result.reason}")
     own = [data for data in line.sent if data[2:3] == bytes([ARBOTIX]) or data.startswith(HALT)]
-    others = Counter(_kind(data) for data in line.sent if data not in own)
+    others = Counter(Instruction(data[4]).name.lower() for data in line.sent if data not in own)
     lines = [
         HEADING,
         *session.description(),
-        "would send to the servos, starting from home: "
-        + ", ".join(f"{number} {kind}" for kind, number in sorted(others.items())),
+        "would send to the servos, starting at home: "
+        + ", ".join(f"{number} {kind}s" for kind, number in sorted(others.items())),
         f"would send to the board, {len(own)} packets:",
         *(f"  {shown(data)}" for data in own),
     ]
     return Rehearsal("\n".join(lines), tuple(line.sent))
 
 
-def _computed_line(settings: PumpSpec, *, poses: bool = False) -> RecordingLine:
+def _simulated_line(settings: PumpSpec, *, poses: bool = False) -> RecordingLine:
     return RecordingLine(simulated_line(settings, SteppedClock(), NoPressure(), poses=poses))
-
-
-def _kind(data: bytes) -> str:
-    return {Instruction.READ: "reads", Instruction.WRITE: "writes"}.get(
-        Instruction(data[4]), "others"
-    )

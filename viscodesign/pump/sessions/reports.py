@@ -1,4 +1,4 @@
-"""What is said of a pump before it moves and after it came to rest, in words and as data."""
+"""Reports on a pump before it moves and after it has come to rest, as text and as data."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def motion_rows(course: PumpCourse, pump: PumpSpec, counts: np.ndarray) -> list[tuple[str, str]]:
-    """Where the plungers go, in ``counts``, and what pressures belong to it."""
+    """Range of the plungers, in ``counts``, and of the pressures."""
     volume, pressure = 1e6 * course.volume, course.pressure / 1e3
     low, high = pump.travel
     return [

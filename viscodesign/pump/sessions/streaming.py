@@ -27,7 +27,7 @@ from viscodesign.pump.sessions.connection import (
     Confirm,
     Tell,
     connected,
-    unheard,
+    ignore,
 )
 from viscodesign.pump.sessions.open_board import board_kind, boards
 from viscodesign.pump.sessions.record_file import Record, recorded
@@ -52,7 +52,7 @@ def stream(
     achievable: bool = False,
     without_sensor: bool = False,
     confirm: Confirm | None = None,
-    tell: Tell = unheard,
+    tell: Tell = ignore,
     on_tick: OnTick | None = None,
     stop: StopRequest | None = None,
     progress: Progress | None = None,
@@ -125,7 +125,7 @@ class StreamSession:
         folder: Path,
         *,
         confirm: Confirm | None = None,
-        tell: Tell = unheard,
+        tell: Tell = ignore,
         on_tick: OnTick | None = None,
         stop: StopRequest | None = None,
     ) -> PlaybackReport:

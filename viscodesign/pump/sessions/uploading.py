@@ -21,7 +21,7 @@ from viscodesign.pump.poses.c_header import poses_h
 from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import fit_poses
 from viscodesign.pump.poses.fit_error import FitError, Tolerance
-from viscodesign.pump.poses.player import PosePlayer, by_servo, divided, playing_speed
+from viscodesign.pump.poses.player import PosePlayer, by_servo, playing_speed, split_at
 from viscodesign.pump.sessions import reports
 from viscodesign.pump.sessions.connection import (
     SIMULATED,
@@ -29,7 +29,7 @@ from viscodesign.pump.sessions.connection import (
     Confirm,
     Tell,
     connected,
-    unheard,
+    ignore,
     unmonitored_pump,
 )
 from viscodesign.pump.sessions.open_board import board_kind
@@ -49,7 +49,7 @@ def upload(
     tolerance: str = "1 kPa",
     achievable: bool = False,
     confirm: Confirm | None = None,
-    tell: Tell = unheard,
+    tell: Tell = ignore,
     stop: StopRequest | None = None,
     progress: Progress | None = None,
 ) -> PlaybackReport:
@@ -58,8 +58,8 @@ def upload(
     ``tolerance``: the largest error allowed, like '1 kPa', '0.1 mL' or '2 counts'.
     ``playback``: only load, play ``once``, or ``loop`` until Ctrl-C; then ``confirm`` is given
     the plan before anything moves and has to return True, and ``stop`` may be asked from another
-    thread, as Ctrl-C is. Raises `PumpError` where the fit is
-    too coarse or the board does not answer.
+    thread, as Ctrl-C is. Raises `PumpError` where the fit is too coarse or the board does not
+    answer.
     """
     refuse_board(address.board)
     session = UploadSession(scene, tolerance, playback, achievable, progress)
@@ -98,7 +98,7 @@ class UploadSession:
         self.course = plan.wanted if plan.is_feasible else plan.achievable
         profile = by_servo(plan.profile(self.course))
         # The lead goes from home to the start.
-        self.lead, main = divided(profile, self.course.lead_s)
+        self.lead, main = split_at(profile, self.course.lead_s)
         self.fit = fit_poses(
             main,
             loop=playback == "loop",
@@ -131,8 +131,8 @@ class UploadSession:
             ),
             (
                 "monitored",
-                "nothing but the time while it plays: this firmware reads no sensor and no "
-                "switch, and a move cannot be interrupted",
+                "only the elapsed time: while it plays, this firmware reads no sensors or "
+                "switches, and a move cannot be interrupted",
             ),
         ]
         return reports.aligned(rows)
@@ -145,7 +145,7 @@ class UploadSession:
             "spec_sha256": self.plan.spec_sha256,
             "looped": fit.looped,
             "duration_s": fit.duration,
-            "wanted_duration_s": fit.wanted_duration,
+            "wanted_duration_s": fit.requested_duration,
             "moves": len(fit.sequence.moves),
             "poses": len(fit.sequence.poses),
             "largest_error_counts": error.counts,
@@ -177,7 +177,7 @@ class UploadSession:
         address: BoardAddress,
         *,
         confirm: Confirm | None = None,
-        tell: Tell = unheard,
+        tell: Tell = ignore,
         on_round: Progress = lambda part: None,
         stop: StopRequest | None = None,
     ) -> PlaybackReport:

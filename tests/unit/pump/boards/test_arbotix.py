@@ -115,9 +115,9 @@ def test_of_all_instructions_only_the_harmless_ones_are_sent(loop: bool) -> None
 
 
 def _start(rig: PoseRig) -> object:
-    from viscodesign.pump.poses.player import divided
+    from viscodesign.pump.poses.player import split_at
 
-    return divided(rig.wanted, 0.0)[0]
+    return split_at(rig.wanted, 0.0)[0]
 
 
 def test_packets_are_those_of_the_firmwares_own_host() -> None:

@@ -24,7 +24,7 @@ def fit() -> PoseFit:
 def test_the_error_is_the_largest_of_all_plungers(fit: PoseFit) -> None:
     error = np.zeros_like(fit.played)
     error[3], error[5] = (-1.0, 0.5), (0.2, 3.0)
-    off = replace(fit, played=fit.wanted + error)
+    off = replace(fit, played=fit.requested + error)
     assert FitError.of(off, 0.0725e-6, [400.0, 100.0]) == FitError(
         pytest.approx(3.0), pytest.approx(0.2175e-6), pytest.approx(400.0)
     )

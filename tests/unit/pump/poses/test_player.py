@@ -12,7 +12,7 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.bus import registers
 from viscodesign.pump.poses.engine import FRAME
 from viscodesign.pump.poses.packets import load_pose
-from viscodesign.pump.poses.player import by_servo, divided, playing_speed
+from viscodesign.pump.poses.player import by_servo, playing_speed, split_at
 
 
 @pytest.mark.parametrize("ids", [(1,), (1, 2)])
@@ -155,7 +155,7 @@ def test_the_way_to_the_start_is_slow_and_torque_and_speed_are_limited() -> None
     rig.pump.connect()
     rig.player.load()
     goals: list[tuple[float, int]] = []
-    lead, _ = divided(rig.wanted, 0.0)
+    lead, _ = split_at(rig.wanted, 0.0)
     rig.player.approach(lead, lambda shown: goals.append((shown.time, rig.pump.goals[1])))
     times, counts = np.array(goals).T
     speeds = np.abs(np.diff(counts)) / np.diff(times)
@@ -185,12 +185,12 @@ def test_ids_have_to_count_from_one() -> None:
 
 def test_a_lead_is_divided_from_the_rest() -> None:
     whole = swing()
-    lead, rest = divided(whole, 0.5)
+    lead, rest = split_at(whole, 0.5)
     assert lead.time[-1] == 0.5
     assert rest.time[0] == 0.0
     assert rest.counts[0] == lead.counts[-1] == whole.at(0.5)
     assert rest.duration == pytest.approx(whole.duration - 0.5)
-    none, all_of_it = divided(whole, 0.0)
+    none, all_of_it = split_at(whole, 0.0)
     assert none.time.tolist() == [0.0]
     assert np.array_equal(all_of_it.counts, whole.counts)
 
