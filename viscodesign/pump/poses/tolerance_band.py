@@ -96,7 +96,8 @@ class ToleranceBand:
         """
         frames = _EXACT[: np.searchsorted(_EXACT, self.last - frame, side="right"), None]
         ends = frame + frames
-        goals = self.base[ends] + np.arange(self.width)
+        # The last column of `stay` is beyond all counts.
+        goals = np.minimum(self.base[ends] + np.arange(self.width), self.stay.shape[1] - 1)
         distance = self.unit * np.abs(goals - goal)
         step = distance // frames + 1
         speed = np.sign(goals - goal) * step

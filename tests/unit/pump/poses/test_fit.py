@@ -202,3 +202,9 @@ def test_a_very_long_profile_is_refused_before_the_search() -> None:
     time = np.array([0.0, 400.0])
     with pytest.raises(PumpError, match="Loop one cycle of it"):
         fit_poses(profile(time, np.array([100.0, 900.0])))
+
+
+def test_a_profile_beyond_all_counts_is_refused() -> None:
+    time = np.array([0.0, 1.0, 2.0])
+    with pytest.raises(PumpError, match="keep within the servo's travel"):
+        fit_poses(profile(time, np.array([100.0, 2500.0, 100.0])), travel=(0, 1023))
