@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from inspect import getsource
 from weakref import WeakValueDictionary
@@ -53,27 +53,36 @@ def compile_kernels(functions: Sequence[ca.Function], key: str, lanes: int) -> C
     a cached copy should depend on; the formulas themselves always count. ``lanes``: 1 or more.
     Raises `NativeUnavailable`.
     """
-    settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}, written by {_writer()}"
     formulas = [function.serialize() for function in functions]
-    parts = (key, __version__, str(this_machine()), settings, *formulas)
+    return compile_if_missing(lambda: functions, len(functions), (key, *formulas), lanes)
+
+
+def compile_if_missing(
+    make: Callable[[], Sequence[ca.Function]], count: int, key: tuple[str, ...], lanes: int
+) -> CompiledKernels:
+    """The same for ``count`` functions that are made only if there is no code for ``key``.
+
+    The key tells them apart from all others. Raises `NativeUnavailable`.
+    """
+    settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}, casadi {ca.CasadiMeta.version()}"
+    parts = (*key, __version__, _writer(), str(this_machine()), settings)
     name = digest(parts)
     with _LOCK:
         kernels = _LOADED.get(name)
         if kernels is None:
-            kernels = _LOADED[name] = _compiled(functions, parts, lanes)
+            kernels = _LOADED[name] = _compiled(make, count, parts, lanes)
     return kernels
 
 
 def _compiled(
-    functions: Sequence[ca.Function], parts: tuple[str, ...], lanes: int
+    make: Callable[[], Sequence[ca.Function]], count: int, parts: tuple[str, ...], lanes: int
 ) -> CompiledKernels:
-    names = [f"kernel{k}" for k in range(len(functions))]
+    names = [f"kernel{k}" for k in range(count)]
 
-    def make() -> bytes:
-        ir = module_ir(functions, names, lanes)
-        return object_code(ir, optimise=OPTIMISE, generate=GENERATE)
+    def code() -> bytes:
+        return object_code(module_ir(make(), names, lanes), optimise=OPTIMISE, generate=GENERATE)
 
-    return CompiledKernels(load(cached(parts, make), names), names)
+    return CompiledKernels(load(cached(parts, code), names), names)
 
 
 @cache
