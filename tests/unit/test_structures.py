@@ -51,6 +51,29 @@ def _nothing_kept() -> None:
     formulation._kept.clear()
 
 
+PULSES = [
+    ("input.start=30 kPa", "input.fall_time=0.2 s", "input.transition=0.3 s"),
+    ("input={kind: sine, amplitude: 10 kPa, frequency: 1}",)
+    + ("input={kind: sine, amplitude: 9 kPa, frequency: 2, phase: 1, mean: 1 kPa}",),
+    ("input={kind: table, rows: [[0, 0], [0.1, 9e3]]}",)
+    + ("input={kind: table, rows: [[0, 1e3], [0.1, 5e3], [0.2, 2e3]]}",),
+    ("input={kind: step, value: 9e3}", "input={kind: constant, value: 1e3}"),
+]
+
+
+@pytest.mark.parametrize("changes", PULSES)
+def test_inputs_that_differ_in_numbers_share_formulas(changes: tuple[str, ...]) -> None:
+    found = [solved(change).problem.equations.formulas for change in changes]
+    assert all(formulas is found[0] for formulas in found)
+
+
+def test_other_output_times_compile_nothing_but_an_integrator() -> None:
+    first = solved().problem.equations
+    before = len(first.formulas._compiled)
+    solved("run={duration: 0.29 s, output_interval: 0.01 s}")
+    assert len(first.formulas._compiled) == before
+
+
 @pytest.mark.parametrize("change", SAME)
 def test_scenes_that_differ_in_numbers_share_formulas(change: str) -> None:
     first = solved().problem.equations

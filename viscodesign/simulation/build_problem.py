@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import casadi as ca
 import numpy as np
@@ -19,6 +20,7 @@ from viscodesign.model.syringes import SyringeParameters
 from viscodesign.model.system import InletSource, System
 from viscodesign.model.unknowns import Sizes
 from viscodesign.postprocess.sample_times import with_samples
+from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Pieces, Problem, Schedule
@@ -147,9 +149,13 @@ def _source(scene: Scene, name: str) -> InletSource:
         # Beside a gas it is the same gas, and part of the full volume.
         cushion = 0.0 if fluid.is_gas else source.cushion
         syringe = SyringeParameters(source.full_volume, modulus, exponent, cushion)
-    return InletSource(
-        lambda time, piece: source.expression(time, piece, ca), source.coefficients, syringe
-    )
+    return InletSource(partial(_value, type(source)), source.coefficients, syringe)
+
+
+def _value(kind: type[Input], time: ca.SX, piece: ca.SX) -> ca.SX:
+    """Value of an input of this kind: its own numbers are all in ``piece``."""
+    value: ca.SX = kind.expression(time, piece, ca)
+    return value
 
 
 def _flow_shares(quantities: SceneQuantities, form: NetworkForm) -> np.ndarray:

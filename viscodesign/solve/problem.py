@@ -202,18 +202,32 @@ def mapped(problem: Problem, function: ca.Function, rows: Sequence[np.ndarray]) 
     column by column (m, n).
     """
     count = len(rows[0])
-    found = [np.zeros((count, function.nnz_out(k))) for k in range(function.n_out())]
-    call = Bound(
-        problem.equations.compiled(_mapped, function, count),
-        [np.ascontiguousarray(row, dtype=float) for row in rows],
-        found,
-    )
-    call()
-    return found
+    many = problem.equations.compiled(_of_block, function)
+    given = [_in_blocks(np.asarray(row, dtype=float)) for row in rows]
+    found = [np.zeros((len(given[0]), function.nnz_out(k))) for k in range(function.n_out())]
+    for begin in range(0, count, BLOCK_ROWS):
+        block = slice(begin, begin + BLOCK_ROWS)
+        Bound(many, [values[block] for values in given], [values[block] for values in found])()
+    return [values[:count] for values in found]
 
 
-def _mapped(_: Formulas, function: ca.Function, count: int) -> ca.Function:
-    return function.map(count)
+BLOCK_ROWS = 64
+"""Rows of one call of a mapped function: one such function then serves any number of rows."""
+
+
+def whole_blocks(count: int) -> int:
+    """The number of rows in as many whole blocks as so many rows need."""
+    return -(-count // BLOCK_ROWS) * BLOCK_ROWS
+
+
+def _in_blocks(rows: np.ndarray) -> np.ndarray:
+    """Rows (m, ...), contiguous, the last one repeated up to whole blocks."""
+    more = np.repeat(rows[-1:], whole_blocks(len(rows)) - len(rows), axis=0)
+    return np.ascontiguousarray(np.concatenate([rows, more]))
+
+
+def _of_block(_: Formulas, function: ca.Function) -> ca.Function:
+    return function.map(BLOCK_ROWS)
 
 
 def evaluate_at(

@@ -35,9 +35,14 @@ class Input(SpecPart):
         None, gt=0, description="Transient time t_i, to replace that of the profile"
     )
 
+    @classmethod
     @abstractmethod
-    def expression(self, t: Any, piece: Any, functions: Any) -> Any:
-        """Value inside an interval; ``functions`` is numpy or casadi."""
+    def expression(cls, t: Any, piece: Any, functions: Any) -> Any:
+        """Value inside an interval; ``functions`` is numpy or casadi.
+
+        Every number of the input is one of the coefficients ``piece``: equations then serve all
+        inputs of a kind.
+        """
 
     @abstractmethod
     def corners(self, duration: float) -> list[float]:
@@ -74,16 +79,25 @@ class Input(SpecPart):
 
 
 class SmoothInput(Input):
-    """One expression for all times; a single coefficient, if any, numbers the intervals."""
+    """One expression for all times, whose numbers are the first coefficients of every interval.
+
+    One more coefficient, if there is one, numbers the intervals: a solver restarts at each.
+    """
+
+    @abstractmethod
+    def numbers(self) -> tuple[float, ...]:
+        """The numbers of its expression."""
 
     def pieces(self, edges: np.ndarray) -> np.ndarray:
-        return np.arange(len(edges) - 1, dtype=float)[:, None][:, : self.coefficients]
+        intervals = np.arange(len(edges) - 1, dtype=float)
+        numbers = np.tile(self.numbers(), (len(intervals), 1))
+        return np.column_stack((numbers, intervals))[:, : self.coefficients]
 
     def initial_piece(self) -> np.ndarray:
-        return np.zeros(self.coefficients)
+        return np.append(self.numbers(), 0.0)[: self.coefficients]
 
     def values(self, t: np.ndarray) -> np.ndarray:
-        return np.asarray(self.expression(np.asarray(t), None, np))
+        return np.asarray(self.expression(np.asarray(t), self.numbers(), np))
 
 
 class PiecewiseLinear(Input):
@@ -103,7 +117,8 @@ class PiecewiseLinear(Input):
     def profile(self) -> list[tuple[float, float]]:
         """Vertices that contain every swing once."""
 
-    def expression(self, t: Any, piece: Any, functions: Any) -> Any:
+    @classmethod
+    def expression(cls, t: Any, piece: Any, functions: Any) -> Any:
         del functions
         value, slope, reference = piece[0], piece[1], piece[2]
         return value + slope * (t - reference)

@@ -21,7 +21,7 @@ class DoubleSigmoidInput(SmoothInput):
     """
 
     name: ClassVar[str] = "double_sigmoid"
-    coefficients: ClassVar[int] = 1
+    coefficients: ClassVar[int] = 6
     kind: Literal["double_sigmoid"]
     start: Pressure = Field(
         description="Gauge pressure above the baseline before and after the pulse"
@@ -31,12 +31,16 @@ class DoubleSigmoidInput(SmoothInput):
     rise_time: Time = Field(ge=0, description="Centre of the rise")
     transition: Time = Field(gt=0, description="Duration of a transition, 6/k")
 
-    def expression(self, t: Any, piece: Any, functions: Any) -> Any:
-        del piece
-        rate = 6 / self.transition
-        fall = (1 + functions.tanh(rate * (t - self.fall_time))) / 2
-        rise = (1 + functions.tanh(rate * (t - self.rise_time))) / 2
-        return self.start - self.drop * fall + self.drop * rise
+    @classmethod
+    def expression(cls, t: Any, piece: Any, functions: Any) -> Any:
+        start, drop, fall_time, rise_time, rate = (piece[k] for k in range(5))
+        fall = (1 + functions.tanh(rate * (t - fall_time))) / 2
+        rise = (1 + functions.tanh(rate * (t - rise_time))) / 2
+        return start - drop * fall + drop * rise
+
+    def numbers(self) -> tuple[float, ...]:
+        """Start, drop, centres of fall and rise [s], and rate of both [1/s]."""
+        return self.start, self.drop, self.fall_time, self.rise_time, 6 / self.transition
 
     def corners(self, duration: float) -> list[float]:
         """Where each transition begins: a solver with large steps could skip it."""

@@ -16,7 +16,7 @@ class SineInput(SmoothInput):
     """A sine: mean + amplitude sin(2 pi frequency t + phase)."""
 
     name: ClassVar[str] = "sine"
-    coefficients: ClassVar[int] = 0
+    coefficients: ClassVar[int] = 4
     kind: Literal["sine"]
     amplitude: Pressure = Field(description="Amplitude, half of the peak-to-peak value")
     frequency: Frequency = Field(gt=0, description="Frequency")
@@ -27,10 +27,14 @@ class SineInput(SmoothInput):
     def period(self) -> float:
         return float(1.0 / self.frequency)
 
-    def expression(self, t: Any, piece: Any, functions: Any) -> Any:
-        del piece
-        turn = 2 * math.pi * self.frequency * t + self.phase
-        return self.mean + self.amplitude * functions.sin(turn)
+    @classmethod
+    def expression(cls, t: Any, piece: Any, functions: Any) -> Any:
+        mean, amplitude, rate, phase = (piece[k] for k in range(4))
+        return mean + amplitude * functions.sin(rate * t + phase)
+
+    def numbers(self) -> tuple[float, ...]:
+        """Mean, amplitude, angular frequency [rad/s] and phase."""
+        return self.mean, self.amplitude, 2 * math.pi * self.frequency, self.phase
 
     def corners(self, duration: float) -> list[float]:
         return []

@@ -10,6 +10,7 @@ from viscodesign.model.equations import Formulas
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import PreviousSolution
 from viscodesign.solve.numerics.newton import CONTROL
+from viscodesign.solve.problem import BLOCK_ROWS, whole_blocks
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.solvers.quiet_stderr import quiet_stderr
 from viscodesign.solve.statics import Start, consistent
@@ -38,19 +39,22 @@ class QuasiStatic(Solver):
         problem, count = self.problem, stop - first
         if not problem.equations.algebraics.count:
             return np.zeros((0, count))
-        solve_all = problem.equations.compiled(_sequence, count)
-        schedule = problem.schedule
+        solve_block = problem.equations.compiled(_sequence)
+        # The last edge is solved again and again up to the end of its block.
+        intervals = np.minimum(np.arange(first, first + whole_blocks(count)), stop - 1)
+        times, pieces = problem.schedule.edges[None, intervals + 1], problem.schedule.pieces
+        numbers = np.tile(problem.numbers()[:, None], BLOCK_ROWS)
+        start, parts = here.algebraics, []
         try:
             with quiet_stderr():
-                result = solve_all(
-                    here.algebraics,
-                    schedule.edges[None, first + 1 : stop + 1],
-                    schedule.pieces[first:stop].T,
-                    np.tile(problem.numbers()[:, None], count),
-                )
+                for begin in range(0, count, BLOCK_ROWS):
+                    block = slice(begin, begin + BLOCK_ROWS)
+                    given = times[:, block], pieces[intervals[block]].T, numbers
+                    parts.append(np.array(solve_block(start, *given)))
+                    start = parts[-1][:, -1]
         except RuntimeError:
             return None
-        found = np.array(result)
+        found = np.concatenate(parts, axis=1)[:, :count]
         return found if np.isfinite(found).all() else None
 
     def _one_by_one(
@@ -83,8 +87,8 @@ class QuasiStatic(Solver):
         return np.zeros((0, count)), found, np.zeros((0, count))
 
 
-def _sequence(equations: Formulas, count: int) -> ca.Function:
-    """(start, times (1, m), pieces (p, m), numbers (n, m)) -> unknowns (nz, m)."""
+def _sequence(equations: Formulas) -> ca.Function:
+    """(start, times (1, m), pieces (p, m), numbers (n, m)) -> unknowns (nz, m) of a block."""
     given = ca.vertcat(equations.time, equations.pieces, equations.parameters)
     system = {"x": equations.algebraics.vector, "p": given, "g": equations.alg}
     options = {
@@ -98,4 +102,4 @@ def _sequence(equations: Formulas, count: int) -> ca.Function:
     numbers = ca.MX.sym("numbers", equations.parameters.numel())
     after = finder(z, ca.vertcat(t, pieces, numbers))
     step = ca.Function("step", [z, t, pieces, numbers], [after])
-    return step.mapaccum("sequence", count)
+    return step.mapaccum("sequence", BLOCK_ROWS)
