@@ -38,7 +38,7 @@ LAYERS = [
     ["results"],
     ["native"],
     ["storage", "physics"],
-    ["units", "errors", "plugins", "interrupt", "lazy_names", "_version"],
+    ["units", "common_units", "errors", "plugins", "interrupt", "lazy_names", "_version"],
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}
 # Front doors: they import lazily, from rooms above what else stands in their folder.

@@ -1,4 +1,6 @@
-"""Quantities with units: a bare number is SI, text is parsed by pint.
+"""Quantities with units: a bare number is SI, text is parsed.
+
+Common units are read by a small table, all others by pint.
 
 Each kind of quantity is an annotated float for pydantic models; all values in the program are SI.
 """
@@ -10,12 +12,12 @@ import re
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
+from viscodesign.common_units import definitions, value_in_si
 from viscodesign.errors import described
 
 if TYPE_CHECKING:
@@ -78,7 +80,12 @@ class QuantityKind:
             raise self._invalid(f"'{text}' is not a number with a unit")
         if not _starts_with_number(text):
             raise self._invalid(f"'{text}' has no number")
-        quantity = self._quantity(text)
+        plain = _BARE_POWER.sub(r"^\1", text)
+        value = value_in_si(plain, self.unit)
+        return self._by_pint(text, plain) if value is None else value
+
+    def _by_pint(self, text: str, plain: str) -> float:
+        quantity = self._quantity(text, plain)
         try:
             return self._in_si(quantity, text)
         except PydanticCustomError:
@@ -94,11 +101,13 @@ class QuantityKind:
             raise self._invalid(f"'{text}' is {_dimension_words(quantity)}")
         return float(quantity.to(units.units).magnitude)
 
-    def _quantity(self, text: str) -> pint.Quantity[Any]:
-        """``text`` parsed by pint with the common units, or else with all units of pint."""
+    def _quantity(self, text: str, plain: str) -> pint.Quantity[Any]:
+        """Text parsed by pint with the common units, or else with all units of pint.
+
+        ``plain``: the same with every power behind a sign.
+        """
         import pint
 
-        plain = _BARE_POWER.sub(r"^\1", text)
         try:
             try:
                 return common_units_registry().Quantity(plain)
@@ -177,7 +186,7 @@ def _has_unit(text: str) -> bool:
 def common_units_registry() -> pint.UnitRegistry[Any]:
     """The common units of `units.txt`; built at the first text with a unit."""
     common = _registry_of(None)
-    common.load_definitions(_definitions())
+    common.load_definitions(definitions())
     return common
 
 
@@ -192,10 +201,6 @@ def _registry_of(source: str | None) -> pint.UnitRegistry[Any]:
 
     # Decimal arithmetic, so that '18 mm' becomes 0.018 exactly and not a neighbouring float.
     return pint.UnitRegistry(source, autoconvert_offset_to_baseunit=True, non_int_type=Decimal)
-
-
-def _definitions() -> list[str]:
-    return Path(__file__).with_name("units.txt").read_text(encoding="utf-8").splitlines()
 
 
 _KNOWN_DIMENSIONS = {

@@ -53,10 +53,14 @@ def _nothing_kept() -> None:
 
 PULSES = [
     ("input.start=30 kPa", "input.fall_time=0.2 s", "input.transition=0.3 s"),
-    ("input={kind: sine, amplitude: 10 kPa, frequency: 1}",)
-    + ("input={kind: sine, amplitude: 9 kPa, frequency: 2, phase: 1, mean: 1 kPa}",),
-    ("input={kind: table, rows: [[0, 0], [0.1, 9e3]]}",)
-    + ("input={kind: table, rows: [[0, 1e3], [0.1, 5e3], [0.2, 2e3]]}",),
+    (
+        "input={kind: sine, amplitude: 10 kPa, frequency: 1}",
+        "input={kind: sine, amplitude: 9 kPa, frequency: 2, phase: 1, mean: 1 kPa}",
+    ),
+    (
+        "input={kind: table, rows: [[0, 0], [0.1, 9e3]]}",
+        "input={kind: table, rows: [[0, 1e3], [0.1, 5e3], [0.2, 2e3]]}",
+    ),
     ("input={kind: step, value: 9e3}", "input={kind: constant, value: 1e3}"),
 ]
 

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.linalg import eigh
 
 from viscodesign.estimate.modal_response import first_order, second_order
 
@@ -69,8 +68,7 @@ class LinearNetwork:
         """Root of the capacities (N,), rates (N,) and modes (N, N) of the network at rest."""
         root = np.sqrt(self.capacity)
         matrix = self.conductance / np.outer(root, root)
-        # Scipy's, since numpy's may wake threads that cost more than so small a matrix.
-        rate, modes = eigh((matrix + matrix.T) / 2, driver="evd")
+        rate, modes = np.linalg.eigh((matrix + matrix.T) / 2)
         return root, np.where(rate < 1e-12 * max(float(rate[-1]), 1e-300), 0.0, rate), modes
 
     def _respond(self, rate: np.ndarray, forced: np.ndarray, modes: np.ndarray) -> np.ndarray:

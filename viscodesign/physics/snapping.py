@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import brentq
 
 from viscodesign.physics.curves import PiecewiseCubic
 
@@ -74,7 +74,7 @@ class SnapCurves:
         values = [float(self.pressure(end)) - pressure for end in ends]
         if values[0] * values[1] > 0.0:  # at a maximum
             return near
-        return float(brentq(lambda s: float(self.pressure(s)) - pressure, *ends, xtol=1e-300))
+        return _root(lambda s: float(self.pressure(s)) - pressure, *ends)
 
     def _first_reached(self, level: np.ndarray, side: float, end: float) -> np.ndarray:
         """Swelling (side 1) or shrinkage (-1) at which a pressure level is first reached.
@@ -98,4 +98,11 @@ def _crossing(law: PiecewiseCubic, area: np.ndarray, pressure: float) -> float:
     for end, value in zip(ends, (area[0], area[-1]), strict=True):
         if abs(end) <= 1e-12 * max(map(abs, ends)):
             return float(value)
-    return float(brentq(lambda a: float(law(a)) - pressure, area[0], area[-1], xtol=1e-300))
+    return _root(lambda a: float(law(a)) - pressure, area[0], area[-1])
+
+
+def _root(function: Callable[[float], float], low: float, high: float) -> float:
+    """Where a function changes its sign between two places, to rounding error."""
+    from scipy.optimize import brentq
+
+    return float(brentq(function, low, high, xtol=1e-300))

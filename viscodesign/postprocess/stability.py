@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import casadi as ca
 import numpy as np
-import scipy.linalg
 
 from viscodesign.model.equations import Formulas
 from viscodesign.model.rod_equations import RodForm
@@ -51,7 +50,7 @@ def eigenvalues(problem: Problem, start: Start) -> np.ndarray:
     fx, fz, gx, gz = (m.full() for m in evaluate(function, *arguments, problem.numbers()))
     if start.algebraics.size:
         fx = fx - fz @ np.linalg.solve(gz, gx)
-    return np.asarray(scipy.linalg.eigvals(fx))
+    return np.asarray(np.linalg.eigvals(fx))
 
 
 def _linearised(e: Formulas) -> ca.Function:

@@ -11,8 +11,6 @@ from functools import partial
 
 import casadi as ca
 import numpy as np
-from scipy.sparse import csc_matrix
-from scipy.sparse.linalg import splu
 
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Formulas
@@ -142,6 +140,9 @@ class AlgebraicRates:
     def at(self, k: int) -> np.ndarray:
         """Rates (nz,) at the k-th end; infinite where the equations are singular."""
         if k not in self._known:
+            from scipy.sparse import csc_matrix
+            from scipy.sparse.linalg import splu
+
             size = len(self.algebraics)
             matrix = csc_matrix((self.jacobians[k], *self._pattern), shape=(size, size))
             try:

@@ -8,8 +8,6 @@ from functools import partial
 
 import casadi as ca
 import numpy as np
-from scipy.sparse import csc_matrix
-from scipy.sparse.linalg import splu
 
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 
@@ -176,6 +174,10 @@ def factorised(matrix: ca.DM) -> LinearSolve:
     """
     pattern, count = matrix.sparsity(), matrix.size1()
     if count > LINEAR.csparse_lu:
+        # Imported here, since it takes longer than solving most scenes, which are smaller.
+        from scipy.sparse import csc_matrix
+        from scipy.sparse.linalg import splu
+
         values = np.array(matrix.nonzeros())
         found = splu(csc_matrix((values, pattern.row(), pattern.colind()), (count, count)))
         return lambda right: np.asarray(found.solve(right))

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import casadi as ca
 import numpy as np
-from scipy.sparse import csc_matrix
-from scipy.sparse.linalg import splu
 
 MAX_DENSE_UNKNOWNS = 150
 """Unknowns up to which full matrices are faster."""
@@ -58,6 +56,9 @@ class StabilityTest:
 
     def _is_stable_sparse(self, data: np.ndarray) -> bool:
         """By the signs of the pivots."""
+        from scipy.sparse import csc_matrix
+        from scipy.sparse.linalg import splu
+
         count = len(self._signs)
         try:
             factors = splu(

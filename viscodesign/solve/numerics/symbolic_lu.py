@@ -16,8 +16,6 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
-import scipy.sparse as sparse
-from scipy.sparse.linalg import splu
 
 SX = ca.SX
 
@@ -146,9 +144,12 @@ class _Fill:
 
 def _minimum_degree(size: int, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
     """Order of the unknowns that keeps the factors sparse (SuperLU's, of A + A')."""
+    from scipy.sparse import csc_matrix
+    from scipy.sparse.linalg import splu
+
     diagonal = np.arange(size)
     i = np.concatenate([rows, columns, diagonal])
     j = np.concatenate([columns, rows, diagonal])
     values = np.concatenate([np.full(2 * len(rows), -1e-3), np.full(size, float(size))])
-    dominant = sparse.csc_matrix((values, (i, j)), shape=(size, size))
+    dominant = csc_matrix((values, (i, j)), shape=(size, size))
     return np.argsort(splu(dominant, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0).perm_c)

@@ -11,7 +11,6 @@ from typing import ClassVar
 
 import casadi as ca
 import numpy as np
-from scipy.integrate import Radau as ScipyRadau
 
 from viscodesign.errors import SolveError
 from viscodesign.model.equations import Formulas
@@ -144,6 +143,8 @@ class _RadauStretch:
 
     def follow(self, begin: int, end: int) -> list[np.ndarray]:
         """States, algebraic unknowns and integrals at edges begin+1..end, or fewer."""
+        from scipy.integrate import Radau as ScipyRadau
+
         edges = self.solver.problem.schedule.edges
         allowed = np.full(len(self.start), LIMITS.untested_tolerance)
         allowed[: self.solver.states] = self.solver.tolerance
