@@ -10,9 +10,10 @@ import importlib
 import inspect
 import pkgutil
 from collections.abc import Iterator
+from functools import cache
 from importlib import metadata
 from types import ModuleType
-from typing import TypeVar
+from typing import Any, TypeVar
 
 T = TypeVar("T")
 
@@ -44,5 +45,11 @@ def _modules(package: str) -> Iterator[ModuleType]:
     """Modules in a family's folder, then those that installed packages declare."""
     for module in pkgutil.iter_modules(importlib.import_module(package).__path__):
         yield importlib.import_module(f"{package}.{module.name}")
-    for point in metadata.entry_points(group=package):
+    for point in _entry_points().select(group=package):
         yield importlib.import_module(point.module)
+
+
+@cache
+def _entry_points() -> Any:  # of a type that differs between versions of Python
+    """Those of all installed packages: reading them takes as long as importing a family."""
+    return metadata.entry_points()

@@ -27,7 +27,7 @@ class KeyFault(NamedTuple):
 class SpecPart(BaseModel):
     """A part of a spec: immutable, without unknown keys."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
 
     @field_validator("*", mode="after")
     @classmethod

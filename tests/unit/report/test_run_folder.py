@@ -16,6 +16,9 @@ from typing import IO, Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
 from tests.trajectories import ablated_run
 from tests.unit.report.conftest import Made
@@ -211,6 +214,18 @@ def test_a_table_is_read_back_to_the_last_digit(run: Trajectory) -> None:
     rows = list(csv.reader(lines))
     assert rows[0] == ["plain", 'a "quoted", name']
     assert np.array_equal(np.array(rows[1:], dtype=float), values)
+
+
+@given(values=arrays(np.float64, (5, 3), elements=st.floats(allow_nan=True, allow_infinity=True)))
+def test_every_number_of_a_table_is_read_back_to_the_last_bit(values: np.ndarray) -> None:
+    rows = csv.reader(csv_rows(values).decode().splitlines())
+    read = np.array([[float(cell) for cell in row] for row in rows])
+    assert np.array_equal(read, values, equal_nan=True)
+    assert np.array_equal(np.signbit(read), np.signbit(values) & ~np.isnan(values))
+
+
+def test_a_table_may_have_no_rows() -> None:
+    assert csv_rows(np.zeros((0, 3))) == b""
 
 
 def test_a_lone_surrogate_in_a_name_is_escaped(made: Made, tmp_path: Path) -> None:
