@@ -41,6 +41,12 @@ RC: Any = {
     "text.usetex": False,
     "svg.hashsalt": "viscodesign",  # the same picture is the same file
 }
+SAVING: Any = {
+    "svg": {"metadata": {"Date": None}},
+    # A third faster than the default, and a tenth larger.
+    "png": {"pil_kwargs": {"compress_level": 1}},
+}
+"""How a format is written."""
 INK = "#222222"
 GREY = "#8a8a8a"
 FAINT = "#b8b8b8"
@@ -71,7 +77,7 @@ def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
         yield made
         kind = path.suffix.lstrip(".").lower() or "png"
         with replaced(path) as file:
-            made.savefig(file, format=kind, metadata={"Date": None} if kind == "svg" else None)
+            made.savefig(file, format=kind, **SAVING.get(kind, {}))
 
 
 def axes_at(made: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
