@@ -9,7 +9,7 @@ run: $(VENV)/.main
 	$(BIN)/viscodesign simulate configs/leg_16_straight_air.yaml
 
 test: $(VENV)/.dev
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n 2 --dist worksteal
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .
@@ -17,7 +17,7 @@ lint: $(VENV)/.dev
 	$(BIN)/mypy
 
 check: lint
-	$(BIN)/python -m pytest -n 2 -x tests/unit tests/contract
+	$(BIN)/python -m pytest -n 2 --dist worksteal -x tests/unit tests/contract
 
 $(VENV)/.main: pyproject.toml
 	$(PYTHON) -m venv $(VENV)

@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
+import os
 import signal
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+"""Matrices are small here: more threads wait for each other, and take cores from other workers."""
+UNIT = Path(__file__).parent / "unit"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """`--golden`: compare with stored results closely, exactly, or write them anew."""
     parser.addoption("--golden", choices=["check", "exact", "update"], default="check")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Unit tests last: they are short, so that parallel workers end together."""
+    items.sort(key=lambda item: UNIT in item.path.parents)
 
 
 def pytest_configure() -> None:

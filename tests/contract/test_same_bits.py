@@ -54,21 +54,34 @@ def solved(number: int) -> str:
     return bits(simulate(scene(number), verify=False))
 
 
+FRESH = """
+import os, sys
+from tests.contract.test_same_bits import NUMBERS, solved
+
+for number in NUMBERS:
+    if not (child := os.fork()):
+        print(solved(number), flush=True)
+        os._exit(0)
+    if os.waitpid(child, 0)[1]:
+        sys.exit(f"scene {number} has no digest")
+"""
+"""Imports everything once; then every scene has a process of its own that has simulated nothing."""
+
+
 @pytest.fixture(scope="module")
 def fresh() -> list[str]:
     """Of every scene, its digest from a process that has simulated nothing else."""
-    program = "import sys; from tests.contract.test_same_bits import solved; print(solved(int(sys.argv[1])))"
-    return [
-        subprocess.run(
-            [sys.executable, "-c", program, str(number)],
-            cwd=ROOT,
-            check=True,
-            capture_output=True,
-            text=True,
-            env={**os.environ, "PYTHONPATH": str(ROOT)},
-        ).stdout.strip()
-        for number in NUMBERS
-    ]
+    done = subprocess.run(
+        [sys.executable, "-c", FRESH],
+        cwd=ROOT,
+        check=True,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+    digests = done.stdout.split()
+    assert len(digests) == len(SCENES)
+    return digests
 
 
 @settings(max_examples=12)

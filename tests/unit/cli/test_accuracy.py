@@ -210,6 +210,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path) -> None:
         "--no-plots",
         "--limit",
         "10 min",
+        *QUICK,
     ]
     process = subprocess.Popen(
         [sys.executable, "-c", PRINTS_WHEN_IT_MEASURES, *words, "--set", "effects=auto"],

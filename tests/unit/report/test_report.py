@@ -21,7 +21,7 @@ from viscodesign.report.charts.quadrants import draw_plane
 from viscodesign.report.folder import RUN_PICTURES, RUN_TABLES, SUMMARY
 from viscodesign.report.layout.snapshots import normals, outline, spread_instants
 from viscodesign.report.run_folder import write_run
-from viscodesign.results.findings import Notice
+from viscodesign.results.findings import Classification, Notice
 from viscodesign.storage import atomic_files as atomic
 
 PNG = b"\x89PNG"
@@ -174,13 +174,19 @@ def test_right_is_x_where_the_axis_hangs() -> None:
     assert outline(axis, 0.2)[:, 0] == pytest.approx([0.1] * 5 + [-0.1] * 5)
 
 
-@pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
-def test_the_plane_is_drawn(tmp_path: Path, ending: str) -> None:
+@pytest.fixture(scope="module")
+def plane() -> list[Classification]:
+    """Every config, and a scene far outside of them all."""
     found = [classify(load(p)) for p in sorted(CONFIGS.glob("*.yaml"))]
     found.append(
         classify(
             leg("input={kind: step, value: 1}", "fluid={name: x, viscosity: 1e-15, density: 1}")
         )
     )
-    draw_plane(found, tmp_path / f"plane.{ending}")
+    return found
+
+
+@pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
+def test_the_plane_is_drawn(plane: list[Classification], tmp_path: Path, ending: str) -> None:
+    draw_plane(plane, tmp_path / f"plane.{ending}")
     assert (tmp_path / f"plane.{ending}").stat().st_size > 1000
