@@ -1,4 +1,4 @@
-; made from 0817af942bad1dc5517d94579e284ab080a455c0771ac26d668f846efe3dc88f
+; made from 591877b5477d8d4b3c6b21f0af2d6cdae53a07e3372e77ec3e65eddd409da597
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -8,17 +8,17 @@ define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %
 
 define internal i32 @residual.0(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.r, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
-  %.432 = alloca ptr, align 8
-  store ptr null, ptr %.432, align 8
+  %.633 = alloca ptr, align 8
+  store ptr null, ptr %.633, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.470 = alloca ptr, align 8
-  store ptr null, ptr %.470, align 8
+  %.671 = alloca ptr, align 8
+  store ptr null, ptr %.671, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
   %.33 = load i64, ptr %arg.layout, align 8
-  %.116116 = icmp sgt i64 %.33, -1
-  br i1 %.116116, label %B62.if.preheader, label %B78
+  %.116161 = icmp sgt i64 %.33, -1
+  br i1 %.116161, label %B62.if.preheader, label %B78
 
 B62.if.preheader:
   %storemerge = add nuw i64 %.33, 1
@@ -32,79 +32,121 @@ B62.if.preheader:
 B78:
   %.163 = getelementptr i8, ptr %arg.layout, i64 32
   %.164 = load i64, ptr %.163, align 8
-  %.244122.not = icmp slt i64 %.164, 1
-  br i1 %.244122.not, label %B454, label %B130.if
+  %.245170.not = icmp slt i64 %.164, 1
+  br i1 %.245170.not, label %B846, label %B132.if
 
-B130.loopexit:
-  %exitcond128.not = icmp eq i64 %.164, %.257
-  br i1 %exitcond128.not, label %B454, label %B130.if
+B288:
+  %.312 = getelementptr i8, ptr %5, i64 56
+  %.313 = load i64, ptr %.312, align 8
+  %.315 = getelementptr double, ptr %arg.numbers, i64 %.313
+  %.322 = getelementptr i8, ptr %5, i64 48
+  %.323 = load i64, ptr %.322, align 8
+  %.325 = getelementptr i32, ptr %arg.idx, i64 %.323
+  %.329 = getelementptr i8, ptr %5, i64 64
+  %.330 = load i64, ptr %.329, align 8
+  %.332 = getelementptr i32, ptr %arg.rows, i64 %.330
+  %.345 = load i64, ptr %5, align 8
+  %.347 = mul nsw i64 %.345, %.298
+  %.429167.not = icmp slt i64 %.347, 1
+  br i1 %.429167.not, label %B847, label %B532.if
+
+B626:
+  %.506 = load i64, ptr %5, align 8
+  %.586164.not = icmp slt i64 %.506, 1
+  br i1 %.586164.not, label %B847, label %B684.if.lr.ph
+
+B684.if.lr.ph:
+  %.661 = getelementptr i8, ptr %5, i64 64
+  br label %B684.if
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B454 ], [ %.474, %B296.endif.if ], [ %.436, %B296.if ]
+  %common.ret.op = phi i32 [ 0, %B846 ], [ %.675, %B686.endif.if ], [ %.637, %B686.if ]
   ret i32 %common.ret.op
 
-B454:
+B846:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B130.if:
-  %.188.0123 = phi i64 [ %.257, %B130.loopexit ], [ 0, %B78 ]
-  %.257 = add nuw nsw i64 %.188.0123, 1
-  %3 = mul nuw nsw i64 %.188.0123, 11
+B847:
+  %exitcond178.not = icmp eq i64 %.164, %.258
+  br i1 %exitcond178.not, label %B846, label %B132.if
+
+B132.if:
+  %.188.0171 = phi i64 [ %.258, %B847 ], [ 0, %B78 ]
+  %.258 = add nuw nsw i64 %.188.0171, 1
+  %3 = mul nuw nsw i64 %.188.0171, 11
   %4 = add nuw nsw i64 %3, 8
   %5 = getelementptr i64, ptr %arg.layout, i64 %4
-  %.290 = getelementptr i8, ptr %5, i64 32
-  %.291 = load i64, ptr %.290, align 8
-  %.295 = getelementptr i8, ptr %5, i64 8
-  %.296 = load i64, ptr %.295, align 8
-  %.297 = mul nsw i64 %.296, %.291
-  %.305 = load i64, ptr %5, align 8
-  %.385119.not = icmp slt i64 %.305, 1
-  br i1 %.385119.not, label %B130.loopexit, label %B294.if.lr.ph
+  %.291 = getelementptr i8, ptr %5, i64 32
+  %.292 = load i64, ptr %.291, align 8
+  %.296 = getelementptr i8, ptr %5, i64 8
+  %.297 = load i64, ptr %.296, align 8
+  %.298 = mul nsw i64 %.297, %.292
+  %.305 = getelementptr i8, ptr %5, i64 80
+  %.306 = load i64, ptr %.305, align 8
+  %.307 = icmp eq i64 %.306, -1
+  br i1 %.307, label %B288, label %B626
 
-B294.if.lr.ph:
-  %.460 = getelementptr i8, ptr %5, i64 64
-  br label %B294.if
+B532.if:
+  %.373.0168 = phi i64 [ %.442, %B532.if ], [ 0, %B288 ]
+  %.442 = add nuw nsw i64 %.373.0168, 1
+  %.468 = getelementptr i32, ptr %.332, i64 %.373.0168
+  %.469 = load i32, ptr %.468, align 4
+  %.471 = sext i32 %.469 to i64
+  %.472 = getelementptr double, ptr %arg.r, i64 %.471
+  %.473 = load double, ptr %.472, align 8
+  %.475 = getelementptr double, ptr %.315, i64 %.373.0168
+  %.476 = load double, ptr %.475, align 8
+  %.478 = getelementptr i32, ptr %.325, i64 %.373.0168
+  %.479 = load i32, ptr %.478, align 4
+  %.481 = sext i32 %.479 to i64
+  %.482 = getelementptr double, ptr %arg.Y, i64 %.481
+  %.483 = load double, ptr %.482, align 8
+  %.484 = fmul contract double %.476, %.483
+  %.485 = fadd contract double %.473, %.484
+  store double %.485, ptr %.472, align 8
+  %exitcond177.not = icmp eq i64 %.347, %.442
+  br i1 %exitcond177.not, label %B847, label %B532.if
 
-B294.if:
-  %.329.0120 = phi i64 [ 0, %B294.if.lr.ph ], [ %.398, %B296.endif.endif ]
-  %.398 = add nuw nsw i64 %.329.0120, 1
-  store ptr null, ptr %.432, align 8
-  %.436 = call i32 @run_group.1(ptr nonnull %.432, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.329.0120, ptr %arg.kernels, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
-  switch i32 %.436, label %B296.if [
-    i32 -2, label %B296.endif
-    i32 0, label %B296.endif
+B684.if:
+  %.530.0165 = phi i64 [ 0, %B684.if.lr.ph ], [ %.599, %B686.endif.endif ]
+  %.599 = add nuw nsw i64 %.530.0165, 1
+  store ptr null, ptr %.633, align 8
+  %.637 = call i32 @run_group.1(ptr nonnull %.633, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.530.0165, ptr %arg.kernels, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.637, label %B686.if [
+    i32 -2, label %B686.endif
+    i32 0, label %B686.endif
   ]
 
-B296.if:
-  %.444 = icmp sgt i32 %.436, 0
-  %.437 = load ptr, ptr %excinfo.1, align 8
-  %.445 = select i1 %.444, ptr %.437, ptr undef
-  store ptr %.445, ptr %excinfo, align 8
+B686.if:
+  %.645 = icmp sgt i32 %.637, 0
+  %.638 = load ptr, ptr %excinfo.1, align 8
+  %.646 = select i1 %.645, ptr %.638, ptr undef
+  store ptr %.646, ptr %excinfo, align 8
   br label %common.ret
 
-B296.endif:
-  %.461 = load i64, ptr %.460, align 8
-  %.463 = mul nsw i64 %.329.0120, %.297
-  %6 = getelementptr i32, ptr %arg.rows, i64 %.461
-  %.466 = getelementptr i32, ptr %6, i64 %.463
-  store ptr null, ptr %.470, align 8
-  %.474 = call i32 @scatter.2(ptr nonnull %.470, ptr nonnull %excinfo.2, i64 %.297, ptr %.466, ptr %arg.out, ptr %arg.r)
-  switch i32 %.474, label %B296.endif.if [
-    i32 -2, label %B296.endif.endif
-    i32 0, label %B296.endif.endif
+B686.endif:
+  %.662 = load i64, ptr %.661, align 8
+  %.664 = mul nsw i64 %.530.0165, %.298
+  %6 = getelementptr i32, ptr %arg.rows, i64 %.662
+  %.667 = getelementptr i32, ptr %6, i64 %.664
+  store ptr null, ptr %.671, align 8
+  %.675 = call i32 @scatter.2(ptr nonnull %.671, ptr nonnull %excinfo.2, i64 %.298, ptr %.667, ptr %arg.out, ptr %arg.r)
+  switch i32 %.675, label %B686.endif.if [
+    i32 -2, label %B686.endif.endif
+    i32 0, label %B686.endif.endif
   ]
 
-B296.endif.if:
-  %.482 = icmp sgt i32 %.474, 0
-  %.475 = load ptr, ptr %excinfo.2, align 8
-  %.483 = select i1 %.482, ptr %.475, ptr undef
-  store ptr %.483, ptr %excinfo, align 8
+B686.endif.if:
+  %.683 = icmp sgt i32 %.675, 0
+  %.676 = load ptr, ptr %excinfo.2, align 8
+  %.684 = select i1 %.683, ptr %.676, ptr undef
+  store ptr %.684, ptr %excinfo, align 8
   br label %common.ret
 
-B296.endif.endif:
-  %exitcond.not = icmp eq i64 %.398, %.305
-  br i1 %exitcond.not, label %B130.loopexit, label %B294.if
+B686.endif.endif:
+  %exitcond.not = icmp eq i64 %.599, %.506
+  br i1 %exitcond.not, label %B847, label %B684.if
 }
 
 define internal i32 @run_group.1(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
@@ -218,22 +260,26 @@ define i64 @jacobian(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %
 
 define internal i32 @jacobian.4(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.J, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
-  %.436 = alloca ptr, align 8
-  store ptr null, ptr %.436, align 8
+  %.340 = alloca ptr, align 8
+  store ptr null, ptr %.340, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.474 = alloca ptr, align 8
-  store ptr null, ptr %.474, align 8
+  %.496 = alloca ptr, align 8
+  store ptr null, ptr %.496, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
+  %.534 = alloca ptr, align 8
+  store ptr null, ptr %.534, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
   %.32 = getelementptr i8, ptr %arg.layout, i64 16
   %.33 = load i64, ptr %.32, align 8
   %.34 = add nsw i64 %.33, 1
   %.36 = getelementptr i8, ptr %arg.layout, i64 24
   %.37 = load i64, ptr %.36, align 8
   %.38 = add nsw i64 %.34, %.37
-  %.120116.not = icmp slt i64 %.38, 1
-  br i1 %.120116.not, label %B106, label %B90.if.preheader
+  %.120124.not = icmp slt i64 %.38, 1
+  br i1 %.120124.not, label %B106, label %B90.if.preheader
 
 B90.if.preheader:
   %0 = shl nuw i64 %.38, 3
@@ -243,79 +289,108 @@ B90.if.preheader:
 B106:
   %.167 = getelementptr i8, ptr %arg.layout, i64 32
   %.168 = load i64, ptr %.167, align 8
-  %.248122.not = icmp slt i64 %.168, 1
-  br i1 %.248122.not, label %B482, label %B158.if
+  %.249130.not = icmp slt i64 %.168, 1
+  br i1 %.249130.not, label %B728, label %B160.if
 
-B158.loopexit:
-  %exitcond128.not = icmp eq i64 %.168, %.261
-  br i1 %exitcond128.not, label %B482, label %B158.if
+B316:
+  %.316 = getelementptr i8, ptr %3, i64 56
+  %.317 = load i64, ptr %.316, align 8
+  %.319 = getelementptr double, ptr %arg.numbers, i64 %.317
+  %.323 = getelementptr i8, ptr %3, i64 72
+  %.324 = load i64, ptr %.323, align 8
+  %.332 = load i64, ptr %3, align 8
+  %.334 = mul nsw i64 %.332, %.302
+  %.338 = getelementptr i32, ptr %arg.pos, i64 %.324
+  store ptr null, ptr %.340, align 8
+  %.344 = call i32 @scatter.2(ptr nonnull %.340, ptr nonnull %excinfo.1, i64 %.334, ptr %.338, ptr %.319, ptr %arg.J)
+  switch i32 %.344, label %B316.if [
+    i32 -2, label %B729
+    i32 0, label %B729
+  ]
+
+B508:
+  %.369 = load i64, ptr %3, align 8
+  %.449127.not = icmp slt i64 %.369, 1
+  br i1 %.449127.not, label %B729, label %B566.if.lr.ph
+
+B566.if.lr.ph:
+  %.524 = getelementptr i8, ptr %3, i64 72
+  br label %B566.if
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B482 ], [ %.478, %B324.endif.if ], [ %.440, %B324.if ]
+  %common.ret.op = phi i32 [ 0, %B728 ], [ %.538, %B568.endif.if ], [ %.344, %B316.if ], [ %.500, %B568.if ]
   ret i32 %common.ret.op
 
-B482:
+B728:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B158.if:
-  %.192.0123 = phi i64 [ %.261, %B158.loopexit ], [ 0, %B106 ]
-  %.261 = add nuw nsw i64 %.192.0123, 1
-  %1 = mul nuw nsw i64 %.192.0123, 11
+B729:
+  %exitcond136.not = icmp eq i64 %.168, %.262
+  br i1 %exitcond136.not, label %B728, label %B160.if
+
+B160.if:
+  %.192.0131 = phi i64 [ %.262, %B729 ], [ 0, %B106 ]
+  %.262 = add nuw nsw i64 %.192.0131, 1
+  %1 = mul nuw nsw i64 %.192.0131, 11
   %2 = add nuw nsw i64 %1, 8
   %3 = getelementptr i64, ptr %arg.layout, i64 %2
-  %.294 = getelementptr i8, ptr %3, i64 40
-  %.295 = load i64, ptr %.294, align 8
-  %.299 = getelementptr i8, ptr %3, i64 8
-  %.300 = load i64, ptr %.299, align 8
-  %.301 = mul nsw i64 %.300, %.295
-  %.309 = load i64, ptr %3, align 8
-  %.389119.not = icmp slt i64 %.309, 1
-  br i1 %.389119.not, label %B158.loopexit, label %B322.if.lr.ph
+  %.295 = getelementptr i8, ptr %3, i64 40
+  %.296 = load i64, ptr %.295, align 8
+  %.300 = getelementptr i8, ptr %3, i64 8
+  %.301 = load i64, ptr %.300, align 8
+  %.302 = mul nsw i64 %.301, %.296
+  %.309 = getelementptr i8, ptr %3, i64 80
+  %.310 = load i64, ptr %.309, align 8
+  %.311 = icmp eq i64 %.310, -1
+  br i1 %.311, label %B316, label %B508
 
-B322.if.lr.ph:
-  %.464 = getelementptr i8, ptr %3, i64 72
-  br label %B322.if
-
-B322.if:
-  %.333.0120 = phi i64 [ 0, %B322.if.lr.ph ], [ %.402, %B324.endif.endif ]
-  %.402 = add nuw nsw i64 %.333.0120, 1
-  store ptr null, ptr %.436, align 8
-  %.440 = call i32 @run_group.5(ptr nonnull %.436, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %2, i64 1, i64 %.333.0120, ptr %arg.kernels, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
-  switch i32 %.440, label %B324.if [
-    i32 -2, label %B324.endif
-    i32 0, label %B324.endif
-  ]
-
-B324.if:
-  %.448 = icmp sgt i32 %.440, 0
-  %.441 = load ptr, ptr %excinfo.1, align 8
-  %.449 = select i1 %.448, ptr %.441, ptr undef
-  store ptr %.449, ptr %excinfo, align 8
+B316.if:
+  %.352 = icmp sgt i32 %.344, 0
+  %.345 = load ptr, ptr %excinfo.1, align 8
+  %.353 = select i1 %.352, ptr %.345, ptr undef
+  store ptr %.353, ptr %excinfo, align 8
   br label %common.ret
 
-B324.endif:
-  %.465 = load i64, ptr %.464, align 8
-  %.467 = mul nsw i64 %.333.0120, %.301
-  %4 = getelementptr i32, ptr %arg.pos, i64 %.465
-  %.470 = getelementptr i32, ptr %4, i64 %.467
-  store ptr null, ptr %.474, align 8
-  %.478 = call i32 @scatter.2(ptr nonnull %.474, ptr nonnull %excinfo.2, i64 %.301, ptr %.470, ptr %arg.out, ptr %arg.J)
-  switch i32 %.478, label %B324.endif.if [
-    i32 -2, label %B324.endif.endif
-    i32 0, label %B324.endif.endif
+B566.if:
+  %.393.0128 = phi i64 [ 0, %B566.if.lr.ph ], [ %.462, %B568.endif.endif ]
+  %.462 = add nuw nsw i64 %.393.0128, 1
+  store ptr null, ptr %.496, align 8
+  %.500 = call i32 @run_group.5(ptr nonnull %.496, ptr nonnull %excinfo.2, ptr %arg.layout, i64 %2, i64 1, i64 %.393.0128, ptr %arg.kernels, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.500, label %B568.if [
+    i32 -2, label %B568.endif
+    i32 0, label %B568.endif
   ]
 
-B324.endif.if:
-  %.486 = icmp sgt i32 %.478, 0
-  %.479 = load ptr, ptr %excinfo.2, align 8
-  %.487 = select i1 %.486, ptr %.479, ptr undef
-  store ptr %.487, ptr %excinfo, align 8
+B568.if:
+  %.508 = icmp sgt i32 %.500, 0
+  %.501 = load ptr, ptr %excinfo.2, align 8
+  %.509 = select i1 %.508, ptr %.501, ptr undef
+  store ptr %.509, ptr %excinfo, align 8
   br label %common.ret
 
-B324.endif.endif:
-  %exitcond.not = icmp eq i64 %.402, %.309
-  br i1 %exitcond.not, label %B158.loopexit, label %B322.if
+B568.endif:
+  %.525 = load i64, ptr %.524, align 8
+  %.527 = mul nsw i64 %.393.0128, %.302
+  %4 = getelementptr i32, ptr %arg.pos, i64 %.525
+  %.530 = getelementptr i32, ptr %4, i64 %.527
+  store ptr null, ptr %.534, align 8
+  %.538 = call i32 @scatter.2(ptr nonnull %.534, ptr nonnull %excinfo.3, i64 %.302, ptr %.530, ptr %arg.out, ptr %arg.J)
+  switch i32 %.538, label %B568.endif.if [
+    i32 -2, label %B568.endif.endif
+    i32 0, label %B568.endif.endif
+  ]
+
+B568.endif.if:
+  %.546 = icmp sgt i32 %.538, 0
+  %.539 = load ptr, ptr %excinfo.3, align 8
+  %.547 = select i1 %.546, ptr %.539, ptr undef
+  store ptr %.547, ptr %excinfo, align 8
+  br label %common.ret
+
+B568.endif.endif:
+  %exitcond.not = icmp eq i64 %.462, %.369
+  br i1 %exitcond.not, label %B729, label %B566.if
 }
 
 define internal i32 @run_group.5(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
@@ -2094,32 +2169,32 @@ entry:
   store double 0.000000e+00, ptr %.1687, align 8
   %excinfo.21 = alloca ptr, align 8
   store ptr null, ptr %excinfo.21, align 8
-  %.1950 = alloca ptr, align 8
-  store ptr null, ptr %.1950, align 8
+  %.1952 = alloca ptr, align 8
+  store ptr null, ptr %.1952, align 8
   %excinfo.22 = alloca ptr, align 8
   store ptr null, ptr %excinfo.22, align 8
-  %.1996 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1996, align 8
+  %.1998 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1998, align 8
   %excinfo.23 = alloca ptr, align 8
   store ptr null, ptr %excinfo.23, align 8
-  %.2027 = alloca ptr, align 8
-  store ptr null, ptr %.2027, align 8
+  %.2029 = alloca ptr, align 8
+  store ptr null, ptr %.2029, align 8
   %excinfo.24 = alloca ptr, align 8
   store ptr null, ptr %excinfo.24, align 8
-  %.2151 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2151, align 8
+  %.2153 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2153, align 8
   %excinfo.25 = alloca ptr, align 8
   store ptr null, ptr %excinfo.25, align 8
-  %.2193 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2193, align 8
+  %.2195 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2195, align 8
   %excinfo.26 = alloca ptr, align 8
   store ptr null, ptr %excinfo.26, align 8
-  %.2243 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2243, align 8
+  %.2245 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2245, align 8
   %excinfo.27 = alloca ptr, align 8
   store ptr null, ptr %excinfo.27, align 8
-  %.2275 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2275, align 8
+  %.2277 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2277, align 8
   %excinfo.28 = alloca ptr, align 8
   store ptr null, ptr %excinfo.28, align 8
   %.86 = load i64, ptr %arg.layout, align 8
@@ -2160,7 +2235,7 @@ entry:
   %.193 = load double, ptr %.192, align 8
   %.199 = load i64, ptr %arg.counts, align 8
   %.288488.not = icmp slt i64 %arg.max_steps, 1
-  br i1 %.288488.not, label %B3546, label %B700.if.lr.ph
+  br i1 %.288488.not, label %B3550, label %B700.if.lr.ph
 
 B700.if.lr.ph:
   %.100 = add nsw i64 %.98, %.86
@@ -2177,9 +2252,9 @@ B700.if.lr.ph:
   %.1537.idx = mul i64 %.86, 56
   %.1537 = getelementptr i8, ptr %arg.work, i64 %.1537.idx
   %.1594 = getelementptr i8, ptr %arg.settings, i64 8
-  %.1989 = getelementptr i8, ptr %arg.state, i64 16
-  %.1992 = getelementptr i8, ptr %arg.method, i64 1352
-  %.2239 = getelementptr i8, ptr %arg.settings, i64 16
+  %.1991 = getelementptr i8, ptr %arg.state, i64 16
+  %.1994 = getelementptr i8, ptr %arg.method, i64 1352
+  %.2241 = getelementptr i8, ptr %arg.settings, i64 16
   %.1675 = getelementptr i8, ptr %arg.counts, i64 16
   %.1683 = getelementptr i8, ptr %arg.method, i64 1352
   %.1724 = getelementptr i8, ptr %arg.settings, i64 24
@@ -2310,7 +2385,7 @@ B2566:
   ]
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B2744 ], [ 0, %B3546 ], [ %.2281, %B3414.endif.if ], [ %.2249, %B3414.if ], [ %.397, %B816.endif.if ], [ %.440, %B858.if ], [ %.478, %B858.endif.if ], [ %.512, %B858.endif.endif.if ], [ %.2199, %B3286.endif.endif.if ], [ %.2157, %B3286.if ], [ %.546, %B858.endif.endif.endif.if ], [ %.876, %B1286.endif.if ], [ 0, %B3286.endif.endif.endif ], [ %.907, %B1286.endif.endif.if ], [ %.2031, %B3148.endif.if ], [ %.1073, %B1566.if ], [ %.1228, %B1632.if ], [ %.1267, %B1732.if ], [ %.1296, %B1808.if ], [ %.1342, %B1808.endif.if ], [ %.1376, %B1808.endif.endif.if ], [ %.1413, %B1808.endif.endif.endif.if ], [ %.1455, %B2126.if ], [ %.1501, %B2162.if ], [ %.1546, %B2252.if ], [ %.1573, %B2252.endif.if ], [ %.1609, %B2252.endif.endif.endif.if ], [ %.1642, %B2252.endif.endif.endif.endif.if ], [ %.1691, %B2566.if ], [ %.1954, %B2938.if ], [ %.2000, %B3148.if ]
+  %common.ret.op = phi i32 [ 0, %B2744 ], [ 0, %B3550 ], [ %.2283, %B3418.endif.if ], [ %.2251, %B3418.if ], [ %.397, %B816.endif.if ], [ %.440, %B858.if ], [ %.478, %B858.endif.if ], [ %.512, %B858.endif.endif.if ], [ %.2201, %B3290.endif.endif.if ], [ %.2159, %B3290.if ], [ %.546, %B858.endif.endif.endif.if ], [ %.876, %B1286.endif.if ], [ 0, %B3290.endif.endif.endif ], [ %.907, %B1286.endif.endif.if ], [ %.2033, %B3152.endif.if ], [ %.1073, %B1566.if ], [ %.1228, %B1632.if ], [ %.1267, %B1732.if ], [ %.1296, %B1808.if ], [ %.1342, %B1808.endif.if ], [ %.1376, %B1808.endif.endif.if ], [ %.1413, %B1808.endif.endif.endif.if ], [ %.1455, %B2126.if ], [ %.1501, %B2162.if ], [ %.1546, %B2252.if ], [ %.1573, %B2252.endif.if ], [ %.1609, %B2252.endif.endif.endif.if ], [ %.1642, %B2252.endif.endif.endif.endif.if ], [ %.1691, %B2566.if ], [ %.1956, %B2938.if ], [ %.2002, %B3152.if ]
   ret i32 %common.ret.op
 
 B2744:
@@ -2346,7 +2421,7 @@ B2874:
 B2904:
   %stop.3.2 = phi i64 [ %.1843, %B2822 ], [ %.1843, %B2766 ], [ %arg.edge_count, %B2852 ], [ %.1876, %B2874 ]
   %.1920 = icmp sgt i64 %stop.3.2, %.1843
-  br i1 %.1920, label %B2938, label %B3148
+  br i1 %.1920, label %B2938, label %B3152
 
 B2938:
   %.1927 = getelementptr double, ptr %arg.edges, i64 %.1843
@@ -2354,56 +2429,56 @@ B2938:
   %.1937 = sub nsw i64 %.1843, %.199
   %.1939 = mul nsw i64 %.1937, %.86
   %.1941 = getelementptr double, ptr %arg.outputs, i64 %.1939
-  store ptr null, ptr %.1950, align 8
-  %.1954 = call i32 @dense_output.26(ptr nonnull %.1950, ptr nonnull %excinfo.22, i64 %.86, ptr %arg.y, ptr %.117, ptr %arg.work, ptr %arg.method, double %.328, double %until.2.1, ptr %.1927, i64 %.1932, ptr %.1941, ptr %.113)
-  switch i32 %.1954, label %B2938.if [
+  store ptr null, ptr %.1952, align 8
+  %.1956 = call i32 @dense_output.26(ptr nonnull %.1952, ptr nonnull %excinfo.22, i64 %.86, ptr %arg.y, ptr %.117, ptr %arg.work, ptr %arg.method, double %.328, double %until.2.1, ptr %.1927, i64 %.1932, ptr %.1941, ptr %.113, ptr %.134, ptr %.144)
+  switch i32 %.1956, label %B2938.if [
     i32 -2, label %B2938.endif
     i32 0, label %B2938.endif
   ]
 
-B3148:
-  %.1990 = load double, ptr %.1989, align 8
-  %.1993 = load double, ptr %.1992, align 8
-  store double 0.000000e+00, ptr %.1996, align 8
-  %.2000 = call i32 @step_factor.25(ptr nonnull %.1996, ptr nonnull %excinfo.23, double %error.2.1, double %.1990, double %.1993, ptr %arg.settings)
-  %.2010 = load double, ptr %.1996, align 8
-  switch i32 %.2000, label %B3148.if [
-    i32 -2, label %B3148.endif
-    i32 0, label %B3148.endif
+B3152:
+  %.1992 = load double, ptr %.1991, align 8
+  %.1995 = load double, ptr %.1994, align 8
+  store double 0.000000e+00, ptr %.1998, align 8
+  %.2002 = call i32 @step_factor.25(ptr nonnull %.1998, ptr nonnull %excinfo.23, double %error.2.1, double %.1992, double %.1995, ptr %arg.settings)
+  %.2012 = load double, ptr %.1998, align 8
+  switch i32 %.2002, label %B3152.if [
+    i32 -2, label %B3152.endif
+    i32 0, label %B3152.endif
   ]
 
-B3286:
-  store double 0.000000e+00, ptr %.2151, align 8
-  %.2157 = call i32 @numba.27(ptr nonnull %.2151, ptr nonnull %excinfo.25, double %.331491, double %h.3.1)
-  %.2167 = load double, ptr %.2151, align 8
-  switch i32 %.2157, label %B3286.if [
-    i32 -2, label %B3286.endif
-    i32 0, label %B3286.endif
+B3290:
+  store double 0.000000e+00, ptr %.2153, align 8
+  %.2159 = call i32 @numba.27(ptr nonnull %.2153, ptr nonnull %excinfo.25, double %.331491, double %h.3.1)
+  %.2169 = load double, ptr %.2153, align 8
+  switch i32 %.2159, label %B3290.if [
+    i32 -2, label %B3290.endif
+    i32 0, label %B3290.endif
   ]
 
-B3414:
-  %.2233 = fmul contract double %h.3.1, %.2010
-  %.2240 = load double, ptr %.2239, align 8
-  store double 0.000000e+00, ptr %.2243, align 8
-  %.2249 = call i32 @numba.21(ptr nonnull %.2243, ptr nonnull %excinfo.27, double %.2233, double %.2240)
-  switch i32 %.2249, label %B3414.if [
-    i32 -2, label %B3414.endif
-    i32 0, label %B3414.endif
+B3418:
+  %.2235 = fmul contract double %h.3.1, %.2012
+  %.2242 = load double, ptr %.2241, align 8
+  store double 0.000000e+00, ptr %.2245, align 8
+  %.2251 = call i32 @numba.21(ptr nonnull %.2245, ptr nonnull %excinfo.27, double %.2235, double %.2242)
+  switch i32 %.2251, label %B3418.if [
+    i32 -2, label %B3418.endif
+    i32 0, label %B3418.endif
   ]
 
-B3546:
+B3550:
   store i64 1, ptr %retptr, align 8
   br label %common.ret
 
-B3547:
-  %.331492 = phi double [ %.1714, %B2566.endif ], [ %.2259, %B3414.endif.endif ]
+B3551:
+  %.331492 = phi double [ %.1714, %B2566.endif ], [ %.2261, %B3418.endif.endif ]
   %.288 = icmp sgt i64 %.232.0489, 1
-  br i1 %.288, label %B700.if, label %B3546
+  br i1 %.288, label %B700.if, label %B3550
 
 B700.if:
-  %.331491 = phi double [ %.330.promoted, %B700.if.lr.ph ], [ %.331492, %B3547 ]
-  %fresh.3.0490 = phi i1 [ false, %B700.if.lr.ph ], [ %.1666, %B3547 ]
-  %.232.0489 = phi i64 [ %arg.max_steps, %B700.if.lr.ph ], [ %.297, %B3547 ]
+  %.331491 = phi double [ %.330.promoted, %B700.if.lr.ph ], [ %.331492, %B3551 ]
+  %fresh.3.0490 = phi i1 [ false, %B700.if.lr.ph ], [ %.1666, %B3551 ]
+  %.232.0489 = phi i64 [ %arg.max_steps, %B700.if.lr.ph ], [ %.297, %B3551 ]
   %.297 = add nsw i64 %.232.0489, -1
   %.328 = load double, ptr %arg.state, align 8
   %.340 = fsub contract double %.193, %.328
@@ -2746,105 +2821,105 @@ B2566.endif:
   store double %.1714, ptr %.330, align 8
   %.1725 = load double, ptr %.1724, align 8
   %.1726 = fcmp contract olt double %.1714, %.1725
-  br i1 %.1726, label %B2744, label %B3547
+  br i1 %.1726, label %B2744, label %B3551
 
 B2938.if:
-  %.1962 = icmp sgt i32 %.1954, 0
-  %.1955 = load ptr, ptr %excinfo.22, align 8
-  %.1963 = select i1 %.1962, ptr %.1955, ptr undef
-  store ptr %.1963, ptr %excinfo, align 8
+  %.1964 = icmp sgt i32 %.1956, 0
+  %.1957 = load ptr, ptr %excinfo.22, align 8
+  %.1965 = select i1 %.1964, ptr %.1957, ptr undef
+  store ptr %.1965, ptr %excinfo, align 8
   br label %common.ret
 
 B2938.endif:
   store i64 %stop.3.2, ptr %arg.counts, align 8
-  br label %B3148
+  br label %B3152
 
-B3148.if:
-  %.2008 = icmp sgt i32 %.2000, 0
-  %.2001 = load ptr, ptr %excinfo.23, align 8
-  %.2009 = select i1 %.2008, ptr %.2001, ptr undef
-  store ptr %.2009, ptr %excinfo, align 8
+B3152.if:
+  %.2010 = icmp sgt i32 %.2002, 0
+  %.2003 = load ptr, ptr %excinfo.23, align 8
+  %.2011 = select i1 %.2010, ptr %.2003, ptr undef
+  store ptr %.2011, ptr %excinfo, align 8
   br label %common.ret
 
-B3148.endif:
-  store ptr null, ptr %.2027, align 8
-  %.2031 = call i32 @copy.22(ptr nonnull %.2027, ptr nonnull %excinfo.24, i64 %.86, ptr %.117, ptr %arg.y)
-  switch i32 %.2031, label %B3148.endif.if [
-    i32 -2, label %B3148.endif.endif
-    i32 0, label %B3148.endif.endif
+B3152.endif:
+  store ptr null, ptr %.2029, align 8
+  %.2033 = call i32 @copy.22(ptr nonnull %.2029, ptr nonnull %excinfo.24, i64 %.86, ptr %.117, ptr %arg.y)
+  switch i32 %.2033, label %B3152.endif.if [
+    i32 -2, label %B3152.endif.endif
+    i32 0, label %B3152.endif.endif
   ]
 
-B3148.endif.if:
-  %.2039 = icmp sgt i32 %.2031, 0
-  %.2032 = load ptr, ptr %excinfo.24, align 8
-  %.2040 = select i1 %.2039, ptr %.2032, ptr undef
-  store ptr %.2040, ptr %excinfo, align 8
+B3152.endif.if:
+  %.2041 = icmp sgt i32 %.2033, 0
+  %.2034 = load ptr, ptr %excinfo.24, align 8
+  %.2042 = select i1 %.2041, ptr %.2034, ptr undef
+  store ptr %.2042, ptr %excinfo, align 8
   br label %common.ret
 
-B3148.endif.endif:
+B3152.endif.endif:
   store double %until.2.1, ptr %arg.state, align 8
-  br i1 %.347, label %B3286, label %B3414
+  br i1 %.347, label %B3290, label %B3418
 
-B3286.if:
-  %.2165 = icmp sgt i32 %.2157, 0
-  %.2158 = load ptr, ptr %excinfo.25, align 8
-  %.2166 = select i1 %.2165, ptr %.2158, ptr undef
-  store ptr %.2166, ptr %excinfo, align 8
+B3290.if:
+  %.2167 = icmp sgt i32 %.2159, 0
+  %.2160 = load ptr, ptr %excinfo.25, align 8
+  %.2168 = select i1 %.2167, ptr %.2160, ptr undef
+  store ptr %.2168, ptr %excinfo, align 8
   br label %common.ret
 
-B3286.endif:
-  %.2182 = getelementptr i8, ptr %arg.settings, i64 32
-  %.2183 = load double, ptr %.2182, align 8
-  %.2189 = fdiv contract double 1.000000e+00, %.2183
-  store double 0.000000e+00, ptr %.2193, align 8
-  %.2199 = call i32 @numba.21(ptr nonnull %.2193, ptr nonnull %excinfo.26, double %.2010, double %.2189)
-  switch i32 %.2199, label %B3286.endif.endif.if [
-    i32 -2, label %B3286.endif.endif.endif
-    i32 0, label %B3286.endif.endif.endif
+B3290.endif:
+  %.2184 = getelementptr i8, ptr %arg.settings, i64 32
+  %.2185 = load double, ptr %.2184, align 8
+  %.2191 = fdiv contract double 1.000000e+00, %.2185
+  store double 0.000000e+00, ptr %.2195, align 8
+  %.2201 = call i32 @numba.21(ptr nonnull %.2195, ptr nonnull %excinfo.26, double %.2012, double %.2191)
+  switch i32 %.2201, label %B3290.endif.endif.if [
+    i32 -2, label %B3290.endif.endif.endif
+    i32 0, label %B3290.endif.endif.endif
   ]
 
-B3286.endif.endif.if:
-  %.2207 = icmp sgt i32 %.2199, 0
-  %.2200 = load ptr, ptr %excinfo.26, align 8
-  %.2208 = select i1 %.2207, ptr %.2200, ptr undef
-  store ptr %.2208, ptr %excinfo, align 8
+B3290.endif.endif.if:
+  %.2209 = icmp sgt i32 %.2201, 0
+  %.2202 = load ptr, ptr %excinfo.26, align 8
+  %.2210 = select i1 %.2209, ptr %.2202, ptr undef
+  store ptr %.2210, ptr %excinfo, align 8
   br label %common.ret
 
-B3286.endif.endif.endif:
-  %.2209 = load double, ptr %.2193, align 8
-  %.2221 = fmul contract double %.2167, %.2209
-  store double %.2221, ptr %.330, align 8
+B3290.endif.endif.endif:
+  %.2211 = load double, ptr %.2195, align 8
+  %.2223 = fmul contract double %.2169, %.2211
+  store double %.2223, ptr %.330, align 8
   store i64 0, ptr %retptr, align 8
   br label %common.ret
 
-B3414.if:
-  %.2257 = icmp sgt i32 %.2249, 0
-  %.2250 = load ptr, ptr %excinfo.27, align 8
-  %.2258 = select i1 %.2257, ptr %.2250, ptr undef
-  store ptr %.2258, ptr %excinfo, align 8
+B3418.if:
+  %.2259 = icmp sgt i32 %.2251, 0
+  %.2252 = load ptr, ptr %excinfo.27, align 8
+  %.2260 = select i1 %.2259, ptr %.2252, ptr undef
+  store ptr %.2260, ptr %excinfo, align 8
   br label %common.ret
 
-B3414.endif:
-  %.2259 = load double, ptr %.2243, align 8
-  store double %.2259, ptr %.330, align 8
-  store double 0.000000e+00, ptr %.2275, align 8
-  %.2281 = call i32 @numba.27(ptr nonnull %.2275, ptr nonnull %excinfo.28, double %error.2.1, double 1.000000e-04)
-  switch i32 %.2281, label %B3414.endif.if [
-    i32 -2, label %B3414.endif.endif
-    i32 0, label %B3414.endif.endif
+B3418.endif:
+  %.2261 = load double, ptr %.2245, align 8
+  store double %.2261, ptr %.330, align 8
+  store double 0.000000e+00, ptr %.2277, align 8
+  %.2283 = call i32 @numba.27(ptr nonnull %.2277, ptr nonnull %excinfo.28, double %error.2.1, double 1.000000e-04)
+  switch i32 %.2283, label %B3418.endif.if [
+    i32 -2, label %B3418.endif.endif
+    i32 0, label %B3418.endif.endif
   ]
 
-B3414.endif.if:
-  %.2289 = icmp sgt i32 %.2281, 0
-  %.2282 = load ptr, ptr %excinfo.28, align 8
-  %.2290 = select i1 %.2289, ptr %.2282, ptr undef
-  store ptr %.2290, ptr %excinfo, align 8
+B3418.endif.if:
+  %.2291 = icmp sgt i32 %.2283, 0
+  %.2284 = load ptr, ptr %excinfo.28, align 8
+  %.2292 = select i1 %.2291, ptr %.2284, ptr undef
+  store ptr %.2292, ptr %excinfo, align 8
   br label %common.ret
 
-B3414.endif.endif:
-  %.2291 = load double, ptr %.2275, align 8
-  store double %.2291, ptr %.1989, align 8
-  br label %B3547
+B3418.endif.endif:
+  %.2293 = load double, ptr %.2277, align 8
+  store double %.2293, ptr %.1991, align 8
+  br label %B3551
 }
 
 define internal i32 @copy.22(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) {
@@ -2997,155 +3072,200 @@ B250.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @dense_output.26(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.y, ptr noalias %arg.after, ptr noalias %arg.stages, ptr noalias %arg.method, double %arg.time, double %arg.until, ptr noalias %arg.edges, i64 %arg.count, ptr noalias %arg.outputs, ptr noalias %arg.inner) noinline {
+define internal i32 @dense_output.26(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.y, ptr noalias %arg.after, ptr noalias %arg.stages, ptr noalias %arg.method, double %arg.time, double %arg.until, ptr noalias %arg.edges, i64 %arg.count, ptr noalias %arg.outputs, ptr noalias %arg.first, ptr noalias %arg.second, ptr noalias %arg.third) noinline {
 entry:
-  %.169 = alloca double, align 8
-  store double 0.000000e+00, ptr %.169, align 8
+  %.311 = alloca ptr, align 8
+  store ptr null, ptr %.311, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.214 = alloca ptr, align 8
-  store ptr null, ptr %.214, align 8
+  %.343 = alloca ptr, align 8
+  store ptr null, ptr %.343, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.512 = alloca ptr, align 8
-  store ptr null, ptr %.512, align 8
+  %.376 = alloca ptr, align 8
+  store ptr null, ptr %.376, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.117157.not = icmp slt i64 %arg.count, 1
-  br i1 %.117157.not, label %B628, label %B36.if.lr.ph
+  %.543 = alloca double, align 8
+  store double 0.000000e+00, ptr %.543, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.588 = alloca ptr, align 8
+  store ptr null, ptr %.588, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.125156.not = icmp slt i64 %arg.n, 1
+  br i1 %.125156.not, label %B110.if.preheader, label %B34.if.preheader
 
-B36.if.lr.ph:
-  %.162 = fsub contract double %arg.until, %arg.time
-  %storemerge145 = call i64 @llvm.smax.i64(i64 %arg.n, i64 0)
-  %.321149.not = icmp slt i64 %arg.n, 1
-  %.621154.not = icmp slt i64 %arg.n, 1
-  %0 = shl nuw i64 %storemerge145, 3
-  br label %B36.if
+B110.if.preheader:
+  br label %B110.if
 
-B152:
-  store ptr null, ptr %.214, align 8
-  %.218 = call i32 @copy.22(ptr nonnull %.214, ptr nonnull %excinfo.2, i64 %arg.n, ptr %arg.after, ptr %.201)
-  switch i32 %.218, label %B152.if [
-    i32 -2, label %B629
-    i32 0, label %B629
+B34.if.preheader:
+  %0 = shl nuw i64 %arg.n, 3
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.first, i8 0, i64 %0, i1 false)
+  %1 = shl nuw i64 %arg.n, 3
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.second, i8 0, i64 %1, i1 false)
+  %2 = shl nuw i64 %arg.n, 3
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.third, i8 0, i64 %2, i1 false)
+  br label %B110.if.preheader
+
+B384:
+  %.491164.not = icmp slt i64 %arg.count, 1
+  br i1 %.491164.not, label %B744, label %B414.if.lr.ph
+
+B414.if.lr.ph:
+  %.536 = fsub contract double %arg.until, %arg.time
+  %.695161.not = icmp slt i64 %arg.n, 1
+  br label %B414.if
+
+B530:
+  store ptr null, ptr %.588, align 8
+  %.592 = call i32 @copy.22(ptr nonnull %.588, ptr nonnull %excinfo.5, i64 %arg.n, ptr %arg.after, ptr %.575)
+  switch i32 %.592, label %B530.if [
+    i32 -2, label %B745
+    i32 0, label %B745
   ]
 
-B188:
-  br i1 %.321149.not, label %B274.if.preheader, label %B218.if.preheader
-
-B274.if.preheader:
-  br label %B274.if
-
-B218.if.preheader:
-  call void @llvm.memset.p0.i64(ptr align 8 %arg.inner, i8 0, i64 %0, i1 false)
-  br label %B274.if.preheader
-
-B530.preheader:
-  br i1 %.621154.not, label %B629, label %B530.if.lr.ph
-
-B530.if.lr.ph:
-  %.660 = fsub contract double 1.000000e+00, %.185
-  br label %B530.if
-
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B628 ], [ %.516, %B276.if ], [ %.218, %B152.if ], [ %.175, %B38.endif.if ]
+  %common.ret.op = phi i32 [ 0, %B744 ], [ %.592, %B530.if ], [ %.549, %B416.endif.if ], [ %.380, %B112.endif.endif.if ], [ %.315, %B112.if ], [ %.347, %B112.endif.if ]
   ret i32 %common.ret.op
 
-B628:
+B744:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B629:
-  %exitcond165.not = icmp eq i64 %.130, %arg.count
-  br i1 %exitcond165.not, label %B628, label %B36.if
+B745:
+  %exitcond176.not = icmp eq i64 %.504, %arg.count
+  br i1 %exitcond176.not, label %B744, label %B414.if
 
-B36.if:
-  %.58.0158 = phi i64 [ 0, %B36.if.lr.ph ], [ %.130, %B629 ]
-  %.130 = add nuw nsw i64 %.58.0158, 1
-  %.156 = getelementptr double, ptr %arg.edges, i64 %.58.0158
-  %.157 = load double, ptr %.156, align 8
-  %.159 = fsub contract double %.157, %arg.time
-  %.166 = fdiv contract double %.159, %.162
-  store double 0.000000e+00, ptr %.169, align 8
-  %.175 = call i32 @numba.21(ptr nonnull %.169, ptr nonnull %excinfo.1, double %.166, double 1.000000e+00)
-  %.185 = load double, ptr %.169, align 8
-  switch i32 %.175, label %B38.endif.if [
-    i32 -2, label %B38.endif.endif
-    i32 0, label %B38.endif.endif
+B110.if:
+  %.206.0159 = phi i64 [ %.275, %B112.endif.endif.endif ], [ 0, %B110.if.preheader ]
+  %.275 = add nuw nsw i64 %.206.0159, 1
+  %.301 = mul nsw i64 %.206.0159, %arg.n
+  %.303 = getelementptr double, ptr %arg.stages, i64 %.301
+  %3 = getelementptr double, ptr %arg.method, i64 %.206.0159
+  %.307 = getelementptr i8, ptr %3, i64 1152
+  %.308 = load double, ptr %.307, align 8
+  store ptr null, ptr %.311, align 8
+  %.315 = call i32 @add_scaled.24(ptr nonnull %.311, ptr nonnull %excinfo.1, i64 %arg.n, double %.308, ptr %.303, ptr %arg.first)
+  switch i32 %.315, label %B112.if [
+    i32 -2, label %B112.endif
+    i32 0, label %B112.endif
   ]
 
-B38.endif.if:
-  %.183 = icmp sgt i32 %.175, 0
-  %.176 = load ptr, ptr %excinfo.1, align 8
-  %.184 = select i1 %.183, ptr %.176, ptr undef
-  store ptr %.184, ptr %excinfo, align 8
+B112.if:
+  %.323 = icmp sgt i32 %.315, 0
+  %.316 = load ptr, ptr %excinfo.1, align 8
+  %.324 = select i1 %.323, ptr %.316, ptr undef
+  store ptr %.324, ptr %excinfo, align 8
   br label %common.ret
 
-B38.endif.endif:
-  %.199 = mul nsw i64 %.58.0158, %arg.n
-  %.201 = getelementptr double, ptr %arg.outputs, i64 %.199
-  %.206 = fcmp contract oeq double %.185, 1.000000e+00
-  br i1 %.206, label %B152, label %B188
-
-B152.if:
-  %.226 = icmp sgt i32 %.218, 0
-  %.219 = load ptr, ptr %excinfo.2, align 8
-  %.227 = select i1 %.226, ptr %.219, ptr undef
-  store ptr %.227, ptr %excinfo, align 8
-  br label %common.ret
-
-B274.if:
-  %.390.0152 = phi i64 [ %.459, %B276.endif ], [ 0, %B274.if.preheader ]
-  %1 = getelementptr double, ptr %arg.method, i64 %.390.0152
-  %.487 = getelementptr i8, ptr %1, i64 1216
-  %.488 = load double, ptr %.487, align 8
-  %.493 = getelementptr i8, ptr %1, i64 1280
-  %.494 = load double, ptr %.493, align 8
-  %.496 = fmul contract double %.185, %.494
-  %.497 = fadd contract double %.488, %.496
-  %.501 = getelementptr i8, ptr %1, i64 1152
-  %.502 = load double, ptr %.501, align 8
-  %.504 = fmul contract double %.185, %.497
-  %.505 = fadd contract double %.502, %.504
-  %.507 = mul nsw i64 %.390.0152, %arg.n
-  %.509 = getelementptr double, ptr %arg.stages, i64 %.507
-  store ptr null, ptr %.512, align 8
-  %.516 = call i32 @add_scaled.24(ptr nonnull %.512, ptr nonnull %excinfo.3, i64 %arg.n, double %.505, ptr %.509, ptr %arg.inner)
-  switch i32 %.516, label %B276.if [
-    i32 -2, label %B276.endif
-    i32 0, label %B276.endif
+B112.endif:
+  %.339 = getelementptr i8, ptr %3, i64 1216
+  %.340 = load double, ptr %.339, align 8
+  store ptr null, ptr %.343, align 8
+  %.347 = call i32 @add_scaled.24(ptr nonnull %.343, ptr nonnull %excinfo.2, i64 %arg.n, double %.340, ptr %.303, ptr %arg.second)
+  switch i32 %.347, label %B112.endif.if [
+    i32 -2, label %B112.endif.endif
+    i32 0, label %B112.endif.endif
   ]
 
-B276.if:
-  %.524 = icmp sgt i32 %.516, 0
-  %.517 = load ptr, ptr %excinfo.3, align 8
-  %.525 = select i1 %.524, ptr %.517, ptr undef
-  store ptr %.525, ptr %excinfo, align 8
+B112.endif.if:
+  %.355 = icmp sgt i32 %.347, 0
+  %.348 = load ptr, ptr %excinfo.2, align 8
+  %.356 = select i1 %.355, ptr %.348, ptr undef
+  store ptr %.356, ptr %excinfo, align 8
   br label %common.ret
 
-B276.endif:
-  %.459 = add nuw nsw i64 %.390.0152, 1
-  %exitcond.not = icmp eq i64 %.459, 8
-  br i1 %exitcond.not, label %B530.preheader, label %B274.if
+B112.endif.endif:
+  %.372 = getelementptr i8, ptr %3, i64 1280
+  %.373 = load double, ptr %.372, align 8
+  store ptr null, ptr %.376, align 8
+  %.380 = call i32 @add_scaled.24(ptr nonnull %.376, ptr nonnull %excinfo.3, i64 %arg.n, double %.373, ptr %.303, ptr %arg.third)
+  switch i32 %.380, label %B112.endif.endif.if [
+    i32 -2, label %B112.endif.endif.endif
+    i32 0, label %B112.endif.endif.endif
+  ]
+
+B112.endif.endif.if:
+  %.388 = icmp sgt i32 %.380, 0
+  %.381 = load ptr, ptr %excinfo.3, align 8
+  %.389 = select i1 %.388, ptr %.381, ptr undef
+  store ptr %.389, ptr %excinfo, align 8
+  br label %common.ret
+
+B112.endif.endif.endif:
+  %exitcond.not = icmp eq i64 %.275, 8
+  br i1 %exitcond.not, label %B384, label %B110.if
+
+B414.if:
+  %.435.0165 = phi i64 [ 0, %B414.if.lr.ph ], [ %.504, %B745 ]
+  %.504 = add nuw nsw i64 %.435.0165, 1
+  %.530 = getelementptr double, ptr %arg.edges, i64 %.435.0165
+  %.531 = load double, ptr %.530, align 8
+  %.533 = fsub contract double %.531, %arg.time
+  %.540 = fdiv contract double %.533, %.536
+  store double 0.000000e+00, ptr %.543, align 8
+  %.549 = call i32 @numba.21(ptr nonnull %.543, ptr nonnull %excinfo.4, double %.540, double 1.000000e+00)
+  %.559 = load double, ptr %.543, align 8
+  switch i32 %.549, label %B416.endif.if [
+    i32 -2, label %B416.endif.endif
+    i32 0, label %B416.endif.endif
+  ]
+
+B416.endif.if:
+  %.557 = icmp sgt i32 %.549, 0
+  %.550 = load ptr, ptr %excinfo.4, align 8
+  %.558 = select i1 %.557, ptr %.550, ptr undef
+  store ptr %.558, ptr %excinfo, align 8
+  br label %common.ret
+
+B416.endif.endif:
+  %.573 = mul nsw i64 %.435.0165, %arg.n
+  %.575 = getelementptr double, ptr %arg.outputs, i64 %.573
+  %.580 = fcmp contract oeq double %.559, 1.000000e+00
+  br i1 %.580, label %B530, label %B596.preheader
+
+B596.preheader:
+  br i1 %.695161.not, label %B745, label %B596.if.lr.ph
+
+B596.if.lr.ph:
+  %.749 = fsub contract double 1.000000e+00, %.559
+  br label %B596.if
 
 B530.if:
-  %.565.0155 = phi i64 [ 0, %B530.if.lr.ph ], [ %.634, %B530.if ]
-  %.634 = add nuw nsw i64 %.565.0155, 1
-  %.662 = getelementptr double, ptr %arg.y, i64 %.565.0155
-  %.663 = load double, ptr %.662, align 8
-  %.664 = fmul contract double %.660, %.663
-  %.666 = getelementptr double, ptr %arg.after, i64 %.565.0155
-  %.667 = load double, ptr %.666, align 8
-  %.671 = getelementptr double, ptr %arg.inner, i64 %.565.0155
-  %.672 = load double, ptr %.671, align 8
-  %.673 = fmul contract double %.660, %.672
-  %.674 = fadd contract double %.667, %.673
-  %.676 = fmul contract double %.185, %.674
-  %.677 = fadd contract double %.664, %.676
-  %.679 = getelementptr double, ptr %.201, i64 %.565.0155
-  store double %.677, ptr %.679, align 8
-  %exitcond164.not = icmp eq i64 %arg.n, %.634
-  br i1 %exitcond164.not, label %B629, label %B530.if
+  %.600 = icmp sgt i32 %.592, 0
+  %.593 = load ptr, ptr %excinfo.5, align 8
+  %.601 = select i1 %.600, ptr %.593, ptr undef
+  store ptr %.601, ptr %excinfo, align 8
+  br label %common.ret
+
+B596.if:
+  %.639.0162 = phi i64 [ 0, %B596.if.lr.ph ], [ %.708, %B596.if ]
+  %.708 = add nuw nsw i64 %.639.0162, 1
+  %.734 = getelementptr double, ptr %arg.first, i64 %.639.0162
+  %.735 = load double, ptr %.734, align 8
+  %.737 = getelementptr double, ptr %arg.second, i64 %.639.0162
+  %.738 = load double, ptr %.737, align 8
+  %.740 = getelementptr double, ptr %arg.third, i64 %.639.0162
+  %.741 = load double, ptr %.740, align 8
+  %.743 = fmul contract double %.559, %.741
+  %.744 = fadd contract double %.738, %.743
+  %.746 = fmul contract double %.559, %.744
+  %.747 = fadd contract double %.735, %.746
+  %.751 = getelementptr double, ptr %arg.y, i64 %.639.0162
+  %.752 = load double, ptr %.751, align 8
+  %.753 = fmul contract double %.749, %.752
+  %.755 = getelementptr double, ptr %arg.after, i64 %.639.0162
+  %.756 = load double, ptr %.755, align 8
+  %.759 = fmul contract double %.749, %.747
+  %.760 = fadd contract double %.756, %.759
+  %.762 = fmul contract double %.559, %.760
+  %.763 = fadd contract double %.753, %.762
+  %.765 = getelementptr double, ptr %.575, i64 %.639.0162
+  store double %.763, ptr %.765, align 8
+  %exitcond175.not = icmp eq i64 %arg.n, %.708
+  br i1 %exitcond175.not, label %B745, label %B596.if
 }
 
 define internal i32 @numba.27(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x.0, double %arg.x.1) {

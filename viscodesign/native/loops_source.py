@@ -21,7 +21,9 @@ FIELDS = 11
 GROUPS, LANES, LOCALS, NUMBERS, VALUES, DERIVATIVES = 0, 1, 2, 3, 4, 5
 """Counts of a table: groups, lanes, and what one element has."""
 IDX_AT, NUMBERS_AT, ROWS_AT, POS_AT, KERNEL = 6, 7, 8, 9, 10
-"""Where the arrays of a table begin, and the first of its two kernels."""
+"""Where the arrays of a table begin, and the first of its two kernels or, without, LINEAR."""
+LINEAR = -1
+"""Elements with one local value, that times their number."""
 
 STAGES = 8
 SHARED = 5
@@ -43,6 +45,12 @@ def residual(layout, kernels, idx, rows, numbers, Y, r, local, out):
     for k in range(layout[ELEMENTS]):
         table = HEADER + FIELDS * k
         values = layout[table + VALUES] * layout[table + LANES]
+        if layout[table + KERNEL] == LINEAR:
+            given = part(numbers, layout[table + NUMBERS_AT])
+            sources, places = part(idx, layout[table + IDX_AT]), part(rows, layout[table + ROWS_AT])
+            for i in range(values * layout[table + GROUPS]):
+                r[places[i]] += given[i] * Y[sources[i]]
+            continue
         for g in range(layout[table + GROUPS]):
             run_group(layout, table, 0, g, kernels, idx, numbers, Y, local, out)
             scatter(values, part(rows, layout[table + ROWS_AT] + g * values), out, r)
@@ -55,6 +63,10 @@ def jacobian(layout, kernels, idx, pos, numbers, Y, J, local, out):
     for k in range(layout[ELEMENTS]):
         table = HEADER + FIELDS * k
         values = layout[table + DERIVATIVES] * layout[table + LANES]
+        if layout[table + KERNEL] == LINEAR:
+            given, places = part(numbers, layout[table + NUMBERS_AT]), layout[table + POS_AT]
+            scatter(values * layout[table + GROUPS], part(pos, places), given, J)
+            continue
         for g in range(layout[table + GROUPS]):
             run_group(layout, table, 1, g, kernels, idx, numbers, Y, local, out)
             scatter(values, part(pos, layout[table + POS_AT] + g * values), out, J)
@@ -476,6 +488,7 @@ def march(
             dense_output(
                 n, y, after, stages, method, time, until, part(edges, counts[EDGE]),
                 stop - counts[EDGE], part(outputs, (counts[EDGE] - first_edge) * n), right,
+                row, x,
             )  # fmt: skip
             counts[EDGE] = stop
         factor = step_factor(error, state[BEFORE], method[ORDER_AT], settings)
@@ -535,8 +548,17 @@ def step_factor(error, before, order, settings):
     return min(settings[MAX_FACTOR], max(settings[MIN_FACTOR], wanted))
 
 
-def dense_output(n, y, after, stages, method, time, until, edges, count, outputs, inner):
+def dense_output(
+    n, y, after, stages, method, time, until, edges, count, outputs, first, second, third
+):
     """Unknowns at the edges inside a step, by its dense output."""
+    for i in range(n):
+        first[i], second[i], third[i] = 0.0, 0.0, 0.0
+    for j in range(STAGES):
+        stage = part(stages, j * n)
+        add_scaled(n, method[DENSE_AT + j], stage, first)
+        add_scaled(n, method[DENSE_AT + STAGES + j], stage, second)
+        add_scaled(n, method[DENSE_AT + 2 * STAGES + j], stage, third)
     for e in range(count):
         theta = min((edges[e] - time) / (until - time), 1.0)
         target = part(outputs, e * n)
@@ -544,9 +566,5 @@ def dense_output(n, y, after, stages, method, time, until, edges, count, outputs
             copy(n, after, target)
             continue
         for i in range(n):
-            inner[i] = 0.0
-        for j in range(STAGES):
-            bend = method[DENSE_AT + STAGES + j] + theta * method[DENSE_AT + 2 * STAGES + j]
-            add_scaled(n, method[DENSE_AT + j] + theta * bend, part(stages, j * n), inner)
-        for i in range(n):
-            target[i] = (1.0 - theta) * y[i] + theta * (after[i] + (1.0 - theta) * inner[i])
+            inner = first[i] + theta * (second[i] + theta * third[i])
+            target[i] = (1.0 - theta) * y[i] + theta * (after[i] + (1.0 - theta) * inner)

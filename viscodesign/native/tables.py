@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from viscodesign.native.loops import DTYPES, Kernel, Loops, native_loops
+from viscodesign.native.loops_source import LINEAR
 
 Scratch = tuple[np.ndarray, np.ndarray]
 """Arguments and results of one call of a kernel."""
@@ -29,10 +30,13 @@ class ElementTable:
     The last group is padded with copies of an element whose rows and entries are the spare ones.
     """
 
-    residual: Kernel
-    """(local (nl, W), numbers (np, W)) -> values (nr, W)."""
-    jacobian: Kernel
-    """The same arguments -> derivatives (nz, W)."""
+    residual: Kernel | None
+    """(local (nl, W), numbers (np, W)) -> values (nr, W); None: the local value times the number.
+
+    Such terms have one of everything. They need no kernel, and take a fraction of the time.
+    """
+    jacobian: Kernel | None
+    """The same arguments -> derivatives (nz, W); None: the number."""
     idx: np.ndarray
     """int32 (groups, nl, W): places of the local values in Y."""
     numbers: np.ndarray
@@ -99,7 +103,8 @@ class Assembly:
         _check_range("idx", idx, np.iinfo(np.int32).max)
         self.reach = max((int(array.max()) + 1 for array in idx if array.size), default=0)
         """Entries of Y that the kernels read at most."""
-        self.kernels = self.loops.kernels([kernel for pair in pairs for kernel in pair])
+        called = [pair for pair in pairs if pair[0] is not None]
+        self.kernels = self.loops.kernels([k for pair in called for k in pair if k is not None])
         self.keeper = tables
         self.idx, idx_at = _joined(idx, "places")
         self.rows, rows_at = _joined(targets, "places")
@@ -119,7 +124,10 @@ class Assembly:
             self.width = max(self.width, lanes * max(locals_, values, slopes))
             pos = pos_at[k] if k < len(elements) else 0
             counts = (groups, lanes, locals_, own, values, slopes)
-            fields += [*counts, idx_at[k], numbers_at[k], rows_at[k], pos, 2 * k]
+            kernel = LINEAR if pairs[k][0] is None else 2 * called.index(pairs[k])
+            if kernel == LINEAR and counts[2:] != (1, 1, 1, 1):
+                raise ValueError("terms without a kernel have one of everything")
+            fields += [*counts, idx_at[k], numbers_at[k], rows_at[k], pos, kernel]
         head = (unknowns, drives, entries, len(self.drive_rows), len(elements), len(sources))
         self.layout = np.array([*head, self.width, 0, *fields], dtype=DTYPES["counts"])
 

@@ -1,7 +1,8 @@
 """A small nonlinear network as elements, to compare the loops on: a chain of cells.
 
 Cell k has a volume V_k (a state), a pressure p_k (algebraic, V = tanh p + p/2) and a flow from
-its neighbour before, the first one from a drive u = sin(w t) c. One integral: of p_1 u.
+its neighbour before, the first one from a drive u = sin(w t) c, and leaks p_k / 10. One integral:
+of p_1 u.
 Unknowns are [V (m) | p (m) | integral].
 """
 
@@ -96,6 +97,18 @@ def network(cells: int, loops: Loops, lanes: int = 8) -> Network:
                 _lanes(entries, lanes, len(keys)),
             )
         )
+    leaks = np.full((cells, 1), -0.1)
+    own_entry = np.searchsorted(keys, (V + k) * n + p + k)[:, None]
+    tables.append(
+        ElementTable(
+            None,
+            None,
+            _lanes((p + k)[:, None], lanes, 0),
+            _lanes(leaks, lanes, 0.0),
+            _lanes((V + k)[:, None], lanes, n),
+            _lanes(own_entry, lanes, len(keys)),
+        )
+    )
     source = SourceTable(
         kernels[-2],
         kernels[-1],
@@ -123,7 +136,7 @@ def formulas(cells: int) -> tuple[SX, SX, SX, SX, SX, SX]:
     u = _drive(ca.vertcat(t, rest), SX(2.0))
     resistance = np.linspace(1.0, 3.0, cells)
     q = [_flow(u if k == 0 else p[k - 1], p[k], resistance[k]) for k in range(cells)]
-    rates = [q[k] - (q[k + 1] if k + 1 < cells else 0) for k in range(cells)]
+    rates = [q[k] - (q[k + 1] if k + 1 < cells else 0) - 0.1 * p[k] for k in range(cells)]
     walls = [V[k] - ca.tanh(p[k]) - p[k] / 2 for k in range(cells)]
     return V, p, ca.vertcat(t, rest), ca.vertcat(*rates), ca.vertcat(*walls), p[0] * u
 
