@@ -13,7 +13,7 @@ from tests.scenes import CONFIGS, leg
 from viscodesign import PumpPlan, Scene, plan, simulate
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import Barrel, feed_line_at
-from viscodesign.pump.planning.model_runs import active_effects
+from viscodesign.pump.planning.motion import active_effects
 from viscodesign.pump.planning.scene_variants import planned, with_effects_of, with_inputs
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.report.plan_folder import plan_columns, write_plan

@@ -12,15 +12,10 @@ class Profile:
     """T instants, P pumps (one for each inlet); piecewise linear between instants."""
 
     inlets: tuple[str, ...]
-    """Names of the inlets, in the order of the columns."""
-    servos: tuple[int, ...]
-    """Id of each inlet's servo."""
-    time: np.ndarray
-    """(T,) from 0, ascending [s]."""
-    counts: np.ndarray
-    """(T, P) servo positions, not rounded."""
-    pressure: np.ndarray
-    """(T, P) gauge pressure that the model expects at each inlet [Pa]."""
+    servos: tuple[int, ...]  # id of each inlet's servo
+    time: np.ndarray  # (T,) from 0, ascending [s]
+    counts: np.ndarray  # (T, P) servo positions, not rounded
+    pressure: np.ndarray  # (T, P) gauge pressure that the model expects at each inlet [Pa]
 
     @property
     def duration(self) -> float:

@@ -1,4 +1,4 @@
-"""The servos that drive a syringe pump, in the numbers of their maker."""
+"""The servos that drive a syringe pump, in the numbers of their maker (ROBOTIS e-manual)."""
 
 from __future__ import annotations
 
@@ -6,40 +6,28 @@ import math
 from dataclasses import dataclass
 
 STEADY_SHARE = 1 / 5
-"""Part of the stall torque up to which the maker promises steady motion.
-
-Source: ROBOTIS e-manual, AX-12A and AX-18A, note to the specifications: "Stall torque is the
-maximum instantaneous and static torque. Stable motions are possible with robots designed
-for loads with 1/5 or less of the stall torque."
-"""
+"""Share of the stall torque up to which the maker promises steady motion: "Stable motions are
+possible with robots designed for loads with 1/5 or less of the stall torque"."""
 SPEED_UNIT = 0.111 * 2 * math.pi / 60
-"""Speed of one unit of the register Moving Speed [rad/s]: about 0.111 rpm (e-manual)."""
+"""One unit of the register Moving Speed [rad/s]: about 0.111 rpm."""
 LARGEST_SPEED = 1023
 COUNT_ANGLE = math.radians(300.0) / 1024
-"""Angle of one count [rad]: 1024 counts span 300 degrees (e-manual, Goal Position)."""
+"""One count [rad]: 1024 counts span 300 degrees (Goal Position)."""
 
 
 @dataclass(frozen=True)
 class ServoType:
-    """A type of servo at its rated voltage, in SI; all that is known of a type stands here."""
+    """A type of servo, in SI, at its rated voltage."""
 
     title: str
-    model: int
-    """Number by which it names itself."""
-    stall_torque: float
-    """[N m]"""
-    stall_current: float
-    """[A]"""
-    no_load_speed: float
-    """[rad/s]"""
-    rated_voltage: float = 12.0
-    """Of the three above, and the highest that is allowed [V]."""
-    lowest_voltage: float = 9.0
-    """[V]"""
-    temperature_limit: int = 70
-    """At which it shuts itself off, as delivered [degC]."""
-    max_torque: int = 1023
-    """As delivered [1/1023 of stall]."""
+    model: int  # number by which it identifies itself
+    stall_torque: float  # [N m]
+    stall_current: float  # [A]
+    no_load_speed: float  # [rad/s]
+    rated_voltage: float = 12.0  # and the highest allowed [V]
+    lowest_voltage: float = 9.0  # [V]
+    temperature_limit: int = 70  # factory setting, at which it shuts itself off [degC]
+    max_torque: int = 1023  # factory setting [1/1023 of stall]
 
 
 def _rpm(value: float) -> float:
@@ -50,12 +38,11 @@ SERVOS = {
     "ax12a": ServoType("AX-12A", 12, 1.5, 1.5, _rpm(59.0)),
     "ax18a": ServoType("AX-18A", 18, 1.8, 2.2, _rpm(97.0), temperature_limit=75, max_torque=983),
 }
-"""Types by the name in a spec. Another one of this family is a line here, and its name among
-those that `pump.servo` may have. Source: ROBOTIS e-manual, AX-12A and AX-18A."""
+"""Types by their name in a spec. Another one is a line here, and its name in `pump.servo`."""
 SERVOS_BY_MODEL = {servo.model: servo for servo in SERVOS.values()}
 
 
 def model_title(model: int) -> str:
-    """Name of the type with this model number, also of one that is not known."""
+    """Name of the type with this model number, or the number."""
     known = SERVOS_BY_MODEL.get(model)
     return known.title if known else f"model {model}"

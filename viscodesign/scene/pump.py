@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
@@ -67,36 +66,32 @@ class LimitSwitchSpec(SpecPart):
 
 def _own_channels(given: Any) -> Any:
     """Sensors of several inlets, each on its own channel."""
-    raise_faults(_shared_channels(named(given or {})))
-    return given
-
-
-def _shared_channels(sensors: dict[str, SensorSpec]) -> Iterator[KeyFault]:
     taken: dict[tuple[int, str], str] = {}
-    for name, sensor in sensors.items():
+    faults = []
+    for name, sensor in named(given or {}).items():
         # `auto` may become either.
         places = [(sensor.channel, on) for on in ("board", "phidget") if sensor.on in ("auto", on)]
         if owner := next((taken[place] for place in places if place in taken), None):
             message = f"channel {sensor.channel} is already used by the inlet '{owner}'"
-            yield KeyFault((name, "channel"), message)
+            faults.append(KeyFault((name, "channel"), message))
         taken |= dict.fromkeys(places, name)
+    raise_faults(faults)
+    return given
 
 
 def _own_pins(given: Any) -> Any:
     """Switches, each on its own pin."""
-    raise_faults(_shared_pins(named(given or {})))
-    return given
-
-
-def _shared_pins(switches: dict[str, LimitSwitchSpec]) -> Iterator[KeyFault]:
     taken: dict[str, str] = {}
-    for name, pair in switches.items():
+    faults = []
+    for name, pair in named(given or {}).items():
         for end, pin in (("low", pair.low), ("high", pair.high)):
             path = (name, end) if name else (end,)
             same = re.sub(r"(?<=^D)0+(?=\d)", "", pin)  # D01 is D1
             if same in taken:
-                yield KeyFault(path, f"pin {pin!r} is already used by {taken[same]}")
+                faults.append(KeyFault(path, f"pin {pin!r} is already used by {taken[same]}"))
             taken[same] = ".".join(path)
+    raise_faults(faults)
+    return given
 
 
 class PumpSpec(SpecPart):
@@ -119,8 +114,7 @@ class PumpSpec(SpecPart):
     )
     gear_play: float = Field(2.0, ge=0, description="Backlash of the gears in servo counts")
     max_pressure: GaugeOrAbsolutePressure = Field(
-        25e3,
-        description="Software limit, such as '25 kPa gauge' or '140 kPa abs'",
+        25e3, description="Software limit, such as '25 kPa gauge' or '140 kPa abs'"
     )
     home: int = Field(
         200, ge=0, le=MAX_SERVO_COUNTS, description="Servo counts with the plunger at its start"
@@ -155,13 +149,10 @@ class PumpSpec(SpecPart):
             )
         gauge = limit.gauge(ambient)
         if gauge <= 0.0:
-            kind = "abs" if limit.reference == "abs" else "gauge"
-            least = (
-                f"the ambient pressure of {ambient / 1e3:g} kPa" if kind == "abs" else "0 kPa gauge"
-            )
-            raise invalid_at(
-                "max_pressure", f"must be above {least}; got {limit / 1e3:g} kPa {kind}"
-            )
+            absolute = limit.reference == "abs"
+            least = f"the ambient pressure of {ambient / 1e3:g} kPa" if absolute else "0 kPa gauge"
+            given = f"{limit / 1e3:g} kPa {'abs' if absolute else 'gauge'}"
+            raise invalid_at("max_pressure", f"must be above {least}; got {given}")
         return self.model_copy(update={"max_pressure": gauge})
 
     def in_order_of(self, inlets: tuple[str, ...]) -> PumpSpec:

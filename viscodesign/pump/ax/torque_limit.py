@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from viscodesign.pump.ax.servo_state import ServoState
+from viscodesign.pump.drive import Drive
 from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
-from viscodesign.pump.syringe import shaft_torque, stall_pressure, stall_torque
 from viscodesign.scene.pump import PumpSpec
 
 ABOVE_CAP = 1.2
@@ -29,11 +29,8 @@ def torque_limit(pump: PumpSpec, speed: float = 0.0) -> int:
     It limits the output of the servo's controller, and along the straight line of a motor a
     part of that goes into its ``speed`` [counts/s]: a fast profile takes a looser guard.
     """
-    servo = SERVOS[pump.servo]
-    torque: float = shaft_torque(
-        pump.max_pressure, pump.syringe_diameter, pump.pinion_diameter, pump.plunger_friction
-    )
-    share = torque / stall_torque(servo, pump.supply_voltage)
+    drive = Drive(pump)
+    share: float = drive.torque(pump.max_pressure, 1.0) / drive.stall_torque
     share += speed / free_speed(pump)
     limit = min(math.ceil(FULL * ABOVE_CAP * share), FULL)
     return limit if limit % 256 else limit + 1  # see `TorqueLimits`: no byte that tells is 0
@@ -71,8 +68,7 @@ def free_speed(pump: PumpSpec) -> float:
 
 def stalling_pressure(pump: PumpSpec, limit: int) -> float:
     """Gauge pressure that a torque limit can hold against without friction [Pa]."""
-    servo, shape = SERVOS[pump.servo], (pump.syringe_diameter, pump.pinion_diameter)
-    return limit / FULL * stall_pressure(servo, pump.supply_voltage, *shape)
+    return limit / FULL * Drive(pump).stall_pressure
 
 
 @dataclass

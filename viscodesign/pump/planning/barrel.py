@@ -16,19 +16,16 @@ from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 
 KEPT_FREE = 1e-6
-"""Part of the filled length that a plunger in a spec must leave."""
+"""Share of the filled length that a plunger in a spec must leave."""
 
 
 @dataclass(frozen=True)
 class FeedLine:
     """What the tubes hold at an inlet; a model with a given inlet pressure does not need it."""
 
-    volume: float = 0.0
-    """[m3]"""
-    compliance: float = 0.0
-    """[m3/Pa]"""
-    compressible: bool = False
-    """Whether its fluid has a density of its own, like that of the whole network."""
+    volume: float = 0.0  # [m3]
+    compliance: float = 0.0  # [m3/Pa]
+    compressible: bool = False  # whether its fluid has a density of its own, like the network's
 
 
 def feed_line_at(scene: Scene, inlet: str, active: frozenset[str]) -> FeedLine:
@@ -44,7 +41,7 @@ class Barrel:
     """Everything between plunger and network, filled at the baseline with the plunger at home.
 
     A gas fills barrel and dead volume alike. Beside a liquid the dead volume is a cushion of
-    gas at constant temperature.
+    gas at constant temperature. Pressures are gauge [Pa].
     """
 
     scene: Scene
@@ -52,33 +49,25 @@ class Barrel:
     line: FeedLine
 
     @property
-    def ambient(self) -> float:
-        """Absolute [Pa]."""
-        return self.scene.ambient_pressure
-
-    @property
-    def baseline(self) -> float:
-        """Gauge [Pa]."""
-        return self.scene.gauge_pressure
-
-    @property
     def full_volume(self) -> float:
         """In front of the plunger at home, dead volume included [m3]."""
         return self.drive.area * self.drive.filled_at_home + self.drive.pump.dead_volume
 
     def density(self, pressure: Any) -> Any:
-        """Of the fluid, over that at ambient pressure [1]."""
-        fluid = self.scene.fluid
+        """Of the fluid, relative to that at ambient pressure [1]."""
+        fluid, ambient = self.scene.fluid, self.scene.ambient_pressure
         if fluid.is_gas:
-            return gas.density_ratio(pressure, self.ambient, fluid.polytropic_exponent)
+            return gas.density_ratio(pressure, ambient, fluid.polytropic_exponent)
         return 1 + pressure / fluid.bulk_modulus if fluid.bulk_modulus else 1 + 0 * pressure
 
     def cushion(self, pressure: Any) -> Any:
         """Volume of the gas beside a liquid [m3]."""
-        if self.scene.fluid.is_gas:
+        scene = self.scene
+        if scene.fluid.is_gas:
             return 0.0 * pressure
-        filled = gas.density_ratio(self.baseline, self.ambient, 1.0)
-        return self.drive.pump.dead_volume * filled / gas.density_ratio(pressure, self.ambient, 1.0)
+        filled = gas.density_ratio(scene.gauge_pressure, scene.ambient_pressure, 1.0)
+        now = gas.density_ratio(pressure, scene.ambient_pressure, 1.0)
+        return self.drive.pump.dead_volume * filled / now
 
     def _line(self, pressure: Any) -> Any:
         """What the line holds [m3 at ambient density]."""
@@ -91,30 +80,28 @@ class Barrel:
         return space * self.density(pressure) + self._line(pressure)
 
     def position(self, pressure: Any, given: Any) -> Any:
-        """Plunger pushed in from home [m] that makes a pressure, with so much given.
+        """Plunger position from home [m] that makes a pressure, with so much given.
 
-        ``pressure`` gauge [Pa]; ``given`` to the network since it was filled [m3 at ambient
-        density].
+        ``given`` to the network since it was filled [m3 at ambient density].
         """
-        left = self.held(self.baseline, 0.0) - given - self._line(pressure)
+        left = self.held(self.scene.gauge_pressure, 0.0) - given - self._line(pressure)
         space = left / self.density(pressure)
         return (self.full_volume - self.cushion(pressure) - space) / self.drive.area
 
     def compliance(self, pressure: float, position: float) -> float:
-        """Volume of the plunger per pressure, nothing given [m3/Pa]: by what the barrel holds."""
-        step = 1e-4 * self.ambient
+        """Plunger volume per pressure with nothing given [m3/Pa]."""
+        step = 1e-4 * self.scene.ambient_pressure
         held = [self.held(pressure + sign * step, position) for sign in (-1.0, 1.0)]
         return float((held[1] - held[0]) / (2 * step) / self.density(pressure))
 
     def syringe(self, time: np.ndarray, position: np.ndarray) -> SyringeInput:
         """The plunger's motion as an input of a scene, kept within the barrel."""
-        drive, pump = self.drive, self.drive.pump
-        is_gas = self.scene.fluid.is_gas
-        kept = np.minimum(position, (1 - KEPT_FREE) * drive.filled_at_home)
+        pump, filled, is_gas = self.drive.pump, self.drive.filled_at_home, self.scene.fluid.is_gas
+        kept = np.minimum(position, (1 - KEPT_FREE) * filled)
         return SyringeInput(
             kind="syringe",
             diameter=pump.syringe_diameter,
-            start=drive.filled_at_home,
+            start=filled,
             dead_volume=pump.dead_volume if is_gas else 0.0,
             cushion=0.0 if is_gas else pump.dead_volume,
             rows=tuple(zip(time.tolist(), kept.tolist(), strict=True)),

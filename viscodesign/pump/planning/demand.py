@@ -1,25 +1,23 @@
-"""What a profile of pressure asks of one pump: where its plunger is, how fast, at what load."""
+"""What a pressure profile asks of one pump: where its plunger is, how fast, at what load."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from viscodesign.pump import syringe
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import Barrel, FeedLine
 from viscodesign.pump.planning.result import PumpCourse
-from viscodesign.pump.servo_motor import SERVOS, ServoType
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 
-STILL_COUNTS_PER_S = 0.05
+REST_COUNTS_PER_S = 0.05
 """Speed below which a plunger counts as at rest: round-off and drift."""
 DIRECTION_SAMPLES = 5
-"""Times on both sides of one over which its direction is found: by more than a count."""
+"""Samples on both sides over which the direction of motion is found: more than a count."""
 
 
 @dataclass(frozen=True)
@@ -30,47 +28,21 @@ class PumpDemand:
     pump: PumpSpec
     inlet: str
     line: FeedLine
-    time: np.ndarray
-    """From the start of the lead-in [s]."""
+    time: np.ndarray  # from the start of the lead-in [s]
     lead_s: float
-    pressure: np.ndarray
-    """Gauge [Pa]."""
-    given: np.ndarray
-    """To the network since it was filled [m3 at ambient density]."""
-    stated_position: np.ndarray | None = None
-    """Where the motion is known; otherwise it follows from pressure and what is given."""
-
-    def with_pump(self, pump: PumpSpec) -> PumpDemand:
-        """The same pressures asked of another pump."""
-        return replace(self, pump=pump)
+    pressure: np.ndarray  # gauge [Pa]
+    given: np.ndarray  # to the network since it was filled [m3 at ambient density]
+    stated_position: np.ndarray | None = None  # [m]; None: follows from pressure and given
 
     @cached_property
     def drive(self) -> Drive:
-        """Rack, pinion and barrel."""
+        """Servo, pinion and barrel."""
         return Drive(self.pump)
-
-    @cached_property
-    def servo(self) -> ServoType:
-        """The servo's data."""
-        return SERVOS[self.pump.servo]
 
     @cached_property
     def barrel(self) -> Barrel:
         """What is in front of the plunger."""
         return Barrel(self.scene, self.drive, self.line)
-
-    @property
-    def stall_torque(self) -> float:
-        """At the supply voltage [N m]."""
-        return syringe.stall_torque(self.servo, self.pump.supply_voltage)
-
-    @property
-    def stall_pressure(self) -> float:
-        """At the supply voltage, gauge [Pa]."""
-        pump = self.pump
-        return syringe.stall_pressure(
-            self.servo, pump.supply_voltage, pump.syringe_diameter, pump.pinion_diameter
-        )
 
     @cached_property
     def position(self) -> np.ndarray:
@@ -89,8 +61,8 @@ class PumpDemand:
     @cached_property
     def count(self) -> np.ndarray:
         """Of the servo, not rounded."""
-        home, way = self.drive.count(0.0), self.drive.count(1.0) - self.drive.count(0.0)
-        return np.asarray(home + way * self.position)
+        home, per_metre = self.drive.count(0.0), self.drive.count(1.0) - self.drive.count(0.0)
+        return np.asarray(home + per_metre * self.position)
 
     @cached_property
     def velocity(self) -> np.ndarray:
@@ -99,38 +71,25 @@ class PumpDemand:
 
     @cached_property
     def direction(self) -> np.ndarray:
-        """1 where it moves in, -1 where out, 0 where it is at rest; between the times."""
-        still = STILL_COUNTS_PER_S * self.drive.advance_per_count
-        return np.where(np.abs(self.velocity) > still, np.sign(self.velocity), 0.0)
-
-    def torque_at(self, pressure: np.ndarray, direction: np.ndarray | float) -> np.ndarray:
-        """At the pinion, against a pressure [Pa gauge] and the plunger's friction [N m]."""
-        pump = self.pump
-        friction = pump.plunger_friction * direction
-        torque = syringe.shaft_torque(
-            pressure, pump.syringe_diameter, pump.pinion_diameter, friction
-        )
-        return np.asarray(torque)
-
-    def speed_left_at(self, torque: np.ndarray) -> np.ndarray:
-        """Speed of the plunger that the servo still has against a torque [m/s]."""
-        left = syringe.speed_left(self.servo, self.pump.supply_voltage, torque)
-        return np.asarray(left * self.pump.pinion_diameter / 2)
+        """1 where the plunger moves in, -1 out, 0 at rest; between the times."""
+        rest = REST_COUNTS_PER_S * self.drive.advance_per_count
+        return np.where(np.abs(self.velocity) > rest, np.sign(self.velocity), 0.0)
 
     @cached_property
     def end_torques(self) -> np.ndarray:
-        """Torque at both ends of each interval (2, T - 1) [N m]."""
+        """At both ends of each interval (2, T - 1) [N m]."""
         ends = np.stack((self.pressure[:-1], self.pressure[1:]))
-        return self.torque_at(ends, self.direction)
+        return np.asarray(self.drive.torque(ends, self.direction))
 
     @cached_property
     def speed_left(self) -> np.ndarray:
-        """Speed of the plunger that the servo has left in each interval [m/s]."""
-        return self.speed_left_at(np.max(self.end_torques * self.direction, axis=0))
+        """Plunger speed that the servo has left in each interval [m/s]."""
+        hardest = np.max(self.end_torques * self.direction, axis=0)
+        return np.asarray(self.drive.speed_left(hardest))
 
     @cached_property
     def speed_share(self) -> np.ndarray:
-        """Part of it that is asked; infinite where none is left."""
+        """Share of it that is asked; infinite where none is left."""
         speed = np.abs(self.velocity) * (self.direction != 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(speed > 0.0, speed / self.speed_left, 0.0)
@@ -141,13 +100,14 @@ class PumpDemand:
         near = np.minimum(DIRECTION_SAMPLES, len(self.time) - 1)
         later = np.append(self.position[near:], np.full(near, self.position[-1]))
         before = np.append(np.full(near, self.position[0]), self.position[: len(later) - near])
-        way = (later - before) / self.drive.advance_per_count
-        return self.torque_at(self.pressure, np.where(np.abs(way) > 1.0, np.sign(way), 0.0))
+        moved = (later - before) / self.drive.advance_per_count
+        direction = np.where(np.abs(moved) > 1.0, np.sign(moved), 0.0)
+        return np.asarray(self.drive.torque(self.pressure, direction))
 
     @property
     def mean_current(self) -> float:
         """Of the servo over the whole motion [A]."""
-        current = syringe.servo_current(self.servo, self.torque)
+        current = self.drive.current(self.torque)
         return float(np.trapezoid(current, self.time)) / float(np.ptp(self.time))
 
 
@@ -170,6 +130,6 @@ def course_of(demands: Sequence[PumpDemand]) -> PumpCourse:
         count=columns(lambda d: d.count),
         flow=np.concatenate([flow, np.zeros((1, len(demands)))]),
         torque=columns(lambda d: d.torque),
-        stall_share=columns(lambda d: np.abs(d.torque) / d.stall_torque),
+        stall_share=columns(lambda d: np.abs(d.torque) / d.drive.stall_torque),
         speed_share=columns(lambda d: np.append(d.speed_share, 0.0)),
     )

@@ -1,37 +1,77 @@
-"""The smallest change that makes a limit pass, found and tried, not guessed."""
+"""The smallest change that makes a limit pass: estimated, then tried through the coupled model."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 
-from viscodesign.pump.planning import drive_fixes as drive
-from viscodesign.pump.planning import input_fixes as inputs
 from viscodesign.pump.planning.result import PumpVerdict, SuggestedChange
+from viscodesign.pump.planning.scene_variants import jumps, scaled_fields
 from viscodesign.pump.planning.trials import Aim, Trials, Variation, remaining
+from viscodesign.pump.servo_motor import SERVOS
+from viscodesign.scene.inputs.table import TableInput
+from viscodesign.scene.reading.field_lookup import quantity_of
+from viscodesign.scene.scene import Scene
 
-Fix = Callable[[Trials, Aim, Variation], inputs.Found | None]
 
-FIXES: dict[str, tuple[Fix, ...]] = {
-    "stall": (inputs.lower_pressures, drive.thinner_barrel, drive.more_voltage),
-    "one_fifth": (inputs.lower_pressures, drive.thinner_barrel, drive.more_voltage),
-    "speed": (inputs.more_time, inputs.lower_pressures, drive.more_voltage),
-    "travel": (drive.other_home, inputs.lower_pressures, drive.wider_barrel),
-    "barrel": (drive.other_home, inputs.lower_pressures, drive.wider_barrel),
-    "suction": (inputs.lower_pressures,),
-    "cap": (drive.higher_cap, inputs.lower_pressures),
-    "resolution": (drive.thinner_barrel, inputs.higher_pressures),
-    "pressure_step": (drive.thinner_barrel,),
-    "speed_register": (drive.thinner_barrel,),
+@dataclass(frozen=True)
+class SearchNumbers:
+    """How long and how finely a value is sought."""
+
+    halvings: int = 40
+    retries: int = 10
+    first_step: float = 0.97  # factor of a value that failed; each next time by twice as much
+    refinements: int = 5  # halvings between one that failed and one that held
+    digits: int = 3
+
+
+SEARCH = SearchNumbers()
+
+
+@dataclass(frozen=True)
+class Fix:
+    """A number that is changed, and as far as to where."""
+
+    key: str  # of a `Variation`
+    far: float
+    words: str
+    unit: str = ""  # in which a spec states it
+    si: float = 1.0  # of that unit
+
+
+LOWER = Fix("pressure", 0.005, "every pressure of the input times {:.3g}")
+HIGHER = replace(LOWER, far=100.0)
+SLOWER = Fix("time", 1000.0, "everything slower by a factor of {:.3g}")
+RAMPS = Fix("ramp", 1000.0, "every jump of the pressure as a ramp of {:.3g} s")
+THINNER = Fix("pump.syringe_diameter", 5e-3, "a syringe of {:.4g} mm inner diameter", "mm", 1e-3)
+WIDER = replace(THINNER, far=0.1)
+RATED = min(servo.rated_voltage for servo in SERVOS.values())
+VOLTAGE = Fix("pump.supply_voltage", RATED, "a supply of {:.4g} V", "V")
+CAP = Fix("pump.max_pressure", 1e7, "a cap of {:.4g} kPa gauge", "kPa gauge", 1e3)
+HOME = Fix("pump.home", 0.0, "home at count {:.0f}")
+FIXES = {
+    "stall": (LOWER, THINNER, VOLTAGE),
+    "one_fifth": (LOWER, THINNER, VOLTAGE),
+    "speed": (SLOWER, LOWER, VOLTAGE),
+    "travel": (HOME, LOWER, WIDER),
+    "barrel": (HOME, LOWER, WIDER),
+    "suction": (LOWER,),
+    "cap": (CAP, LOWER),
+    "resolution": (THINNER, HIGHER),
+    "pressure_step": (THINNER,),
+    "speed_register": (THINNER,),
 }
 """What may help against a limit, simplest first."""
 CURED_BY_PRESSURE = ("stall", "speed", "suction")
 """What lower pressures cure, and another drive only at a price."""
+CURED_BY_HOME = ("travel", "barrel")
 
 
 def fixes_for(trials: Trials, verdict: PumpVerdict) -> tuple[SuggestedChange, ...]:
     """What makes a verdict pass, each change alone; those that leave least undone first."""
     aim = Aim(verdict.inlet, (verdict.name,))
-    tried = [fix(trials, aim, Variation()) for fix in FIXES.get(verdict.name, ())]
+    tried = [_applied(fix, trials, aim, {}) for fix in FIXES.get(verdict.name, ())]
     found = [pair[0] for pair in tried if pair is not None]
     return tuple(sorted(found, key=lambda change: len(change.leaves)))
 
@@ -53,27 +93,128 @@ def combined_fix(trials: Trials, verdicts: tuple[PumpVerdict, ...]) -> tuple[Sug
 
 
 def _kept_pressure(changes: tuple[SuggestedChange, ...]) -> float:
-    """Part of the pressures that some changes leave."""
+    """Share of the pressures that some changes leave."""
     return min((c.factor for c in changes if c.key == "pressure"), default=1.0)
 
 
 def _stepwise(trials: Trials, lowered_for: tuple[str, ...]) -> tuple[SuggestedChange, ...]:
     """Pressures lowered for these limits, then the drive changed for what is left."""
-    case = Variation()
+    case: Variation = {}
     made: dict[str, SuggestedChange] = {}
-    steps: tuple[tuple[Fix, tuple[str, ...]], ...] = (
-        (inputs.lower_pressures, lowered_for),
-        (drive.other_home, ("travel", "barrel")),
-        (inputs.lower_pressures, ("travel", "barrel")),
-        (drive.higher_cap, ("cap",)),
-    )
+    steps = ((LOWER, lowered_for), (HOME, CURED_BY_HOME), (LOWER, CURED_BY_HOME), (CAP, ("cap",)))
     for fix, names in steps:
         if not set(remaining(trials.demands(case))) & set(names):
             continue
-        found = fix(trials, Aim(None, names), case)
-        if found is not None:
+        if found := _applied(fix, trials, Aim(None, names), case):
             change, case = found
             # Factors multiply: the last one says all, and comes last.
             made.pop(change.key, None)
             made[change.key] = change
     return tuple(made.values())
+
+
+def _applied(
+    fix: Fix, trials: Trials, aim: Aim, case: Variation
+) -> tuple[SuggestedChange, Variation] | None:
+    """The smallest change of this kind that meets an aim, and the variation with it."""
+    scene = trials.requested.scene
+    if fix is SLOWER and jumps(scene):  # which have no time of their own
+        fix = RAMPS
+
+    def changed(value: float) -> Variation:
+        return {**case, fix.key: value}
+
+    if fix is HOME:
+        value = _home(trials, Aim(aim.inlet, CURED_BY_HOME), case)
+    elif (value := _guess(fix, trials, aim, case)) is not None:
+        value = confirmed(lambda v: aim.is_met(trials.demands(changed(v))), value, fix.far)
+    if value is None:
+        return None
+    tried, shown = changed(value), value / fix.si
+    settings: tuple[str, ...] = (f"{fix.key}={shown:.6g} {fix.unit}".strip(),)
+    if not fix.key.startswith("pump."):
+        settings = tuple(_input_settings(scene, tried))
+    words, left = fix.words.format(shown), remaining(trials.demands(tried))
+    factor = value if fix.key in ("pressure", "time") else 1.0
+    return SuggestedChange(fix.key, words, settings, left, factor), tried
+
+
+def _guess(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
+    """The value nearest to the present one that meets an aim by estimate."""
+    if fix is RAMPS:
+        time = trials.requested.run.time
+        return rounded(float(min(time[1:] - time[:-1])), fix.far)
+    own = getattr(trials.pump_of(case), fix.key.removeprefix("pump."), 1.0)
+
+    def passes(value: float) -> bool:
+        return aim.is_met(trials.estimated(case, {**case, fix.key: value}))
+
+    found = nearest(passes, case.get(fix.key, own), fix.far)
+    return None if found is None else rounded(found, fix.far)
+
+
+def _home(trials: Trials, aim: Aim, case: Variation) -> float | None:
+    """The home nearest to its own that meets an aim."""
+    pump = trials.pump_of(case)
+    low, high = pump.travel
+    homes = sorted(range(low, high + 1), key=lambda count: abs(count - pump.home))
+    passing = (h for h in homes if aim.is_met(trials.estimated(case, {**case, HOME.key: h})))
+    return next(passing, None)
+
+
+def _input_settings(scene: Scene, case: Variation) -> Iterator[str]:
+    """What to set in the spec for other pressures and times; nothing for a table or ramps."""
+    if "ramp" in case or any(isinstance(source, TableInput) for source in scene.inputs.values()):
+        return
+    pressure, time = case.get("pressure", 1.0), case.get("time", 1.0)
+    for name, source in scene.inputs.items():
+        prefix = "input" if scene.several_inputs is None else f"inputs.{name}"
+        for key, value in scaled_fields(source, pressure=pressure, time=time).items():
+            kind = quantity_of(type(source).model_fields[key])
+            assert kind is not None, "only quantities are scaled"
+            yield f"{prefix}.{key}={value:.6g} {kind.unit}"
+    if time != 1.0:
+        yield f"run.duration={time * scene.run.duration:.6g} s"
+
+
+Passes = Callable[[float], bool]
+
+
+def nearest(passes: Passes, near: float, far: float) -> float | None:
+    """The value nearest to ``near`` that passes, between the two; None where ``far`` does not."""
+    if not passes(far):
+        return None
+    low, high = math.log(near), math.log(far)
+    for _ in range(SEARCH.halvings):
+        middle = (low + high) / 2
+        low, high = (low, middle) if passes(math.exp(middle)) else (middle, high)
+    return math.exp(high)
+
+
+def confirmed(holds: Passes, guess: float, far: float) -> float | None:
+    """The rounded value nearest to a guess, towards ``far``, that holds; None within few tries."""
+    step = SEARCH.first_step if far < guess else 1 / SEARCH.first_step
+    value, failed = guess, None
+    for _ in range(SEARCH.retries):
+        if holds(value):
+            return value if failed is None else _refined(holds, failed, value, far)
+        failed, value, step = value, rounded(value * step, far), step**2
+    return None
+
+
+def _refined(holds: Passes, failed: float, value: float, far: float) -> float:
+    for _ in range(SEARCH.refinements):
+        middle = rounded(math.sqrt(failed * value), far)
+        if middle in (failed, value):
+            break
+        failed, value = (failed, middle) if holds(middle) else (middle, value)
+    return value
+
+
+def rounded(value: float, far: float) -> float:
+    """Few digits, rounded towards ``far``; what has no more already stays."""
+    unit = 10.0 ** (math.floor(math.log10(value)) - SEARCH.digits + 1)
+    steps = value / unit
+    whole = round(steps)
+    turned = math.floor(steps) if far < value else math.ceil(steps)
+    return float(f"{(whole if abs(steps - whole) < 1e-6 else turned) * unit:.12g}")

@@ -11,25 +11,29 @@ from viscodesign._version import __version__
 from viscodesign.effects.base import Trait
 from viscodesign.effects.catalogue import names_with
 from viscodesign.physics import gas
-from viscodesign.pump import syringe
 from viscodesign.pump.planning.achievable import SWEEPS, AchievableMotion, achievable_motion
 from viscodesign.pump.planning.barrel import feed_line_at
 from viscodesign.pump.planning.demand import PumpDemand, course_of
 from viscodesign.pump.planning.fixes import combined_fix, fixes_for
 from viscodesign.pump.planning.limits import verdicts
-from viscodesign.pump.planning.model_runs import InletHistory, active_effects, run_verified
-from viscodesign.pump.planning.requested import RequestedMotion, lead_in, shares_a_network
-from viscodesign.pump.planning.result import PumpPlan, PumpVerdict
-from viscodesign.pump.planning.scene_variants import planned, pump_of, servo_ids, with_effects_of
+from viscodesign.pump.planning.motion import (
+    RequestedMotion,
+    active_effects,
+    inlets_of,
+    run_verified,
+    shares_a_network,
+)
+from viscodesign.pump.planning.result import PumpPlan
+from viscodesign.pump.planning.scene_variants import planned, pump_of, with_effects_of
 from viscodesign.pump.planning.trials import Trials
 from viscodesign.pump.servo_motor import STEADY_SHARE
 from viscodesign.results.findings import Notice
-from viscodesign.results.trajectory import Status, Trajectory
+from viscodesign.scene.per_inlet import each
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
 CAP_REL_TOL = 0.01
-"""Part of the cap by which it may be passed without a word."""
+"""Share of the cap by which it may be passed without a warning."""
 
 
 def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
@@ -42,32 +46,39 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
     for, `SolveError` where a run breaks off.
     """
     pump = pump_of(scene)
-    first = planned(scene)
-    run = run_verified(first, progress)
-    settled, active = with_effects_of(first, run), active_effects(run)
-    inlets = InletHistory.of(run)
+    run = run_verified(planned(scene), progress)
+    settled, active, inlets = (
+        with_effects_of(planned(scene), run),
+        active_effects(run),
+        inlets_of(run),
+    )
     lines = {name: feed_line_at(settled, name, active) for name in scene.inputs}
-    lead = lead_in(settled, pump, lines, inlets, active)
-    requested = RequestedMotion(settled, inlets, active, lines, lead)
+    requested = RequestedMotion(settled, active, lines, inlets, inlets.until(0)).with_lead_in(pump)
     demands = requested.demands(pump)
-    trials = Trials(settled, requested, pump)
-    found = tuple(_with_changes(trials, v) for d in demands for v in verdicts(d))
+    trials = Trials(requested, pump)
+    found = tuple(
+        v if v.severity == "ok" else replace(v, changes=fixes_for(trials, v))
+        for d in demands
+        for v in verdicts(d)
+    )
     achieved = achievable_motion(requested, pump, progress)
-    status, failure = _status(run, achieved.run)
+    failed = next((r for r in (run, achieved.run) if r.status != "complete"), run)
     return PumpPlan(
         name=scene.name,
         version=__version__,
         spec_sha256=scene.source.sha256,
-        status=status,
-        failure=failure,
+        status=failed.status,
+        failure=failed.failure,
         inlets=tuple(scene.inputs),
-        servos=servo_ids(scene, pump),
-        servo=demands[0].servo.title,
+        servos=tuple(
+            servo for servo in each(pump.servo_id, len(scene.inputs)) if servo is not None
+        ),
+        servo=demands[0].drive.servo.title,
         wanted=course_of(demands),
         achievable=course_of(achieved.demands),
         wanted_run=run,
         achievable_run=achieved.run,
-        deviation=_deviation(run, achieved.run),
+        deviation=_distance(run.tip, achieved.run.tip),
         clipped=achieved.clipped,
         sweeps=achieved.sweeps,
         unsettled_counts=achieved.unsettled_counts,
@@ -79,65 +90,49 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
     )
 
 
-def _with_changes(trials: Trials, verdict: PumpVerdict) -> PumpVerdict:
-    if verdict.severity == "ok":
-        return verdict
-    return replace(verdict, changes=fixes_for(trials, verdict))
-
-
-def _status(*runs: Trajectory) -> tuple[Status, str | None]:
-    bad = (run for run in runs if run.status != "complete")
-    return next(((run.status, run.failure) for run in bad), ("complete", None))
-
-
-def _deviation(run: Trajectory, other: Trajectory) -> np.ndarray:
-    """Distance of two tips at the times that both have (T,) [m]."""
-    both = min(len(run.tip), len(other.tip))
-    apart = run.tip[:both, :2] - other.tip[:both, :2]
-    return np.asarray(np.hypot(apart[:, 0], apart[:, 1]))
+def _distance(tip: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Distance of two tips (T, 3) at the times that both have [m]."""
+    both = min(len(tip), len(other))
+    return np.asarray(np.hypot(*(tip[:both, :2] - other[:both, :2]).T))
 
 
 def _limits(demands: tuple[PumpDemand, ...]) -> dict[str, float]:
     """Limits that apply to the pumps of all inlets."""
-    first, pump = demands[0], demands[0].pump
-    current = sum(d.mean_current for d in demands)
+    drive, pump = demands[0].drive, demands[0].pump
     return {
-        "fifth_nm": STEADY_SHARE * first.stall_torque,
-        "stall_nm": first.stall_torque,
+        "fifth_nm": STEADY_SHARE * drive.stall_torque,
+        "stall_nm": drive.stall_torque,
         "travel_low_counts": float(pump.travel[0]),
         "travel_high_counts": float(pump.travel[1]),
         "cap_pa_gauge": pump.max_pressure,
-        "battery_life_s": syringe.battery_life(pump.battery_capacity, current),
+        "battery_life_s": drive.battery_life(sum(d.mean_current for d in demands)),
     }
 
 
 def _numbers(demand: PumpDemand) -> dict[str, float]:
     """What the drive of an inlet is, and what the plan takes of it."""
     pump, drive, barrel = demand.pump, demand.drive, demand.barrel
-    slow = barrel.compliance(barrel.baseline, 0.0) + _network_compliance(demand)
-    shape = (pump.syringe_diameter, pump.pinion_diameter)
-    per_pressure = syringe.counts_per_pressure(demand.least_compliance, *shape)
-    free = float(syringe.speed_left(demand.servo, pump.supply_voltage, 0.0))
-    low, high = pump.travel
+    slow = barrel.compliance(demand.scene.gauge_pressure, 0.0) + _network_compliance(demand)
+    fast = demand.least_compliance
     speed, torque = (float(np.max(np.abs(v))) for v in (demand.velocity, demand.torque))
     return {
-        "stall_pressure_pa_gauge": demand.stall_pressure,
-        "steady_pressure_pa_gauge": STEADY_SHARE * demand.stall_pressure,
-        "no_load_flow_m3_s": float(syringe.flow_rate(free, *shape)),
-        "travel_volume_m3": (high - low) * drive.volume_per_count,
+        "stall_pressure_pa_gauge": drive.stall_pressure,
+        "steady_pressure_pa_gauge": STEADY_SHARE * drive.stall_pressure,
+        "no_load_flow_m3_s": float(drive.speed_left(0.0)) * drive.area,
+        "travel_volume_m3": (pump.travel[1] - pump.travel[0]) * drive.volume_per_count,
         "volume_per_count_m3": drive.volume_per_count,
-        "counts_per_ml": 1e-6 * syringe.counts_per_volume(*shape),
-        "counts_per_kpa_fast": 1e3 * per_pressure,
-        "counts_per_kpa_slow": 1e3 * syringe.counts_per_pressure(slow, *shape),
-        "kpa_per_count_fast": 1e-3 / per_pressure,
+        "counts_per_ml": 1e-6 / drive.volume_per_count,
+        "counts_per_kpa_fast": 1e3 * fast / drive.volume_per_count,
+        "counts_per_kpa_slow": 1e3 * slow / drive.volume_per_count,
+        "kpa_per_count_fast": 1e-3 * drive.volume_per_count / fast,
         "filled_length_m": drive.filled_at_home,
         "highest_pressure_pa_gauge": float(demand.pressure.max()),
         "lowest_pressure_pa_gauge": float(demand.pressure.min()),
         "largest_torque_nm": torque,
         "largest_flow_m3_s": speed * drive.area,
-        "largest_current_a": float(np.max(syringe.servo_current(demand.servo, demand.torque))),
+        "largest_current_a": float(drive.current(torque)),
         "mean_current_a": demand.mean_current,
-        "fastest_speed_register": float(syringe.speed_register(speed * 2 / pump.pinion_diameter)),
+        "fastest_speed_register": float(drive.speed_register(speed)),
         "lead_in_s": demand.lead_s,
     }
 
@@ -146,12 +141,16 @@ def _network_compliance(demand: PumpDemand) -> float:
     """Of all bellows that an inlet feeds, wall and gas, by the linear law [m3/Pa]."""
     scene = demand.scene
     part = next(c for c in scene.graph.components() if demand.inlet in c.inlets)
-    bellows, absolute = scene.bellows, scene.ambient_pressure + scene.gauge_pressure
-    one = bellows.length * bellows.area_per_pressure
+    one = scene.bellows.length * scene.bellows.area_per_pressure
     if not _gas_effects_off(scene):
-        rest = bellows.height * bellows.width * bellows.length
-        one += gas.gas_compliance(rest, absolute, scene.fluid.polytropic_exponent)
+        absolute = scene.ambient_pressure + scene.gauge_pressure
+        one += gas.gas_compliance(_rest_volume(scene), absolute, scene.fluid.polytropic_exponent)
     return len(part.bellows) * one / len(part.inlets)
+
+
+def _rest_volume(scene: Scene) -> float:
+    """Of one bellow [m3]."""
+    return scene.bellows.height * scene.bellows.width * scene.bellows.length
 
 
 def _gas_effects_off(scene: Scene) -> list[str]:
@@ -164,17 +163,17 @@ def _notices(
     scene: Scene, demands: tuple[PumpDemand, ...], achieved: AchievableMotion
 ) -> Iterator[Notice]:
     """Warnings that belong to the plan as a whole."""
+    ambient = scene.ambient_pressure
     if scene.fluid.is_gas and (off := _gas_effects_off(scene)):
-        rest = scene.bellows.height * scene.bellows.width * scene.bellows.length
         swing = max(float(np.ptp(d.pressure)) for d in demands)
-        missing = len(scene.graph.bellows) * rest * swing / scene.ambient_pressure
+        missing = len(scene.graph.bellows) * _rest_volume(scene) * swing / ambient
         yield Notice(
             "gas_not_counted",
-            f"effects.{off[0]} is off, so the gas in the bellows counts as "
-            f"incompressible: up to {1e6 * missing:.3g} mL that the plunger would have to move "
-            "for its compression are left out",
+            f"effects.{off[0]} is off, so the gas in the bellows counts as incompressible: up to "
+            f"{1e6 * missing:.3g} mL that the plunger would have to move for its compression are "
+            "left out",
         )
-    highest, ambient = max(float(d.pressure.max()) for d in demands), scene.ambient_pressure
+    highest = max(float(d.pressure.max()) for d in demands)
     if highest > ambient:
         yield Notice(
             "gauge_or_absolute",

@@ -1,7 +1,6 @@
-"""What a plan of a pump's motion holds: courses, verdicts, changes, and two runs.
+"""What a plan of a pump's motion holds: courses, verdicts, changes, and two runs. Plain data.
 
-Plain data, like a trajectory. Times of the courses begin with the lead-in, those of the
-runs behind it.
+Times of the courses begin with the lead-in, those of the runs behind it.
 """
 
 from __future__ import annotations
@@ -24,16 +23,11 @@ Severity = Literal["ok", "advice", "infeasible"]
 class SuggestedChange:
     """One change that makes a verdict pass, as was tried, and what is left to do after it."""
 
-    key: str
-    """What it changes: a key of the spec, or "pressure" or "time"."""
-    words: str
-    """As in 'every pressure of the input times 0.62'."""
-    settings: tuple[str, ...]
-    """For `--set`; none where a table of the spec holds the numbers."""
-    leaves: tuple[str, ...]
-    """Verdicts that are infeasible after it."""
-    factor: float = 1.0
-    """Of all pressures, or all times, where that is what it changes."""
+    key: str  # a key of the spec, or "pressure", "time" or "ramp"
+    words: str  # as in 'every pressure of the input times 0.62'
+    settings: tuple[str, ...]  # for `--set`; none where a table of the spec holds the numbers
+    leaves: tuple[str, ...]  # verdicts that are infeasible after it
+    factor: float = 1.0  # of all pressures, or all times, where that is what it changes
 
 
 @dataclass(frozen=True)
@@ -43,44 +37,30 @@ class PumpVerdict:
     name: str
     inlet: str
     severity: Severity
-    wanted: float
-    """What is asked at the worst time, in ``unit``."""
+    wanted: float  # at the worst time, in `unit`
     allowed: float
     unit: str
-    ratio: float
-    """How much of what is allowed is asked; above 1 it is too much."""
-    time_s: float
-    """The worst time, lead-in included [s]."""
+    ratio: float  # how much of what is allowed is asked; above 1 it is too much
+    time_s: float  # the worst time, lead-in included [s]
     message: str
     changes: tuple[SuggestedChange, ...] = ()
 
 
 @dataclass(frozen=True)
 class PumpCourse:
-    """Motion of P plungers at T times from the start of the lead-in."""
+    """Motion of P plungers at T times from the start of the lead-in; arrays (T, P)."""
 
-    time: np.ndarray
-    """(T,) [s]"""
-    lead_s: float
-    """Part before the scene's own t = 0: from home to what the start needs [s]."""
-    pressure: np.ndarray
-    """(T, P) gauge [Pa]."""
-    given: np.ndarray
-    """(T, P) to the network since it was filled [m3 at ambient density]."""
-    position: np.ndarray
-    """(T, P) pushed in from home [m]."""
-    volume: np.ndarray
-    """(T, P) swept by the plunger from home [m3]."""
-    count: np.ndarray
-    """(T, P) of the servo."""
-    flow: np.ndarray
-    """(T, P) swept in a time, from then on [m3/s]."""
-    torque: np.ndarray
-    """(T, P) at the pinion, friction included [N m]."""
-    stall_share: np.ndarray
-    """(T, P) of the stall torque at the battery's voltage, in size [1]."""
-    speed_share: np.ndarray
-    """(T, P) of the speed that is left at this torque [1]."""
+    time: np.ndarray  # (T,) [s]
+    lead_s: float  # part before the scene's own t = 0: from home to what the start needs [s]
+    pressure: np.ndarray  # gauge [Pa]
+    given: np.ndarray  # to the network since it was filled [m3 at ambient density]
+    position: np.ndarray  # pushed in from home [m]
+    volume: np.ndarray  # swept by the plunger from home [m3]
+    count: np.ndarray  # of the servo
+    flow: np.ndarray  # swept, from each time on [m3/s]
+    torque: np.ndarray  # at the pinion, friction included [N m]
+    stall_share: np.ndarray  # of the stall torque at the supply voltage, in size [1]
+    speed_share: np.ndarray  # of the speed that is left at this torque [1]
 
 
 @dataclass(frozen=True)
@@ -99,28 +79,25 @@ class PumpPlan:
     achievable: PumpCourse
     wanted_run: Trajectory
     achievable_run: Trajectory
-    deviation: np.ndarray
-    """(T,) distance of both tips at the runs' times [m]."""
-    clipped: tuple[str, ...]
-    """What of the wanted motion the pump cannot do, in words."""
-    sweeps: int
-    """Solutions of the achievable motion until it and its pressure agreed."""
-    unsettled_counts: float
-    """By how much the last two of them differed [counts]."""
+    deviation: np.ndarray  # (T,) distance of both tips at the runs' times [m]
+    clipped: tuple[str, ...]  # what of the wanted motion the pump cannot do, in words
+    sweeps: int  # solutions of the achievable motion until it and its pressure agreed
+    unsettled_counts: float  # by how much the last two of them differed
     verdicts: tuple[PumpVerdict, ...]
-    together: tuple[SuggestedChange, ...]
-    """Few changes that make everything feasible, one upon the other; empty where none do."""
-    numbers: Mapping[str, Mapping[str, float]]
-    """Inlet -> what the drive is, by names with units."""
-    limits: Mapping[str, float]
-    """What holds for all inlets: `fifth_nm`, `stall_nm`, `travel_low_counts`,
-    `travel_high_counts`, `cap_pa_gauge`, `battery_life_s`."""
+    together: tuple[SuggestedChange, ...]  # changes that together make it feasible; or none
+    numbers: Mapping[str, Mapping[str, float]]  # inlet -> its drive, by names with units
+    limits: Mapping[str, float]  # what holds for all inlets, by names with units
     warnings: tuple[Notice, ...]
+
+    @property
+    def infeasible(self) -> tuple[PumpVerdict, ...]:
+        """The verdicts that forbid it."""
+        return tuple(v for v in self.verdicts if v.severity == "infeasible")
 
     @property
     def is_feasible(self) -> bool:
         """Whether no verdict forbids it."""
-        return all(v.severity != "infeasible" for v in self.verdicts)
+        return not self.infeasible
 
     @property
     def deviation_m(self) -> float:
@@ -129,10 +106,9 @@ class PumpPlan:
 
     @property
     def error_m(self) -> float | None:
-        """What both runs state about their own errors, added up [m]."""
-        errors = [
-            run.accuracy.estimated_tip_error_m for run in (self.wanted_run, self.achievable_run)
-        ]
+        """Sum of the tip errors that both runs state [m]."""
+        runs = (self.wanted_run, self.achievable_run)
+        errors = [run.accuracy.estimated_tip_error_m for run in runs]
         return None if None in errors else sum(e for e in errors if e is not None)
 
     def profile(self, course: PumpCourse) -> Profile:
@@ -151,10 +127,9 @@ def refuse_infeasible(plan: PumpPlan, achievable: bool) -> None:
     """
     if plan.status != "complete":
         raise PumpError(f"the plan is {plan.status}: {plan.failure}")
-    bad = [v for v in plan.verdicts if v.severity == "infeasible"]
-    reasons = [f"  {v.message}" for v in bad if not achievable or v.name in NOT_CLIPPED]
-    if not reasons:
-        return
-    remedy = "`pump plan` says what to change"
-    remedy += "" if achievable else "; --achievable plays what the pump can do"
-    raise PumpError("\n".join(["the pump cannot reproduce this profile:", *reasons, remedy]))
+    bad = [v for v in plan.infeasible if not achievable or v.name in NOT_CLIPPED]
+    if bad:
+        remedy = "`pump plan` says what to change"
+        remedy += "" if achievable else "; --achievable plays what the pump can do"
+        reasons = (f"  {v.message}" for v in bad)
+        raise PumpError("\n".join(["the pump cannot reproduce this profile:", *reasons, remedy]))

@@ -28,22 +28,18 @@ class PlanGrid:
     """The times of a plan, and what counts as a jump between them."""
 
     samples_per_swing: int = 40
-    finest: float = 0.005
-    """[s]"""
-    coarsest: float = 0.02
-    """[s]; more only where there would be too many."""
+    finest: float = 0.005  # [s]
+    coarsest: float = 0.02  # [s]; more only where there would be too many samples
     most_samples: int = 4000
-    jump_width: float = 1e-6
-    """Part of a run before and behind a corner at which its values are compared."""
-    jump_swing: float = 0.01
-    """Part of the whole swing that a jump has at least."""
+    jump_width: float = 1e-6  # share of a run around a corner at which values are compared
+    jump_swing: float = 0.01  # smallest share of the whole swing that is a jump
 
 
 GRID = PlanGrid()
 
 
 def pump_of(scene: Scene) -> PumpSpec:
-    """The scene's pump; raises `SpecError` with what to add or correct where it has none."""
+    """The scene's pump; raises `SpecError` with what to correct where nothing can be planned."""
     pump = scene.pump
     if pump is None:
         raise _fault(
@@ -55,69 +51,49 @@ def pump_of(scene: Scene) -> PumpSpec:
         )
     for name, source in scene.inputs.items():
         if not source.gives_pressure:
-            raise _fault(
-                scene,
-                "input",
-                f"the inlet '{name}' is driven by a plunger already; a plan starts from the "
-                "pressures that are wanted",
-            )
+            message = f"the inlet '{name}' is driven by a plunger already; a plan starts from the "
+            raise _fault(scene, "input", message + "pressures that are wanted")
     if isinstance(pump.servo_id, int) and len(scene.inputs) > 1:
         ids = ", ".join(f"{name}: {k}" for k, name in enumerate(scene.inputs, start=1))
-        raise _fault(
-            scene,
-            "pump.servo_id",
+        message = (
             f"{pump.servo_id} is one servo for {len(scene.inputs)} inlets; give each its own, "
-            f"like {{{ids}}}",
         )
-    fluid = scene.fluid
-    if not fluid.is_gas and fluid.bulk_modulus is None:
+        raise _fault(scene, "pump.servo_id", f"{message}like {{{ids}}}")
+    if not scene.fluid.is_gas and scene.fluid.bulk_modulus is None:
         raise _fault(
             scene,
             "fluid",
-            f"the pump pushes {fluid.name}, whose stiffness is not known; state viscosity, "
+            f"the pump pushes {scene.fluid.name}, whose stiffness is not known; state viscosity, "
             "density and gas_constant or bulk_modulus under fluid",
         )
-    _refuse_empty_barrel(scene, Drive(pump))
+    drive = Drive(pump)
+    if drive.filled_at_home <= 0.0:
+        raise _fault(
+            scene,
+            "pump.syringe_stroke",
+            f"{1e3 * pump.syringe_stroke:.4g} mm is not enough: from home ({pump.home} counts) the "
+            f"travel {list(pump.travel)} draws the plunger out by {-1e3 * drive.range[0]:.4g} mm. "
+            "Use a longer syringe, a smaller pinion_diameter or a shorter travel, or state "
+            "filled_length",
+        )
     return pump
-
-
-def _refuse_empty_barrel(scene: Scene, drive: Drive) -> None:
-    """A travel that draws the plunger out of its barrel leaves nothing to plan with."""
-    if drive.filled_at_home > 0.0:
-        return
-    pump, drawn = drive.pump, -drive.range[0]
-    raise _fault(
-        scene,
-        "pump.syringe_stroke",
-        f"{1e3 * pump.syringe_stroke:.4g} mm is not enough: from home ({pump.home} counts) the "
-        f"travel {list(pump.travel)} draws the plunger out by {1e3 * drawn:.4g} mm. Use a longer "
-        "syringe, a smaller pinion_diameter or a shorter travel, or state filled_length",
-    )
 
 
 def _fault(scene: Scene, key: str, message: str) -> SpecError:
     return SpecError([Fault(message, key, scene.source.file)])
 
 
-def servo_ids(scene: Scene, pump: PumpSpec) -> tuple[int, ...]:
-    """Id of each inlet's servo, in the order of the inlets."""
-    ids = pump.servo_id
-    return tuple(ids if isinstance(ids, int) else ids[name] for name in scene.inputs)
-
-
 def planned(scene: Scene) -> Scene:
     """The scene with outputs as fine as a plunger needs, and what a plunger feels taken in."""
-    modes = dict(scene.effects.modes)
-    if scene.fluid.is_gas:
-        counted = [name for trait in COUNTED for name in names_with(trait)]
-        modes |= {name: "on" for name in counted if _may_switch_on(scene, name)}
-    effects = scene.effects.model_copy(update={"modes": modes})
+    choice = scene.effects
+    modes = dict(choice.modes)
+    for name in (name for trait in COUNTED for name in names_with(trait)):
+        needed = catalogue()[name].needs
+        possible = choice.mode(name) == "auto" and (needed is None or choice.mode(needed) != "off")
+        if scene.fluid.is_gas and possible:
+            modes[name] = "on"
+    effects = choice.model_copy(update={"modes": modes})
     return with_outputs(scene.model_copy(update={"effects": effects}), _times(scene))
-
-
-def _may_switch_on(scene: Scene, name: str) -> bool:
-    needed, choice = catalogue()[name].needs, scene.effects
-    return choice.mode(name) == "auto" and (needed is None or choice.mode(needed) != "off")
 
 
 def _times(scene: Scene) -> np.ndarray:
@@ -142,9 +118,8 @@ def with_effects_of(scene: Scene, found: Trajectory) -> Scene:
     """The scene with just the effects that a run of it took."""
     known = effect_names()
     modes = {v.name: "on" if v.taken else "off" for v in found.effects if v.name in known}
-    return scene.model_copy(
-        update={"effects": scene.effects.model_copy(update={"modes": modes, "others": "auto"})}
-    )
+    effects = scene.effects.model_copy(update={"modes": modes, "others": "auto"})
+    return scene.model_copy(update={"effects": effects})
 
 
 def with_inputs(scene: Scene, inputs: Mapping[str, Input]) -> Scene:
@@ -166,41 +141,36 @@ def with_pressures(scene: Scene, time: np.ndarray, pressure: np.ndarray) -> Scen
 
 def jumps(scene: Scene) -> list[float]:
     """Times at which the pressure of an input jumps [s]."""
-    duration = scene.run.duration
-    found: set[float] = set()
+    width, found = GRID.jump_width * scene.run.duration, set()
     for source in scene.inputs.values():
-        corners = np.array([0.0, *source.corners(duration)])
-        sides = [
-            source.values(np.clip(corners + s * GRID.jump_width * duration, 0, None))
-            for s in (-1, 1)
-        ]
-        if scene.run.start == "rest":
-            sides[0][0] = 0.0
-        swing = float(np.ptp(np.concatenate(sides))) or 1.0
-        found |= set(corners[np.abs(sides[1] - sides[0]) > GRID.jump_swing * swing].tolist())
+        corners = np.array([0.0, *source.corners(scene.run.duration)])
+        before, behind = _before(scene, source, corners), source.values(corners + width)
+        swing = float(np.ptp([before, behind])) or 1.0
+        found |= set(corners[np.abs(behind - before) > GRID.jump_swing * swing].tolist())
     return sorted(found)
+
+
+def _before(scene: Scene, source: Input, times: np.ndarray) -> np.ndarray:
+    """Values of an input just before some times; a run from rest comes from the baseline."""
+    values = source.values(np.maximum(times - GRID.jump_width * scene.run.duration, 0.0))
+    return np.where(times > 0.0, values, 0.0) if scene.run.start == "rest" else values
 
 
 def ramped(scene: Scene, lasting: float) -> Scene:
     """The scene with every jump of its pressures made a ramp of some time [s]."""
-    own, duration = scene.run.output_times_array(), scene.run.duration
-    starts = [t for t in jumps(scene) if t < duration]
-    ends = [min(t + lasting, duration) for t in starts]
-    time = np.unique(np.concatenate([own, starts, ends]))
+    duration = scene.run.duration
+    starts = np.array([t for t in jumps(scene) if t < duration])
+    ends = np.minimum(starts + lasting, duration)
+    time = np.unique(np.concatenate([scene.run.output_times_array(), starts, ends]))
+    time = time[np.append(np.diff(time) > GRID.jump_width * duration, True)]
+    last = np.searchsorted(starts, time, side="right") - 1  # -1 before the first
+    risen = np.minimum((time - starts[last]) / (ends - starts)[last], 1.0)
+    share = np.where(last < 0, 1.0, risen)
     columns = []
     for source in scene.inputs.values():
-        values = source.values(time)
-        for begin, end in zip(starts, ends, strict=True):
-            before = source.values(np.array([max(begin - GRID.jump_width * duration, 0.0)]))[0]
-            if begin == 0.0 and scene.run.start == "rest":
-                before = 0.0
-            inside = (time >= begin) & (time < end)
-            share = (time[inside] - begin) / (end - begin)
-            values[inside] = before + share * (values[inside] - before)
-        columns.append(values)
-    keep = np.append(np.diff(time) > GRID.jump_width * duration, True)
-    pressure = scene.gauge_pressure + np.stack(columns, axis=1)
-    return with_pressures(scene, time[keep], pressure[keep])
+        before = _before(scene, source, starts)[last]
+        columns.append(before + share * (source.values(time) - before))
+    return with_pressures(scene, time, scene.gauge_pressure + np.stack(columns, axis=1))
 
 
 def scaled(scene: Scene, *, pressure: float = 1.0, time: float = 1.0) -> Scene:

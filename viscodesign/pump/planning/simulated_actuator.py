@@ -28,7 +28,7 @@ from viscodesign.solve.statics import Start, equilibrium
 from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
 
 TOLERANCE = 1e-3
-"""Of the integrator: about half a percent of the length at the tip, where less is asked for."""
+"""Of the integrator: about half a percent of the length at the tip."""
 LONGEST = 0.05
 """A longer tick is cut into such [s]."""
 ANY_LENGTH = "rosenbrock"
@@ -46,26 +46,14 @@ class ActuatorPlant(Plant):
     """
 
     def __init__(self, scene: Scene) -> None:
-        pump, scene = pump_of(scene), planned(scene)
-        drive = Drive(pump)
-        self.area, self._longest_way = drive.area, (1 - KEPT_FREE) * drive.filled_at_home
-        names = select_effects(SceneQuantities(scene)).active
-        self.problem, self.effects = _problem(scene, drive, names)
-        self.inlets = tuple(scene.inputs)
-        self.time = 0.0
-        """Behind which the state is [s]."""
-        self.position = np.zeros(len(self.inlets))
-        """(P,) pushed in from home [m]."""
-        self._solver = _solver(self.problem)
+        drive, scene = Drive(pump_of(scene)), planned(scene)
+        self._area, self._longest_way = drive.area, (1 - KEPT_FREE) * drive.filled_at_home
+        self._problem = _problem(scene, drive)
+        self._solver = _solver(self._problem)
         self._any_length = not isinstance(self._solver, solver_catalogue()[DEFAULT_SOLVER])
         self._owed = 0.0
         self._work = Work()
-        self._begin(self.position)
-
-    @property
-    def label(self) -> str:
-        """What is computed, in one line."""
-        return f"simulated actuator, coupled model with {', '.join(self.effects)}"
+        self._begin(np.zeros(len(scene.inputs)))
 
     @property
     def steps(self) -> int:
@@ -78,8 +66,8 @@ class ActuatorPlant(Plant):
         ``positions`` (P,) pushed in from home [m]; further than the barrel is filled none goes.
         """
         goal = np.minimum(np.asarray(positions, dtype=float), self._longest_way)
-        begin = self.position
-        if seconds <= 0.0 and self.time == 0.0:
+        begin = self._position
+        if seconds <= 0.0 and self._work.steps == 0:
             self._begin(goal)
         count, length = self._intervals(seconds)
         for k in range(1, count + 1):
@@ -88,12 +76,9 @@ class ActuatorPlant(Plant):
 
     def _begin(self, position: np.ndarray) -> None:
         """Equilibrium with the plungers at a place [m]."""
-        still = np.zeros_like(position)
-        piece = np.stack((self.area * position, still, still), axis=1).ravel()
-        self._here = equilibrium(self.problem, 0.0, piece)
-        self.position = position
-        self._solver.problem = replace(self.problem, schedule=_one_interval(GRID, piece))
-        self._read()
+        schedule = self._schedule(GRID, position, position)
+        self._here = equilibrium(self._problem, 0.0, schedule.initial_piece)
+        self._read(schedule, position)
 
     def _intervals(self, seconds: float) -> tuple[int, float]:
         """Number and length [s] of the intervals of a tick."""
@@ -109,28 +94,26 @@ class ActuatorPlant(Plant):
 
     def _tick(self, seconds: float, goal: np.ndarray) -> None:
         """One interval of the integrator."""
-        rows = np.stack(
-            (
-                self.area * self.position,
-                self.area * (goal - self.position) / seconds,
-                np.zeros_like(goal),
-            ),
-            axis=1,
-        )
-        self._solver.problem = replace(self.problem, schedule=_one_interval(seconds, rows.ravel()))
+        schedule = self._schedule(seconds, self._position, goal)
+        self._solver.problem = replace(self._problem, schedule=schedule)
         (states, algebraics, _), failure = self._solver(self._here, 0, 1, self._work)
         if failure is not None:
             raise failure
         self._here = Start(states[:, -1], algebraics[:, -1])
-        self.position = goal
-        self.time += seconds
-        self._read()
+        self._read(schedule, goal)
 
-    def _read(self) -> None:
+    def _schedule(self, seconds: float, begin: np.ndarray, end: np.ndarray) -> Schedule:
+        """One interval in which the plungers move evenly [m]."""
+        velocity = self._area * (end - begin) / seconds
+        piece = np.stack((self._area * begin, velocity, 0.0 * begin), axis=1).ravel()
+        pieces = Pieces(piece[None, :], np.array([0]), 1)
+        return Schedule(np.array([0.0, seconds]), pieces, np.array([0, 1]), piece)
+
+    def _read(self, schedule: Schedule, position: np.ndarray) -> None:
         """Pressures and tip of the state that was reached."""
-        problem = replace(self.problem, schedule=self._solver.problem.schedule)
-        here = self._here
-        values = evaluate_along(problem, here.states[:, None], here.algebraics[:, None])
+        self._position = position
+        problem = replace(self._problem, schedule=schedule)
+        values = evaluate_along(problem, self._here.states[:, None], self._here.algebraics[:, None])
         self.pressure: np.ndarray = values["inlet_pressure"][0].copy()
         """(P,) gauge [Pa]."""
         outputs = Outputs(problem, 0, 0, 1, np.zeros(1), values)
@@ -139,17 +122,17 @@ class ActuatorPlant(Plant):
         """x [m], z [m], angle [rad]."""
 
 
-def _problem(scene: Scene, drive: Drive, names: frozenset[str]) -> tuple[Problem, tuple[str, ...]]:
+def _problem(scene: Scene, drive: Drive) -> Problem:
     """The scene's equations with plungers at its inlets, at home."""
-    still = np.array([0.0, 1.0])
+    names = select_effects(SceneQuantities(scene)).active
+    times, home = np.array([0.0, 1.0]), np.zeros(2)
     inputs = {
-        name: Barrel(scene, drive, feed_line_at(scene, name, names)).syringe(still, 0.0 * still)
+        name: Barrel(scene, drive, feed_line_at(scene, name, names)).syringe(times, home)
         for name in scene.inputs
     }
     quantities = SceneQuantities(with_inputs(scene, inputs))
     effects = [kind.of(quantities) for name, kind in catalogue().items() if name in names]
-    problem = build(quantities, effects, suggest_settings(quantities, effects))
-    return problem, tuple(effect.name for effect in effects)
+    return build(quantities, effects, suggest_settings(quantities, effects))
 
 
 def _solver(problem: Problem) -> Solver:
@@ -159,8 +142,3 @@ def _solver(problem: Problem) -> Solver:
     if not (kind.takes(problem) and kind.fits(problem)):
         kind = solver_catalogue()[DEFAULT_SOLVER]
     return kind(problem, TOLERANCE)
-
-
-def _one_interval(seconds: float, piece: np.ndarray) -> Schedule:
-    pieces = Pieces(piece[None, :], np.array([0]), 1)
-    return Schedule(np.array([0.0, seconds]), pieces, np.array([0, 1]), piece)

@@ -2,35 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from viscodesign.errors import SolveError
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.limits import infeasible, verdict
-from viscodesign.pump.planning.model_runs import run_model
-from viscodesign.pump.planning.requested import (
-    LeadIn,
-    RequestedMotion,
-    lead_in,
-    shares_a_network,
-)
+from viscodesign.pump.planning.motion import RequestedMotion, run_model, shares_a_network
 from viscodesign.pump.planning.scene_variants import ramped, scaled
 from viscodesign.scene.pump import PumpSpec
-from viscodesign.scene.scene import Scene
 
-
-@dataclass(frozen=True)
-class Variation:
-    """A scene and its pump, as they are or changed."""
-
-    pressure: float = 1.0
-    """Factor of every pressure of the inputs."""
-    time: float = 1.0
-    """Factor of every time."""
-    ramp: float = 0.0
-    """Time over which every jump is spread [s]."""
-    pump: PumpSpec | None = None
-    """Instead of the scene's own."""
+Variation = Mapping[str, float]
+"""What is changed: factors of all pressures (`pressure`) and times (`time`), the duration of every
+jump (`ramp`) [s], and keys of the pump, such as `pump.home`."""
 
 
 @dataclass(frozen=True)
@@ -40,67 +24,63 @@ class Aim:
     inlet: str | None
     names: tuple[str, ...]
 
-    def is_met(self, demands: tuple[PumpDemand, ...] | None) -> bool:
+    def is_met(self, demands: tuple[PumpDemand, ...]) -> bool:
         """Whether they do; never where the model could not be run."""
-        if demands is None:
-            return False
         own = [d for d in demands if self.inlet in (None, d.inlet)]
-        return all(verdict(d, name).severity == "ok" for d in own for name in self.names)
+        checks = (verdict(d, name).severity == "ok" for d in own for name in self.names)
+        return bool(own) and all(checks)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Trials:
-    """What was tried of one scene, so that no model runs twice."""
+    """What was tried of one motion, so that no model runs twice."""
 
-    scene: Scene
-    """As it is run, with its effects settled."""
     requested: RequestedMotion
     pump: PumpSpec
     _known: dict[tuple[float, ...], RequestedMotion | None] = field(default_factory=dict)
 
     def pump_of(self, case: Variation) -> PumpSpec:
-        """The pump settings of a variation."""
-        return case.pump or self.pump
+        """The pump of a variation."""
+        own = {key.removeprefix("pump."): case[key] for key in case if key.startswith("pump.")}
+        return self.pump.model_copy(update=own)
 
-    def demands(self, case: Variation) -> tuple[PumpDemand, ...] | None:
-        """What a variation asks, through the coupled model; None where that fails."""
-        key = (case.pressure, case.time, case.ramp)
-        if key == (1.0, 1.0, 0.0):
-            return self.requested.demands(self.pump_of(case))
+    def demands(self, case: Variation) -> tuple[PumpDemand, ...]:
+        """What a variation asks, through the coupled model; empty where that fails."""
+        key = (case.get("pressure", 1.0), case.get("time", 1.0), case.get("ramp", 0.0))
         if key not in self._known:
-            self._known[key] = self._run(case)
+            self._known[key] = self._run(case, *key) if key != (1.0, 1.0, 0.0) else self.requested
         found = self._known[key]
-        return None if found is None else found.demands(self.pump_of(case))
+        return () if found is None else found.demands(self.pump_of(case))
 
-    def _run(self, case: Variation) -> RequestedMotion | None:
-        scene = scaled(self.scene, pressure=case.pressure, time=case.time)
-        active, lines = self.requested.active, self.requested.lines
-        if case.ramp:
-            scene = ramped(scene, case.ramp)
+    def _run(
+        self, case: Variation, pressure: float, time: float, ramp: float
+    ) -> RequestedMotion | None:
+        scene = scaled(self.requested.scene, pressure=pressure, time=time)
+        scene = ramped(scene, ramp) if ramp else scene
         try:
-            run = run_model(scene, active)
+            run = run_model(scene, self.requested.active)
             # A lead-in never hurries; it matters where it tells which inlet gave how much.
-            lead = LeadIn.none(run)
-            if shares_a_network(scene):
-                lead = lead_in(scene, self.pump_of(case), lines, run, active)
+            found = self.requested.without_lead_in(scene, run)
+            return found.with_lead_in(self.pump_of(case)) if shares_a_network(scene) else found
         except SolveError:
             return None
-        return RequestedMotion(scene, run, active, lines, lead)
 
-    def estimated(self, case: Variation) -> tuple[PumpDemand, ...]:
-        """The same without a run: what is given goes with the pressure."""
-        base = self.scene.gauge_pressure
+    def estimated(self, base: Variation, case: Variation) -> tuple[PumpDemand, ...]:
+        """What a variation of another one asks, without a run: volumes go with the pressure."""
+        baseline, pump = self.requested.scene.gauge_pressure, self.pump_of(case)
+        pressure, time = (case.get(k, 1.0) / base.get(k, 1.0) for k in ("pressure", "time"))
         return tuple(
             replace(
                 d,
-                pressure=base + case.pressure * (d.pressure - base),
-                given=case.pressure * d.given,
-                time=case.time * d.time,
+                pump=pump,
+                pressure=baseline + pressure * (d.pressure - baseline),
+                given=pressure * d.given,
+                time=time * d.time,
             )
-            for d in self.requested.demands(self.pump_of(case))
+            for d in self.demands(base)
         )
 
 
-def remaining(demands: tuple[PumpDemand, ...] | None) -> tuple[str, ...]:
+def remaining(demands: tuple[PumpDemand, ...]) -> tuple[str, ...]:
     """Names of all limits that forbid a variation."""
-    return tuple(dict.fromkeys(name for d in demands or () for name in infeasible(d)))
+    return tuple(dict.fromkeys(name for d in demands for name in infeasible(d)))
