@@ -9,25 +9,22 @@ import numpy as np
 
 from viscodesign.pump.poses.engine import FRAME
 from viscodesign.pump.poses.fit import PoseFit
+from viscodesign.pump.report.plan_chart import COLOURS
 from viscodesign.report.layout.style import ACCENT, INK, axes_at, head, head_room, picture
 from viscodesign.results.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7")
-"""Okabe-Ito, one for each servo."""
 LEFT, BOTTOM, WIDE, TALL, SHORT, GAP = 0.8, 0.5, 6.0, 2.4, 1.2, 0.16
-WIDTH = LEFT + WIDE + 0.2
-HEIGHT = BOTTOM + TALL + GAP + SHORT
 """All in inches."""
 
 
 def draw_fit(fit: PoseFit, run: Trajectory, path: Path) -> None:
     """Counts against time, and below them the error; ``run`` is what the fit is for."""
-    room = head_room(run, WIDTH)
-    with picture(path, WIDTH, HEIGHT + room) as made:
-        counts = axes_at(made, LEFT, BOTTOM + SHORT + GAP, WIDE, TALL)
+    width, top = LEFT + WIDE + 0.2, BOTTOM + SHORT + GAP + TALL
+    with picture(path, width, top + head_room(run, width)) as made:
+        counts = axes_at(made, LEFT, top - TALL, WIDE, TALL)
         _draw_counts(counts, fit)
         counts.tick_params(labelbottom=False)
         _draw_error(axes_at(made, LEFT, BOTTOM, WIDE, SHORT), fit)

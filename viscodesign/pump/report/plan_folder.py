@@ -38,8 +38,9 @@ def write_plan(
 
         draw_plan(plan, picture)
 
-    drawer = draw if plots else None
-    return PLAN_FILES.write(directory, plan_csv(plan), plan_document(plan), drawer, force=force)
+    names, values = plan_columns(plan)
+    table, drawer = csv_table(names, values.tolist()), draw if plots else None
+    return PLAN_FILES.write(directory, table, plan_document(plan), drawer, force=force)
 
 
 def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
@@ -47,26 +48,18 @@ def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
 
     Tips begin with the run itself; before, during the lead-in, they are NaN.
     """
-    names, columns = ["time_s", "run_time_s"], [plan.wanted.time]
-    columns.append(plan.wanted.time - plan.wanted.lead_s)
+    time = plan.wanted.time
+    found = {"time_s": time, "run_time_s": time - plan.wanted.lead_s}
     for kind, course in (("wanted", plan.wanted), ("achievable", plan.achievable)):
         for word, attribute in QUANTITIES.items():
-            for k, inlet in enumerate(plan.inlets):
+            for inlet, column in zip(plan.inlets, getattr(course, attribute).T, strict=True):
                 own = "" if len(plan.inlets) == 1 else f"{inlet}_"
-                names.append(f"{kind}_{own}{word}")
-                columns.append(getattr(course, attribute)[:, k])
-    before = len(plan.wanted.time) - len(plan.wanted_run.time)
+                found[f"{kind}_{own}{word}"] = column
+    before = np.full(len(time) - len(plan.wanted_run.time), np.nan)
     for kind, run in (("wanted", plan.wanted_run), ("achievable", plan.achievable_run)):
-        for k, word in enumerate(("tip_x_m", "tip_z_m", "tip_angle_rad")):
-            names.append(f"{kind}_{word}")
-            columns.append(np.concatenate([np.full(before, np.nan), run.tip[:, k]]))
-    return names, np.column_stack(columns)
-
-
-def plan_csv(plan: PumpPlan) -> bytes:
-    """Every digit; what is not known is an empty cell."""
-    names, values = plan_columns(plan)
-    return csv_table(names, values.tolist())
+        for word, column in zip(("tip_x_m", "tip_z_m", "tip_angle_rad"), run.tip.T, strict=True):
+            found[f"{kind}_{word}"] = np.concatenate([before, column])
+    return list(found), np.column_stack(list(found.values()))
 
 
 def plan_document(plan: PumpPlan) -> dict[str, Any]:
