@@ -149,7 +149,7 @@ def _draw_words(made: Figure, plan: PumpPlan) -> None:
     ]
     text = "\n".join(shown(line, 58) for line in lines[:6])
     place = np.array([SQUARE_LEFT - 0.45, TOP - SQUARE - 0.62]) / made.get_size_inches()
-    made.text(*place, text, size=8, va="top", linespacing=1.35)
+    made.text(place[0], place[1], text, size=8, va="top", linespacing=1.35)
 
 
 def _draw_legend(made: Figure, plan: PumpPlan) -> None:
