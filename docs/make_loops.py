@@ -1,6 +1,6 @@
 """Compile the loops of native code to LLVM IR: python docs/make_loops.py
 
-Writes `viscodesign/native/loops.ll` from `viscodesign/native/loops_source.py`, by numba, which
+Writes `viscodesign/native/loops.ll` from `viscodesign/native/source`, by numba, which
 users do not need. The IR names no processor: it is finished on the machine that runs it.
 """
 
@@ -29,7 +29,7 @@ from llvmlite import ir  # noqa: E402
 from numba import njit, types  # noqa: E402
 from numba.extending import intrinsic  # noqa: E402
 
-from viscodesign.native import loops, loops_source  # noqa: E402
+from viscodesign.native import loops  # noqa: E402
 
 KINDS = {
     "count": types.int64,
@@ -80,12 +80,14 @@ def main() -> None:
 
 def loops_ir() -> str:
     """All loops as one module, without names of this machine."""
-    given: dict[str, Any] = {**vars(loops_source), "part": part, "call_kernel": call_kernel}
-    for name, value in vars(loops_source).items():
-        if isinstance(value, FunctionType) and value.__module__ == loops_source.__name__:
-            own = FunctionType(value.__code__, given, name)
-            options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "_nrt": False}
-            given[name] = njit(error_model="numpy", fastmath={"contract"}, **options)(own)
+    given: dict[str, Any] = {}
+    for source in loops.SOURCES:
+        given |= vars(source)
+    given |= {"part": part, "call_kernel": call_kernel}
+    options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "_nrt": False}
+    for name in [name for source in loops.SOURCES for name in loops.functions_of(source)]:
+        own = FunctionType(given[name].__code__, given, name)
+        given[name] = njit(error_model="numpy", fastmath={"contract"}, **options)(own)
     module = llvm.parse_assembly("")
     for name, kinds in loops.SIGNATURES.items():
         module.link_in(llvm.parse_assembly(compiled(given[name], name, kinds)))
@@ -146,8 +148,9 @@ def plain(text: str) -> str:
     text = re.sub(r", ![\w.]+ !\d+|  +; preds.*| #\d+", "", text)
     words = r"readonly|writeonly|readnone|noundef|local_unnamed_addr|dso_local|tail"
     text = re.sub(rf" captures\([^)]*\)| ({words})\b", "", text)
+    files = "|".join(source.__name__.rpartition(".")[2] for source in loops.SOURCES)
     for k, name in enumerate(dict.fromkeys(re.findall(r"@_ZN\w+", text))):
-        own = re.match(r"@_ZN(?:\d+[a-z_]\D*)*?\d+loops_source\d+([a-z_]+)B", name)
+        own = re.match(rf"@_ZN(?:\d+[a-z_]\D*)*?\d+(?:{files})\d+([a-z_]+)B", name)
         text = text.replace(name, f"@{own[1] if own else 'numba'}.{k}")
     text = text.replace("define linkonce_odr", "define internal")
     kept = rf"^(define internal \S+ @(?!{'|'.join(INLINED)}).*\)) {{$"

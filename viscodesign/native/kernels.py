@@ -15,8 +15,8 @@ from viscodesign._version import __version__
 from viscodesign.native import ir_operations, ir_writer
 from viscodesign.native.code_cache import cached, digest
 from viscodesign.native.ir_writer import module_ir
-from viscodesign.native.loops_primitives import PythonKernel
 from viscodesign.native.machine import Loaded, load, object_code, this_machine
+from viscodesign.native.source.primitives import PythonKernel
 
 LANES = 8
 """Elements that a kernel treats at once, unless told otherwise."""

@@ -1,4 +1,4 @@
-; made from 591877b5477d8d4b3c6b21f0af2d6cdae53a07e3372e77ec3e65eddd409da597
+; made from f4db3abaeb42f54e8c8165c1e12245f099050cda99375e6f3ff7f356502c5c4f
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8

@@ -1,6 +1,6 @@
 """The loops in native code, and the same loops in Python as their twin.
 
-``loops.ll`` is made of `loops_source` when that changes (`docs/make_loops.py`), finished for the
+``loops.ll`` is made of `source` when that changes (`docs/make_loops.py`), finished for the
 processor of the user by the first run, and kept in the cache folder.
 """
 
@@ -11,22 +11,24 @@ import hashlib
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from functools import cache
+from inspect import getsource
 from pathlib import Path
+from types import FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
 
 from viscodesign._version import __version__
-from viscodesign.native import loops_source
 from viscodesign.native.code_cache import cached
-from viscodesign.native.loops_primitives import PythonKernel
 from viscodesign.native.machine import load, object_code, this_machine
+from viscodesign.native.source import elimination, factors, steps, sums
+from viscodesign.native.source.primitives import PythonKernel
 
 Kernel = int | PythonKernel
 """An address of machine code, or the same in Python for the loops in Python."""
 
-FOLDER = Path(__file__).parent
-IR_FILE = FOLDER / "loops.ll"
+SOURCES = (sums, elimination, factors, steps)
+IR_FILE = Path(__file__).parent / "loops.ll"
 OPTIMISE, GENERATE = 3, 3
 """Levels of passes and of code generation."""
 
@@ -55,7 +57,7 @@ DTYPES = {"counts": np.int64, "places": np.int32, "reals": np.float64}
 
 
 class Loops(ABC):
-    """The loops of `loops_source`, called with arrays."""
+    """The loops of `source`, called with arrays."""
 
     @abstractmethod
     def __call__(self, name: str, *arguments: Any) -> int:
@@ -95,9 +97,14 @@ class NativeLoops(Loops):
 class PythonLoops(Loops):
     """The twin: slow, and independent of llvmlite."""
 
+    def __init__(self) -> None:
+        self._functions: dict[str, Callable[..., int | None]] = {
+            name: vars(module)[name] for module in SOURCES for name in functions_of(module)
+        }
+
     def __call__(self, name: str, *arguments: Any) -> int:
         with np.errstate(all="ignore"):
-            return getattr(loops_source, name)(*arguments) or 0
+            return self._functions[name](*arguments) or 0
 
     def kernels(self, kernels: Sequence[Kernel]) -> list[PythonKernel]:
         return [k for k in kernels if not isinstance(k, int)]
@@ -111,8 +118,14 @@ def native_loops() -> NativeLoops:
 
 def source_digest() -> str:
     """What tells whether ``loops.ll`` belongs to its source."""
-    source = (FOLDER / "loops_source.py").read_bytes()
-    return hashlib.sha256(source + repr(SIGNATURES).encode()).hexdigest()
+    texts = [getsource(module) for module in SOURCES]
+    return hashlib.sha256("".join([*texts, repr(SIGNATURES)]).encode()).hexdigest()
+
+
+def functions_of(module: ModuleType) -> list[str]:
+    """Names of the functions that a file of loops defines."""
+    own = (v for v in vars(module).values() if isinstance(v, FunctionType))
+    return [v.__name__ for v in own if v.__module__ == module.__name__]
 
 
 def address(array: np.ndarray, kind: str) -> int:

@@ -9,7 +9,7 @@ import numpy as np
 
 from viscodesign.native import rodas
 from viscodesign.native.loops import DTYPES
-from viscodesign.native.loops_source import ENTRIES
+from viscodesign.native.source.sums import ENTRIES
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly
 
@@ -23,7 +23,7 @@ METHOD = np.concatenate([
     _square(rodas.A), _square(rodas.C), rodas.NODES, rodas.SLOPES, rodas.DENSE.ravel(),
     [rodas.GAMMA, rodas.ORDER],
 ])  # fmt: skip
-"""Coefficients in the order that `loops_source` expects."""
+"""Coefficients in the order that `source.steps` expects."""
 
 
 class MarchStatus(IntEnum):

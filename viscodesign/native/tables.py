@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from viscodesign.native.loops import DTYPES, Kernel, Loops, native_loops
-from viscodesign.native.loops_source import LINEAR
+from viscodesign.native.source.sums import LINEAR
 
 Scratch = tuple[np.ndarray, np.ndarray]
 """Arguments and results of one call of a kernel."""

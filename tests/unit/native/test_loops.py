@@ -184,7 +184,7 @@ def test_order_five_and_dense_order_four_of_a_linear_system() -> None:
 
 
 def linear_system() -> tuple[Assembly, np.ndarray]:
-    from viscodesign.native.loops_primitives import PythonKernel
+    from viscodesign.native.source.primitives import PythonKernel
     from viscodesign.native.tables import ElementTable
 
     matrix = np.array([[-1.0, 2.0], [-2.0, -3.0]])
