@@ -37,6 +37,8 @@ class Settings:
     edges_per_section: int
     tolerance: float
     solver: str = DEFAULT_SOLVER
+    is_free: bool = False
+    """Whether a solver without error in time replaces it where the equations allow."""
 
 
 def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> Settings:
@@ -48,7 +50,7 @@ def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> 
     mesh = Chain.suggested(body, accuracy, quantities.largest_turn)
     solver = RINGING_SOLVER if _rings_on(effects) else DEFAULT_SOLVER
     tolerance = SHARE_OF_TIME * accuracy / solver_catalogue()[solver].tip_error_per_tolerance
-    return Settings(mesh.edges_per_section, tolerance, solver)
+    return Settings(mesh.edges_per_section, tolerance, solver, is_free=True)
 
 
 def _rings_on(effects: Sequence[Effect]) -> bool:

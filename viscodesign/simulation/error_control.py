@@ -4,6 +4,7 @@ Each part is measured or estimated separately, since each has its own remedy:
 
 - **Time.** The scene is solved again on the same mesh with a tenth of the tolerance.
   Of the two solutions the finer one is kept; its error is a fraction of their distance.
+  A solver that is exact in time needs no second solution.
 - **Space.** Again on a mesh of half the edges' length, with the previous tolerance.
 - **Neglected effects.** The distance of two estimates, one with everything that the spec
   allows, one with the active effects.
@@ -125,6 +126,8 @@ class Verifier:
     def verify(self, run: Run) -> tuple[Run, ErrorParts | None]:
         """The finest solution, and its error; None where one of them ended early."""
         refinement = _Refinement(self, run)
+        if not run.solution.asked_to_stop and refinement.is_sufficient():
+            return run, refinement.parts
         while self.solutions <= ERROR_CONTROL.max_refinements and not self.stalled:
             if refinement.run.solution.asked_to_stop:
                 self.interrupted = True
@@ -165,7 +168,7 @@ class _Refinement:
         self.run = run
         self._verifier = verifier
         self._space_m = 0.0 if run.is_exact_in_space else None
-        self._time_m: float | None = None
+        self._time_m = self._round_off_m if run.is_exact_in_time else None
         self._least_imbalance = math.inf
         """Least energy residual, once smaller steps are to reduce it."""
         self._useless = 0
@@ -183,6 +186,11 @@ class _Refinement:
         time_m, space_m = self._time_m, self._space_m
         is_coarse = time_m is not None and (space_m is None or space_m > time_m)
         return is_coarse and self._least_imbalance == math.inf
+
+    @property
+    def _round_off_m(self) -> float:
+        """Least error in time."""
+        return ERROR_CONTROL.least_time_per_length * self._verifier.quantities.body.length
 
     def next_settings(self) -> Settings:
         """Settings of the next solution."""
@@ -203,9 +211,7 @@ class _Refinement:
         if is_in_space:
             self._space_m = max(ERROR_CONTROL.space_share * distance, least)
         else:
-            length = verifier.quantities.body.length
-            least = max(least, ERROR_CONTROL.least_time_per_length * length)
-            self._time_m = max(ERROR_CONTROL.time_share * distance, least)
+            self._time_m = max(ERROR_CONTROL.time_share * distance, least, self._round_off_m)
 
     def is_sufficient(self) -> bool:
         """Whether the tip is accurate enough, and the energy balance as good as it gets."""

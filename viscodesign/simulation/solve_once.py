@@ -15,7 +15,7 @@ from viscodesign.postprocess.motion import Motion, read_motion
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium, rest
-from viscodesign.solve.transient import Solution, integrate
+from viscodesign.solve.transient import Solution, integrate, solver_catalogue, suitable_solver
 from viscodesign.storage.disk_arrays import ArrayStore, blocks
 
 Progress = Callable[[float], None]
@@ -61,6 +61,12 @@ class Run:
         return self.problem.equations.rod_form is RodForm.ARCS
 
     @property
+    def is_exact_in_time(self) -> bool:
+        """Whether a smaller tolerance would change nothing."""
+        kind = solver_catalogue()[self.solution.solver]
+        return kind.is_exact and not self.solution.attempts
+
+    @property
     def spent_s(self) -> float:
         """Wall time, building and solving [s]."""
         return self.build_s + self.solve_s
@@ -84,9 +90,8 @@ def solve(
     piece = problem.schedule.initial_piece
     steady = quantities.scene.run.start == "equilibrium"
     start = equilibrium(problem, 0.0, piece) if steady else rest(problem, piece)
-    solution = integrate(
-        problem, start, settings.tolerance, progress, settings.solver, workspace.store
-    )
+    solver = suitable_solver(problem, settings.solver, settings.is_free)
+    solution = integrate(problem, start, settings.tolerance, progress, solver, workspace.store)
     solved = clock.perf_counter()
     motion = read_motion(problem, solution, workspace.store, quantities.scene.run.shape_stride)
     compile_s = solution.work.compile_s

@@ -13,6 +13,7 @@ from viscodesign.model.equations import Equations, Formulas
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.unknowns import Unknowns
+from viscodesign.solve.modal_system import ModalSystem, modal_system
 from viscodesign.solve.numerics.stability import StabilityTest
 
 
@@ -109,6 +110,11 @@ class Problem:
         rows = np.concatenate([np.arange(b.span.start, b.span.stop) for b in own])
         order, internal = self.rod.elimination_order()
         return StabilityTest(rows[order], internal, function.sparsity_out(1))
+
+    @cached_property
+    def modal_system(self) -> ModalSystem | None:
+        """The modes of linear equations with constant coefficients; None for any others."""
+        return modal_system(self.equations, self.numbers(), float(self.schedule.edges[-1]))
 
     def step_geometry(self, unknowns: Unknowns) -> StepGeometry:
         """How an iteration steps in a vector of unknowns."""

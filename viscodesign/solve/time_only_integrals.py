@@ -63,7 +63,7 @@ class _Intervals:
 
     def integrals(self) -> np.ndarray:
         """Of each rate over each interval (n, m)."""
-        begins, ends, owner = _parts(self.edges, self._spacing)
+        begins, ends, owner = graded_parts(self.edges, self._spacing)
         found = self._gauss(begins, ends, owner)
         settled = np.zeros((len(found), len(self.edges) - 1))
         for _ in range(RULE.max_halvings):
@@ -96,8 +96,13 @@ class _Intervals:
         return total
 
 
-def _parts(edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Begin, end and interval of every part, as short as ``spacing`` at both ends of each."""
+def graded_parts(
+    edges: np.ndarray, spacing: float | np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Begin, end and interval of every part, in no order.
+
+    They are as short as ``spacing`` at both ends of each interval; one for all, or one for each.
+    """
     length = np.diff(edges)
     # Each half of an interval: (growth^n - 1)/(growth - 1) times its first part.
     reach = 1 + (RULE.growth - 1) / 2 * length / spacing

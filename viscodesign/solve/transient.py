@@ -146,6 +146,17 @@ def solver_catalogue() -> dict[str, type[Solver]]:
     return members(solvers.__name__, Solver)  # type: ignore[type-abstract]
 
 
+def suitable_solver(problem: Problem, wanted: str, is_free: bool = False) -> str:
+    """The first that takes these equations: one without error in time, if the choice is free and
+    the problem is not too large for it; the wanted one; the default.
+    """
+    catalogue = solver_catalogue()
+    for name, kind in catalogue.items():
+        if is_free and kind.is_exact and kind.fits(problem) and kind.takes(problem):
+            return name
+    return wanted if catalogue[wanted].takes(problem) else DEFAULT_SOLVER
+
+
 def integrate(
     problem: Problem,
     start: Start,
@@ -161,8 +172,7 @@ def integrate(
     raises for a failure on the way: what was reached is returned, with the failure.
     """
     moves = problem.equations.states.count > 0
-    if not solver_catalogue()[solver].takes(problem):
-        solver = DEFAULT_SOLVER
+    solver = suitable_solver(problem, solver)
     chosen = (solver_catalogue()[solver] if moves else QuasiStatic)(problem, tolerance)
     fallbacks = Fallbacks(chosen, list(solver_catalogue().values()) if moves else [])
     edges = problem.schedule.edges

@@ -121,8 +121,11 @@ class AccuracyGrid:
     def measure_one(self, model: Model, settings: Settings) -> Point | None:
         """Measure a single setting."""
         column = Column(model, settings.edges_per_section, settings.solver, settings.tolerance)
-        timing = self._timing(column, settings.tolerance, self.runs.remaining_s)
-        return None if timing is None else self._add(column, timing)
+        timing = self._timing(column, settings, self.runs.remaining_s)
+        if timing is None:
+            return None
+        column.solver = timing.run.solution.solver
+        return self._add(column, timing)
 
     # -- one row ------------------------------------------------------------------------------
 
@@ -138,14 +141,17 @@ class AccuracyGrid:
             )
             return
         patience_s = max(RULES.patience_s, RULES.patience * expected_s)
-        timing = self._timing(column, tolerance, min(rest_s, patience_s))
-        if timing is not None:
+        settings = Settings(column.edges, tolerance, column.solver)
+        timing = self._timing(column, settings, min(rest_s, patience_s))
+        if timing is not None and timing.run.solution.solver != column.solver:
+            column.closed = True  # it does not take these equations
+        elif timing is not None:
             column.cost_ratio = timing.wall_s / formula_s
             self._add(column, timing)
 
-    def _timing(self, column: Column, tolerance: float, within_s: float) -> Timing | None:
+    def _timing(self, column: Column, settings: Settings, within_s: float) -> Timing | None:
         """The solution of a row, or None with a note on why there is none."""
-        settings = Settings(column.edges, tolerance, column.solver)
+        tolerance = settings.tolerance
         try:
             timing = self.runs.measure(_names(column.model), settings, within_s)
         except OutOfTimeError:

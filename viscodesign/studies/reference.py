@@ -106,7 +106,7 @@ def _trials(runs: TimedRuns, edges: int) -> dict[str, float]:
             run = runs.run(runs.selection.everything, settings, limit)
         except (ViscodesignError, OutOfTimeError):
             continue
-        if run.is_complete:
+        if run.is_complete and run.solution.solver == solver:
             times[solver] = run.solve_s
     fastest = min(times.values(), default=0.0)
     return {name: t for name, t in times.items() if t <= RULES.slow_factor * fastest}

@@ -45,6 +45,9 @@ class Solver(ABC):
     """Method and author, in one line."""
     tip_error_per_tolerance: ClassVar[float]
     """Typical tip error in actuator lengths, over the tolerance."""
+    is_exact: ClassVar[bool] = False
+    """Whether its error is round-off, whatever the tolerance. It then comes before all others
+    for the equations that it takes."""
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         self.problem = problem
