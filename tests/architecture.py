@@ -23,6 +23,7 @@ LAYERS = [
     ["pump.ax"],
     ["pump.play", "pump.simulated"],
     ["pump.sensors", "pump.boards"],
+    ["pump.ax.protocol"],
     ["pump.bus"],
     ["pump"],
     ["studies"],

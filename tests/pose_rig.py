@@ -11,10 +11,10 @@ import numpy as np
 from tests.pumps import HOME, bench, pump, stepped
 from tests.rig.faults import Fault, Faulty
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import Instruction, Packet
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.packets import Instruction, Packet
 from viscodesign.pump.play.stream import StreamResult
 from viscodesign.pump.poses.fit import PoseFit, fit_poses
 from viscodesign.pump.poses.player import PosePlayer, split_at
@@ -22,7 +22,7 @@ from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
 
 TRAVEL = (100, 1000)

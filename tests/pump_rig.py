@@ -11,18 +11,18 @@ import numpy as np
 from tests.pumps import HOME, Weights, bench, pump
 from tests.rig.bus import BusAdapter
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import Instruction, Packet, Parser
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.dynamixel import Dynamixel
-from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.bus.packets import Instruction, Packet, Parser
 from viscodesign.pump.play.stream import OnStop, Stream, StreamResult, TickReport
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.device import DirectLine
 
 AMBIENT = 101_325.0
 RATE = 30.0

@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from tests.rig.full import FullServo
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.plant import ClosedGas, Plant
-from viscodesign.pump.simulated.servo import SimulatedServo
+from viscodesign.pump.simulated.bench import ClosedGas, Plant, SimulatedBench
 from viscodesign.scene.pump import PumpSpec
 
 HOME = 200
@@ -23,7 +22,7 @@ def pump(**settings: Any) -> PumpSpec:
 def bench(*ids: int, plant: Plant | None = None, **settings: Any) -> SimulatedBench:
     """Plungers at home; each barrel closed where no plant is given."""
     drives = [Drive(pump(**settings)) for _ in ids]
-    servos = [SimulatedServo(id, position=HOME) for id in ids]
+    servos = [FullServo(id, position=HOME) for id in ids]
     return SimulatedBench(servos, drives, plant or ClosedGas(drives))
 
 

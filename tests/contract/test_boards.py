@@ -15,14 +15,13 @@ from tests.rig import faults
 from tests.rig.bus import BusAdapter
 from tests.rig.faults import Fault, Faulty
 from viscodesign.errors import PumpError, ViscodesignError
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import ErrorBits, Packet
+from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.boards.base import Board, Goal
-from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.packets import ErrorBits, Packet
-from viscodesign.pump.bus.registers import Register
 from viscodesign.pump.sessions.open_board import boards
 from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.device import Device
-from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.device import Device, DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
 

@@ -12,18 +12,18 @@ import pytest
 from tests.pump_rig import RATE, TRAVEL, Rig
 from tests.rig.bus import BusAdapter
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.boards.dynamixel import Dynamixel
-from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.bus.packets import ErrorBits
 from viscodesign.pump.play.stream import RecordingError, Stream, StreamResult
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.open_board import simulated_bench
-from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.scene.pump import PumpSpec
 
 

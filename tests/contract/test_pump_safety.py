@@ -17,9 +17,9 @@ import pytest
 from tests.pump_rig import RATE, TRAVEL, Rig, Sent
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import HOLD_SPEED
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import ErrorBits, Instruction
 from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
-from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.packets import ErrorBits, Instruction
 from viscodesign.pump.play.path import led_in, top_speed
 from viscodesign.pump.play.safety_rules import LOST
 from viscodesign.pump.profile import Profile

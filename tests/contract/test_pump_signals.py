@@ -25,7 +25,7 @@ from tests.pumps import bench
 from tests.rig.pty import PtyServer
 from tests.scenes import CONFIGS, ROOT
 from viscodesign.pump.ax.hold import HOLD_SPEED
-from viscodesign.pump.bus import registers
+from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.ros import Ros

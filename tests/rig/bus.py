@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from viscodesign.pump.bus.packets import OVERHEAD, Parser
+from viscodesign.pump.ax.protocol.packets import OVERHEAD, Parser
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device, Outbox
 

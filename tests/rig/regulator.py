@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from viscodesign.errors import PumpError
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalServoState
-from viscodesign.pump.play.pump import Pump, no_switches
+from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 AMBIENT = 101_325.0
@@ -64,9 +64,8 @@ class RegulatorPump(Pump):
     """One regulator as a pump: a step is 100 Pa."""
 
     def __init__(self, device: SimulatedRegulator, clock: Clock) -> None:
-        super().__init__(
-            (1,), LIMITS, PressureReadings([device.measured], AMBIENT), no_switches, clock
-        )
+        gauges = PressureReadings([device.measured], AMBIENT)
+        super().__init__((1,), LIMITS, gauges, dict, clock)
         self.device = device
 
     def arm(self, speed: float = 0.0) -> None:

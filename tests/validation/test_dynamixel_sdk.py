@@ -10,10 +10,10 @@ import pytest
 from tests.pumps import HOME, bench
 from tests.rig.bus import BusAdapter
 from tests.rig.pty import PtyServer
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.boards.dynamixel import Dynamixel
-from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import WallClock
-from viscodesign.pump.bus.packets import ErrorBits
 from viscodesign.pump.bus.serial_line import SerialLine
 
 sdk: Any = pytest.importorskip("dynamixel_sdk")

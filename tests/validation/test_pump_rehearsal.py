@@ -21,7 +21,7 @@ from viscodesign.pump.planning.plan import plan
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
-from viscodesign.pump.sensors.board_analog import BoardAnalog
+from viscodesign.pump.sensors.base import BoardAnalog
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.open_board import simulated_line

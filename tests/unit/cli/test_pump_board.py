@@ -15,7 +15,7 @@ from tests.pumps import bench
 from tests.rig.bus import BusAdapter
 from tests.rig.pty import PtyServer
 from viscodesign.cli import confirm as _confirm
-from viscodesign.pump.bus import registers
+from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.simulated.bench import SimulatedBench
 

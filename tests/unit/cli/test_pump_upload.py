@@ -16,8 +16,8 @@ from tests.pose_rig import TRAVEL, Watched, swing
 from tests.poses_h import read_poses_h
 from tests.pumps import HOME, Weights, bench
 from tests.rig.pty import PtyServer
+from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.poses.packets import loop, play
 from viscodesign.pump.profile import Profile

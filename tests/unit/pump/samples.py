@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.ax.servo_state import ServoState
-from viscodesign.pump.bus.packets import ErrorBits
 from viscodesign.pump.play.axis import Sample
 
 

@@ -11,15 +11,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.pumps import bench, stepped
+from tests.rig.full import BrokenPins
 from viscodesign.errors import PumpError
 from viscodesign.pump.boards.arbotix_ros import ArbotixRos
 from viscodesign.pump.boards.dynamixel import Dynamixel
-from viscodesign.pump.sensors.base import PressureSource, SensorError, Stillness
-from viscodesign.pump.sensors.board_analog import BoardAnalog
+from viscodesign.pump.sensors.base import (
+    BoardAnalog,
+    PressureSource,
+    SensorError,
+    absolute_pressure,
+    ratio_of,
+)
 from viscodesign.pump.sensors.phidget import Phidget
-from viscodesign.pump.sensors.phidget_1140 import absolute_pressure, ratio_of
-from viscodesign.pump.simulated.direct_line import DirectLine
-from viscodesign.pump.simulated.pins import Pins
+from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.ros import Ros
 
 
@@ -59,17 +63,6 @@ def test_what_is_out_of_range_is_no_pressure(ratio: float) -> None:
         Given(ratio).absolute()
 
 
-def test_a_frozen_sensor_is_one_that_stays_while_the_pressure_changes() -> None:
-    still = Stillness()
-    for expected in (0.0, 5e3, 10e3):
-        still.check(1e3, expected)
-    with pytest.raises(SensorError, match=r"frozen: it kept reading 1\.00 kPa"):
-        still.check(1e3, 12e3)
-    alive = Stillness()
-    for step in range(10):
-        alive.check(1e3 + step // 2, 5e3 * step)
-
-
 def test_the_board_gives_the_pressure_within_its_eight_bits() -> None:
     pump = bench(1)
     board = ArbotixRos(DirectLine(Ros(pump), stepped()))
@@ -83,7 +76,7 @@ def test_the_board_gives_the_pressure_within_its_eight_bits() -> None:
 @pytest.mark.parametrize("rail", [0.0, 1.0])
 def test_a_cut_wire_is_a_fault(rail: float) -> None:
     pump = bench(1)
-    pins = Pins(pump, broken={"A0": rail})
+    pins = BrokenPins(pump, broken={"A0": rail})
     with pytest.raises(SensorError, match="open or shorted"):
         BoardAnalog(ArbotixRos(DirectLine(Ros(pump, pins), stepped())), 0).absolute()
 

@@ -7,8 +7,8 @@ from typing import get_args
 import pytest
 
 from tests.pumps import pump
+from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.servo_pump import axis_limits
-from viscodesign.pump.bus import registers
 from viscodesign.pump.servo_motor import SERVOS, ServoType, model_title
 from viscodesign.pump.simulated.motor import MOTORS
 from viscodesign.pump.simulated.servo import SimulatedServo

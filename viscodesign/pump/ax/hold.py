@@ -8,25 +8,21 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.transactions import ServoError
+from viscodesign.pump.ax.servo_state import ServoState, read_servo
 from viscodesign.pump.boards.base import Board, Goal
-from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.bus.transactions import ServoError
 from viscodesign.pump.play.axis import FinalServoState
 
 HOLD_SPEED = 20
 """Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
-HOLD_TOLERANCE = 40
-"""A held plunger stands this close to its goal, or it is not held [counts]."""
-RETRY_PAUSE_S = 0.02
-"""Between tries [s]."""
-HOLD_TIMEOUT_S = 1.0
-"""To try for a verified hold [s]."""
+HOLD_TOLERANCE = 40  # A held plunger stands this close to its goal, or it is not held [counts]
+RETRY_PAUSE_S = 0.02  # between tries [s]
+HOLD_TIMEOUT_S = 1.0  # to try for a verified hold [s]
 LONGEST_MOVE_S = 40.0
 """A board that plays by itself may not listen for so long: its moves last up to 32.8 s [s]."""
-HALT_INTERVAL_S = 2.0
-"""Between two halts of such a board [s]."""
+HALT_INTERVAL_S = 2.0  # between two halts of such a board [s]
 
 
 def hold(
@@ -36,37 +32,31 @@ def hold(
     *,
     positions: dict[int, int] | None = None,
     goals: Mapping[int, int] | None = None,
-    within: float = HOLD_TIMEOUT_S,
 ) -> list[FinalServoState]:
     """Send every servo to where it is, and read back that it holds that goal.
 
-    ``positions`` of a moment ago, for a servo that takes commands but whose replies do not come
-    through; they are brought up to date. ``goals`` that hold it where it is under its load, where
-    they are known. A servo without torque is left so: nothing drives it.
+    ``positions`` of a moment ago serve where a servo takes commands but its replies do not come
+    through; they are brought up to date. ``goals`` hold it where it is under its load, where they
+    are known. A servo without torque is left so: nothing drives it.
     """
-    where, aims = positions if positions is not None else {}, goals or {}
-    return _for_each(
-        servos, clock, within, lambda servo: _hold(board, servo, where, aims.get(servo))
-    )
+    last, aims = positions if positions is not None else {}, goals or {}
+    return _for_each(servos, clock, lambda servo: _hold(board, servo, last, aims.get(servo)))
 
 
-def release(
-    board: Board, servos: Sequence[int], clock: Clock, *, within: float = HOLD_TIMEOUT_S
-) -> list[FinalServoState]:
+def release(board: Board, servos: Sequence[int], clock: Clock) -> list[FinalServoState]:
     """Switch torque off, and read back that it is."""
-    return _for_each(servos, clock, within, lambda servo: _release(board, servo))
+    return _for_each(servos, clock, lambda servo: _release(board, servo))
 
 
 def _for_each(
-    servos: Sequence[int], clock: Clock, within: float, attempt: Callable[[int], FinalServoState]
+    servos: Sequence[int], clock: Clock, attempt: Callable[[int], FinalServoState]
 ) -> list[FinalServoState]:
     """Try each servo in turns until it is verified or the time is over; at least once."""
-    deadline = clock.now() + within
+    deadline = clock.now() + HOLD_TIMEOUT_S
     left: dict[int, FinalServoState] = {}
     waiting = list(servos)
     while waiting:
-        for servo in waiting:
-            left[servo] = attempt(servo)
+        left |= {servo: attempt(servo) for servo in waiting}
         waiting = [servo for servo in waiting if not left[servo].verified]
         if clock.now() >= deadline:
             break
@@ -77,58 +67,52 @@ def _for_each(
 
 def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> FinalServoState:
     """One attempt; the position is read first, so that no goal is far from the plunger."""
+
+    def left(words: str, verified: bool = False) -> FinalServoState:
+        return FinalServoState(servo, verified, words)
+
+    def failure_of_move(goal: int) -> str:
+        try:
+            board.move({servo: Goal(goal, HOLD_SPEED)})
+        except PumpError as error:
+            return f"no hold could be sent: {error}"
+        return ""
+
     try:
         state = read_servo(board, servo)
     except PumpError as error:
-        return _hold_unseen(board, servo, last.get(servo), error)
+        if servo not in last:
+            return left(f"no hold could be sent: {error}")
+        # Repeating an absolute goal is harmless.
+        failure = failure_of_move(last[servo])
+        return left(failure or f"sent to {last[servo]} counts unseen; no reply: {error}")
     last[servo] = state.position
     if not state.torque:
-        return FinalServoState(servo, True, f"torque is off, at {state.position} counts")
+        return left(f"torque is off, at {state.position} counts", True)
     if state.torque_limit == 0:
-        return FinalServoState(
-            servo, True, f"shut itself off ({state.complaint or 'torque limit 0'})"
-        )
-    near = aim is not None and abs(aim - state.position) <= HOLD_TOLERANCE
-    goal = aim if aim is not None and near else state.position
+        return left(f"shut itself off ({state.complaint or 'torque limit 0'})", True)
+    goal = state.position if aim is None or abs(aim - state.position) > HOLD_TOLERANCE else aim
+    if failure := failure_of_move(goal):
+        return left(failure)
     try:
-        board.move({servo: Goal(goal, HOLD_SPEED)})
+        return left(*_held(goal, read_servo(board, servo)))
     except PumpError as error:
-        return FinalServoState(servo, False, f"no hold could be sent: {error}")
-    try:
-        return _verified(servo, goal, read_servo(board, servo))
-    except PumpError as error:
-        return FinalServoState(servo, False, f"hold sent, but not verified: {error}")
+        return left(f"hold sent, but not verified: {error}")
 
 
-def _verified(servo: int, goal: int, state: ServoState) -> FinalServoState:
+def _held(goal: int, state: ServoState) -> tuple[str, bool]:
+    """What became of a hold, and whether it is one."""
     if not state.torque or state.goal != goal:
-        return FinalServoState(
-            servo, False, f"hold at {goal} counts was sent, but it did not take it"
-        )
+        return f"hold at {goal} counts was sent, but it did not take it", False
     if abs(state.position - goal) > HOLD_TOLERANCE:
-        return FinalServoState(servo, False, f"holds {goal} counts, but is at {state.position}")
-    told = f"holds at {goal} counts, verified"
-    return FinalServoState(
-        servo, True, f"{told}; it reports: {state.complaint}" if state.errors else told
-    )
-
-
-def _hold_unseen(
-    board: Board, servo: int, position: int | None, error: PumpError
-) -> FinalServoState:
-    """Hold at the last known position; repeating an absolute goal is harmless."""
-    if position is None:
-        return FinalServoState(servo, False, f"no hold could be sent: {error}")
-    try:
-        board.move({servo: Goal(position, HOLD_SPEED)})
-    except PumpError as failure:
-        return FinalServoState(servo, False, f"no hold could be sent: {failure}")
-    return FinalServoState(servo, False, f"sent to {position} counts unseen; no reply: {error}")
+        return f"holds {goal} counts, but is at {state.position}", False
+    reports = f"; it reports: {state.complaint}" if state.errors else ""
+    return f"holds at {goal} counts, verified{reports}", True
 
 
 def _release(board: Board, servo: int) -> FinalServoState:
     try:
-        write_register(board, servo, registers.TORQUE_ENABLE, 0)
+        board.set(servo, registers.TORQUE_ENABLE, 0)
     except ServoError as fault:
         return FinalServoState(servo, False, f"torque off was sent; {fault}")
     except PumpError as error:
@@ -139,27 +123,25 @@ def _release(board: Board, servo: int) -> FinalServoState:
 def stop_all(
     board: Board, ids: Sequence[int], clock: Clock, *, release: bool = False
 ) -> list[FinalServoState]:
-    """Halt the board's own program, then hold (or release) each servo that is found.
+    """Halt the board's own program, then hold (or release) each servo as soon as it is found.
 
-    Each is told as soon as it is found: others that are not there would cost time. Empty where
-    none answers; a board that plays by itself is asked again until its move must be over.
+    Empty where none answers; a board that plays by itself is asked again until its move must be
+    over.
     """
-    board.halt()
     deadline = clock.now() + (0.0 if board.streams else LONGEST_MOVE_S)
-    while not (left := _each(board, ids, clock, release)) and clock.now() < deadline:
-        clock.sleep(HALT_INTERVAL_S)
+    while True:
         board.halt()
-    return left
+        left = [one for servo in ids for one in _stop(board, servo, clock, release)]
+        if left or clock.now() >= deadline:
+            return left
+        clock.sleep(HALT_INTERVAL_S)
 
 
-def _each(board: Board, ids: Sequence[int], clock: Clock, drop: bool) -> list[FinalServoState]:
-    act = release if drop else hold
-    return [one for servo in ids if _is_there(board, servo) for one in act(board, [servo], clock)]
-
-
-def _is_there(board: Board, servo: int) -> bool:
-    """Also where what comes from it is broken: then it is reported all the same."""
+def _stop(board: Board, servo: int, clock: Clock, drop: bool) -> list[FinalServoState]:
     try:
-        return board.answers(servo)
-    except PumpError:
-        return False
+        there = board.answers(servo)
+    except PumpError:  # what comes from it is broken: it may be there
+        there = False
+    if not there:
+        return []
+    return release(board, [servo], clock) if drop else hold(board, [servo], clock)

@@ -1,21 +1,20 @@
-"""What stands at the other end before anything moves, and whether it may be moved."""
+"""What stands at the other end before anything moves: whether it may be moved, or calibrated."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.ax.servo_state import ServoState, read_anyway, read_servo
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.bus import registers
 from viscodesign.pump.play.safety_rules import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE
 from viscodesign.pump.servo_motor import SERVOS, model_title
 from viscodesign.scene.pump import PumpSpec
 
-IDENTITY = registers.STATUS_LEVEL.address + 1
-"""Bytes from address 0 on that tell what a servo is."""
-ANSWERS_ALL = 2
-"""Status return level with which writes are answered too."""
+IDENTITY = registers.STATUS_LEVEL.address + 1  # bytes from address 0 on that tell what a servo is
+ANSWERS_ALL = 2  # status return level with which writes are answered too
 
 
 @dataclass(frozen=True)
@@ -40,7 +39,7 @@ class FoundServo:
 
 
 def identify(board: Board, servo: int) -> FoundServo:
-    """Read who it is and how it does; changes nothing."""
+    """Read what a servo is and its state; changes nothing."""
     data, _ = read_anyway(board, servo, 0, IDENTITY)
     return FoundServo(
         id=servo,
@@ -54,14 +53,14 @@ def identify(board: Board, servo: int) -> FoundServo:
 
 def blocking_faults(servo: FoundServo, pump: PumpSpec) -> list[str]:
     """Why it must not be moved, each with what to do."""
-    return [f"servo {servo.id}: {reason}" for reason in _reasons(servo, pump)]
+    return [f"servo {servo.id}: {fault}" for fault in _faults(servo, pump)]
 
 
-def _reasons(servo: FoundServo, pump: PumpSpec) -> Iterator[str]:
+def _faults(servo: FoundServo, pump: PumpSpec) -> Iterator[str]:
     state, (low, high) = servo.state, pump.travel
     if servo.model != SERVOS[pump.servo].model:
-        wanted = SERVOS[pump.servo].title
-        yield f"is an {servo.name}, but the spec says {wanted}; correct pump.servo"
+        title = SERVOS[pump.servo].title
+        yield f"is an {servo.name}, but the spec says {title}; correct pump.servo"
     if state.errors:
         yield f"reports: {state.complaint}; see `pump status`, then switch it off and on"
     if state.voltage < LOWEST_VOLTAGE:
@@ -70,10 +69,6 @@ def _reasons(servo: FoundServo, pump: PumpSpec) -> Iterator[str]:
         yield f"is at {state.temperature:g} degC; let it cool down (below {HIGHEST_TEMPERATURE:g})"
     if servo.status_level != ANSWERS_ALL:
         yield f"answers at status level {servo.status_level} only; `pump calibrate` sets it to 2"
-    yield from _misplaced(servo, low, high)
-
-
-def _misplaced(servo: FoundServo, low: int, high: int) -> Iterator[str]:
     if servo.turns_endlessly:
         yield "is in wheel mode (both angle limits 0), where it never stops; run `pump calibrate`"
     elif not low <= servo.limits[0] <= servo.limits[1] <= high:
@@ -81,8 +76,36 @@ def _misplaced(servo: FoundServo, low: int, high: int) -> Iterator[str]:
             f"its own angle limits {list(servo.limits)} let it out of pump.travel "
             f"[{low}, {high}]: not calibrated for this spec; run `pump calibrate`"
         )
-    if not low <= servo.state.position <= high:
+    if not low <= state.position <= high:
         yield (
-            f"is at {servo.state.position} counts, outside of pump.travel [{low}, {high}]; "
+            f"is at {state.position} counts, outside of pump.travel [{low}, {high}]; "
             "move the plunger by hand with its torque off, or run `pump calibrate`"
         )
+
+
+@dataclass(frozen=True)
+class RegisterChange:
+    """A register of the EEPROM that is to hold another value: id, angle limits, status level."""
+
+    servo: int
+    register: Register
+    before: int
+    after: int
+
+    def __str__(self) -> str:
+        return f"servo {self.servo}: {self.register.name} {self.before} -> {self.after}"
+
+    def write(self, board: Board) -> None:
+        """Write it and read it back; only `pump calibrate` does so."""
+        data = self.register.encode(self.after)
+        board.write_permanent(self.servo, self.register.address, data)
+
+
+def changes(servo: FoundServo, travel: tuple[int, int]) -> list[RegisterChange]:
+    """What differs from a calibrated servo."""
+    calibrated = [
+        (registers.CW_LIMIT, servo.limits[0], travel[0]),
+        (registers.CCW_LIMIT, servo.limits[1], travel[1]),
+        (registers.STATUS_LEVEL, servo.status_level, ANSWERS_ALL),
+    ]
+    return [RegisterChange(servo.id, *change) for change in calibrated if change[1] != change[2]]

@@ -1,4 +1,4 @@
-"""A syringe pump of servos, as streams and safety rules know pumps."""
+"""A syringe pump of AX servos."""
 
 from __future__ import annotations
 
@@ -9,14 +9,10 @@ from dataclasses import replace
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import HOLD_SPEED, hold, release
 from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
-from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
-from viscodesign.pump.ax.torque_limit import (
-    TorqueLimits,
-    free_speed,
-    torque_limit,
-)
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.servo_state import ServoState, read_servo
+from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_limit
 from viscodesign.pump.boards.base import Board, Goal
-from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.drive import COUNTS_PER_TURN, Drive
 from viscodesign.pump.play.axis import AxisLimits, FinalServoState
@@ -27,18 +23,16 @@ from viscodesign.scene.pump import PumpSpec
 
 SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
 """Counts per second of one unit of the speed register."""
-TOP_SPEED = 1023
 COMPLIANCE_SLOPE = 32.0
 """Distance from its goal at which a servo gives its full output [counts]: the initial value of
 its compliance slopes (ROBOTIS e-manual)."""
-LIMIT_STEPS = 6
-"""Readings in which a torque limit may be lowered at the end of a motion."""
-TAKEN = 3
+LIMIT_STEPS = 6  # readings in which a torque limit may be lowered at the end of a motion
+ARMED_TOLERANCE = 3
 """The goal of a servo that gets its torque may be its position of a moment later [counts]."""
 
 
 class ServoPump(Pump):
-    """Servos of one spec on one board, each with a plunger."""
+    """Servos of one spec on one board, each with a plunger; a step is a count."""
 
     def __init__(
         self,
@@ -52,9 +46,7 @@ class ServoPump(Pump):
         super().__init__(servos, axis_limits(settings), gauges, lambda: switches.read(board), clock)
         self.board = board
         self.settings = settings
-        self.switches = switches
-        self.identity = ""
-        """What the board said of itself."""
+        self.identity = ""  # what the board said of itself
         self.torque_limits = TorqueLimits()
 
     def connect(self) -> list[FoundServo]:
@@ -62,17 +54,13 @@ class ServoPump(Pump):
         self.identity = self.board.identify()
         found = [identify(self.board, servo) for servo in self.servos]
         self.positions = {servo.id: servo.state.position for servo in found}
-        wrong = [reason for servo in found for reason in blocking_faults(servo, self.settings)]
-        if wrong:
-            raise PumpError("\n".join(["nothing has moved:", *wrong]))
+        faults = [fault for servo in found for fault in blocking_faults(servo, self.settings)]
+        if faults:
+            raise PumpError("\n".join(["nothing has moved:", *faults]))
         return found
 
     def arm(self, speed: float = 0.0) -> None:
-        """Torque on where each plunger stands; limits first, each read back.
-
-        ``speed``: the fastest that is going to be asked for [counts/s]; raises `PumpError` where
-        the servo is not that fast.
-        """
+        """Torque on where each plunger stands; limits first, each read back."""
         if speed > free_speed(self.settings):
             raise PumpError(
                 f"{speed:.0f} counts/s requested; without load the servo reaches "
@@ -87,34 +75,31 @@ class ServoPump(Pump):
             # A servo that strained against this very limit may shut itself off just now, and a
             # write would give it its torque back.
             if state.torque_limit != limit:
-                write_register(self.board, servo, registers.TORQUE_LIMIT, limit)
-            write_register(self.board, servo, registers.MOVING_SPEED, HOLD_SPEED)
+                self.board.set(servo, registers.TORQUE_LIMIT, limit)
+            self.board.set(servo, registers.MOVING_SPEED, HOLD_SPEED)
             # Some firmwares switch the torque on by this, so it comes behind both limits. Without
-            # torque they give the present position as their goal: read back when it is on.
+            # torque a servo's goal follows its position, so only with it is the goal checked.
             self.armed = True
-            goal = registers.GOAL_POSITION
-            self.board.write(servo, goal.address, goal.encode(position))
-            write_register(self.board, servo, registers.TORQUE_ENABLE, 1)
-            self.goals[servo] = self._standing(servo, position, limit)
-            self.positions[servo] = self.goals[servo]
+            self.board.set(servo, registers.GOAL_POSITION, position)
+            self.board.set(servo, registers.TORQUE_ENABLE, 1)
+            self.goals[servo] = self.positions[servo] = self._armed_goal(servo, position, limit)
 
     def _healthy(self, servo: int) -> ServoState:
         """Its state; a torque limit of 0 is an alarm's, and is not overwritten unsaid."""
         state = read_servo(self.board, servo)
         if state.errors or state.torque_limit == 0:
-            told = state.complaint or "its torque limit is 0: it shut itself off"
-            raise PumpError(f"servo {servo}: {told}. See `pump status`, then switch it off and on")
+            fault = state.complaint or "its torque limit is 0: it shut itself off"
+            raise PumpError(f"servo {servo}: {fault}. See `pump status`, then switch it off and on")
         return state
 
-    def _standing(self, servo: int, position: int, limit: int) -> int:
-        """The goal that an armed servo holds, verified to equal its position."""
+    def _armed_goal(self, servo: int, position: int, limit: int) -> int:
+        """The goal that an armed servo holds, checked to be its position."""
         state = self._healthy(servo)
-        wrong = (
-            abs(state.goal - position) > TAKEN
+        if (
+            abs(state.goal - position) > ARMED_TOLERANCE
             or state.moving_speed != HOLD_SPEED
             or state.torque_limit != limit
-        )
-        if wrong:
+        ):
             raise PumpError(
                 f"servo {servo} was armed at {position} counts, with speed {HOLD_SPEED} and torque "
                 f"limit {limit}, but has goal {state.goal}, speed {state.moving_speed} and torque "
@@ -134,7 +119,7 @@ class ServoPump(Pump):
     def _move(
         self, goals: Mapping[int, int], speeds: Mapping[int, int], needed: Mapping[int, int]
     ) -> bool:
-        """Goals, speed registers, and torque limits that change; whether some do.
+        """Send goals, speed registers, and torque limits that change; whether some do.
 
         A servo that shut itself off, or that may be about to, keeps what it has.
         """
@@ -157,20 +142,14 @@ class ServoPump(Pump):
             # It shut itself off while its limit was on the way: it has to stay off.
             self.board.set(servo, registers.TORQUE_LIMIT, 0)
             states[servo] = replace(states[servo], torque_limit=0)
-        self.torque_limits.sent = {}
         self.torque_limits.update(states, self.read_at)
         return states
 
     def hold(self, *, in_place: bool = True) -> list[FinalServoState]:
-        """Stand where it is, read back; nothing is sent where the torque was never on.
-
-        Unless ``in_place``, the goals in force are kept: those that a load asks for. Torque
-        limits that a motion had raised are lowered again.
-        """
+        """As `Pump.hold`; torque limits that a motion had raised are lowered again."""
         if not self.armed:
             return [FinalServoState(s, True, "untouched: torque was never on") for s in self.servos]
-        goals = None if in_place else self.goals
-        left = hold(self.board, self.servos, self.clock, positions=self.positions, goals=goals)
+        left = self._hold(None if in_place else self.goals)
         self.goals = {s: self.positions[s] if in_place else self.goals[s] for s in self.servos}
         if not all(one.verified for one in left) or not self.board.limits_torque:
             return left
@@ -178,28 +157,30 @@ class ServoPump(Pump):
             self._lower_limits()
         except PumpError as error:
             return [replace(one, verified=False, words=f"{one.words}, but {error}") for one in left]
-        return hold(self.board, self.servos, self.clock, positions=self.positions, goals=self.goals)
+        return self._hold(self.goals)
+
+    def _hold(self, goals: Mapping[int, int] | None) -> list[FinalServoState]:
+        return hold(self.board, self.servos, self.clock, positions=self.positions, goals=goals)
 
     def _lower_limits(self) -> None:
-        """To what a plunger at rest needs, byte by byte."""
+        """Lower torque limits to what a plunger at rest needs, byte by byte."""
         rest = torque_limit(self.settings)
         for _ in range(LIMIT_STEPS):
             self._read()
-            sent = [
+            lowered = [
                 self._move({servo: self.goals[servo]}, {servo: HOLD_SPEED}, {servo: rest})
                 for servo in self.torque_limits.in_force
             ]
-            if not any(sent):
+            if not any(lowered):
                 return
 
     def release(self) -> list[FinalServoState]:
-        """Torque off, read back; pressure may push the plunger back then."""
         self.armed = False
         return release(self.board, self.servos, self.clock)
 
 
 def axis_limits(settings: PumpSpec) -> AxisLimits:
-    """Of the servos of a spec."""
+    """What the servos of a spec can do."""
     return AxisLimits(
         step=Drive(settings).advance_per_count,
         travel=settings.travel,
@@ -214,4 +195,4 @@ def axis_limits(settings: PumpSpec) -> AxisLimits:
 
 def speed_register(speed: float) -> int:
     """Smallest value that is at least as fast [counts/s]; never 0, which is full speed."""
-    return min(max(math.ceil(speed / SPEED), 1), TOP_SPEED)
+    return min(max(math.ceil(speed / SPEED), 1), registers.FULL)

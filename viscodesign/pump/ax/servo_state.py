@@ -1,21 +1,23 @@
-"""What is known of a servo and of the pressures at one moment."""
+"""Reading servos: what is known of each at one moment, also of a pump that somebody else moves."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from viscodesign.errors import PumpError
+from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import ErrorBits, meaning
+from viscodesign.pump.ax.protocol.registers import Register
+from viscodesign.pump.ax.protocol.transactions import ServoError
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.packets import ErrorBits, meaning
-from viscodesign.pump.bus.registers import Register
-from viscodesign.pump.bus.transactions import ServoError
-from viscodesign.pump.play.axis import AxisState
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.play.axis import AxisState, Sample
+from viscodesign.pump.play.ticks import Ticks
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 FIRST = registers.TORQUE_ENABLE.address
 LENGTH = registers.PRESENT_TEMPERATURE.address + 1 - FIRST
-
-
 NO_ERRORS = ErrorBits(0)
 
 
@@ -28,23 +30,6 @@ class ServoState(AxisState):
     torque_limit: int
     """[1/1023 of stall]"""
     errors: ErrorBits = NO_ERRORS
-
-    @classmethod
-    def decode(cls, data: bytes, errors: ErrorBits) -> ServoState:
-        def value(register: Register) -> int:
-            return register.within(data, FIRST)
-
-        return cls(
-            torque=bool(value(registers.TORQUE_ENABLE)),
-            goal=value(registers.GOAL_POSITION),
-            moving_speed=value(registers.MOVING_SPEED),
-            torque_limit=value(registers.TORQUE_LIMIT),
-            position=value(registers.PRESENT_POSITION),
-            load=value(registers.PRESENT_LOAD) / 1023,
-            voltage=value(registers.PRESENT_VOLTAGE) / 10,
-            temperature=float(value(registers.PRESENT_TEMPERATURE)),
-            errors=errors,
-        )
 
     @property
     def alarm(self) -> str:
@@ -59,9 +44,23 @@ class ServoState(AxisState):
 
 
 def read_servo(board: Board, servo: int) -> ServoState:
-    """A servo's state, with its error bits where it has some but gives its registers."""
+    """A servo's state; raises where no registers came, whatever its error bits say."""
     data, errors = read_anyway(board, servo, FIRST, LENGTH)
-    return ServoState.decode(data, errors)
+
+    def value(register: Register) -> int:
+        return register.within(data, FIRST)
+
+    return ServoState(
+        torque=bool(value(registers.TORQUE_ENABLE)),
+        goal=value(registers.GOAL_POSITION),
+        moving_speed=value(registers.MOVING_SPEED),
+        torque_limit=value(registers.TORQUE_LIMIT),
+        position=value(registers.PRESENT_POSITION),
+        load=value(registers.PRESENT_LOAD) / 1023,
+        voltage=value(registers.PRESENT_VOLTAGE) / 10,
+        temperature=float(value(registers.PRESENT_TEMPERATURE)),
+        errors=errors,
+    )
 
 
 def read_anyway(board: Board, servo: int, address: int, count: int) -> tuple[bytes, ErrorBits]:
@@ -80,12 +79,30 @@ def read_register(board: Board, servo: int, register: Register) -> int:
     return register.decode(data)
 
 
-def write_register(board: Board, servo: int, register: Register, value: int) -> None:
-    """Set one register and see by reading that it holds the value."""
-    board.write(servo, register.address, register.encode(value))
-    held = read_register(board, servo, register)
-    if held != value:
-        raise PumpError(
-            f"servo {servo}: {register.name} was set to {value}, but reads {held}; "
-            "switch the servo off and on, and check its supply and cable"
-        )
+def listen(
+    board: Board,
+    servos: Sequence[int],
+    gauges: PressureReadings,
+    clock: Clock,
+    request: StopRequest,
+    observe: Callable[[float, Sample], None],
+    *,
+    rate: float,
+    duration: float | None,
+) -> Ticks:
+    """Read at a steady rate [Hz] until the time [s] is over or a request to stop; writes nothing.
+
+    ``observe`` is given the time from the start [s] and what was read; no pressure is expected,
+    and the goals are those that the servos hold.
+    """
+    ticks = Ticks(clock, 1.0 / rate)
+    ticks.begin()
+    while not request.asked and (duration is None or ticks.elapsed <= duration):
+        began = ticks.now
+        states = {servo: read_servo(board, servo) for servo in servos}
+        goals = {servo: state.goal for servo, state in states.items()}
+        pressure = gauges.read()
+        expected = (None,) * len(pressure)
+        observe(began, Sample(clock.now(), states, pressure, expected, {}, goals, goals))
+        ticks.wait(lambda: not request.asked)
+    return ticks

@@ -6,21 +6,19 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from viscodesign.pump.ax.protocol.registers import FULL
 from viscodesign.pump.ax.servo_state import ServoState
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
 from viscodesign.scene.pump import PumpSpec
 
-ABOVE_CAP = 1.2
-"""So that the cap in software acts first."""
-FULL = 1023
+ABOVE_CAP = 1.2  # so that the cap in software acts first
 NOTABLE = 32
 """A limit so much above what is needed is lowered [1/1023 of stall]: 4 kPa of a 100 mL syringe."""
 LONGEST_SATURATION = 0.2
-"""Of strain, after which a torque limit is left alone [s]. After how long a servo shuts itself
+"""After which a torque limit is left alone [s]. After how long at its limit a servo shuts itself
 off no manual says; that it is no sooner is an assumption."""
-SATURATION_MARGIN = 2
-"""An output this close to its limit is at it [1/1023 of stall]."""
+SATURATION_MARGIN = 2  # an output this close to its limit is at it [1/1023 of stall]
 
 
 def torque_limit(pump: PumpSpec, speed: float = 0.0) -> int:
@@ -36,32 +34,8 @@ def torque_limit(pump: PumpSpec, speed: float = 0.0) -> int:
     return limit if limit % 256 else limit + 1  # see `TorqueLimits`: no byte that tells is 0
 
 
-def following_limit(held: int, needed: int) -> int:
-    """Torque limit to go on with: the one in force while it is enough, and not notably more.
-
-    What is returned differs from ``held`` in one of the register's two bytes, and is the next
-    step towards what is needed: see `TorqueLimits`.
-    """
-    if needed <= held <= needed + NOTABLE:
-        return held
-    # A little more than needed, so that a speed that rises slowly does not raise it each tick.
-    high, low = divmod(min(needed + NOTABLE // 4, FULL), 256)
-    low = max(low, 1)
-    settled = 256 * high + held % 256
-    if held % 256 and needed <= settled <= needed + NOTABLE:
-        return settled  # its low byte will do: a speed that goes on changing draws out no detour
-    # The low byte first where that is enough, so that what is reached is exact.
-    steps = [256 * (held // 256) + low] if held >= 256 and low != held % 256 else []
-    steps += [256 * high + held % 256] if high != held // 256 else []
-    enough = [step for step in steps if needed <= step <= FULL]
-    if enough:
-        return enough[0]
-    # Within the lowest 256 the low byte is written by way of a higher limit, for two ticks.
-    return max(steps) if steps else held + 256
-
-
 def free_speed(pump: PumpSpec) -> float:
-    """Of a servo without load, at the spec's supply voltage [counts/s]."""
+    """Speed of a servo without load, at the spec's supply voltage [counts/s]."""
     servo = SERVOS[pump.servo]
     return servo.no_load_speed * pump.supply_voltage / servo.rated_voltage / COUNT_ANGLE
 
@@ -71,15 +45,38 @@ def stalling_pressure(pump: PumpSpec, limit: int) -> float:
     return limit / FULL * Drive(pump).stall_pressure
 
 
+def following_limit(held: int, needed: int) -> int:
+    """Torque limit to go on with: the one in force while it is enough, and not notably more.
+
+    Any other differs from ``held`` in one of the register's two bytes, and is the next step
+    towards what is needed: see `TorqueLimits`.
+    """
+    if needed <= held <= needed + NOTABLE:
+        return held
+    # A little more than needed, so that a speed that rises slowly does not raise it each tick.
+    high, low = divmod(min(needed + NOTABLE // 4, FULL), 256)
+    low = max(low, 1)
+    other_high, other_low = 256 * high + held % 256, held - held % 256 + low
+    if held % 256 and needed <= other_high <= needed + NOTABLE:
+        return other_high  # its low byte will do
+    # The low byte first where that is enough, so that what is reached is exact.
+    steps = [other_low] if held >= 256 and other_low != held else []
+    steps += [other_high] if other_high != held else []
+    enough = [step for step in steps if needed <= step <= FULL]
+    # Within the lowest 256 the low byte is written by way of a higher limit, for two ticks.
+    return enough[0] if enough else max(steps, default=held + 256)
+
+
 @dataclass
 class TorqueLimits:
     """Torque limits in force, and of which servos they may be changed.
 
     A servo that gives all the torque it is allowed for long shuts itself off: it sets its torque
-    limit to 0, and whoever writes that register gives it its torque back. Between reading a
-    servo and writing to it some milliseconds pass. So nothing is written to one that has been
-    saturated for long; and where one shuts itself off in just these milliseconds, that is seen:
-    only one byte of the register is written at a time, so what is read next lacks the other.
+    limit to 0, and whoever writes that register gives it its torque back. Between reading a servo
+    and writing to it some milliseconds pass. So nothing is written to one that has been saturated
+    for long; and where one shuts itself off in just these milliseconds, that is seen: only one
+    byte of the register is written at a time, so what is read next lacks the other. (Written
+    whole, the register would read the same as that of a healthy servo.)
     """
 
     in_force: dict[int, int] = field(default_factory=dict)
@@ -90,15 +87,17 @@ class TorqueLimits:
     """By servo: the limit before the last change, and the one after it."""
 
     def update(self, states: Mapping[int, ServoState], moment: float) -> None:
-        """What was read at a moment [s of the clock]."""
+        """Note what was read at a moment [s of the clock]."""
+        self.sent = {}
         self.in_force = {
             servo: state.torque_limit
             for servo, state in states.items()
             if state.torque and state.torque_limit > 0 and not state.errors
         }
-        saturated = [servo for servo, state in states.items() if _saturated(state)]
         self.saturated_since = {
-            servo: self.saturated_since.get(servo, moment) for servo in saturated
+            servo: self.saturated_since.get(servo, moment)
+            for servo, state in states.items()
+            if abs(state.load) * FULL >= state.torque_limit - SATURATION_MARGIN
         }
 
     def changes(self, needed: Mapping[int, int], now: float) -> dict[int, int]:
@@ -115,14 +114,10 @@ class TorqueLimits:
         return [
             servo
             for servo, (before, after) in self.sent.items()
-            if servo in states and states[servo].torque_limit == _if_it_was_off(before, after) > 0
+            if servo in states and states[servo].torque_limit == _written_to_0(before, after) > 0
         ]
 
 
-def _if_it_was_off(before: int, after: int) -> int:
+def _written_to_0(before: int, after: int) -> int:
     """What a torque limit of 0 becomes by the one byte that was written."""
     return after % 256 if after // 256 == before // 256 else after // 256 * 256
-
-
-def _saturated(state: ServoState) -> bool:
-    return abs(state.load) * FULL >= state.torque_limit - SATURATION_MARGIN

@@ -1,4 +1,4 @@
-"""What every board can be asked, byte by byte; what to ask, and when, is `pump.py`'s to know."""
+"""What every board can be asked. By default it passes everything through to the servos' bus."""
 
 from __future__ import annotations
 
@@ -8,10 +8,16 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.bus import registers
+from viscodesign.pump.ax.protocol import packets, registers
+from viscodesign.pump.ax.protocol.packets import shown
+from viscodesign.pump.ax.protocol.registers import Register
+from viscodesign.pump.ax.protocol.transactions import Transactions
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.bus.registers import Register
-from viscodesign.pump.bus.transactions import NoReplyError, ServoError
+
+MOVING_PATIENCE = 0.05
+"""For a reply while something moves [s]: three times what the slowest adapters take."""
+LONGEST_MOVING_WAIT = 0.15
+"""For all tries to get one [s]: a silence of a quarter of a second stops a pump."""
 
 
 @dataclass(frozen=True)
@@ -39,30 +45,32 @@ class Goal:
 class Board(ABC):
     """One kind of board between a serial line and the servos' bus; a board is a file.
 
-    Replies are checked for id, length, checksum and error bits. Reads are repeated where
-    nothing or nonsense came; a write of an absolute value may be; what starts a motion
-    program never is. Everything raises `PumpError` with what was asked and what came.
+    Replies are checked for id, length, checksum and error bits. Reads and writes of absolute
+    values are repeated where no valid reply came; what starts a motion program never is.
+    Everything raises `PumpError` with what was asked and what came.
     """
 
     name: ClassVar[str]
     """Word after `--board`."""
     baud: ClassVar[int]
     """Bits a second, where `--baud` says nothing else."""
-    streams: ClassVar[bool]
+    streams: ClassVar[bool] = True
     """Whether it takes set-points in real time (`pump stream`)."""
-    has_pins: ClassVar[bool]
+    has_pins: ClassVar[bool] = False
     """Whether it reads analog and digital pins."""
-    limits_torque: ClassVar[bool] = False
+    limits_torque: ClassVar[bool] = True
     """Whether a move sets torque limits too, in the same transaction."""
     simulated: ClassVar[bool] = False
     """Whether nothing real moves; everything it says is labelled so."""
     boot: ClassVar[float] = 0.0
     """How long it takes to start, where opening its port resets it [s]."""
+    patience: ClassVar[float] = 0.1
+    """For a reply [s]."""
 
     def __init__(self, line: Line, servos: Sequence[int] = ()) -> None:
         self.line = line
-        self.servos = tuple(servos)
-        """Ids of the servos that should be there, as far as known."""
+        self.servos = tuple(servos)  # ids of the servos that should be there, as far as known
+        self.wire = Transactions(line, self.patience)
 
     @abstractmethod
     def identify(self) -> str:
@@ -72,59 +80,78 @@ class Board(ABC):
         it seems to be and which `--board` would fit.
         """
 
-    @abstractmethod
     def read(self, servo: int, address: int, count: int) -> bytes:
         """Registers of one servo."""
+        return self.wire.read(servo, address, count)
 
-    @abstractmethod
     def write(self, servo: int, address: int, data: bytes) -> None:
-        """Set registers of one servo, and see that it says so."""
+        """Set registers of one servo that are forgotten without power, and read them back."""
+        self.wire.write(servo, address, data)
+        # Without torque a servo gives the position it has as its goal.
+        if address != registers.GOAL_POSITION.address:
+            self._verify(servo, address, data)
 
     def write_permanent(self, servo: int, address: int, data: bytes) -> None:
-        """Set registers of the EEPROM where they differ: for `pump calibrate` alone."""
-        raise PumpError(
-            f"servo {servo}: the board {self.name} does not write what servos keep without power"
-        )
+        """Set registers of the EEPROM where they differ, read back: for `pump calibrate` alone."""
+        self.wire.write_permanent(servo, address, data)
+        self._verify(data[0] if address == registers.ID.address else servo, address, data)
 
-    def hurry(self) -> None:  # noqa: B027
-        """From now on something moves: give up asking before a silence has lasted too long.
-
-        Boards that play by themselves have nothing to do here.
-        """
+    def _verify(self, servo: int, address: int, data: bytes) -> None:
+        if (held := self.read(servo, address, len(data))) != data:
+            raise PumpError(
+                f"servo {servo}: address {address} was set to {shown(data)}, but reads "
+                f"{shown(held)}; switch the servo off and on, and check its supply and cable"
+            )
 
     def answers(self, servo: int) -> bool:
-        """Whether a servo answers at all; with error bits too."""
-        try:
-            self.read(servo, registers.ID.address, registers.ID.size)
-        except ServoError:
-            return True
-        except NoReplyError:
-            return False
-        return True
+        """Whether a servo answers, with error bits too; asked once, since ids may be unused."""
+        return self.wire.answers(servo)
 
     def get(self, servo: int, register: Register) -> int:
         """Value of one register."""
         return register.decode(self.read(servo, register.address, register.size))
 
     def set(self, servo: int, register: Register, value: int) -> None:
-        """Write one register that is forgotten without power."""
+        """Write one register that is forgotten without power, and read it back."""
         self.write(servo, register.address, register.encode(value))
 
-    @abstractmethod
+    def hurry(self) -> None:
+        """From now on something moves: give up asking before a silence has lasted too long."""
+        self.wire.patience, self.wire.longest = MOVING_PATIENCE, LONGEST_MOVING_WAIT
+
     def move(self, goals: Mapping[int, Goal]) -> None:
         """Set speed and goal of all named servos, in one transaction where the board can.
 
-        Torque limits only where the board `limits_torque`; others leave them.
+        Torque limits only where the board `limits_torque`. Nobody acknowledges it: whether it
+        came, the next readings show.
         """
+        blocks: dict[int, dict[int, bytes]] = {}
+        high_bytes = {}
+        for servo, goal in goals.items():
+            data = registers.GOAL_POSITION.encode(goal.count)
+            data += registers.MOVING_SPEED.encode(goal.speed)
+            if goal.torque is not None:
+                limit = registers.TORQUE_LIMIT.encode(goal.torque)
+                if goal.held is None:
+                    data += limit
+                elif goal.held // 256 == goal.torque // 256:
+                    data += limit[:1]
+                else:  # lies apart
+                    high_bytes[servo] = limit[1:]
+            # A packet has one length, so there are several where only some limits change.
+            blocks.setdefault(len(data), {})[servo] = data
+        for _, block in sorted(blocks.items()):
+            self.wire.tell(packets.sync_write(registers.GOAL_POSITION.address, block))
+        if high_bytes:
+            self.wire.tell(packets.sync_write(registers.TORQUE_LIMIT.address + 1, high_bytes))
 
-    @abstractmethod
-    def halt(self) -> None:
-        """Stop a program that runs on the board itself; boards without one do nothing."""
+    def halt(self) -> None:  # noqa: B027
+        """Stop a program that runs on the board itself."""
 
-    @abstractmethod
     def analog(self, channel: int) -> float | None:
         """An analog input over its supply, 0 to 1; None on boards without such pins."""
+        return None
 
-    @abstractmethod
     def digital(self, pin: str) -> bool | None:
         """Level of a digital pin like 'D1'; None on boards without such pins."""
+        return None

@@ -6,11 +6,7 @@ from viscodesign.pump.boards.arbotix_ros import ArbotixRos
 
 
 class Simulated(ArbotixRos):
-    """A computed ArbotiX with a computed servo, syringe, sensor and switches behind it.
-
-    It speaks the bytes of the real one with the firmware for ROS, so all that speaks to that
-    is used as it is.
-    """
+    """A computed ArbotiX with the firmware for ROS, and a pump behind it."""
 
     name = "simulated"
     simulated = True

@@ -10,22 +10,21 @@ from pathlib import Path
 from typing import Any
 
 from viscodesign.errors import UsageError
-from viscodesign.pump.bus.line import Line
+from viscodesign.pump.bus.line import ForwardingLine, Line
 
 
 class ByteLog:
     """One JSON object a line, each whole in the file before the next thing is done.
 
-    A log that cannot be written must not keep a pump from being stopped: that is told once,
+    A log that cannot be written must not keep a pump from being stopped: that is reported once,
     and the work goes on.
     """
 
     def __init__(self, path: Path | None, tell: Callable[[str], None]) -> None:
         self._path = path
         self._tell = tell
-        self._torn = False
-        """Whether the last line is not whole."""
-        self._told = False
+        self._torn = self._reported = False
+        """Whether the last line is not whole, and whether that was reported."""
         self._file: int | None = None
         if path is not None:
             try:
@@ -35,30 +34,19 @@ class ByteLog:
                     f"{path}: {error.strerror}; the log cannot be written there"
                 ) from None
 
-    def tx(self, data: bytes) -> None:
-        self.event("tx", hex=data.hex(" "))
-
-    def rx(self, data: bytes) -> None:
-        if data:
-            self.event("rx", hex=data.hex(" "))
-
     def event(self, kind: str, **fields: Any) -> None:
-        """Anything else: a set-point, a reading, a note. Units go into the fields' names."""
+        """Log anything, bytes among it; units go into the fields' names."""
         if self._file is None:
             return
         entry = {"wall_s": time.time(), "monotonic_s": time.monotonic(), "kind": kind, **fields}
-        line = json.dumps(entry, default=str) + "\n"
-        self._write(self._file, ("\n" * self._torn + line).encode())
-
-    def _write(self, file: int, line: bytes) -> None:
+        line = ("\n" * self._torn + json.dumps(entry, default=str) + "\n").encode()
         try:
-            whole = os.write(file, line) == len(line)
+            self._torn = os.write(self._file, line) != len(line)
             reason: str | None = "the disk is full"
         except OSError as error:
-            whole, reason = False, error.strerror
-        self._torn = not whole
-        if not whole and not self._told:
-            self._told = True
+            self._torn, reason = True, error.strerror
+        if self._torn and not self._reported:
+            self._reported = True
             self._tell(f"{self._path}: {reason}; the byte log is incomplete from here on")
 
     def close(self) -> None:
@@ -67,32 +55,32 @@ class ByteLog:
             self._file = None
 
 
-class LoggedLine(Line):
+class LoggedLine(ForwardingLine):
     """A line whose bytes are logged, after they went out or came in."""
 
     def __init__(self, line: Line, log: ByteLog) -> None:
-        self.line = line
+        super().__init__(line)
         self.log = log
-        self.clock = line.clock
 
     def write(self, data: bytes) -> None:
         try:
-            self.line.write(data)
+            super().write(data)
         except BaseException as error:
             self.log.event("tx failed", hex=data.hex(" "), error=str(error))
             raise
-        self.log.tx(data)
+        self.log.event("tx", hex=data.hex(" "))
 
     def read(self, most: int, deadline: float) -> bytes:
-        data = self.line.read(most, deadline)
-        self.log.rx(data)
-        return data
+        return self._received(super().read(most, deadline))
 
     def drain(self) -> bytes:
-        data = self.line.drain()
-        self.log.rx(data)
+        return self._received(super().drain())
+
+    def _received(self, data: bytes) -> bytes:
+        if data:
+            self.log.event("rx", hex=data.hex(" "))
         return data
 
     def close(self) -> None:
-        self.line.close()
+        super().close()
         self.log.event("closed")

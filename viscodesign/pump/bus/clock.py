@@ -1,15 +1,12 @@
-"""Time as a pump's commands see it: the real one, or one that runs at another pace."""
+"""Time as a pump's commands see it: real, or simulated at any pace."""
 
 from __future__ import annotations
 
 import time
 from abc import ABC, abstractmethod
 
-SHORTEST_SLEEP = 2e-3
-"""Sleeps of the wall's time shorter than this wait for the next one [s]."""
-
-MADE_UP = 0.25
-"""What computing may take on top and is made up for by running faster later [s]."""
+SHORTEST_SLEEP = 2e-3  # shorter sleeps of the wall's time are added to the next one [s]
+MADE_UP = 0.25  # lateness, of computing, that is made up for by running faster later, at most [s]
 
 
 class Clock(ABC):
@@ -24,26 +21,22 @@ class Clock(ABC):
         """Let this much time pass; at once where it is not positive."""
 
     def sleep_until(self, moment: float) -> None:
-        """Let time pass up to a moment; at once where it is over."""
         self.sleep(moment - self.now())
 
 
 class WallClock(Clock):
-    """The machine's monotonic clock, or ``pace`` of its seconds in each of them."""
-
-    def __init__(self, pace: float = 1.0) -> None:
-        self.pace = pace
+    """The machine's monotonic clock."""
 
     def now(self) -> float:
-        return time.monotonic() * self.pace
+        return time.monotonic()
 
     def sleep(self, seconds: float) -> None:
         if seconds > 0.0:
-            time.sleep(seconds / self.pace)
+            time.sleep(seconds)
 
 
 class SteppedClock(Clock):
-    """Time that passes only where somebody waits: as fast as it is computed."""
+    """Time that passes only while somebody waits: as fast as it is computed."""
 
     def __init__(self) -> None:
         self._now = 0.0
@@ -56,21 +49,20 @@ class SteppedClock(Clock):
 
 
 class PacedClock(SteppedClock):
-    """Time that passes only where somebody waits, and no faster than the wall's times ``pace``.
+    """Time that passes only while somebody waits, and no faster than the wall's times ``pace``.
 
-    What is computed between two waits takes none of it: a simulated pump is not late because
-    the machine is busy.
+    Computing between two waits takes none of it: a simulated pump is not late because the machine
+    is busy.
     """
 
     def __init__(self, pace: float = 1.0) -> None:
         super().__init__()
         self.pace = pace
-        self._due = time.monotonic()
-        """When the wall's time has come that far [s]."""
+        self._due = time.monotonic()  # when the wall's time has come that far [s]
 
     def sleep(self, seconds: float) -> None:
         super().sleep(seconds)
-        here = time.monotonic()
-        self._due = max(self._due + max(seconds, 0.0) / self.pace, here - MADE_UP)
-        if self._due - here > SHORTEST_SLEEP:
-            time.sleep(self._due - here)
+        now = time.monotonic()
+        self._due = max(self._due + max(seconds, 0.0) / self.pace, now - MADE_UP)
+        if self._due - now > SHORTEST_SLEEP:
+            time.sleep(self._due - now)

@@ -8,30 +8,58 @@ from viscodesign.pump.bus.clock import Clock
 
 
 class Line(ABC):
-    """A byte stream both ways; one owner, opened once and closed once.
-
-    Every failure of the port below, a pulled cable too, is a `PumpError`.
-    """
+    """A byte stream both ways; every failure of the port below is a `PumpError`."""
 
     clock: Clock
     """The clock that deadlines refer to."""
 
     @abstractmethod
     def write(self, data: bytes) -> None:
-        """Send all of it; raises `PumpError` where the port is gone or takes too long."""
+        """Send all of it."""
 
     @abstractmethod
     def read(self, most: int, deadline: float) -> bytes:
         """What is there, up to ``most`` bytes; waits for the first byte until the deadline.
 
-        ``deadline``: a moment of the clock. Empty when nothing came. Raises `PumpError`
-        where the port is gone.
+        ``deadline``: a moment of the clock. Empty when nothing came.
         """
 
     @abstractmethod
     def drain(self) -> bytes:
-        """Take away, unread, what has come so far."""
+        """Take away what has come so far."""
 
     @abstractmethod
     def close(self) -> None:
-        """Let go of the port; a second time does nothing."""
+        """Release the port; calling it again does nothing."""
+
+
+class ForwardingLine(Line):
+    """Passes everything on to another line."""
+
+    def __init__(self, line: Line) -> None:
+        self.line = line
+        self.clock = line.clock
+
+    def write(self, data: bytes) -> None:
+        self.line.write(data)
+
+    def read(self, most: int, deadline: float) -> bytes:
+        return self.line.read(most, deadline)
+
+    def drain(self) -> bytes:
+        return self.line.drain()
+
+    def close(self) -> None:
+        self.line.close()
+
+
+class RecordingLine(ForwardingLine):
+    """Keeps all that is sent."""
+
+    def __init__(self, line: Line) -> None:
+        super().__init__(line)
+        self.sent: list[bytes] = []
+
+    def write(self, data: bytes) -> None:
+        self.sent.append(data)
+        super().write(data)

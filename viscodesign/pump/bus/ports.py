@@ -22,7 +22,7 @@ class Port:
 
 
 def ports() -> list[Port]:
-    """All that the system knows, by name."""
+    """All serial ports that the system knows, by name."""
     from serial.tools import list_ports
 
     return [
@@ -38,10 +38,7 @@ def ports() -> list[Port]:
 
 
 def latency_hint(port: str, devices: Path = LATENCY) -> str:
-    """How to make a slow FTDI adapter quick; nothing for others.
-
-    They come with 16 ms, which allows some 60 questions a second; 1 ms is the least.
-    """
+    """How to make a slow FTDI adapter quick: from 16 ms, some 60 questions a second, to 1 ms."""
     timer = devices / Path(port).resolve().name / "latency_timer"
     try:
         milliseconds = int(timer.read_text())

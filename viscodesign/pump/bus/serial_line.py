@@ -6,7 +6,7 @@ import errno
 import os
 import termios
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import serial
@@ -15,12 +15,9 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.bus.clock import Clock, WallClock
 from viscodesign.pump.bus.line import Line
 
-SLICE = 0.005
-"""Of waiting [s]: a deadline is passed by no more."""
-WRITE_TIMEOUT = 0.5
-"""[s]; 256 bytes take 0.27 s at 9600 baud."""
-CFLAG = 2
-"""Place of the control modes among the attributes of a terminal."""
+SLICE = 0.005  # of waiting [s]: a deadline is passed by no more
+WRITE_TIMEOUT = 0.5  # [s]; 256 bytes take 0.27 s at 9600 baud.
+CFLAG = 2  # place of the control modes among the attributes of a terminal
 GONE = (OSError, serial.SerialException, termios.error)
 """What a port raises whose cable was pulled: by what was being done, one or another."""
 
@@ -36,31 +33,25 @@ class SerialLine(Line):
     def __init__(self, port: str, baud: int, clock: Clock | None = None) -> None:
         self.clock = clock or WallClock()
         self.port = port
-        self._serial = serial.Serial()
+        self._serial = serial.Serial(timeout=SLICE, write_timeout=WRITE_TIMEOUT, exclusive=True)
         self._serial.port = port
-        self._serial.timeout = SLICE
-        self._serial.write_timeout = WRITE_TIMEOUT
-        self._serial.exclusive = True
         try:
             self._serial.baudrate = baud
             self._serial.open()
-            self._keep_dtr()
+            settings = termios.tcgetattr(self._serial)
+            settings[CFLAG] &= ~termios.HUPCL
+            termios.tcsetattr(self._serial, termios.TCSANOW, settings)
         except (ValueError, *GONE) as error:
             raise PumpError(_why_closed(port, baud, error)) from None
 
-    def _keep_dtr(self) -> None:
-        settings = termios.tcgetattr(self._serial)
-        settings[CFLAG] &= ~termios.HUPCL
-        termios.tcsetattr(self._serial, termios.TCSANOW, settings)
-
     def write(self, data: bytes) -> None:
-        with self._told():
+        with self._port_errors():
             sent = self._serial.write(data)
         if sent != len(data):
             raise PumpError(f"{self.port}: {sent} of {len(data)} bytes were taken")
 
     def read(self, most: int, deadline: float) -> bytes:
-        with self._told():
+        with self._port_errors():
             while not (data := self._serial.read(1)):
                 if self.clock.now() >= deadline:
                     return b""
@@ -68,17 +59,17 @@ class SerialLine(Line):
             return bytes(data + self._serial.read(waiting))
 
     def drain(self) -> bytes:
-        with self._told():
+        with self._port_errors():
             return bytes(self._serial.read(self._serial.in_waiting))
 
     def close(self) -> None:
         if self._serial.is_open:
-            with self._told():
+            with self._port_errors():
                 self._serial.close()
 
     @contextmanager
-    def _told(self) -> Iterator[None]:
-        """What is raised by the port, told as an error of the pump."""
+    def _port_errors(self) -> Iterator[None]:
+        """Raise the port's errors as errors of the pump."""
         if not self._serial.is_open:
             raise PumpError(f"{self.port}: has been closed")
         try:
@@ -116,22 +107,12 @@ def _why_closed(port: str, baud: int, error: BaseException) -> str:
 
 
 def users_of(port: str) -> list[str]:
-    """Programs that hold a port open, as far as the system lets us see (Linux)."""
-    wanted = os.path.realpath(port)
-    found = set()
+    """Other programs that hold a port open, as far as the system lets us see (Linux)."""
+    device, found = os.path.realpath(port), set()
     for link in Path("/proc").glob("[0-9]*/fd/*"):
-        try:
-            if os.readlink(link) == wanted:
-                process = link.parent.parent
-                name = (process / "comm").read_text().strip()
-                found.add(f"{name} (process {process.name})")
-        except OSError:  # the process has ended, or belongs to somebody else
-            continue
-    return sorted(found - {f"{_own_name()} (process {os.getpid()})"})
-
-
-def _own_name() -> str:
-    try:
-        return Path("/proc/self/comm").read_text().strip()
-    except OSError:
-        return ""
+        process = link.parent.parent
+        # A process may have ended, or belong to somebody else.
+        with suppress(OSError):
+            if os.readlink(link) == device and process.name != str(os.getpid()):
+                found.add(f"{(process / 'comm').read_text().strip()} (process {process.name})")
+    return sorted(found)

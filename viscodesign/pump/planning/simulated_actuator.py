@@ -18,7 +18,7 @@ from viscodesign.postprocess.outputs import Outputs
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import KEPT_FREE, Barrel, feed_line_at
 from viscodesign.pump.planning.scene_variants import planned, pump_of, with_inputs
-from viscodesign.pump.simulated.plant import Plant
+from viscodesign.pump.simulated.bench import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import build, suggest_settings
 from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate_along

@@ -19,7 +19,7 @@ class AxisState:
     goal: int
     """Target that it holds [steps]."""
     position: int
-    """Where it is [steps]."""
+    """[steps]"""
     load: float
     """Share of its full output, signed as the steps are."""
     voltage: float
@@ -29,7 +29,7 @@ class AxisState:
 
     @property
     def alarm(self) -> str:
-        """What it reports to be wrong with itself, in words; empty where nothing is."""
+        """The fault that it reports, in words; empty where there is none."""
         return ""
 
 
@@ -70,7 +70,7 @@ class FinalServoState:
 
 @dataclass(frozen=True)
 class Sample:
-    """What one tick read, and what is to be done next; S axes, in the order of their inlets."""
+    """What one tick read, and the targets that follow; S axes, in the order of their inlets."""
 
     time: float
     """Of the clock [s]."""
@@ -84,6 +84,6 @@ class Sample:
     goals: Mapping[int, int]
     """Targets in force [steps]."""
     next_goals: Mapping[int, int]
-    """Targets that are to follow [steps]."""
+    """Targets that follow [steps]."""
     lag: float = 0.0
     """How far behind the plan the stream is [ticks]."""

@@ -9,23 +9,19 @@ from viscodesign.errors import InterruptedRunError, PumpError
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.ticks import Ticks
 
-SPEED = 20.0
-"""[counts/s]: 1.5 mm/s."""
-RATE = 20.0
-"""Of the ticks [Hz]."""
-BACK_OFF = 10
-"""Travel ends this far before the place where a switch lets go [counts]."""
-BLOCKED = 30
-"""A plunger this far behind its goal runs against something [counts]."""
+SPEED = 20.0  # [counts/s]: 1.5 mm/s.
+RATE = 20.0  # of the ticks [Hz]
+BACK_OFF = 10  # travel ends this far before the place where a switch lets go [counts]
+LARGEST_ERROR = 30  # A plunger this far behind its goal is blocked [counts]
 SIGN = {"low": -1, "high": 1}
 Arrived = Callable[[Collection[str], int], bool]
 """Whether the way is over, by the pressed switches and the position [counts]."""
 
 
 def find_travel(pump: Pump, stopped: Callable[[], bool]) -> tuple[int, int]:
-    """Both ends of travel of a connected pump's plunger [counts]; it stands at the low one then.
+    """Both ends of travel of a connected pump's plunger [counts]; it is left at the low one.
 
-    ``stopped``: whether somebody wishes it to end. Whatever happens, the plunger is held.
+    ``stopped``: whether somebody asked to stop. Whatever happens, the plunger is held.
     """
     try:
         pump.arm()
@@ -57,8 +53,8 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
     ticks = Ticks(pump.clock, 1.0 / RATE)
     ticks.begin()
     while True:
-        states, _, by_servo = pump.look()
-        pressed = by_servo.get(servo, frozenset())
+        states, _, switches = pump.look()
+        pressed, position = switches.get(servo, frozenset()), states[servo].position
         if stopped():
             raise InterruptedRunError("stopped by the user; the plunger is held")
         if states[servo].alarm:
@@ -68,19 +64,15 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
                 f"the switch at the {barred} end is pressed on the way to the other one: check its "
                 "wiring, and that pump.limit_switches does not swap the pins"
             )
-        if arrived(pressed, states[servo].position):
+        if arrived(pressed, position):
             return
         goal = pump.goals[servo] + sign * step
-        _refuse(goal, states[servo].position, pump.limits.travel)
+        if not pump.limits.travel[0] <= goal <= pump.limits.travel[1]:
+            raise PumpError("the servo reached the end of its range without a switch being pressed")
+        if abs(goal - position) > LARGEST_ERROR:
+            raise PumpError(
+                f"the plunger is stuck at {position} counts with no switch pressed: it is "
+                "blocked, or the switch does not work"
+            )
         pump.set_goals({servo: goal}, {servo: SPEED})
         ticks.wait(lambda: not stopped())
-
-
-def _refuse(goal: int, position: int, travel: tuple[int, int]) -> None:
-    if not travel[0] <= goal <= travel[1]:
-        raise PumpError("the servo reached the end of its range without a switch being pressed")
-    if abs(goal - position) > BLOCKED:
-        raise PumpError(
-            f"the plunger is stuck at {position} counts with no switch pressed: it is "
-            "blocked, or the switch does not work"
-        )

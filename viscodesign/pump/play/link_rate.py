@@ -10,36 +10,27 @@ from statistics import median
 from viscodesign.errors import PumpError
 from viscodesign.pump.bus.clock import Clock
 
-ROUNDS = 12
-"""Of reading that are timed."""
-READING_SHARE = 0.8
-"""Of a tick that reading may take; the rest is left for sending and recording."""
-LOWEST_RATE = 10.0
-"""Slower ticks would take longer than a silence may last [Hz]."""
-HIGHEST_RATE = 100.0
-"""[Hz]"""
+ROUNDS = 12  # of reading that are timed
+READING_SHARE = 0.8  # of a tick that reading may take; the rest is left for sending and recording
+LOWEST_RATE = 10.0  # slower ticks would take longer than a silence may last [Hz]
+HIGHEST_RATE = 100.0  # [Hz]
 
 
 @dataclass(frozen=True)
 class RoundTrip:
-    """Time that reading everything once takes: all axes, sensors and limit switches."""
+    """Time to read everything once: all axes, sensors and limit switches."""
 
     median: float
     """[s]"""
     worst: float
     """[s]"""
 
-    @property
-    def highest_rate(self) -> float:
-        """Ticks a second that leave enough time for everything else [Hz]."""
-        return READING_SHARE / self.median if self.median > 0.0 else math.inf
-
     def __str__(self) -> str:
         return f"{1e3 * self.median:.0f} ms (worst {1e3 * self.worst:.0f} ms)"
 
 
 def measure_round_trip(read: Callable[[], object], clock: Clock) -> RoundTrip:
-    """Time what every tick reads, such as `SyringePump.look`; moves nothing."""
+    """Time what every tick reads, such as `Pump.look`; moves nothing."""
     times = []
     for _ in range(ROUNDS):
         began = clock.now()
@@ -49,20 +40,19 @@ def measure_round_trip(read: Callable[[], object], clock: Clock) -> RoundTrip:
 
 
 def sustainable_rate(requested: float, trip: RoundTrip) -> tuple[float, str]:
-    """Rate to stream at [Hz], and what to tell the user where it is not the ``requested`` one.
+    """Rate to stream at [Hz], and a note for the user where it is not the ``requested`` one.
 
     Raises `PumpError` where the link does not even hold `LOWEST_RATE`.
     """
-    highest = trip.highest_rate
-    if requested <= highest:
+    if requested * trip.median <= READING_SHARE:
         return requested, ""
-    if highest < LOWEST_RATE:
+    rate = float(math.floor(READING_SHARE / trip.median))
+    if rate < LOWEST_RATE:
         raise PumpError(
             f"reading the pump once takes {trip}, too long for {LOWEST_RATE:g} set-points a "
             "second; lower the adapter's latency (`viscodesign pump ports` says how), or use "
             "`pump upload`"
         )
-    rate = float(math.floor(highest))
     return rate, (
         f"rate lowered from {requested:g} to {rate:g} Hz: reading the pump once takes {trip}; "
         "a lower adapter latency allows more (see `viscodesign pump ports`)"

@@ -1,22 +1,29 @@
-"""The way from where the plungers are to the profile, and along it."""
+"""The way from where the plungers are to the profile, and the set-points along it."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
+from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.profile import Profile
 
 LEAD_SPEED = 50.0
 """On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
-AROUND = 0.1
-"""A plunger may be this much earlier or later than its course [s]."""
-SHORTEST = 0.1
-"""Of such a way [s]."""
+AROUND = 0.1  # A plunger may be this much earlier or later than its path [s]
+SHORTEST = 0.1  # of such a way [s]
+LEARNING_RATE = 0.25  # part of the following error that is added to the goals in each tick
+LARGEST_LEAD = 40.0
+"""Of what is added for the load [counts]: beyond the slope nothing more is given anyway."""
+DEAD_BAND = 1.0  # following error that is none [counts]: counts are whole, and gears have play
+SPEED_MARGIN = 1.25
+"""Of the speed register: a servo that is behind needs more than the path's speed."""
+SETTLED = 0.5  # dead band at the end of a path [counts]
+SETTLE_SPEED = 45.0  # at the end of a path [counts/s]
 
 
 @dataclass(frozen=True)
@@ -24,21 +31,21 @@ class TargetPath:
     """Set-points against time from the first tick on; S servos."""
 
     profile: Profile
-    begins: float
+    begins: float = math.inf
     """Where the planned profile begins, from the first tick [s]."""
-    zero: float
+    zero: float = math.inf
     """Where the scene's own time begins, from the first tick [s]."""
 
     @property
     def duration(self) -> float:
-        """Way to the profile included [s]."""
+        """Of all of it [s]."""
         return self.profile.duration
 
     def goals(self, elapsed: float) -> np.ndarray:
         """(S,) counts, not rounded."""
         return self.profile.at(elapsed)
 
-    def wanted(self, elapsed: float) -> tuple[float | None, ...]:
+    def expected_pressure(self, elapsed: float) -> tuple[float | None, ...]:
         """(S,) gauge pressure that the model expects [Pa]; None on the way to the profile."""
         profile = self.profile
         if elapsed < self.begins:
@@ -46,15 +53,15 @@ class TargetPath:
         return tuple(float(np.interp(elapsed, profile.time, p)) for p in profile.pressure.T)
 
     def paces(self, elapsed: float) -> dict[int, float]:
-        """By servo, the steepest that its course is about this moment [counts/s]."""
+        """By servo, the highest speed about this moment [counts/s]."""
         time = self.profile.time
         first = max(int(np.searchsorted(time, elapsed - AROUND, "right")) - 1, 0)
         last = int(np.searchsorted(time, elapsed + AROUND, "left"))
-        steepest = self._steepness[first:last].max(axis=0, initial=0.0)
-        return dict(zip(self.profile.servos, steepest.tolist(), strict=True))
+        highest = self._speeds[first:last].max(axis=0, initial=0.0)
+        return dict(zip(self.profile.servos, highest.tolist(), strict=True))
 
     @cached_property
-    def _steepness(self) -> np.ndarray:
+    def _speeds(self) -> np.ndarray:
         """(T - 1, S) between two instants each [counts/s]."""
         rise: np.ndarray = np.abs(np.diff(self.profile.counts, axis=0))
         return rise / np.diff(self.profile.time)[:, None]
@@ -62,7 +69,7 @@ class TargetPath:
     @cached_property
     def top_speed(self) -> float:
         """Of its steepest part [counts/s]."""
-        return top_speed(self.profile)
+        return float(self._speeds.max(initial=0.0))
 
     def reach(self, seconds: float) -> int:
         """Largest step in a time, rounded up and one more for rounding [counts]."""
@@ -71,8 +78,7 @@ class TargetPath:
 
 def top_speed(profile: Profile) -> float:
     """Of a profile's steepest part [counts/s]."""
-    rise = np.abs(np.diff(profile.counts, axis=0)).max(axis=1, initial=0.0)
-    return float((rise / np.diff(profile.time)).max(initial=0.0))
+    return TargetPath(profile).top_speed
 
 
 def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> TargetPath:
@@ -81,7 +87,7 @@ def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> T
     ``present``: position of each servo [counts]; ``lead``: part of the profile that lies before
     the scene's own start [s].
     """
-    here = np.array([float(present[servo]) for servo in profile.servos])
+    here = np.array([[float(present[servo]) for servo in profile.servos]])
     way = float(np.max(np.abs(profile.counts[0] - here), initial=0.0)) / LEAD_SPEED
     # Not at once even where it is there already: times have to rise.
     begins = max(way, SHORTEST)
@@ -89,7 +95,7 @@ def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> T
         inlets=profile.inlets,
         servos=profile.servos,
         time=np.concatenate(([0.0], profile.time + begins)),
-        counts=np.concatenate((here[None], profile.counts)),
+        counts=np.concatenate((here, profile.counts)),
         pressure=np.concatenate((profile.pressure[:1], profile.pressure)),
     )
     return TargetPath(joined, begins, begins + lead)
@@ -97,10 +103,56 @@ def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> T
 
 def way_back(profile: Profile, goals: Mapping[int, int], home: int) -> TargetPath:
     """Slowly from the goals in force to home; no pressure is expected on the way."""
-    servos = profile.servos
-    here = np.array([float(goals[servo]) for servo in servos])
-    there = np.full(len(servos), float(home))
-    way = max(float(np.max(np.abs(there - here))) / LEAD_SPEED, SHORTEST)
-    counts, none = np.stack((here, there)), np.zeros((2, len(servos)))
-    back = Profile(profile.inlets, servos, np.array([0.0, way]), counts, none)
-    return TargetPath(back, math.inf, math.inf)
+    here = np.array([float(goals[servo]) for servo in profile.servos])
+    counts = np.stack((here, np.full_like(here, home)))
+    time = np.array([0.0, max(float(np.abs(here - home).max()) / LEAD_SPEED, SHORTEST)])
+    return TargetPath(Profile(profile.inlets, profile.servos, time, counts, np.zeros_like(counts)))
+
+
+@dataclass
+class SetPoints:
+    """Goals for the next tick: where the path is then, and what the servos need to get there.
+
+    A servo of this kind gives an output in proportion to the distance from its goal: it stays
+    behind by what its load asks for, and by more the faster it goes. Both are compensated, the
+    speed's share in advance and the load's as it is seen, and kept as what was learnt.
+    """
+
+    path: TargetPath
+    period: float
+    """Of the ticks [s]."""
+    limits: AxisLimits
+    behind: dict[int, float] = field(default_factory=dict)
+    """By servo: what its load needs [counts]."""
+
+    def learn(
+        self, place: float, positions: Mapping[int, int], dead_band: float = DEAD_BAND
+    ) -> None:
+        """Add part of each plunger's following error, unless that is within a dead band [counts].
+
+        ``positions`` [counts] as read when the plungers should have been at a place [s].
+        """
+        for servo, goal in zip(self.path.profile.servos, self.path.goals(place), strict=True):
+            error = float(goal) - positions[servo]
+            lead = self.behind.setdefault(servo, 0.0)
+            if abs(error) > dead_band:
+                lead += LEARNING_RATE * error
+                self.behind[servo] = min(max(lead, -LARGEST_LEAD), LARGEST_LEAD)
+
+    def next(
+        self, place: float, goals: Mapping[int, int], reach: int
+    ) -> tuple[dict[int, int], dict[int, float]]:
+        """Goals [counts], within reach of those in force, and speeds [counts/s] to get there."""
+        now, then = self.path.goals(place), self.path.goals(place + self.period)
+        aims: dict[int, int] = {}
+        speeds: dict[int, float] = {}
+        for k, servo in enumerate(self.path.profile.servos):
+            speed = float(then[k] - now[k]) / self.period
+            lead = self.limits.lead_distance * speed / self.limits.top_speed
+            aim = float(then[k]) + self.behind.get(servo, 0.0) + lead
+            step = min(max(round(aim) - goals[servo], -reach), reach)
+            aims[servo] = goals[servo] + step
+            # Slow ramps go smoothly at their own speed, not in jerks of one count.
+            speeds[servo] = SPEED_MARGIN * max(abs(speed), (abs(step) - 1.0) / self.period)
+            speeds[servo] += self.limits.slowest_speed
+        return aims, speeds

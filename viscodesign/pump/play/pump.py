@@ -1,15 +1,7 @@
 """The contract of a pump: axes that move only a little at a time, and can always be held.
 
-A family of pumps is a subclass that:
-
-1. names its axes (`servos`) and their `limits`;
-2. reads the state of all of them (`_read`), which moves nothing;
-3. powers them where they stand (`arm`), with what limits their force set before;
-4. sends targets, the force that these need with them (`_send`);
-5. holds or releases every axis and reads back that it did, whatever happens (`hold`, `release`).
-
-Streams, safety rules and homing know no more than this; alarms and the reach of a tick are
-refused here, for every family alike.
+Streams, safety rules and homing know no more than this; targets that an alarm, the travel or the
+reach of a tick forbids are refused here, for every family alike.
 """
 
 from __future__ import annotations
@@ -24,20 +16,14 @@ from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalServoState
 from viscodesign.pump.play.safety_rules import Stop
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
-Pressed = dict[int, frozenset[str]]
-"""Ends whose switch is pressed, by axis."""
-
-
-def no_switches() -> Pressed:
-    """Where there are no limit switches."""
-    return {}
+Pressed = dict[int, frozenset[str]]  # ends whose switch is pressed, by axis
 
 
 class Pump(ABC):
     """Axes that move together; all that moves them goes through here.
 
-    In order: `arm` (powered, where it stands), `set_goals` and `look` in turns, `hold` or
-    `release`. After an alarm targets are refused until a new command begins.
+    In order: `arm`, `look` and `set_goals` in turns, `hold` or `release`. After an alarm targets
+    are refused until a new command begins.
     """
 
     def __init__(
@@ -55,12 +41,9 @@ class Pump(ABC):
         self.clock = clock
         self.armed = False
         self.alarm: Stop | None = None
-        self.goals: dict[int, int] = {}
-        """Targets in force [steps]."""
-        self.positions: dict[int, int] = {}
-        """Last read [steps]."""
-        self.read_at = -math.inf
-        """When, about: between question and answer [s of the clock]."""
+        self.goals: dict[int, int] = {}  # targets in force [steps]
+        self.positions: dict[int, int] = {}  # last read [steps]
+        self.read_at = -math.inf  # when, about: between question and answer [s of the clock]
         self.reach = 1
         """Farthest that a target may lie from the one before [steps]: one tick's travel."""
 
@@ -125,9 +108,7 @@ class Pump(ABC):
         if self.alarm is None:
             return {s: min(max(goal, low), high) for s, goal in goals.items()}
         kept = self.goals
-        return {
-            s: goal if self._draws_back(goal - kept[s]) else kept[s] for s, goal in goals.items()
-        }
+        return {s: g if self._draws_back(g - kept[s]) else kept[s] for s, g in goals.items()}
 
     def _refuse(self, goals: Mapping[int, int]) -> None:
         low, high = self.limits.travel
@@ -146,7 +127,7 @@ class Pump(ABC):
                 )
 
     def _draws_back(self, step: int) -> bool:
-        """Whether an alarm lets this step pass: none, or one that makes room."""
+        """Whether an alarm lets this step pass: none, or one that relieves pressure."""
         if self.alarm is None or not self.alarm.may_retreat:
             return step == 0
         return step * self.limits.retreat_sign >= 0

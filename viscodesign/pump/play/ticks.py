@@ -8,8 +8,7 @@ from typing import Any
 
 from viscodesign.pump.bus.clock import Clock
 
-SLICE = 0.02
-"""Waiting is cut into pieces this long, to hear a wish to stop at any rate [s]."""
+SLICE = 0.02  # waiting is cut into pieces this long, to obey a request to stop at any rate [s]
 
 
 @dataclass
@@ -43,19 +42,16 @@ class Ticks:
         """Time from the start [s]."""
         return self.clock.now() - self.start
 
-    def wait(self, wanted: Callable[[], bool] = lambda: True) -> None:
-        """Let time pass up to the next moment, or until it is ``wanted`` no more."""
+    def wait(self, going_on: Callable[[], bool] = lambda: True) -> None:
+        """Let time pass up to the next moment, or while it is ``going_on``."""
         self.index += 1
-        behind = int(self.now / self.period) - self.index
-        if behind > 0:
-            self.skipped += behind
-            self.index += behind
+        behind = max(int(self.now / self.period) - self.index, 0)
+        self.skipped += behind
+        self.index += behind
         moment = self.start + self.index * self.period
-        while wanted() and (left := moment - self.clock.now()) > 0.0:
+        while going_on() and (left := moment - self.clock.now()) > 0.0:
             self.clock.sleep(min(left, SLICE))
-        self._note(self.clock.now() - moment)
-
-    def _note(self, late: float) -> None:
+        late = self.clock.now() - moment
         self.done += 1
         self.worst = max(self.worst, late)
         self.total += max(late, 0.0)

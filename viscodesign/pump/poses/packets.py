@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from enum import IntEnum
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.bus.packets import Packet
-from viscodesign.pump.bus.transactions import ARBOTIX
+from viscodesign.pump.ax.protocol.packets import Packet
+from viscodesign.pump.ax.protocol.transactions import ARBOTIX
 from viscodesign.pump.poses.engine import LONGEST_MS, MOST_MOVES, MOST_POSES, Move, PoseSequence
 
 END = Move(255, 0)

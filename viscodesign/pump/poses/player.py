@@ -14,11 +14,11 @@ import numpy as np
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.pump.ax.hold import HOLD_SPEED, HOLD_TOLERANCE
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.transactions import NoReplyError
 from viscodesign.pump.ax.servo_pump import ServoPump, speed_register
 from viscodesign.pump.ax.servo_state import read_servo
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.transactions import NoReplyError
 from viscodesign.pump.play.axis import FinalServoState
 from viscodesign.pump.play.stream import Stream, StreamResult, TickReport, wait_for_second_request
 from viscodesign.pump.play.ticks import SLICE

@@ -1,11 +1,32 @@
-"""What every source of pressures can be asked."""
+"""Absolute pressure sensors, what is wrong with one, and one on an analog input of a board.
+
+The sensor is the Phidgets 1140: kPa = ratio / 0.002421 + 3.478, with ratio = output over supply.
+Source: the vendor's library (phidget22 3.26, sensor type 1140), whose figures agree with its
+sensing element, MPXH6400A; that one's data sheet gives 1.5 % of span as its error, 0 to 85 degC,
+and 0.2 to 4.8 V at 5 V.
+"""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.sensors import phidget_1140
+from viscodesign.pump.boards.base import Board
+
+SLOPE = 0.002421 / 1e3  # ratio for a pascal
+OFFSET = 3.478e3  # [Pa]
+LOWEST, HIGHEST = 20e3, 400e3  # absolute pressures between which it is valid [Pa]
+LOWEST_RATIO, HIGHEST_RATIO = 20 / 1024, 1003 / 1024  # beyond these the sensor is open or shorted
+
+
+def absolute_pressure(ratio: float) -> float:
+    """Absolute pressure of an output over supply [Pa]."""
+    return ratio / SLOPE + OFFSET
+
+
+def ratio_of(pressure: float) -> float:
+    """Output over supply at an absolute pressure [Pa]."""
+    return (pressure - OFFSET) * SLOPE
 
 
 class SensorError(PumpError):
@@ -13,26 +34,25 @@ class SensorError(PumpError):
 
 
 class PressureSource(ABC):
-    """An absolute sensor; gauge pressures take off the ambient one and its error at rest."""
+    """Reads one sensor."""
 
     @abstractmethod
     def ratio(self) -> float:
-        """What the sensor says now, over its supply."""
+        """The sensor's output over its supply."""
 
-    @abstractmethod
-    def close(self) -> None:
-        """Let go of it; a second time does nothing."""
+    def close(self) -> None:  # noqa: B027
+        """Release the sensor; calling it again does nothing."""
 
     def absolute(self) -> float:
-        """Pressure [Pa]; raises `SensorError` where the sensor says nothing of it."""
+        """Absolute pressure [Pa]; raises `SensorError` where the output is not a pressure."""
         ratio = self.ratio()
-        if not phidget_1140.LOWEST_RATIO <= ratio <= phidget_1140.HIGHEST_RATIO:
+        if not LOWEST_RATIO <= ratio <= HIGHEST_RATIO:
             raise SensorError(
                 f"the pressure sensor is open or shorted: it gives {ratio:.3f} of its supply. "
                 "Check its plug and its channel (`pump.sensor.channel`)"
             )
-        pressure = phidget_1140.absolute_pressure(ratio)
-        if not phidget_1140.LOWEST <= pressure <= phidget_1140.HIGHEST:
+        pressure = absolute_pressure(ratio)
+        if not LOWEST <= pressure <= HIGHEST:
             raise SensorError(
                 f"{pressure / 1e3:.1f} kPa absolute is outside the pressure sensor's range, "
                 "20 to 400 kPa"
@@ -40,25 +60,19 @@ class PressureSource(ABC):
         return pressure
 
 
-class Stillness:
-    """Tells a frozen sensor: one value to the last bit while the pressure must have changed."""
+class BoardAnalog(PressureSource):
+    """A sensor on an analog input of the board, as precise as the board's converter."""
 
-    def __init__(self, least_change: float = 2 * phidget_1140.ACCURACY) -> None:
-        self.least_change = least_change
-        """Of the expected pressure [Pa], by which a live sensor says something else."""
-        self._value: float | None = None
-        self._expected = (0.0, 0.0)
-        """Lowest and highest expected pressure since the value came first [Pa]."""
-
-    def check(self, value: float, expected: float) -> None:
-        """A reading and what it should be about; raises `SensorError` where it is frozen."""
-        if value != self._value:
-            self._value, self._expected = value, (expected, expected)
-            return
-        low, high = min(self._expected[0], expected), max(self._expected[1], expected)
-        self._expected = low, high
-        if high - low > self.least_change:
-            raise SensorError(
-                f"the pressure sensor is frozen: it kept reading {value / 1e3:.2f} kPa "
-                f"while the pressure should have changed by {(high - low) / 1e3:.1f} kPa"
+    def __init__(self, board: Board, channel: int) -> None:
+        if not board.has_pins:
+            raise PumpError(
+                f"the board {board.name} has no analog inputs: leave out `pump.sensor`, or use "
+                "--board arbotix-ros"
             )
+        self._board, self._channel = board, channel
+
+    def ratio(self) -> float:
+        ratio = self._board.analog(self._channel)
+        if ratio is None:
+            raise PumpError(f"the board {self._board.name} has no analog input {self._channel}")
+        return ratio

@@ -1,4 +1,4 @@
-"""The sensor on an interface kit of its own, by the vendor's library (extra `phidgets`)."""
+"""The sensor on a Phidgets interface kit, by the vendor's library (extra `phidgets`)."""
 
 from __future__ import annotations
 
@@ -9,12 +9,11 @@ from typing import Any
 from viscodesign.errors import PumpError
 from viscodesign.pump.sensors.base import PressureSource, SensorError
 
-ATTACH_TIME = 5000
-"""[ms]"""
+ATTACH_TIME_MS = 5000
 
 
 class Phidget(PressureSource):
-    """A ratio input of a Phidget interface kit; the library is loaded when it is opened."""
+    """A ratio input of a Phidget interface kit."""
 
     def __init__(self, channel: int) -> None:
         library = _library("Phidget22.Devices.VoltageRatioInput")
@@ -23,7 +22,7 @@ class Phidget(PressureSource):
         try:
             self._input = library.VoltageRatioInput()
             self._input.setChannel(channel)
-            self._input.openWaitForAttachment(ATTACH_TIME)
+            self._input.openWaitForAttachment(ATTACH_TIME_MS)
         except self._failure as error:
             self.close()
             raise SensorError(

@@ -1,4 +1,4 @@
-"""Pressure at each inlet above the ambient."""
+"""Gauge pressure at each inlet."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from collections.abc import Callable, Sequence
 
 from viscodesign.pump.sensors.base import SensorError
 
-TRIM = 6e3
-"""A sensor at rest this close to the ambient shows its own error [Pa]: 1.5 % of its span."""
+LARGEST_OFFSET = 6e3
+"""A reading at rest this close to the ambient is the sensor's own error [Pa]: 1.5 % of span."""
 
 
 class PressureReadings:
-    """S inlets, each with what reads its absolute pressure [Pa], or None; and the ambient [Pa]."""
+    """S inlets, each with a function that reads its absolute pressure [Pa], or None."""
 
     def __init__(
         self,
@@ -19,35 +19,33 @@ class PressureReadings:
         ambient: float,
         names: Sequence[str] = (),
     ) -> None:
-        """``names`` of the inlets, to tell which one is meant where there are several."""
+        """``ambient``: absolute [Pa]; ``names`` of the inlets, for messages."""
         several = len(sensors) > 1 and len(names) == len(sensors)
-        self.before = tuple(f"{name}: " for name in names) if several else ("",) * len(sensors)
-        """What stands before words about each."""
+        self.prefixes = tuple(f"{name}: " for name in names) if several else ("",) * len(sensors)
         self.sensors = tuple(sensors)
         self.ambient = ambient
-        self.offsets = [0.0 for _ in sensors]
-        """Taken off what each one reads [Pa]."""
+        self.offsets = [0.0 for _ in sensors]  # subtracted from each reading [Pa]
 
     def zero(self) -> list[str]:
-        """Take what each shows at rest as its own error, where it may be that; says what it did.
+        """Take small readings at rest as the sensors' own errors; returns a note for each.
 
-        To be called before anything moves. A reading farther from the ambient is taken as
-        pressure that is there, so that a cap does not move away with it.
+        To be called before anything moves. A larger reading is taken as pressure that is there,
+        so that a cap does not shift with it.
         """
-        told = []
+        notes = []
         for k, measured in enumerate(self.read()):
             if measured is None:
                 continue
-            shows = f"{self.before[k]}{measured / 1e3:+.2f} kPa"
-            if abs(measured) <= TRIM:
+            shows = f"{self.prefixes[k]}{measured / 1e3:+.2f} kPa"
+            if abs(measured) <= LARGEST_OFFSET:
                 self.offsets[k] = measured
-                told.append(f"{shows} at rest is taken as the sensor's own error")
+                notes.append(f"{shows} at rest is taken as the sensor's own error")
             else:
-                told.append(
+                notes.append(
                     f"{shows} gauge at rest: more than the sensor's error, so taken as pressure; "
                     "vent it, or correct ambient_pressure"
                 )
-        return told
+        return notes
 
     def read(self) -> tuple[float | None, ...]:
         """Gauge pressure at each inlet [Pa]; raises `PumpError` where a sensor gives none."""
@@ -58,7 +56,6 @@ class PressureReadings:
         if sensor is None:
             return None
         try:
-            absolute = float(sensor())
+            return float(sensor()) - self.ambient - self.offsets[inlet]
         except SensorError as error:
-            raise SensorError(f"{self.before[inlet]}{error}") from None
-        return absolute - self.ambient - self.offsets[inlet]
+            raise SensorError(f"{self.prefixes[inlet]}{error}") from None

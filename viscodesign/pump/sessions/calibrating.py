@@ -7,13 +7,11 @@ from dataclasses import dataclass
 
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
-from viscodesign.pump.ax import eeprom
-from viscodesign.pump.ax.eeprom import RegisterChange, changes
 from viscodesign.pump.ax.hold import release
-from viscodesign.pump.ax.preflight import identify
+from viscodesign.pump.ax.preflight import RegisterChange, changes, identify
+from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.servo_state import read_register
-from viscodesign.pump.bus import registers
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.play.homing import find_travel
 from viscodesign.pump.sensors.limit_switches import Switches
@@ -118,7 +116,7 @@ def _rename(link: Connection, old: int, new: int, confirm: Confirm) -> None:
 
 def _write(link: Connection, change: RegisterChange, confirm: Confirm) -> None:
     require(confirm, f"EEPROM of {change}\nWrite it?")
-    eeprom.write(link.board, change)
+    change.write(link.board)
 
 
 def _against_switches(link: Connection, pump: PumpSpec, confirm: Confirm) -> Calibration:

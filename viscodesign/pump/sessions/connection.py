@@ -17,8 +17,7 @@ from viscodesign.pump.bus.clock import Clock, PacedClock, SteppedClock, WallCloc
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.bus.serial_line import SerialLine
 from viscodesign.pump.planning.scene_variants import pump_of
-from viscodesign.pump.sensors.base import PressureSource
-from viscodesign.pump.sensors.board_analog import BoardAnalog
+from viscodesign.pump.sensors.base import BoardAnalog, PressureSource
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.phidget import Phidget
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
@@ -28,7 +27,7 @@ from viscodesign.pump.sessions.open_board import (
     servo_ids,
     simulated_line,
 )
-from viscodesign.pump.simulated.plant import AMBIENT, Plant
+from viscodesign.pump.simulated.bench import AMBIENT, Plant
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pump import PumpSpec, SensorSpec
 from viscodesign.scene.scene import Scene

@@ -9,19 +9,19 @@ import numpy as np
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
+from viscodesign.pump.ax.protocol.packets import Instruction, shown
+from viscodesign.pump.ax.protocol.transactions import ARBOTIX
 from viscodesign.pump.boards.arbotix import HALT, Arbotix
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.bus.packets import Instruction, shown
-from viscodesign.pump.bus.recording_line import RecordingLine
-from viscodesign.pump.bus.transactions import ARBOTIX
+from viscodesign.pump.bus.line import RecordingLine
 from viscodesign.pump.play.stream import OnStop
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, ignore, unmonitored_pump
 from viscodesign.pump.sessions.open_board import board_kind, simulated_line
 from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession
 from viscodesign.pump.sessions.uploading import Playback, UploadSession
-from viscodesign.pump.simulated.plant import Plant
+from viscodesign.pump.simulated.bench import Plant
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress

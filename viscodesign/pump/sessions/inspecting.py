@@ -11,8 +11,8 @@ from typing import Any
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.ax.hold import stop_all
-from viscodesign.pump.ax.listen import listen
 from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
+from viscodesign.pump.ax.servo_state import listen
 from viscodesign.pump.play.axis import FinalServoState
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sessions.connection import (

@@ -6,19 +6,17 @@ from difflib import get_close_matches
 
 from viscodesign.errors import UsageError
 from viscodesign.plugins import members
+from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.bus import registers
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.servo_motor import SERVOS
-from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.direct_line import DirectLine
-from viscodesign.pump.simulated.pins import Pins
-from viscodesign.pump.simulated.plant import AMBIENT, ClosedGas, Plant
+from viscodesign.pump.simulated.bench import AMBIENT, ClosedGas, Plant, SimulatedBench
+from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
-from viscodesign.pump.simulated.ros import Ros
+from viscodesign.pump.simulated.ros import Pins, Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
 from viscodesign.scene.pump import PumpSpec
 

@@ -2,19 +2,50 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 
 import numpy as np
 
-from viscodesign.pump.bus.packets import BROADCAST, Packet
+from viscodesign.pump.ax.protocol.packets import BROADCAST, Packet
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.simulated.access import Access
-from viscodesign.pump.simulated.plant import Plant
 from viscodesign.pump.simulated.servo import SimulatedServo
 
-STEP = 2.5e-3
-"""Of the servos [s]: a fraction of the time in which one settles at its goal, 16 ms."""
+STEP = 2.5e-3  # of the servos [s]: a fraction of the time in which one settles at its goal, 16 ms
 STEPS_PER_PLANT = 4
+AMBIENT = 101_325.0  # absolute [Pa]: the standard atmosphere
+
+
+class Plant(ABC):
+    """What P plungers press into."""
+
+    @abstractmethod
+    def advance(self, seconds: float, positions: np.ndarray) -> np.ndarray:
+        """Gauge pressures (P,) [Pa] after a while with the plungers moving to these places.
+
+        ``positions`` (P,): plungers pushed in from home [m]; ``seconds`` 0 asks for the start.
+        """
+
+
+class ClosedGas(Plant):
+    """Each barrel and its dead volume closed, filled with gas that keeps its temperature.
+
+    p V = const (Boyle), at ambient pressure with the plunger at home. An empty barrel leaves the
+    dead volume, or a little where there is none.
+    """
+
+    def __init__(self, drives: Sequence[Drive], ambient: float = AMBIENT) -> None:
+        self.ambient = ambient
+        self._areas = np.array([drive.area for drive in drives])
+        filled = np.array([drive.filled_at_home for drive in drives])
+        dead = np.array([drive.pump.dead_volume for drive in drives])
+        self._volumes = self._areas * filled + dead
+        self._least = np.maximum(dead, 1e-3 * self._volumes)
+
+    def advance(self, seconds: float, positions: np.ndarray) -> np.ndarray:
+        left = np.maximum(self._volumes - self._areas * positions, self._least)
+        pressures: np.ndarray = self.ambient * (self._volumes / left - 1.0)
+        return pressures
 
 
 class SimulatedBench:
@@ -29,12 +60,12 @@ class SimulatedBench:
         self.servos = list(servos)
         self.drives = list(drives)
         self.plant = plant
-        self._access = [Access(servo) for servo in self.servos]
-        self._torque_per_pressure = np.array([_torque_per_pressure(d) for d in self.drives])
+        outwards = np.array([-1.0 if drive.pump.push == "up" else 1.0 for drive in drives])
+        levers = np.array([drive.area * drive.pump.pinion_diameter / 2 for drive in drives])
+        self._torque_per_pressure = outwards * levers  # towards higher counts [m3]
         self._steps: int | None = None
         self._start = 0.0
-        self.pressures = plant.advance(0.0, self.positions())
-        """(P,) gauge [Pa]."""
+        self.pressures = plant.advance(0.0, self.positions())  # (P,) gauge [Pa]
 
     def positions(self) -> np.ndarray:
         """(P,) plungers pushed in from home [m]."""
@@ -42,7 +73,7 @@ class SimulatedBench:
         return np.array([drive.position(servo.position) for servo, drive in pairs])
 
     def supply(self, voltage: float) -> None:
-        """Another supply voltage for all servos."""
+        """Change the supply voltage of all servos."""
         for servo in self.servos:
             servo.supply(voltage)
 
@@ -59,14 +90,8 @@ class SimulatedBench:
                 self.pressures = self.plant.advance(STEPS_PER_PLANT * STEP, self.positions())
 
     def answer(self, packet: Packet, now: float) -> tuple[Packet, float] | None:
-        """What comes back from the bus, and how long the servo waited before; or silence."""
+        """The reply from the bus and how long the servo waited before it; None for silence."""
         self.advance(now)
-        replies = [(access.answer(packet), access.return_delay) for access in self._access]
+        replies = [(servo.answer(packet), servo.return_delay) for servo in self.servos]
         spoken = [(reply, delay) for reply, delay in replies if reply is not None]
         return spoken[0] if spoken and packet.id != BROADCAST else None
-
-
-def _torque_per_pressure(drive: Drive) -> float:
-    """Torque towards higher counts for a gauge pressure that drives the plunger out [m3]."""
-    outwards = -1.0 if drive.pump.push == "up" else 1.0
-    return outwards * drive.area * drive.pump.pinion_diameter / 2

@@ -1,12 +1,17 @@
-"""What a simulated device has to do, and the queue of what it sends."""
+"""Simulated devices: bytes in and out, each at its moment, and a line straight into one."""
 
 from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from contextlib import contextmanager
 
-BITS_PER_BYTE = 10
-"""8N1: a start and a stop bit around each byte."""
+from viscodesign.errors import PumpError
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.bus.line import Line
+
+BITS_PER_BYTE = 10  # 8N1: a start and a stop bit around each byte
 
 
 class UnpluggedError(Exception):
@@ -14,26 +19,26 @@ class UnpluggedError(Exception):
 
 
 class Device(ABC):
-    """Bytes in, bytes out, each at its moment; knows neither ports nor clocks.
+    """Knows neither ports nor clocks; moments never run backwards [s].
 
-    Moments never run backwards. Raises `UnpluggedError` where its cable is out.
+    Raises `UnpluggedError` where its cable is out.
     """
 
     @abstractmethod
     def feed(self, data: bytes, now: float) -> None:
-        """Bytes that the host began to send at this moment."""
+        """Take bytes that the host begins to send at this moment."""
 
     @abstractmethod
     def take(self, now: float) -> bytes:
-        """Bytes that have reached the host since the last time."""
+        """Bytes that have reached the host since the last call."""
 
     @abstractmethod
     def due(self) -> float:
-        """When to ask again: earlier, nothing can come. Infinite while nothing will."""
+        """The earliest moment at which more can come; infinite while nothing will."""
 
 
 class Outbox:
-    """Bytes under way to the host; none overtakes another."""
+    """Bytes on their way to the host; none overtakes another."""
 
     def __init__(self) -> None:
         self._coming: list[tuple[float, bytes]] = []
@@ -50,3 +55,48 @@ class Outbox:
 
     def due(self) -> float:
         return self._coming[0][0] if self._coming else math.inf
+
+
+class DirectLine(Line):
+    """A line into a device without a port; time passes only while a reply is awaited."""
+
+    def __init__(self, device: Device, clock: Clock) -> None:
+        self.device = device
+        self.clock = clock
+        self._arrived = bytearray()
+        self._closed = False
+
+    def write(self, data: bytes) -> None:
+        with self._plugged():
+            self.device.feed(data, self.clock.now())
+
+    def read(self, most: int, deadline: float) -> bytes:
+        self._collect()
+        while not self._arrived and self.clock.now() < deadline:
+            self.clock.sleep_until(min(self.device.due(), deadline))
+            self._collect()
+        data = bytes(self._arrived[:most])
+        del self._arrived[:most]
+        return data
+
+    def drain(self) -> bytes:
+        self._collect()
+        data = bytes(self._arrived)
+        self._arrived.clear()
+        return data
+
+    def close(self) -> None:
+        self._closed = True
+
+    def _collect(self) -> None:
+        with self._plugged():
+            self._arrived += self.device.take(self.clock.now())
+
+    @contextmanager
+    def _plugged(self) -> Iterator[None]:
+        if self._closed:
+            raise PumpError("the line to the simulated pump is closed")
+        try:
+            yield
+        except UnpluggedError:
+            raise PumpError("the simulated port is gone: its cable was pulled") from None

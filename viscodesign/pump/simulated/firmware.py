@@ -1,8 +1,7 @@
 """What the firmwares of the ArbotiX share: one processor, its inbox, and a parser with faults.
 
-Read from the sources of vanadiumlabs' `pypose.ino` and `ros.ino` (ArbotiX repositories):
-one FF begins a packet, nothing ends it but its length, and lengths below 2 or above 144 never
-come to an end.
+Read from the sources of vanadiumlabs' `pypose.ino` and `ros.ino` (ArbotiX repositories): one FF
+begins a packet, nothing ends it but its length, and lengths below 2 or above 144 never end.
 """
 
 from __future__ import annotations
@@ -11,8 +10,9 @@ import math
 from abc import abstractmethod
 from collections.abc import Generator
 
-from viscodesign.pump.bus import packets
-from viscodesign.pump.bus.packets import Packet
+from viscodesign.pump.ax.protocol import packets
+from viscodesign.pump.ax.protocol.packets import Instruction, Packet
+from viscodesign.pump.ax.protocol.transactions import ARBOTIX
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device, Outbox
 
@@ -20,14 +20,10 @@ Work = Generator[float, None, None]
 """Yields the moment at which the processor goes on, or `WHEN_BYTES_COME`."""
 WHEN_BYTES_COME = -math.inf
 NEVER = math.inf
-
-INBOX = 63
-"""Bytes that the serial port keeps while the processor is busy; more are lost."""
-LONGEST = 144
-"""LEN of the longest packet: its parameters and checksum fill `params[143]`."""
-PARAMETERS = 143
-SERVO_TIMEOUT = 1e-3
-"""How long it waits for a servo that is not there [s]."""
+INBOX_SIZE = 63  # bytes that the serial port keeps while the processor is busy; more are lost
+LONGEST_LEN = 144  # of a packet: its parameters and checksum fill `params[143]`
+LATENCY = 1e-3  # of the adapter, towards the host [s]
+SERVO_TIMEOUT = 1e-3  # how long it waits for a servo that is not there [s]
 
 
 class Firmware(Device):
@@ -37,9 +33,8 @@ class Firmware(Device):
     checksum_error: int
     """Error byte that answers a wrong checksum."""
 
-    def __init__(self, bench: SimulatedBench, latency: float = 1e-3) -> None:
+    def __init__(self, bench: SimulatedBench) -> None:
         self.bench = bench
-        self.latency = latency
         self.now = 0.0
         self._outbox = Outbox()
         self._coming: list[tuple[float, int]] = []
@@ -54,7 +49,7 @@ class Firmware(Device):
         self.now = now
         self._inbox.clear()
         self._coming = [(moment, byte) for moment, byte in self._coming if moment > now + boot]
-        self._parameters = bytearray(PARAMETERS)
+        self._parameters = bytearray(LONGEST_LEN - 1)
         self._received = b""
         self.start()
         self._program = self._loop(now + boot)
@@ -65,15 +60,30 @@ class Firmware(Device):
         """What the sketch sets up."""
 
     @abstractmethod
+    def own(self, packet: Packet) -> Work:
+        """Do what a packet to the board itself says."""
+
     def obey(self, packet: Packet) -> Work:
-        """Do what a packet says that came whole."""
+        """Do what a complete packet says: reads and writes pass on to the servos."""
+        if packet.id == ARBOTIX:
+            yield from self.own(packet)
+        elif packet.code == Instruction.READ:
+            # Whatever lies in the buffer then goes back, once.
+            yield from self.ask_servo(packet.id, self._parameters[0], self._parameters[1])
+            self.send(self._received)
+            self._received = b""
+        elif packet.code == Instruction.WRITE:
+            # One byte or two, whatever its length; acknowledged for any id.
+            size = 1 if len(packet.parameters) == 2 else 2
+            data = bytes(self._parameters[1 : 1 + size])
+            self.bench.answer(packets.write(packet.id, self._parameters[0], data), self.now)
+            self.reply(packet.id, 0)
 
     def feed(self, data: bytes, now: float) -> None:
         self.run(now)
-        byte = BITS_PER_BYTE / self.baud
         moment = max(now, self._coming[-1][0] if self._coming else now)
         for value in data:
-            moment += byte
+            moment += BITS_PER_BYTE / self.baud
             if moment >= self._deaf_until:
                 self._coming.append((moment, value))
 
@@ -107,16 +117,16 @@ class Firmware(Device):
     def _receive(self, now: float) -> None:
         arrived = [byte for moment, byte in self._coming if moment <= now]
         del self._coming[: len(arrived)]
-        self._inbox += bytes(arrived[: max(INBOX - len(self._inbox), 0)])
+        self._inbox += bytes(arrived[: max(INBOX_SIZE - len(self._inbox), 0)])
 
     def read(self) -> int:
         """The next byte, or -1 where none is there."""
         return self._inbox.pop(0) if self._inbox else -1
 
     def send(self, data: bytes) -> None:
-        """Out at the port's speed, behind what is still going out."""
+        """Send at the port's speed, behind what is still going out."""
         self._sent = max(self._sent, self.now) + len(data) * BITS_PER_BYTE / self.baud
-        self._outbox.put(data, self._sent + self.latency)
+        self._outbox.put(data, self._sent + LATENCY)
 
     def reply(self, id: int, error: int, data: bytes = b"") -> None:
         self.send(Packet(id, error, data).encode())
@@ -140,7 +150,7 @@ class Firmware(Device):
             pass
         length = yield from self._byte()
         code = yield from self._byte()
-        if not 2 <= length <= LONGEST:
+        if not 2 <= length <= LONGEST_LEN:
             yield from hang()
         total = id + length + code
         for place in range(length - 1):
@@ -162,28 +172,12 @@ class Firmware(Device):
             return -1
         reply, delay = answered
         self._received = reply.encode()
-        bits = (8 + len(self._received)) * BITS_PER_BYTE
-        yield self.now + delay + bits / 1e6
+        yield self.now + delay + (8 + len(self._received)) * BITS_PER_BYTE / 1e6
         value = self._received[5:-1] if count == 1 else self._received[5:7]
         return int.from_bytes(value[:2], "little")
 
-    def pass_read(self, packet: Packet) -> Work:
-        """A READ for a servo: whatever lies in the buffer then goes back, once."""
-        address, count = self._parameters[0], self._parameters[1]
-        yield from self.ask_servo(packet.id, address, count)
-        self.send(self._received)
-        self._received = b""
-
-    def pass_write(self, packet: Packet) -> Work:
-        """A WRITE of one byte or two, whatever its length; said to be done by whoever."""
-        size = 1 if len(packet.parameters) == 2 else 2
-        data = bytes(self._parameters[1 : 1 + size])
-        self.bench.answer(packets.write(packet.id, self._parameters[0], data), self.now)
-        self.reply(packet.id, 0)
-        yield self.now
-
 
 def hang() -> Work:
-    """What only a reset ends."""
+    """Do nothing until a reset."""
     while True:
         yield NEVER

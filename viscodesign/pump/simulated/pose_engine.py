@@ -1,15 +1,15 @@
 """The pose engine of the ArbotiX, in its own integers.
 
-Read from `BioloidController.cpp` of vanadiumlabs' ArbotiX repository: positions in eighths of
-a count, frames of 33 ms, a step of each frame that is a whole number of eighths, and no way to
-wait.
+Read from `BioloidController.cpp` of vanadiumlabs' ArbotiX repository: positions in eighths of a
+count, frames of 33 ms, a step of each frame that is a whole number of eighths, and no way to wait.
 """
 
 from __future__ import annotations
 
-from viscodesign.pump.bus import packets, registers
+from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.simulated.firmware import Firmware, Work, hang
 
+SIZE_POSE, LOAD_POSE, LOAD_SEQ, PLAY, LOOP = 7, 8, 9, 10, 11
 FRAME = 0.033
 FRAME_MS = 33
 SHIFT = 3
@@ -31,34 +31,33 @@ class PoseEngine:
         """Where each servo was sent last, in eighths; before a reading 512, which is count 64."""
         self.poses = [[0] * SERVOS for _ in range(POSES)]
         self.sequence: list[tuple[int, int]] = [(0, 0)] * ENTRIES
-        self.frames = 0
-        """Since power came: how often all servos were sent somewhere."""
+        self.frames = 0  # since power came: how often all servos were sent somewhere
 
-    def set_size(self, size: int) -> Work:
+    def obey(self, code: int, given: bytes, length: int) -> Work:
+        """One of its instructions but LOOP; ``given``: the parameters and what lies behind them."""
+        if code == SIZE_POSE:
+            yield from self._set_size(given[0])
+        elif code == LOAD_POSE and given[0] < POSES:  # beyond lies other memory
+            words = [given[k : k + 2] for k in range(1, 2 * self.size, 2)]
+            self.poses[given[0]][: self.size] = [int.from_bytes(w, "little") for w in words]
+        elif code == LOAD_SEQ:
+            for k in range(length // 3):
+                time = int.from_bytes(given[3 * k + 1 : 3 * k + 3], "little", signed=True)
+                self.sequence[k] = (given[3 * k], time)
+        elif code == PLAY:
+            yield from self.play()
+
+    def _set_size(self, size: int) -> Work:
         """Also reads where the servos are; an unreadable one is taken to be at -1."""
         self.size = min(size, SERVOS)
         for servo in range(self.size):
-            position = yield from self.board.ask_servo(
-                servo + 1, registers.PRESENT_POSITION.address, 2
-            )
-            self.pose[servo] = position << SHIFT
+            position = registers.PRESENT_POSITION.address
+            count = yield from self.board.ask_servo(servo + 1, position, 2)
+            self.pose[servo] = count << SHIFT
             yield self.board.now + READ_PAUSE
 
-    def load_pose(self, parameters: bytes) -> None:
-        index = parameters[0]
-        if index < POSES:  # beyond lies other memory
-            self.poses[index] = [
-                int.from_bytes(parameters[2 * i + 1 : 2 * i + 3], "little")
-                for i in range(self.size)
-            ] + self.poses[index][self.size :]
-
-    def load_sequence(self, parameters: bytes, length: int) -> None:
-        for i in range((length - 2) // 3):
-            pose, low, high = parameters[3 * i : 3 * i + 3]
-            self.sequence[i] = (pose, _signed(low + (high << 8)))
-
     def play(self) -> Work:
-        """Each entry once; `halted` tells whether an H ended it. Looks for one between moves."""
+        """Each entry once; `halted` says whether an H ended it. Looks for one between moves."""
         self.halted = False
         for pose, time in self.sequence:
             if pose == END:
@@ -90,22 +89,13 @@ class PoseEngine:
 
     def _send(self) -> None:
         self.frames += 1
-        goals = {
-            i + 1: ((self.pose[i] >> SHIFT) & 0xFFFF).to_bytes(2, "little")
-            for i in range(self.size)
-        }
-        if goals:
+        words = [(self.pose[i] >> SHIFT) & 0xFFFF for i in range(self.size)]
+        if words:
+            goals = {i: word.to_bytes(2, "little") for i, word in enumerate(words, 1)}
             packet = packets.sync_write(registers.GOAL_POSITION.address, goals)
             self.board.bench.answer(packet, self.board.now)
 
 
-def _signed(word: int) -> int:
-    """As a C int of 16 bits."""
-    return word - 0x10000 if word >= 0x8000 else word
-
-
 def _divided(number: int, by: int) -> int:
     """As C divides: towards zero; by zero as this processor does it."""
-    if by == 0:
-        return -1
-    return abs(number) // abs(by) * (1 if (number < 0) == (by < 0) else -1)
+    return int(number / by) if by else -1

@@ -7,12 +7,13 @@ import pytest
 from tests.pumps import bench, stepped
 from tests.rig.bus import BusAdapter
 from viscodesign.pump.ax.hold import stop_all
+from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.bus import packets, registers
 from viscodesign.pump.sessions.open_board import boards
 from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.direct_line import DirectLine
-from viscodesign.pump.simulated.pypose import LOAD_POSE, LOAD_SEQ, LOOP, SIZE_POSE, PyPose
+from viscodesign.pump.simulated.device import DirectLine
+from viscodesign.pump.simulated.pose_engine import LOAD_POSE, LOAD_SEQ, LOOP, SIZE_POSE
+from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
 
 DEVICES = {"dynamixel": BusAdapter, "arbotix-ros": Ros, "arbotix": PyPose}

@@ -8,11 +8,11 @@ import pytest
 
 from tests.pump_rig import TRAVEL, Rig
 from viscodesign.errors import PumpError
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.ax.servo_pump import SPEED, speed_register
 from viscodesign.pump.ax.torque_limit import free_speed, stalling_pressure, torque_limit
 from viscodesign.pump.boards.base import Goal
-from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.packets import ErrorBits
 from viscodesign.pump.play.safety_rules import Stop
 from viscodesign.scene.pump import PumpSpec as Settings
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.unit.pump.samples import servo
+from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.ax.torque_limit import (
     FULL,
     LONGEST_SATURATION,
@@ -12,7 +13,6 @@ from viscodesign.pump.ax.torque_limit import (
     TorqueLimits,
     following_limit,
 )
-from viscodesign.pump.bus.packets import ErrorBits
 
 
 def writable(limits: TorqueLimits, now: float) -> dict[int, int]:

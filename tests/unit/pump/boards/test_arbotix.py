@@ -11,13 +11,12 @@ from tests.pumps import bench, stepped
 from tests.rig import faults
 from tests.rig.faults import Faulty
 from viscodesign.errors import PumpError
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.packets import Instruction, Parser
 from viscodesign.pump.boards.arbotix import LONGEST_READ, Arbotix
-from viscodesign.pump.bus import registers
-from viscodesign.pump.bus.packets import Instruction, Parser
 from viscodesign.pump.poses import packets as pose_packets
 from viscodesign.pump.poses.engine import MOST_MOVES, Move, PoseSequence
-from viscodesign.pump.simulated.device import Device
-from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.device import Device, DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
 

@@ -12,7 +12,7 @@ from tests.pumps import bench, stepped
 from tests.rig.bus import BusAdapter
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
-from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.simulated.device import DirectLine
 
 PING = bytes.fromhex("ffff010201fb")
 

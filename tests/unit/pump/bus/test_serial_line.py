@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import termios
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,10 +16,10 @@ from tests.pumps import bench
 from tests.rig.bus import BusAdapter
 from tests.rig.pty import PtyServer
 from viscodesign.errors import PumpError
+from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.boards.arbotix_ros import ArbotixRos
 from viscodesign.pump.boards.base import Goal
 from viscodesign.pump.boards.dynamixel import Dynamixel
-from viscodesign.pump.bus import registers, serial_line
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.bus.ports import latency_hint, ports
 from viscodesign.pump.bus.serial_line import SerialLine, users_of
@@ -143,7 +145,14 @@ def test_closing_does_not_let_go_of_dtr(server: PtyServer) -> None:
 
 def test_who_holds_a_port_is_told_but_not_ourselves(server: PtyServer) -> None:
     assert users_of(server.port) == []
-    assert serial_line._own_name() != ""
+    with subprocess.Popen(["cat", server.port], stdout=subprocess.DEVNULL) as other:
+        try:
+            until = time.monotonic() + 10.0
+            while not users_of(server.port) and time.monotonic() < until:
+                time.sleep(0.02)
+            assert users_of(server.port) == [f"cat (process {other.pid})"]
+        finally:
+            other.kill()
 
 
 def test_a_slow_adapter_is_told_how_to_be_quick(tmp_path: Path) -> None:

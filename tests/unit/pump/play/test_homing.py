@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from tests.pumps import pump as settings_of
+from tests.rig.full import BrokenPins
 from viscodesign.errors import InterruptedRunError, PumpError
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.simulated import Simulated
@@ -15,11 +16,9 @@ from viscodesign.pump.drive import Drive
 from viscodesign.pump.play.homing import BACK_OFF, find_travel
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.direct_line import DirectLine
-from viscodesign.pump.simulated.pins import SWITCH_DISTANCE, Pins
-from viscodesign.pump.simulated.plant import Plant
-from viscodesign.pump.simulated.ros import Ros
+from viscodesign.pump.simulated.bench import Plant, SimulatedBench
+from viscodesign.pump.simulated.device import DirectLine
+from viscodesign.pump.simulated.ros import SWITCH_DISTANCE, Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
 
 
@@ -38,7 +37,7 @@ class Bed:
         self.servo.supply(11.1)
         bench = SimulatedBench([self.servo], [Drive(spec)], Vented())
         self.clock = SteppedClock()
-        line = DirectLine(Ros(bench, Pins(bench, broken=dict(broken))), self.clock)
+        line = DirectLine(Ros(bench, BrokenPins(bench, broken=dict(broken))), self.clock)
         free = spec.model_copy(update={"travel": (0, 1023)})
         self.pump = ServoPump(
             Simulated(line, [1]),

@@ -32,8 +32,8 @@ def test_it_begins_where_the_plunger_is_and_goes_slowly(lead: float) -> None:
 
 def test_no_pressure_is_expected_before_the_profile() -> None:
     course = led_in(profile([300.0, 320.0]), {1: 200}, 0.7)
-    assert course.wanted(course.begins - 1e-6) == (None,)
-    assert course.wanted(course.begins + 0.5) == pytest.approx((3100.0,))
+    assert course.expected_pressure(course.begins - 1e-6) == (None,)
+    assert course.expected_pressure(course.begins + 0.5) == pytest.approx((3100.0,))
 
 
 def test_several_plungers_arrive_together() -> None:
@@ -50,7 +50,7 @@ def test_the_way_back_expects_no_pressure() -> None:
     back = way_back(profile([300.0, 320.0]), {1: 320}, 200)
     assert back.goals(0.0) == pytest.approx([320.0])
     assert back.goals(back.duration) == pytest.approx([200.0])
-    assert back.wanted(back.duration) == (None,)
+    assert back.expected_pressure(back.duration) == (None,)
 
 
 def test_the_pace_is_the_steepest_part_about_a_moment_of_each_servo() -> None:

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import pytest
 
 from tests.unit.pump.samples import sample, servo
+from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.ax.servo_pump import axis_limits
-from viscodesign.pump.bus.packets import ErrorBits
 from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.safety_rules import (
     ErrorBitsSet,
@@ -72,6 +72,19 @@ def test_a_frozen_sensor_is_found_when_the_pressure_should_change() -> None:
     assert first_stop(SensorFrozen(), frozen) == 7  # more than 6 kPa
     alive = [sample(pressure=w, wanted=w) for w in wanted]
     assert first_stop(SensorFrozen(), alive) is None
+
+
+def test_a_frozen_sensor_is_one_that_stays_while_the_pressure_changes() -> None:
+    guard = SensorFrozen()
+    for expected in (0.0, 3e3, 6e3):
+        assert guard.check(sample(pressure=1e3, wanted=expected)) is None
+    reason = guard.check(sample(pressure=1e3, wanted=7e3))
+    assert reason is not None
+    assert "frozen: it kept reading 1.00 kPa" in reason
+    assert "changed by 7.0 kPa" in reason
+    alive = SensorFrozen()
+    for step in range(10):
+        assert alive.check(sample(pressure=1e3 + step // 2, wanted=3e3 * step)) is None
 
 
 def test_a_steady_pressure_may_read_the_same_for_ever() -> None:

@@ -12,7 +12,7 @@ from tests.rig.pty import PtyServer
 from tests.scenes import leg
 from viscodesign import pump
 from viscodesign.errors import PumpError, UsageError
-from viscodesign.pump.bus import registers
+from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.sessions.calibrating import Calibration
 from viscodesign.pump.simulated.bench import SimulatedBench

@@ -9,8 +9,8 @@ import pytest
 from tests.pumps import bench, stepped
 from tests.rig.bus import BusAdapter
 from viscodesign.errors import PumpError
-from viscodesign.pump.bus import packets
-from viscodesign.pump.simulated.direct_line import DirectLine
+from viscodesign.pump.ax.protocol import packets
+from viscodesign.pump.simulated.device import DirectLine
 
 PING = bytes.fromhex("ffff010201fb")
 

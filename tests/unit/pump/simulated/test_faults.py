@@ -8,7 +8,7 @@ from tests.pumps import bench
 from tests.rig import faults
 from tests.rig.bus import BusAdapter
 from tests.rig.faults import Fault, Faulty
-from viscodesign.pump.bus import packets
+from viscodesign.pump.ax.protocol import packets
 from viscodesign.pump.simulated.device import UnpluggedError
 
 PING = packets.ping(1).encode()

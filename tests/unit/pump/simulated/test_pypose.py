@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.pumps import HOME, bench
-from viscodesign.pump.bus import packets
-from viscodesign.pump.bus.packets import Packet, Parser
+from viscodesign.pump.ax.protocol import packets
+from viscodesign.pump.ax.protocol.packets import Packet, Parser
 from viscodesign.pump.simulated.pose_engine import FRAME
 from viscodesign.pump.simulated.pypose import PyPose
 

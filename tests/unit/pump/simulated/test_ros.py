@@ -5,15 +5,15 @@ from __future__ import annotations
 import pytest
 
 from tests.pumps import HOME, bench
-from viscodesign.pump.bus import packets
-from viscodesign.pump.bus.packets import Packet, Parser
+from tests.rig.full import FullRos
+from viscodesign.pump.ax.protocol import packets
+from viscodesign.pump.ax.protocol.packets import Packet, Parser
 from viscodesign.pump.simulated.bench import STEP
-from viscodesign.pump.simulated.ros import Ros
 
 
 class Host:
     def __init__(self, *ids: int, **settings: object) -> None:
-        self.board = Ros(bench(*(ids or (1,)), **settings))
+        self.board = FullRos(bench(*(ids or (1,)), **settings))
         self.now = 0.0
 
     def send(self, packet: Packet, wait: float = 0.2) -> Packet | None:

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from viscodesign.pump.bus import packets
-from viscodesign.pump.bus.packets import BROADCAST, ErrorBits, Packet, Parser, meaning
+from viscodesign.pump.ax.protocol import packets
+from viscodesign.pump.ax.protocol.packets import BROADCAST, ErrorBits, Packet, Parser, meaning
 
 PACKETS = st.builds(Packet, st.integers(0, BROADCAST), st.integers(0, 255), st.binary(max_size=40))
 

@@ -3,37 +3,41 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.bus import packets
+from viscodesign.pump.ax.protocol import packets
+from viscodesign.pump.ax.protocol.packets import ErrorBits, Instruction, Packet, Parser
+from viscodesign.pump.ax.protocol.registers import ID, RAM
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.bus.packets import ErrorBits, Instruction, Packet, Parser, meaning, shown
-from viscodesign.pump.bus.registers import ID, RAM
 
-TRIES = 3
-"""Of what may be repeated."""
-SILENCE = 0.1
-"""Servos drop a packet whose bytes are this far apart [s] (e-manual, Protocol 1.0)."""
-ARBOTIX = 253
-"""Id by which the firmwares of the ArbotiX answer for themselves."""
+TRIES = 3  # of what may be repeated
+SILENCE = 0.1  # servos drop a packet whose bytes are this far apart [s] (e-manual, Protocol 1.0).
+ARBOTIX = 253  # id by which the firmwares of the ArbotiX answer for themselves
+ROS_MODEL = 300  # model number of its firmware for ROS
 BROKEN = ErrorBits.CHECKSUM | ErrorBits.INSTRUCTION
-"""Said of a request that came broken (the PyPose firmware answers a wrong checksum by 64)."""
-MOST_BYTES = 4096
-"""Taken from the line at once."""
+"""Reported of a corrupt request (the PyPose firmware answers a wrong checksum by 64)."""
+MOST_BYTES = 4096  # taken from the line at once
+REMEDIES = {
+    ErrorBits.OVERLOAD: "Nothing holds the plunger now. Release the pressure, find what blocked "
+    "it, and cycle the power",
+    ErrorBits.OVERHEAT: "Let it cool down",
+    ErrorBits.VOLTAGE: "Check the supply voltage and charge the battery",
+    ErrorBits(0xFF): "See the log of bytes (--log FILE)",
+}
 
 
 class ServoError(PumpError):
-    """What answered says that something is wrong with it."""
+    """A reply with error bits."""
 
     def __init__(self, servo: int, request: Packet, reply: Packet) -> None:
         self.servo = servo
         self.errors = ErrorBits(reply.code & 0x7F)
         self.data = reply.parameters
         """Registers that were read nonetheless; empty where it gave none."""
+        remedy = next(words for bits, words in REMEDIES.items() if reply.code & bits)
         super().__init__(
-            f"servo {servo} reports: {meaning(reply.code)} (error byte {reply.code:#04x}, "
-            f"asked {request}). {_remedy(self.errors)}"
+            f"servo {servo} reports: {packets.meaning(reply.code)} (error byte {reply.code:#04x}, "
+            f"asked {request}). {remedy}"
         )
 
 
@@ -42,32 +46,28 @@ class NoReplyError(PumpError):
 
 
 class Transactions:
-    """Speaks for the host; one request at a time.
+    """The host's side of the bus; one request at a time.
 
-    A reply that did not come in time may come later, and then looks like the reply to
-    something else. So a lost reply stays owed until a reply that cannot be confused with it
-    has come: bytes do not overtake each other, so whatever was owed came before that, or never
-    will.
+    A reply that did not come in time may come later, and then looks like the reply to something
+    else. So a lost reply stays owed until a reply that cannot be confused with it has come: bytes
+    do not overtake each other, so whatever was owed came before that, or never will.
     """
 
     def __init__(self, line: Line, patience: float = 0.1) -> None:
         self.line = line
-        self.patience = patience
-        """How long to wait for a reply [s]."""
-        self.longest = math.inf
-        """How long to go on asking the same thing [s]."""
+        self.patience = patience  # how long to wait for a reply [s]
+        self.longest = math.inf  # how long to go on asking the same thing [s]
         self._owed: set[tuple[int, int]] = set()
         """Id and number of parameters of replies that did not come."""
-        self._speaker: int | None = None
-        """Who last gave registers away."""
+        self._speaker: int | None = None  # the id that last sent registers
 
     def ping(self, servo: int) -> None:
         self.ask(packets.ping(servo), 0)
 
-    def answers(self, servo: int) -> bool:
-        """Whether a servo answers when it is asked once; with error bits too."""
+    def answers(self, servo: int, tries: int = 1) -> bool:
+        """Whether a servo answers, with error bits too."""
         try:
-            self.ask(packets.read(servo, ID.address, ID.size), ID.size, tries=1)
+            self.ask(packets.read(servo, ID.address, ID.size), ID.size, tries=tries)
         except ServoError:
             return True
         except NoReplyError:
@@ -95,14 +95,6 @@ class Transactions:
         if self.read(servo, address, len(data)) != data:
             self.ask(packets.write(servo, address, data), 0)
 
-    def verify(self, servo: int, address: int, data: bytes) -> None:
-        """See that registers hold what was written, where a reply does not tell."""
-        if (there := self.read(servo, address, len(data))) != data:
-            raise PumpError(
-                f"servo {servo} did not take {shown(data)} at address {address}: it holds "
-                f"{shown(there)}. It rejects values out of range"
-            )
-
     def tell(self, packet: Packet) -> None:
         """Send what nobody answers."""
         self.line.drain()
@@ -125,22 +117,22 @@ class Transactions:
     ) -> Packet:
         """The reply, with one of these numbers of parameters.
 
-        Raises `ServoError` where it has error bits, `NoReplyError` where none came. What says
-        that the request came broken is repeated like a lost one.
+        Raises `ServoError` where it has error bits, `NoReplyError` where none came. A request
+        that is reported to be corrupt is repeated like a lost one.
         """
         came, reply = b"", None
         deadline = self.line.clock.now() + self.longest
         for k in range(tries):
             if k > 0 and self.line.clock.now() >= deadline:
                 break
-            sure = self._settle(packet.id)
-            if not sure and packet.code == Instruction.READ:
+            settled = self._settle(packet.id)
+            if not settled and packet.code == Instruction.READ:
                 continue
             # Before it is sent: whatever breaks in between, the reply may still come.
             owed = {(packet.id, length) for length in lengths}
             self._owed |= owed
             reply, came = self._exchange(packet, lengths, patience or self.patience)
-            if not sure:
+            if not settled:
                 reply = None
             elif reply is not None:
                 self._owed -= owed
@@ -148,9 +140,6 @@ class Transactions:
                     break
         if reply is None:
             raise NoReplyError(_nothing(packet, came, tries))
-        return self._checked(packet, reply)
-
-    def _checked(self, packet: Packet, reply: Packet) -> Packet:
         if reply.parameters:
             self._speaker = packet.id
         if reply.code:
@@ -167,21 +156,16 @@ class Transactions:
             fits = len(reply.parameters) in lengths or refused
             return reply.id == packet.id and fits and reply != packet
 
-        self.line.drain()
-        self.line.write(packet.encode())
-        return self._await(answers, self.line.clock.now() + patience)
-
-    def _await(
-        self, answers: Callable[[Packet], bool], deadline: float
-    ) -> tuple[Packet | None, bytes]:
-        parser, came = Parser(), bytearray()
+        self.tell(packet)
+        deadline = self.line.clock.now() + patience
+        parser, came = Parser(), b""
         while data := self.line.read(MOST_BYTES, deadline):
             came += data
-            for packet in filter(answers, parser.feed(data)):
-                return packet, bytes(came)
-            if self.line.clock.now() >= deadline:  # on a line that chatters for ever
+            for reply in filter(answers, parser.feed(data)):
+                return reply, came
+            if self.line.clock.now() >= deadline:  # on a line that never falls silent
                 break
-        return next(filter(answers, parser.rest()), None), bytes(came)
+        return next(filter(answers, parser.rest()), None), came
 
     def _settle(self, servo: int) -> bool:
         """Wait out what this one owes; whether nothing can be taken for another reply now."""
@@ -199,7 +183,7 @@ class Transactions:
         return False
 
     def _speaks(self, servo: int) -> bool:
-        """Whether this one gives away as many registers as none of the owed replies has."""
+        """Whether this one sends as many registers as none of the owed replies has."""
         length = next(n for n in range(3, 64) if (servo, n) not in self._owed)
         reply, _ = self._exchange(packets.read(servo, 0, length), (length,), self.patience)
         if reply is not None and len(reply.parameters) == length:
@@ -217,19 +201,6 @@ def _nothing(packet: Packet, came: bytes, tries: int) -> str:
         )
     times = "once" if tries == 1 else f"{tries} times"
     return (
-        f"{asked}, sent {times}; {shown(came)} came. Is the power on, the id right "
+        f"{asked}, sent {times}; {packets.shown(came)} came. Is the power on, the id right "
         "(`pump status`), and this the right --board and --baud?"
     )
-
-
-def _remedy(errors: ErrorBits) -> str:
-    if errors & ErrorBits.OVERLOAD:
-        return (
-            "Nothing holds the plunger now. Release the pressure, find what blocked it, and "
-            "cycle the power"
-        )
-    if errors & ErrorBits.OVERHEAT:
-        return "Let it cool down"
-    if errors & ErrorBits.VOLTAGE:
-        return "Check the supply voltage and charge the battery"
-    return "See the log of bytes (--log FILE)"

@@ -6,7 +6,7 @@ import itertools
 
 import pytest
 
-from viscodesign.pump.bus import registers
+from viscodesign.pump.ax.protocol import registers
 
 
 def test_registers_stand_in_order_and_do_not_overlap() -> None:

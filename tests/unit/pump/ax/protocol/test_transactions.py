@@ -9,11 +9,11 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.bus import packets
+from viscodesign.pump.ax.protocol import packets
+from viscodesign.pump.ax.protocol.packets import HEADER, Packet, Parser
+from viscodesign.pump.ax.protocol.transactions import NoReplyError, ServoError, Transactions
 from viscodesign.pump.bus.clock import Clock, SteppedClock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.bus.packets import HEADER, Packet, Parser
-from viscodesign.pump.bus.transactions import NoReplyError, ServoError, Transactions
 
 Behaviour = Callable[[int, Packet], list[tuple[float, bytes]]]
 """Number of a request and the request -> delays [s] and bytes of what comes then."""

@@ -12,16 +12,13 @@ from dataclasses import dataclass
 from enum import IntEnum, IntFlag
 
 HEADER = b"\xff\xff"
-BROADCAST = 254
-"""Speaks to all, and is never answered."""
-MOST_PARAMETERS = 253
-"""LEN is one byte and counts two more."""
-OVERHEAD = 6
-"""Bytes of a packet around its parameters."""
+BROADCAST = 254  # addresses all servos, and is never answered
+MOST_PARAMETERS = 253  # LEN is one byte and counts two more
+OVERHEAD = 6  # bytes of a packet around its parameters
 
 
 class Instruction(IntEnum):
-    """What servos understand; firmwares add numbers of their own."""
+    """Instructions of the servos; firmwares add numbers of their own."""
 
     PING = 1
     READ = 2
@@ -33,7 +30,7 @@ class Instruction(IntEnum):
 
 
 class ErrorBits(IntFlag):
-    """Of a status packet."""
+    """Error bits of a status packet."""
 
     VOLTAGE = 1
     ANGLE_LIMIT = 2
@@ -44,7 +41,7 @@ class ErrorBits(IntFlag):
     INSTRUCTION = 64
 
 
-MEANING = {
+MEANINGS = {
     ErrorBits.VOLTAGE: "supply voltage out of its limits",
     ErrorBits.ANGLE_LIMIT: "goal position outside the angle limits",
     ErrorBits.OVERHEAT: "too hot",
@@ -57,8 +54,8 @@ MEANING = {
 
 def meaning(errors: int) -> str:
     """Words for the bits that are set."""
-    told = [words for bit, words in MEANING.items() if errors & bit]
-    return ", ".join(told if errors < 128 else [*told, "an error bit that the protocol lacks"])
+    words = [text for bit, text in MEANINGS.items() if errors & bit]
+    return ", ".join(words if errors < 128 else [*words, "an error bit that the protocol lacks"])
 
 
 def shown(data: bytes) -> str:
@@ -83,14 +80,13 @@ class Packet:
 
     def encode(self) -> bytes:
         body = bytes([self.id, len(self.parameters) + 2, self.code]) + self.parameters
-        return HEADER + body + bytes([checksum(body)])
+        return HEADER + body + bytes([_checksum(body)])
 
     def __str__(self) -> str:
         return shown(self.encode())
 
 
-def checksum(body: bytes | bytearray) -> int:
-    """Of what stands between header and checksum."""
+def _checksum(body: bytes | bytearray) -> int:
     return ~sum(body) & 0xFF
 
 
@@ -114,50 +110,44 @@ def sync_write(address: int, data: Mapping[int, bytes]) -> Packet:
 
 
 class Parser:
-    """Finds packets in what comes, in pieces and between noise and foreign text.
+    """Finds packets in bytes that come in pieces, between noise and foreign text.
 
-    What looks like a packet and has a wrong length or checksum is gone through again from its
-    second byte, since a true packet may have begun inside of it.
+    What looks like a packet and has a wrong length or checksum is searched again from its second
+    byte, since a true packet may have begun inside it.
     """
 
     def __init__(self, most: int = MOST_PARAMETERS) -> None:
+        """``most`` parameters of the longest packet that may come."""
         self._most = most
-        """Parameters of the longest packet that may come."""
         self._bytes = bytearray()
 
     def feed(self, data: bytes) -> list[Packet]:
         """Packets that these bytes complete."""
         self._bytes += data
-        return list(self._whole())
+        return list(self._complete())
 
     def rest(self) -> list[Packet]:
-        """Packets hidden behind the beginning of one that never was completed.
-
-        To be asked when nothing more will come; the parser begins anew.
-        """
+        """Packets behind an unfinished one, once nothing more will come; the parser is reset."""
         found: list[Packet] = []
         while self._bytes:
             del self._bytes[0]
-            found += self._whole()
+            found += self._complete()
         return found
 
-    def _whole(self) -> Iterator[Packet]:
-        while self._to_header() and len(self._bytes) >= OVERHEAD:
-            size = self._bytes[3] + 4
-            if self._bytes[2] > BROADCAST or not OVERHEAD <= size <= OVERHEAD + self._most:
-                del self._bytes[0]
-            elif len(self._bytes) < size:
+    def _complete(self) -> Iterator[Packet]:
+        data = self._bytes
+        while (start := data.find(HEADER)) >= 0:
+            del data[:start]
+            if len(data) < OVERHEAD:
                 return
-            elif checksum(self._bytes[2 : size - 1]) != self._bytes[size - 1]:
-                del self._bytes[0]
+            size = data[3] + 4
+            if data[2] > BROADCAST or not OVERHEAD <= size <= OVERHEAD + self._most:
+                del data[0]
+            elif len(data) < size:
+                return
+            elif _checksum(data[2 : size - 1]) != data[size - 1]:
+                del data[0]
             else:
-                yield Packet(self._bytes[2], self._bytes[4], bytes(self._bytes[5 : size - 1]))
-                del self._bytes[:size]
-
-    def _to_header(self) -> bool:
-        start = self._bytes.find(HEADER)
-        if start >= 0:
-            del self._bytes[:start]
-            return True
-        del self._bytes[: len(self._bytes) - self._bytes.endswith(HEADER[:1])]
-        return False
+                yield Packet(data[2], data[4], bytes(data[5 : size - 1]))
+                del data[:size]
+        del data[: len(data) - data.endswith(HEADER[:1])]

@@ -9,8 +9,7 @@ import pytest
 
 from tests.pumps import pump
 from viscodesign.pump.ax.servo_pump import COMPLIANCE_SLOPE, axis_limits, speed_register
-from viscodesign.pump.play.path import TargetPath
-from viscodesign.pump.play.setpoints import LARGEST_LEAD, SetPoints
+from viscodesign.pump.play.path import LARGEST_LEAD, SetPoints, TargetPath
 from viscodesign.pump.profile import Profile
 
 PERIOD = 1 / 30
