@@ -1,1 +1,1 @@
-"""Bytes on a serial line: packets, transactions, ports."""
+"""Serial lines and ports, clocks, and the log of bytes."""
