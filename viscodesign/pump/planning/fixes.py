@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from viscodesign.pump.planning.result import PumpVerdict, SuggestedChange
 from viscodesign.pump.planning.scene_variants import jumps, scaled_fields
 from viscodesign.pump.planning.trials import Aim, Trials, Variation, remaining
@@ -20,9 +22,8 @@ class SearchNumbers:
     """How long and how finely a value is sought."""
 
     halvings: int = 40
-    retries: int = 10
-    first_step: float = 0.97  # factor of a value that failed; each next time by twice as much
-    refinements: int = 5  # halvings between one that failed and one that held
+    model_halvings: int = 9  # where each takes a run of the model
+    reach: float = 4.0  # factor by which an estimate may be off
     digits: int = 3
 
 
@@ -84,12 +85,12 @@ def combined_fix(trials: Trials, verdicts: tuple[PumpVerdict, ...]) -> tuple[Sug
     pressures, and of equals what changes least.
     """
     faults = [v for v in verdicts if v.severity == "infeasible"]
-    options: list[tuple[SuggestedChange, ...]] = [(c,) for v in faults for c in v.changes]
-    if faults and not any(not one[0].leaves and _kept_pressure(one) == 1.0 for one in options):
-        for names in (CURED_BY_PRESSURE, (*CURED_BY_PRESSURE, "cap")):
-            options.append(_stepwise(trials, names))
-    whole = [option for option in options if option and not option[-1].leaves]
-    return max(whole, key=lambda option: (_kept_pressure(option), -len(option)), default=())
+    options: list[tuple[SuggestedChange, ...]]
+    options = [(change,) for v in faults for change in v.changes if not change.leaves]
+    if faults and not any(_kept_pressure(option) == 1.0 for option in options):
+        stepwise = [_stepwise(trials, (*CURED_BY_PRESSURE, *more)) for more in ((), ("cap",))]
+        options += [option for option in stepwise if option and not option[-1].leaves]
+    return max(options, key=lambda option: (_kept_pressure(option), -len(option)), default=())
 
 
 def _kept_pressure(changes: tuple[SuggestedChange, ...]) -> float:
@@ -120,17 +121,10 @@ def _applied(
     scene = trials.requested.scene
     if fix is SLOWER and jumps(scene):  # which have no time of their own
         fix = RAMPS
-
-    def changed(value: float) -> Variation:
-        return {**case, fix.key: value}
-
-    if fix is HOME:
-        value = _home(trials, Aim(aim.inlet, CURED_BY_HOME), case)
-    elif (value := _guess(fix, trials, aim, case)) is not None:
-        value = confirmed(lambda v: aim.is_met(trials.demands(changed(v))), value, fix.far)
+    value = _home(trials, aim, case) if fix is HOME else _value(fix, trials, aim, case)
     if value is None:
         return None
-    tried, shown = changed(value), value / fix.si
+    tried, shown = {**case, fix.key: value}, value / fix.si
     settings: tuple[str, ...] = (f"{fix.key}={shown:.6g} {fix.unit}".strip(),)
     if not fix.key.startswith("pump."):
         settings = tuple(_input_settings(scene, tried))
@@ -139,27 +133,58 @@ def _applied(
     return SuggestedChange(fix.key, words, settings, left, factor), tried
 
 
-def _guess(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
-    """The value nearest to the present one that meets an aim by estimate."""
-    if fix is RAMPS:
-        time = trials.requested.run.time
-        return rounded(float(min(time[1:] - time[:-1])), fix.far)
-    own = getattr(trials.pump_of(case), fix.key.removeprefix("pump."), 1.0)
-
-    def passes(value: float) -> bool:
-        return aim.is_met(trials.estimated(case, {**case, fix.key: value}))
-
-    found = nearest(passes, case.get(fix.key, own), fix.far)
-    return None if found is None else rounded(found, fix.far)
-
-
 def _home(trials: Trials, aim: Aim, case: Variation) -> float | None:
-    """The home nearest to its own that meets an aim."""
-    pump = trials.pump_of(case)
+    """The home nearest to its own with which neither travel nor barrel is left."""
+    pump, aim = trials.pump_of(case), Aim(aim.inlet, CURED_BY_HOME)
     low, high = pump.travel
     homes = sorted(range(low, high + 1), key=lambda count: abs(count - pump.home))
-    passing = (h for h in homes if aim.is_met(trials.estimated(case, {**case, HOME.key: h})))
+    passing = (h for h in homes if aim.is_met(trials.demands({**case, HOME.key: h})))
     return next(passing, None)
+
+
+def _value(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
+    """The value nearest to the present one that meets an aim: estimated, then tried."""
+
+    def fits(value: float) -> bool:
+        return aim.is_met(trials.estimated(case, {**case, fix.key: value}))
+
+    def holds(value: float) -> bool:
+        return aim.is_met(trials.demands({**case, fix.key: value}))
+
+    if fix is RAMPS:
+        time = trials.requested.run.time
+        value, far = float(min(time[1:] - time[:-1])), float(time[-1])
+    else:
+        own = getattr(trials.pump_of(case), fix.key.removeprefix("pump."), 1.0)
+        guess = _nearest(fits, case.get(fix.key, own), fix.far, SEARCH.halvings)
+        if guess is None:
+            return None
+        value = _rounded(guess, fix.far)
+        far = float(np.clip(fix.far, value / SEARCH.reach, value * SEARCH.reach))
+    found = value if holds(value) else _nearest(holds, value, far, SEARCH.model_halvings)
+    return None if found is None else _rounded(found, far)
+
+
+def _nearest(
+    passes: Callable[[float], bool], near: float, far: float, halvings: int
+) -> float | None:
+    """The value nearest to ``near`` that passes, between the two; None where ``far`` does not."""
+    if not passes(far):
+        return None
+    low, high = math.log(near), math.log(far)
+    for _ in range(halvings):
+        middle = (low + high) / 2
+        low, high = (low, middle) if passes(math.exp(middle)) else (middle, high)
+    return math.exp(high)
+
+
+def _rounded(value: float, far: float) -> float:
+    """Few digits, rounded towards ``far``; what has no more already stays."""
+    unit = 10.0 ** (math.floor(math.log10(value)) - SEARCH.digits + 1)
+    steps = value / unit
+    whole = round(steps)
+    turned = math.floor(steps) if far < value else math.ceil(steps)
+    return float(f"{(whole if abs(steps - whole) < 1e-6 else turned) * unit:.12g}")
 
 
 def _input_settings(scene: Scene, case: Variation) -> Iterator[str]:
@@ -175,46 +200,3 @@ def _input_settings(scene: Scene, case: Variation) -> Iterator[str]:
             yield f"{prefix}.{key}={value:.6g} {kind.unit}"
     if time != 1.0:
         yield f"run.duration={time * scene.run.duration:.6g} s"
-
-
-Passes = Callable[[float], bool]
-
-
-def nearest(passes: Passes, near: float, far: float) -> float | None:
-    """The value nearest to ``near`` that passes, between the two; None where ``far`` does not."""
-    if not passes(far):
-        return None
-    low, high = math.log(near), math.log(far)
-    for _ in range(SEARCH.halvings):
-        middle = (low + high) / 2
-        low, high = (low, middle) if passes(math.exp(middle)) else (middle, high)
-    return math.exp(high)
-
-
-def confirmed(holds: Passes, guess: float, far: float) -> float | None:
-    """The rounded value nearest to a guess, towards ``far``, that holds; None within few tries."""
-    step = SEARCH.first_step if far < guess else 1 / SEARCH.first_step
-    value, failed = guess, None
-    for _ in range(SEARCH.retries):
-        if holds(value):
-            return value if failed is None else _refined(holds, failed, value, far)
-        failed, value, step = value, rounded(value * step, far), step**2
-    return None
-
-
-def _refined(holds: Passes, failed: float, value: float, far: float) -> float:
-    for _ in range(SEARCH.refinements):
-        middle = rounded(math.sqrt(failed * value), far)
-        if middle in (failed, value):
-            break
-        failed, value = (failed, middle) if holds(middle) else (middle, value)
-    return value
-
-
-def rounded(value: float, far: float) -> float:
-    """Few digits, rounded towards ``far``; what has no more already stays."""
-    unit = 10.0 ** (math.floor(math.log10(value)) - SEARCH.digits + 1)
-    steps = value / unit
-    whole = round(steps)
-    turned = math.floor(steps) if far < value else math.ceil(steps)
-    return float(f"{(whole if abs(steps - whole) < 1e-6 else turned) * unit:.12g}")

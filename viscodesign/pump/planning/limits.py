@@ -1,7 +1,4 @@
-"""What a pump can do, held against what is asked of it at each pressure of its own.
-
-A limit is one function from a demand to an assessment; anything else needs only their table.
-"""
+"""What a pump can do, held against what is asked of it: one function a limit, and their table."""
 
 from __future__ import annotations
 
@@ -33,8 +30,6 @@ class LimitMargins:
 
 
 MARGINS = LimitMargins()
-EPS_COUNTS = 1e-9
-"""Keeps a share of no motion finite."""
 
 
 class Assessment(NamedTuple):
@@ -100,32 +95,34 @@ def speed(demand: PumpDemand) -> Assessment:
 
 def travel(demand: PumpDemand) -> Assessment:
     """Counts against the ends of travel."""
-    (low, high), counts, place = demand.pump.travel, demand.count, 1e3 * demand.position
-    beyond, width = np.maximum(counts - high, low - counts), high - low
-    when = int(np.argmax(beyond))
+    (low, high), place = demand.pump.travel, 1e3 * demand.position
+    volume = 1e6 * (high - low) * demand.drive.volume_per_count
     message = (
-        f"needs counts {counts.min():.1f} to {counts.max():.1f}, a plunger from "
-        f"{place.min():.3g} to {place.max():.3g} mm from home; "
-        f"travel is {low} to {high}, {1e6 * width * demand.drive.volume_per_count:.3g} mL"
+        f"needs counts {demand.count.min():.1f} to {demand.count.max():.1f}, a plunger from "
+        f"{place.min():.3g} to {place.max():.3g} mm from home; travel is {low} to {high}, "
+        f"{volume:.3g} mL"
     )
-    nearest = float(high if counts[when] > (low + high) / 2 else low)
-    ratio = 1.0 + float(beyond[when]) / width
-    return Assessment("infeasible", float(counts[when]), nearest, "counts", ratio, when, message)
+    return _within(demand.count, low, high, "counts", message)
 
 
 def barrel(demand: PumpDemand) -> Assessment:
     """Plunger against the ends of the barrel, independent of the stated travel."""
     filled, stroke = demand.drive.filled_at_home, demand.pump.syringe_stroke
-    place = demand.position
-    beyond = np.maximum(place - filled, filled - stroke - place)
-    when = int(np.argmax(beyond))
+    left = 1e3 * (filled - demand.position)
     message = (
         f"{1e3 * filled:.4g} mm of the barrel of {1e3 * stroke:.4g} mm are filled at home; needs "
-        f"{1e3 * (filled - place.max()):.4g} to {1e3 * (filled - place.min()):.4g} mm"
+        f"{left.min():.4g} to {left.max():.4g} mm"
     )
-    nearest = filled if place[when] > filled - stroke / 2 else filled - stroke
-    ratio = 1.0 + float(beyond[when]) / stroke
-    return Assessment("infeasible", float(place[when]), nearest, "m", ratio, when, message)
+    return _within(demand.position, filled - stroke, filled, "m", message)
+
+
+def _within(values: np.ndarray, low: float, high: float, unit: str, message: str) -> Assessment:
+    """Values against both ends of a range; by how much of its width they leave it."""
+    beyond = np.maximum(values - high, low - values)
+    when = int(np.argmax(beyond))
+    worst, nearest = float(values[when]), high if values[when] > (low + high) / 2 else low
+    ratio = 1.0 + float(beyond[when]) / (high - low)
+    return Assessment("infeasible", worst, float(nearest), unit, ratio, when, message)
 
 
 def suction(demand: PumpDemand) -> Assessment:
@@ -183,7 +180,7 @@ def resolution(demand: PumpDemand) -> Assessment:
         f"at least {MARGINS.fewest_counts:g} are needed, and the gear loses {play:g}"
     )
     flat = float(np.ptp(demand.pressure)) < MARGINS.flat
-    ratio = 0.0 if flat else allowed / max(swing, EPS_COUNTS)
+    ratio = 0.0 if flat else allowed / max(swing, 1e-9)
     when = int(np.argmax(demand.count))
     return Assessment("infeasible", swing, allowed, "counts", ratio, when, message)
 
