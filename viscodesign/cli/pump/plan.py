@@ -3,24 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from viscodesign.cli.options import Debug, Force, Json, NoPlots, Overrides, Quiet, RunFolder, Spec
 from viscodesign.cli.simulate import RunFailedError, folder_name
 from viscodesign.errors import PumpError
-
-if TYPE_CHECKING:
-    from viscodesign.pump.planning.result import PumpPlan
 
 EXAMPLE = """\b
 Examples:
   viscodesign pump plan leg.yaml
   viscodesign pump plan leg.yaml --set "pump.max_pressure=140 kPa abs"
   viscodesign pump plan leg.yaml --set pump.home=500 --json"""
-
-
-class InfeasiblePlanError(PumpError):
-    """The pump cannot do what is wanted; the plan is on disk, labelled."""
 
 
 def command(
@@ -59,16 +51,11 @@ def command(
         say(json_text({**plan_document(found), "files": [str(file) for file in files]}))
     elif not quiet:
         say("\n".join(plan_lines(found, folder, files)))
-    _end(found, folder)
-
-
-def _end(plan: PumpPlan, folder: Path) -> None:
-    """A plan that fails is an error, after its files are written."""
-    if plan.status != "complete":
-        raise RunFailedError(f"{plan.failure}\npartial results are in {folder}")
-    if not plan.is_feasible:
-        names = dict.fromkeys(v.name for v in plan.verdicts if v.severity == "infeasible")
-        raise InfeasiblePlanError(
-            f"{plan.name}: the pump cannot reproduce this profile: {', '.join(names)}\n"
+    if found.status != "complete":
+        raise RunFailedError(f"{found.failure}\npartial results are in {folder}")
+    if not found.is_feasible:
+        names = ", ".join(dict.fromkeys(v.name for v in found.infeasible))
+        raise PumpError(
+            f"{found.name}: the pump cannot reproduce this profile: {names}\n"
             f"the plan, labelled infeasible, is in {folder}"
         )

@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from viscodesign.pump.planning.demand import PumpDemand
-from viscodesign.pump.planning.limits import MARGINS
 from viscodesign.pump.planning.motion import (
     InletHistory,
     RequestedMotion,
@@ -24,6 +23,7 @@ from viscodesign.pump.planning.motion import (
     shares_a_network,
 )
 from viscodesign.pump.planning.scene_variants import with_inputs, with_outputs, with_pressures
+from viscodesign.pump.planning.servo_limits import MARGINS
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
@@ -74,16 +74,12 @@ def achievable_motion(
     last = run_verified(_driven(goal, demands, paths), progress)
     last = last.with_arrays(time=requested.run.time)
     found = _done(goal, inlets_of(last), demands, paths)
-    clipped = tuple(
-        f"{'' if len(found) == 1 else f'{d.inlet}: '}{words}"
-        for d, *others in zip(requested.demands(pump), demands, found, strict=True)
-        for words in _clipped(d, *others)
-    )
+    inlets = zip(requested.demands(pump), demands, found, strict=True)
+    clipped = tuple(words for inlet in inlets for words in _clipped(*inlet, alone=len(found) == 1))
     return AchievableMotion(found, last, clipped, sweeps, apart)
 
 
 def _within_bounds(requested: RequestedMotion, pump: PumpSpec) -> RequestedMotion:
-    """The requested motion, its pressures between the pump's lowest and highest."""
     demands, before = requested.demands(pump), requested.lead.time.size
     pressure = np.stack([d.pressure[before:] for d in demands], axis=1)
     kept = np.clip(pressure, *bounds(demands[0]))
@@ -157,16 +153,19 @@ def _done(
     )
 
 
-def _clipped(asked: PumpDemand, goal: PumpDemand, done: PumpDemand) -> Iterator[str]:
+def _clipped(
+    asked: PumpDemand, goal: PumpDemand, done: PumpDemand, *, alone: bool
+) -> Iterator[str]:
     """What of the requested motion is cut off, in words."""
+    name = "" if alone else f"{asked.inlet}: "
     (low, high), ends, most = bounds(asked), done.pump.travel, SWEEPS.rounding_counts
     if asked.pressure.max() > high:
-        yield f"pressures above {high / 1e3:.4g} kPa gauge"
+        yield f"{name}pressures above {high / 1e3:.4g} kPa gauge"
     if asked.pressure.min() < low:
-        yield f"pressures below {low / 1e3:.4g} kPa gauge"
+        yield f"{name}pressures below {low / 1e3:.4g} kPa gauge"
     if goal.count.max() > ends[1] + most or goal.count.min() < ends[0] - most:
-        yield f"counts outside travel, {ends[0]} to {ends[1]}"
+        yield f"{name}counts outside travel, {ends[0]} to {ends[1]}"
     late = np.abs(np.clip(goal.count, *ends) - done.count)
     if late.max() > most:
         when = float(done.time[int(np.argmax(late))])
-        yield f"speed: up to {late.max():.3g} counts behind, at {when:.4g} s"
+        yield f"{name}speed: up to {late.max():.3g} counts behind, at {when:.4g} s"

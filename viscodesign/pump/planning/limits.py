@@ -3,94 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
+from viscodesign.pump.planning import servo_limits as servo
 from viscodesign.pump.planning.demand import PumpDemand
-from viscodesign.pump.planning.result import PumpVerdict, Severity
-from viscodesign.pump.planning.scene_variants import jumps
-from viscodesign.pump.servo_motor import SPEED_UNIT, STEADY_SHARE
-
-
-@dataclass(frozen=True)
-class LimitMargins:
-    """Where limits are drawn that no data sheet draws."""
-
-    stall_share: float = 0.8  # of the stall torque: near it a servo creeps, heats, switches off
-    sensor_floor: float = 20e3  # the Phidgets 1140 reads no lower [Pa abs]
-    sensor_accuracy: float = 6e3  # swing that its 1.5 % of full scale, 5.7 kPa, would hide [Pa]
-    sensor_step: float = 1.61e3  # its reading at 8 bit, as the firmware for ROS takes it [Pa]
-    fewest_counts: float = 5.0  # smallest motion, beside what the gear loses
-    fine_steps: float = 20.0  # counts per swing of pressure, below which it is coarse
-    short_life: float = 360.0  # battery life that is worth a word [s]
-    coarse_speed: float = 5.0  # speed register below which even the fastest move goes in steps
-    flat: float = 1.0  # swing of pressure below which nothing is asked [Pa]
-
-
-MARGINS = LimitMargins()
-
-
-class Assessment(NamedTuple):
-    """What a limit says of a demand."""
-
-    severity: Severity  # where the ratio is above 1
-    wanted: float  # at the worst time, in the unit
-    allowed: float
-    unit: str
-    ratio: float  # how much of what is allowed is asked
-    when: int  # index of the worst time
-    message: str
-
-
-def stall(demand: PumpDemand) -> Assessment:
-    """Torque against the servo's stall at the supply voltage."""
-    drive, (torque, when) = demand.drive, _worst_torque(demand)
-    allowed = MARGINS.stall_share * drive.stall_torque
-    message = (
-        f"{demand.pressure[when] / 1e3:.4g} kPa gauge takes {torque:.3g} N m, "
-        f"{100 * torque / drive.stall_torque:.0f} % of the stall torque at "
-        f"{demand.pump.supply_voltage:g} V (stall at {drive.stall_pressure / 1e3:.4g} kPa gauge); "
-        f"at most {100 * MARGINS.stall_share:.0f} % is allowed"
-    )
-    return Assessment("infeasible", torque, allowed, "N m", torque / allowed, when, message)
-
-
-def one_fifth(demand: PumpDemand) -> Assessment:
-    """Torque against the maker's advice."""
-    allowed = STEADY_SHARE * demand.drive.stall_torque
-    torque, when = _worst_torque(demand)
-    message = (
-        f"{torque:.3g} N m; the maker promises steady motion up to a fifth of the stall torque, "
-        f"{allowed:.3g} N m or {STEADY_SHARE * demand.drive.stall_pressure / 1e3:.3g} kPa gauge"
-    )
-    return Assessment("advice", torque, allowed, "N m", torque / allowed, when, message)
-
-
-def _worst_torque(demand: PumpDemand) -> tuple[float, int]:
-    """The largest torque in size, moving or holding, and the index of its time."""
-    size = np.abs(demand.end_torques)
-    when = int(np.argmax(np.max(size, axis=0)))
-    end = int(np.argmax(size[:, when]))
-    return float(size[end, when]), when + end
-
-
-def speed(demand: PumpDemand) -> Assessment:
-    """Speed of the plunger against what the torque at its own pressure leaves."""
-    when = int(np.argmax(demand.speed_share))
-    ratio, wanted = float(demand.speed_share[when]), abs(float(demand.velocity[when]))
-    allowed = float(demand.speed_left[when])
-    message = (
-        f"the plunger has to move at {1e3 * wanted:.3g} mm/s "
-        f"({1e6 * demand.drive.area * wanted:.3g} mL/s), where "
-        f"{demand.pressure[when] / 1e3:.3g} kPa gauge leaves the servo {1e3 * allowed:.3g} mm/s"
-    )
-    begin, end = demand.time[when : when + 2] - demand.lead_s
-    if ratio > 1.0 and any(begin - 1e-9 <= t <= end + 1e-9 for t in jumps(demand.scene)):
-        lasting = 1e3 * float(end - begin)
-        message += f"; the wanted pressure jumps there, here taken to last {lasting:.3g} ms"
-    return Assessment("infeasible", wanted, allowed, "m/s", ratio, when, message)
+from viscodesign.pump.planning.result import PumpVerdict
+from viscodesign.pump.planning.servo_limits import MARGINS, Assessment
 
 
 def travel(demand: PumpDemand) -> Assessment:
@@ -152,25 +71,6 @@ def cap(demand: PumpDemand) -> Assessment:
     return Assessment("infeasible", highest, allowed, "Pa gauge", ratio, when, message)
 
 
-def cap_torque(demand: PumpDemand) -> Assessment:
-    """The software's cap itself against the servo's stall: whether it ever acts."""
-    pressure, stalls = demand.pump.max_pressure, demand.drive.stall_pressure
-    allowed = MARGINS.stall_share * stalls
-    message = (
-        f"the cap of {pressure / 1e3:.4g} kPa gauge takes {100 * pressure / stalls:.0f} % of the "
-        f"stall torque at {demand.pump.supply_voltage:g} V"
-    )
-    if pressure > stalls:
-        message += f": the servo stalls before, at {stalls / 1e3:.4g} kPa gauge"
-    gauge = pressure - demand.scene.ambient_pressure
-    if pressure > allowed and gauge > 0.0:
-        message += (
-            f"; {pressure / 1e3:.4g} kPa abs would be {gauge / 1e3:.4g} kPa gauge, "
-            f"{100 * gauge / stalls:.0f} %"
-        )
-    return Assessment("advice", pressure, allowed, "Pa gauge", pressure / allowed, 0, message)
-
-
 def resolution(demand: PumpDemand) -> Assessment:
     """Counts of the motion against the servo's own steps and the gear's play."""
     swing, play = float(np.ptp(demand.count)), demand.pump.gear_play
@@ -210,53 +110,12 @@ def sensor(demand: PumpDemand) -> Assessment:
     )
 
 
-def speed_register(demand: PumpDemand) -> Assessment:
-    """Fastest move against the unit of the speed register."""
-    drive, unit = demand.drive, SPEED_UNIT * demand.drive.radius
-    when = int(np.argmax(np.abs(demand.velocity)))
-    fastest = abs(float(demand.velocity[when]))
-    message = (
-        f"the fastest move, {1e3 * fastest:.3g} mm/s, is {drive.speed_register(fastest)} in the "
-        f"speed register, whose unit is {1e3 * unit:.3g} mm/s ({1e6 * unit * drive.area:.3g} mL/s)"
-    )
-    allowed = MARGINS.coarse_speed * unit
-    ratio = allowed / fastest if np.any(demand.direction) else 0.0
-    return Assessment("advice", fastest, allowed, "m/s", ratio, when, message)
-
-
-def battery(demand: PumpDemand) -> Assessment:
-    """Mean current against the battery, for this pump alone."""
-    current, mean = demand.drive.current(demand.torque), demand.mean_current
-    life, duration = demand.drive.battery_life(mean), float(np.ptp(demand.time))
-    lasts = "without limit" if np.isinf(life) else f"{life / 60:.3g} min"
-    message = (
-        f"{1e3 * mean:.3g} mA on average, {float(np.max(current)):.3g} A at most; the battery of "
-        f"{demand.pump.battery_capacity / 3.6:.3g} mAh lasts {lasts} for this pump alone, "
-        "electronics not counted"
-    )
-    shortest, when = max(MARGINS.short_life, duration), int(np.argmax(current))
-    severity: Severity = "infeasible" if life < duration else "advice"
-    return Assessment(severity, life, shortest, "s", shortest / life, when, message)
-
-
-def voltage(demand: PumpDemand) -> Assessment:
-    """The supply against what the servo is made for."""
-    servo, given = demand.drive.servo, demand.pump.supply_voltage
-    low = given < servo.lowest_voltage
-    allowed = servo.lowest_voltage if low else servo.rated_voltage
-    ratio = allowed / given if low else given / allowed
-    message = (
-        f"{given:g} V; the {servo.title} is made for {servo.lowest_voltage:g} to "
-        f"{servo.rated_voltage:g} V"
-    )
-    return Assessment("infeasible", given, allowed, "V", ratio, 0, message)
-
-
 LIMITS: dict[str, Callable[[PumpDemand], Assessment]] = {
     limit.__name__: limit
     for limit in (
-        stall, one_fifth, speed, travel, barrel, suction, cap, cap_torque, resolution,
-        pressure_step, sensor, speed_register, battery, voltage,
+        servo.stall, servo.one_fifth, servo.speed, travel, barrel, suction, cap,
+        servo.cap_torque, resolution, pressure_step, sensor, servo.speed_register,
+        servo.battery, servo.voltage,
     )
 }  # fmt: skip
 

@@ -10,6 +10,7 @@ import numpy as np
 from viscodesign._version import __version__
 from viscodesign.effects.base import Trait
 from viscodesign.effects.catalogue import names_with
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import gas
 from viscodesign.pump.planning.achievable import SWEEPS, AchievableMotion, achievable_motion
 from viscodesign.pump.planning.barrel import feed_line_at
@@ -139,18 +140,13 @@ def _numbers(demand: PumpDemand) -> dict[str, float]:
 
 def _network_compliance(demand: PumpDemand) -> float:
     """Of all bellows that an inlet feeds, wall and gas, by the linear law [m3/Pa]."""
-    scene = demand.scene
+    scene, bellow = demand.scene, SceneQuantities(demand.scene).bellow
     part = next(c for c in scene.graph.components() if demand.inlet in c.inlets)
-    one = scene.bellows.length * scene.bellows.area_per_pressure
+    one = bellow.compliance
     if not _gas_effects_off(scene):
         absolute = scene.ambient_pressure + scene.gauge_pressure
-        one += gas.gas_compliance(_rest_volume(scene), absolute, scene.fluid.polytropic_exponent)
+        one += gas.gas_compliance(bellow.rest_volume, absolute, scene.fluid.polytropic_exponent)
     return len(part.bellows) * one / len(part.inlets)
-
-
-def _rest_volume(scene: Scene) -> float:
-    """Of one bellow [m3]."""
-    return scene.bellows.height * scene.bellows.width * scene.bellows.length
 
 
 def _gas_effects_off(scene: Scene) -> list[str]:
@@ -166,12 +162,12 @@ def _notices(
     ambient = scene.ambient_pressure
     if scene.fluid.is_gas and (off := _gas_effects_off(scene)):
         swing = max(float(np.ptp(d.pressure)) for d in demands)
-        missing = len(scene.graph.bellows) * _rest_volume(scene) * swing / ambient
+        rest = len(scene.graph.bellows) * SceneQuantities(scene).bellow.rest_volume
         yield Notice(
             "gas_not_counted",
             f"effects.{off[0]} is off, so the gas in the bellows counts as incompressible: up to "
-            f"{1e6 * missing:.3g} mL that the plunger would have to move for its compression are "
-            "left out",
+            f"{1e6 * rest * swing / ambient:.3g} mL that the plunger would have to move for its "
+            "compression are left out",
         )
     highest = max(float(d.pressure.max()) for d in demands)
     if highest > ambient:

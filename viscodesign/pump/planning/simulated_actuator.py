@@ -27,14 +27,10 @@ from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, equilibrium
 from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
 
-TOLERANCE = 1e-3
-"""Of the integrator: about half a percent of the length at the tip."""
-LONGEST = 0.05
-"""A longer tick is cut into such [s]."""
-ANY_LENGTH = "rosenbrock"
-"""The solver that takes intervals of any length without being made anew."""
-GRID = 0.01
-"""Length of the intervals of any other; what is left over waits for the next tick [s]."""
+TOLERANCE = 1e-3  # of the integrator: about half a percent of the length at the tip
+LONGEST = 0.05  # a longer tick is cut into such [s]
+ANY_LENGTH = "rosenbrock"  # the solver that takes intervals of any length without being made anew
+GRID = 0.01  # intervals of any other; what is left over waits for the next tick [s]
 
 
 class ActuatorPlant(Plant):
@@ -110,16 +106,13 @@ class ActuatorPlant(Plant):
         return Schedule(np.array([0.0, seconds]), pieces, np.array([0, 1]), piece)
 
     def _read(self, schedule: Schedule, position: np.ndarray) -> None:
-        """Pressures and tip of the state that was reached."""
         self._position = position
         problem = replace(self._problem, schedule=schedule)
         values = evaluate_along(problem, self._here.states[:, None], self._here.algebraics[:, None])
-        self.pressure: np.ndarray = values["inlet_pressure"][0].copy()
-        """(P,) gauge [Pa]."""
+        self.pressure: np.ndarray = values["inlet_pressure"][0].copy()  # (P,) gauge [Pa]
         outputs = Outputs(problem, 0, 0, 1, np.zeros(1), values)
         shape, angle = outputs.shapes(np.zeros(1, dtype=int))
-        self.tip: np.ndarray = np.append(shape[0, -1], angle)
-        """x [m], z [m], angle [rad]."""
+        self.tip: np.ndarray = np.append(shape[0, -1], angle)  # x [m], z [m], angle [rad]
 
 
 def _problem(scene: Scene, drive: Drive) -> Problem:
