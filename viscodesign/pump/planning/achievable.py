@@ -1,9 +1,7 @@
 """What the actuator does with what its pumps can really deliver.
 
-The wanted pressures are kept between the deepest suction and the highest pressure that a
-pump may make; the plungers follow the motion that this asks for, in whole counts, inside
-their travel, no faster than the torque of the moment allows; that motion drives the coupled
-model, whose pressures say anew how fast they may be, until both agree.
+Pressures are clipped to the pump's; the plungers follow in whole counts, within travel and speed;
+that motion drives the coupled model, whose pressures limit the speed anew, until both agree.
 """
 
 from __future__ import annotations
@@ -98,10 +96,7 @@ def bounds(demand: PumpDemand) -> tuple[float, float]:
 
 
 def _path(demand: PumpDemand, pressure: np.ndarray) -> np.ndarray:
-    """A plunger's positions (T,) after its goal, as far as servo and travel let it [m].
-
-    It starts at home, or where the run starts when nothing leads in.
-    """
+    """A plunger's positions (T,) after its goal, as far as servo and travel let it [m]."""
     drive = demand.drive
     counts = np.clip(np.round(demand.count), *demand.pump.travel)
     goals = np.array([drive.position(count) for count in counts])
@@ -121,11 +116,8 @@ def _path(demand: PumpDemand, pressure: np.ndarray) -> np.ndarray:
 def _driven(
     goal: RequestedMotion, demands: Sequence[PumpDemand], paths: Sequence[np.ndarray]
 ) -> Scene:
-    """The scene driven by plungers; its outputs are the run's own.
-
-    From the run's start on, or, where inlets share a network, whose first flows are known from
-    the lead-in alone, from the start of that.
-    """
+    """The scene driven by plungers; its outputs are the run's own."""
+    # Where inlets share a network its first flows are known from the lead-in alone.
     before = 0 if shares_a_network(goal.scene) else goal.lead.time.size
     time = demands[0].time[before:] - demands[0].time[before]
     inputs = {

@@ -21,7 +21,7 @@ KEPT_FREE = 1e-6
 
 @dataclass(frozen=True)
 class FeedLine:
-    """What the tubes hold at an inlet; a model with a given inlet pressure does not need it."""
+    """What the tubes hold at an inlet."""
 
     volume: float = 0.0  # [m3]
     compliance: float = 0.0  # [m3/Pa]

@@ -80,9 +80,7 @@ def fixes_for(trials: Trials, verdict: PumpVerdict) -> tuple[SuggestedChange, ..
 def combined_fix(trials: Trials, verdicts: tuple[PumpVerdict, ...]) -> tuple[SuggestedChange, ...]:
     """Few changes, one upon the other, after which nothing is infeasible; else none.
 
-    Either one change that does it alone, or the pressures lowered as far as all limits ask
-    that have no other cure, and the drive changed for the rest: what leaves most of the
-    pressures, and of equals what changes least.
+    What leaves most of the pressures, and of equals what changes least.
     """
     faults = [v for v in verdicts if v.severity == "infeasible"]
     options: list[tuple[SuggestedChange, ...]]

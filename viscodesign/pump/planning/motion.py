@@ -74,20 +74,18 @@ class RequestedMotion:
         lead, run = self.lead, self.run
         pressure, given = run.pressure, run.given
         if self.scene.run.start == "rest":  # with the plunger at home
-            pressure = np.concatenate(
-                [np.full_like(pressure[:1], self.scene.gauge_pressure), pressure[1:]]
-            )
-            given = np.concatenate([0.0 * given[:1], given[1:]])
+            moved = (run.time > 0.0)[:, None]
+            pressure = np.where(moved, pressure, self.scene.gauge_pressure)
+            given = np.where(moved, given, 0.0)
         if len(lead.time) and shares_a_network(self.scene):
             # How the first filling came in is known from the lead-in alone.
             given = given - given[0] + lead.given[-1]
         time = np.concatenate([lead.time, self.lead_s + run.time])
-        columns = (
-            np.concatenate(pair).T for pair in ((lead.pressure, pressure), (lead.given, given))
-        )
+        pressure = np.concatenate([lead.pressure, pressure])
+        given = np.concatenate([lead.given, given])
         return tuple(
             PumpDemand(self.scene, pump, name, self.lines[name], time, self.lead_s, *own)
-            for name, *own in zip(self.scene.inputs, *columns, strict=True)
+            for name, *own in zip(self.scene.inputs, pressure.T, given.T, strict=True)
         )
 
     def without_lead_in(self, scene: Scene, run: InletHistory) -> RequestedMotion:
@@ -95,17 +93,13 @@ class RequestedMotion:
         return replace(self, scene=scene, run=run, lead=run.until(0), ramp_s=0.0, rest_s=0.0)
 
     def with_lead_in(self, pump: PumpSpec) -> RequestedMotion:
-        """The same behind a ramp of pressure from home, and a rest in which the network settles.
-
-        Nothing where the start is the baseline, or where a run starts at rest.
-        """
+        """The same behind a ramp from home and a rest; nothing where it starts there."""
         above = np.max(np.abs(self.run.pressure[0] - self.scene.gauge_pressure))
         if self.scene.run.start == "rest" or above < LEAD_IN.no_pressure:
             return self
         settling = SceneQuantities(self.scene).scales.t_net
-        ramp = max(
-            LEAD_IN.shortest_ramp, LEAD_IN.ramp_settling_times * settling, self._unhurried(pump)
-        )
+        settled = LEAD_IN.ramp_settling_times * settling
+        ramp = max(LEAD_IN.shortest_ramp, settled, self._unhurried(pump))
         rest = max(LEAD_IN.shortest_rest, LEAD_IN.rest_settling_times * settling)
         return self.led_in(math.ceil(10 * ramp) / 10, math.ceil(10 * rest) / 10)
 

@@ -40,47 +40,39 @@ GRID = PlanGrid()
 
 def pump_of(scene: Scene) -> PumpSpec:
     """The scene's pump; raises `SpecError` with what to correct where nothing can be planned."""
-    pump = scene.pump
+    pump, inlets, fluid = scene.pump, list(scene.inputs), scene.fluid
+    driven = [name for name, source in scene.inputs.items() if not source.gives_pressure]
     if pump is None:
-        raise _fault(
-            scene,
-            "pump",
+        key = "pump"
+        message = (
             "missing; the pump commands need the drive's data. Add for example\n"
             "  pump:\n    syringe_diameter: 34.9 mm\n    servo: ax18a\n"
-            "or try one: --set 'pump={syringe_diameter: 34.9 mm}'",
+            "or try one: --set 'pump={syringe_diameter: 34.9 mm}'"
         )
-    for name, source in scene.inputs.items():
-        if not source.gives_pressure:
-            message = f"the inlet '{name}' is driven by a plunger already; a plan starts from the "
-            raise _fault(scene, "input", message + "pressures that are wanted")
-    if isinstance(pump.servo_id, int) and len(scene.inputs) > 1:
-        ids = ", ".join(f"{name}: {k}" for k, name in enumerate(scene.inputs, start=1))
+    elif driven:
+        key = "input"
+        message = f"the inlet '{driven[0]}' is driven by a plunger already; a plan starts from the "
+        message += "pressures that are wanted"
+    elif isinstance(pump.servo_id, int) and len(inlets) > 1:
+        key, count = "pump.servo_id", len(inlets)
+        ids = ", ".join(f"{name}: {k}" for k, name in enumerate(inlets, start=1))
+        message = f"{pump.servo_id} is one servo for {count} inlets; give each its own, like "
+        message += f"{{{ids}}}"
+    elif not fluid.is_gas and fluid.bulk_modulus is None:
+        key = "fluid"
+        message = f"the pump pushes {fluid.name}, whose stiffness is not known; state viscosity, "
+        message += "density and gas_constant or bulk_modulus under fluid"
+    elif (drive := Drive(pump)).filled_at_home <= 0.0:
+        key = "pump.syringe_stroke"
         message = (
-            f"{pump.servo_id} is one servo for {len(scene.inputs)} inlets; give each its own, "
-        )
-        raise _fault(scene, "pump.servo_id", f"{message}like {{{ids}}}")
-    if not scene.fluid.is_gas and scene.fluid.bulk_modulus is None:
-        raise _fault(
-            scene,
-            "fluid",
-            f"the pump pushes {scene.fluid.name}, whose stiffness is not known; state viscosity, "
-            "density and gas_constant or bulk_modulus under fluid",
-        )
-    drive = Drive(pump)
-    if drive.filled_at_home <= 0.0:
-        raise _fault(
-            scene,
-            "pump.syringe_stroke",
             f"{1e3 * pump.syringe_stroke:.4g} mm is not enough: from home ({pump.home} counts) the "
             f"travel {list(pump.travel)} draws the plunger out by {-1e3 * drive.range[0]:.4g} mm. "
             "Use a longer syringe, a smaller pinion_diameter or a shorter travel, or state "
-            "filled_length",
+            "filled_length"
         )
-    return pump
-
-
-def _fault(scene: Scene, key: str, message: str) -> SpecError:
-    return SpecError([Fault(message, key, scene.source.file)])
+    else:
+        return pump
+    raise SpecError([Fault(message, key, scene.source.file)])
 
 
 def planned(scene: Scene) -> Scene:

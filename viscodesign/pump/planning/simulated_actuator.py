@@ -1,9 +1,4 @@
-"""The actuator behind a simulated pump, in real time: one tick of its plungers after the other.
-
-The whole coupled model, with the effects that the scene calls for, the rod's inertia too
-where it takes part. A tick is one interval between two corners of the inputs: its plungers
-move evenly from where they are to where they shall be.
-"""
+"""The actuator behind a simulated pump, in real time: the coupled model, tick by tick."""
 
 from __future__ import annotations
 
@@ -36,9 +31,8 @@ GRID = 0.01  # intervals of any other; what is left over waits for the next tick
 class ActuatorPlant(Plant):
     """Gauge pressures at the plungers, and the tip, of a scene's actuator.
 
-    It is filled at the baseline with all plungers at home, and begins in equilibrium, there or
-    where a first `advance` by no time puts them. `advance` raises `SolveError` where the model
-    cannot be followed.
+    Filled at the baseline with all plungers at home, it begins in equilibrium, there or where a
+    first `advance` by no time puts them. `advance` raises `SolveError` where the model fails.
     """
 
     def __init__(self, scene: Scene) -> None:
