@@ -62,3 +62,13 @@ class Rosenbrock(Viscodesign):
 
     name = "viscodesign (Rodas5P)"
     solver = "rosenbrock"
+
+
+class Modes(Viscodesign):
+    """The network's modes, which no tolerance changes."""
+
+    name = "viscodesign (modes)"
+    solver = "modes"
+
+    def ladder(self) -> list[dict[str, Any]]:
+        return [{"tolerance": TOLERANCES[-1]}]

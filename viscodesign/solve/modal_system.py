@@ -291,30 +291,33 @@ def _linear_parts(e: Formulas) -> ca.Function:
 
     A function of no results where the equations are not linear.
     """
-    unknowns, clock, rows, slopes = _symbols(e)
-    matrix = jacobian(rows, unknowns)
+    none = ca.Function("linear", [e.parameters], [])
+    unknowns, clock, rows = _symbols(e)
+    if any(ca.which_depends(rows, unknowns, 2, True)):
+        return none
+    matrix, slopes = jacobian(rows, unknowns), jacobian(e.quadrature, unknowns)
     hessians = [ca.jacobian(slopes[k, :].T, unknowns) for k in range(slopes.size1())]
     _, idle = _live_and_idle(matrix.sparsity(), e.states.count)
     varies = ca.depends_on(ca.veccat(matrix, *hessians), ca.vertcat(unknowns, clock))
     if varies or (len(idle) and ca.depends_on(e.quadrature, unknowns[idle.tolist()])):
-        return ca.Function("linear", [e.parameters], [])
+        return none
     fixed = [_parted(values, clock)[0] for values in _at_zero(unknowns, rows, slopes)]
     return ca.Function("linear", [e.parameters], [matrix, *fixed, *hessians])
 
 
 def _inputs(e: Formulas) -> ca.Function:
     """(time, pieces, numbers) -> what depends on time of rows, quadratic rates and their slopes."""
-    unknowns, clock, rows, slopes = _symbols(e)
+    unknowns, clock, rows = _symbols(e)
+    slopes = jacobian(e.quadrature, unknowns)
     rows, rates, slopes = _at_zero(unknowns, rows, e.quadrature, slopes)
     results = [_parted(rows, clock)[1], ca.densify(rates), _parted(slopes, clock)[1]]
     return ca.Function("inputs", [e.time, e.pieces, e.parameters], ca.cse(results))
 
 
-def _symbols(e: Formulas) -> tuple[SX, SX, SX, SX]:
-    """Unknowns, time with all coefficients of inputs, rows, and slopes of the quadratic rates."""
+def _symbols(e: Formulas) -> tuple[SX, SX, SX]:
+    """Unknowns, time with all coefficients of inputs, and rows."""
     unknowns = ca.vertcat(e.states.vector, e.algebraics.vector)
-    slopes = jacobian(e.quadrature, unknowns)
-    return unknowns, ca.vertcat(e.time, e.pieces), ca.vertcat(e.ode, e.alg), slopes
+    return unknowns, ca.vertcat(e.time, e.pieces), ca.vertcat(e.ode, e.alg)
 
 
 def _at_zero(unknowns: SX, *expressions: SX) -> list[SX]:
