@@ -25,12 +25,10 @@ from viscodesign.solve.time_only_integrals import RULE, graded_parts
 class CellRules:
     """How time is cut into cells."""
 
-    points: tuple[int, ...] = (6, 8, 10, 12)
+    points: tuple[int, ...] = (6, 12)
     """Gauss-Legendre points of a cell: so many that few cells are to be cut."""
     max_loose: float = 0.1
     """How few."""
-    trial_cells: int = 24
-    """Cells on which that is tried."""
     decays_per_cell: float = 8.0
     """Of the fastest mode, in the first cell after a corner: only there it moves."""
     input_rel_tol: float = 3e-13
@@ -129,6 +127,8 @@ class _Cells:
 
 def _in_order(parts: Sequence[_Cells]) -> _Cells:
     """All cells together, ascending in time."""
+    if len(parts) == 1 and np.all(np.diff(parts[0].begins) > 0.0):
+        return parts[0]
     joined = _Cells(
         np.concatenate([part.begins for part in parts]),
         np.concatenate([part.lengths for part in parts]),
@@ -147,9 +147,10 @@ class _Stretch:
         self.points = cell_points(RULES.points[0])
         self.edges = problem.schedule.edges[first : stop + 1]
         self.pieces = problem.schedule.pieces[first:stop]
-        self.corners = np.isin(
-            np.arange(first, stop), np.append(problem.schedule.pieces.changes, 0)
-        )
+        changes = problem.schedule.pieces.changes - first
+        self.corners = np.zeros(stop - first, dtype=bool)
+        self.corners[changes[(changes >= 0) & (changes < stop - first)]] = True
+        self.corners[0] |= first == 0
         self.input_count = len(self.system.input_rows)
 
     def solve(self, here: Start, work: Work) -> Columns:
@@ -174,10 +175,13 @@ class _Stretch:
     def _cells(self) -> _Cells:
         """Cells that resolve the inputs."""
         begins, ends, owner = graded_parts(self.edges, self._spacing())
-        self.points = cell_points(self._enough_points(begins, ends, owner))
-        cells = self._evaluated(begins, ends - begins, owner)
-        size = np.max(np.abs(cells.values[: self.input_count]), axis=(1, 2), initial=0.0)
-        error = self._input_errors(cells, size)
+        for count in RULES.points:
+            self.points = cell_points(count)
+            cells = self._evaluated(begins, ends - begins, owner)
+            size = np.max(np.abs(cells.values[: self.input_count]), axis=(1, 2), initial=0.0)
+            error = self._input_errors(cells, size)
+            if np.count_nonzero(error > RULES.input_rel_tol) <= RULES.max_loose * len(error):
+                break
         fine: list[_Cells] = []
         before = np.full(len(error), np.inf)
         for _ in range(RULES.max_cuts):
@@ -191,21 +195,6 @@ class _Stretch:
             cells = self._halved(cells[loose])
             error = self._input_errors(cells, size)
         return _in_order([*fine, cells])
-
-    def _enough_points(self, begins: np.ndarray, ends: np.ndarray, owner: np.ndarray) -> int:
-        """Points with which few cells have to be cut, by what the most points find in some."""
-        most = RULES.points[-1]
-        self.points = cell_points(most)
-        some = np.unique(np.linspace(0, len(begins) - 1, RULES.trial_cells).astype(int))
-        cells = self._evaluated(begins[some], (ends - begins)[some], owner[some])
-        sizes = np.abs(cells.values[: self.input_count] @ self.points.coefficients.T)
-        sizes = sizes / np.maximum(sizes.max(axis=(1, 2), keepdims=True, initial=0.0), TINY)
-        for count in RULES.points[:-1]:
-            missed = sizes[..., count : count + 2].max(axis=(0, 2), initial=0.0)
-            error = self._response(missed, cells.lengths, count)
-            if np.mean(error > RULES.input_rel_tol) <= RULES.max_loose:
-                return count
-        return most
 
     def _spacing(self) -> np.ndarray:
         """Length of the first and the last cell of each interval."""
@@ -297,26 +286,24 @@ class _Stretch:
         self, cells: _Cells, signals: np.ndarray, rows: np.ndarray, inside: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Integrals of the quadratic rates over every cell (nq, c), and which are inaccurate."""
-        system, shape = self.system, cells.values.shape[1:]
-        found = np.zeros((len(system.quadratics), shape[0]))
-        loose = np.zeros(shape[0], dtype=bool)
-        offsets = system.offsets(rows)
-        every = cells.values[self.input_count + len(found) :].reshape(-1, signals[0].size)
+        quadratics, shape = self.system.quadratics, cells.values.shape[1:]
+        offsets = self.system.offsets(rows)
+        known = cells.values[self.input_count :].reshape(-1, shape[0] * shape[1])
+        starts, slopes = known[: len(quadratics)], known[len(quadratics) :]
         signals, inside = (v.reshape(len(v), -1) for v in (signals, inside))
-        for k, quadratic in enumerate(system.quadratics):
-            start = cells.values[self.input_count + k]
-            slopes = every[quadratic.slope_rows]
-            values = quadratic.values(start.ravel(), slopes, offsets, signals, inside)
-            values = values.reshape(shape)
-            found[k] = cells.lengths * (values @ self.points.share)
-            size = np.max(np.abs(values), axis=1)
-            noise = RULES.noise * np.max(np.abs(start), axis=1)
-            tail = np.maximum(self._next_coefficients(values) - noise, 0.0)
-            # Gauss' rule is exact to twice the order of the last coefficient.
-            error = cells.lengths * tail * tail / np.maximum(np.maximum(size, tail), TINY)
-            scale = max(float(np.sum(cells.lengths * size)), RULES.least_integral)
-            loose |= error > RULES.integral_rel_tol * scale
-        return found, loose
+        values = np.empty_like(starts)
+        for k, quadratic in enumerate(quadratics):
+            own = slopes[quadratic.slope_rows]
+            values[k] = quadratic.values(starts[k], own, offsets, signals, inside)
+        values, starts = (v.reshape(-1, *shape) for v in (values, starts))
+        size = np.abs(values).max(axis=-1)
+        noise = RULES.noise * np.abs(starts).max(axis=-1)
+        tail = np.maximum(self._next_coefficients(values) - noise, 0.0)
+        # Gauss' rule is exact to twice the order of the last coefficient.
+        error = cells.lengths * tail * tail / np.maximum(np.maximum(size, tail), TINY)
+        scale = np.maximum(size @ cells.lengths, RULES.least_integral)
+        loose = np.any(error > RULES.integral_rel_tol * scale[:, None], axis=0)
+        return cells.lengths * (values @ self.points.share), loose
 
     # -- columns ----------------------------------------------------------------------------
 
@@ -369,15 +356,15 @@ def combined(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def _lengths(lengths: np.ndarray) -> Iterator[tuple[np.ndarray | slice, np.ndarray]]:
     """Cells, and their lengths: one for all that agree but for round-off, or one for each."""
+    if np.ptp(lengths) <= RULES.same_length_rel * lengths[0]:
+        yield slice(0, len(lengths)), lengths.mean(keepdims=True)
+        return
     order = np.argsort(lengths, kind="stable")
     ranked = lengths[order]
     new = np.diff(ranked) > RULES.same_length_rel * ranked[:-1]
     firsts = np.concatenate([[0], np.flatnonzero(new) + 1])
     if len(firsts) > RULES.few_lengths + len(lengths) // 8:
         yield slice(0, len(lengths)), lengths
-        return
-    if len(firsts) == 1:
-        yield slice(0, len(lengths)), lengths.mean(keepdims=True)
         return
     for begin, end in zip(firsts, [*firsts[1:], len(lengths)], strict=True):
         yield np.sort(order[begin:end]), ranked[begin:end].mean(keepdims=True)
