@@ -95,17 +95,17 @@ class Chain(RodDiscretisation):
         return before + 1, int(np.argmax(jumps[before])) * self.body.sections // turn.shape[1]
 
     def elimination_order(self) -> tuple[np.ndarray, np.ndarray]:
-        """From the clamp to the tip, each position after the three curvatures that it affects.
+        """First the axial strains, then from the clamp to the tip, each position after the three
+        curvatures that it affects.
 
         No pivot is near zero then unless the stiffness is near singular.
         """
         edges = self.edges
         # A node's position turns the chords at itself and at both neighbours.
         after = np.minimum(np.arange(edges) + 2, edges - 1)
-        order = np.argsort(
-            np.concatenate([np.arange(edges), np.repeat(after, 2) + 0.5]), kind="stable"
-        )
-        return order, order < edges
+        rank = np.concatenate([np.arange(edges), np.full(edges, -1), np.repeat(after, 2) + 0.5])
+        order = np.argsort(rank, kind="stable")
+        return order, order < 2 * edges
 
     def step_geometry(self, coordinates: slice) -> StepGeometry:
         return TurningSteps(coordinates)

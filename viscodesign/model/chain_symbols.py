@@ -16,8 +16,10 @@ accurate to higher order for smoothly varying strain:
   h lambda sinc(kappa h / 2), with the edge's own total curvature kappa.
 
 The moment E I c is an unknown of its own: the system stays sparse, the number of
-operations linear in the number of edges. Without load the chain lies exactly on the
-arcs for any number of edges.
+operations linear in the number of edges. So is the axial force E A tau of every edge, with
+its elastic stretch tau: within a step of an integrator nodes move straight, which stretches
+an edge that turns, and a stiff axis would answer that with a large force. Without load the
+chain lies exactly on the arcs for any number of edges.
 """
 
 from __future__ import annotations
@@ -62,11 +64,11 @@ class ChainSymbols(RodSymbols):
         self.position = SX.sym("position", 2, self.edges)
         self.velocity = SX.sym("velocity", 2, self.edges)
         self.elastic_curvature = SX.sym("elastic_curvature", self.edges)
+        self.axial_strain = SX.sym("axial_strain", self.edges)
         self.coordinates = ca.vec(self.position)
         self.rates = ca.vec(self.velocity)
-        self.internal = self.elastic_curvature
+        self.internal = ca.vertcat(self.elastic_curvature, self.axial_strain)
         self.coordinate_size = parameters.length
-        self.internal_size = 1.0 / parameters.length
         self._length = parameters.length
         self.intrinsic_curvature = SX.sym("intrinsic_curvature", body.sections)
         self.intrinsic_stretch = SX.sym("intrinsic_stretch", body.sections)
@@ -91,6 +93,16 @@ class ChainSymbols(RodSymbols):
     @property
     def force_size(self) -> SX:
         return self.EI / self._length**2
+
+    @property
+    def internal_size(self) -> SX:
+        every = SX.ones(self.edges)
+        return ca.vertcat(every / self._length, every * self.force_size / self.EA)
+
+    @property
+    def internal_scale(self) -> SX:
+        every = SX.ones(self.edges)
+        return ca.vertcat(every * self.edges / self.EI, every / (self.h * self.force_size))
 
     def masses(self) -> list[PointMass]:
         return list(self._masses)
@@ -187,21 +199,14 @@ class ChainSymbols(RodSymbols):
         return self.h * (before / 6 + own * c + after / 6)
 
     def elastic_potential(self) -> SX:
-        # Where the compatibility below holds, its value is the stored elastic energy.
-        c = self.elastic_curvature
+        # Where it is stationary, its value is the stored elastic energy.
+        c, tau = self.elastic_curvature, self.axial_strain
         # The tip's curvature is given: its share counts in full, not by half.
         tip = self.h / 6 * self.tip_curvature * c[-1]
         product = ca.dot(c, self.compliance_product()) + tip
         bending = self.EI * (ca.dot(c, self.elastic_turns) - product / 2)
-        extension = self.EA * self.h * ca.sumsqr(self.elastic_stretch) / 2
+        extension = self.EA * self.h * ca.dot(tau, self.elastic_stretch - tau / 2)
         return bending + extension
-
-    def compatibility(self) -> SX:
-        """Measured elastic turns minus those of the elastic curvature (edges,), zero [rad]."""
-        return self.elastic_turns - self.compliance_product()
-
-    def internal_residuals(self) -> SX:
-        return self.compatibility() * self.edges
 
     def outputs(self) -> dict[str, SX]:
         return {

@@ -5,8 +5,9 @@ stretch in every section. How finitely many unknowns describe its shape is the m
 discretisation; nothing outside its files knows. A new one
 
 1. subclasses `RodSymbols`: its coordinates q as symbols, their rates, and, for a mixed method,
-   internal unknowns with as many algebraic equations; masses, strains and energies in them;
-2. states the sizes of coordinates, internal unknowns and forces, for scaling;
+   internal unknowns; masses, strains and energies in them. The elastic potential is stationary
+   in the internal unknowns, which gives as many algebraic equations;
+2. states the sizes of coordinates, internal unknowns, forces and these equations, for scaling;
 3. subclasses `RodDiscretisation`, which answers with numbers: the coordinates of the unloaded
    rod, the drawn axis and the strains of a solved motion, the order in which a stability test
    may eliminate the unknowns, the geometry of an iteration's steps, the mesh for an accuracy;
@@ -82,7 +83,6 @@ class RodSymbols(ABC):
     internal: SX
     """Unknowns of a mixed method that the shape determines (m,); empty where there are none."""
     coordinate_size: SX
-    internal_size: SX
     section_length: SX
     """Reference length of a section, as the mesh sums it up [m]."""
     intrinsic_curvature: SX
@@ -106,6 +106,16 @@ class RodSymbols(ABC):
     @abstractmethod
     def force_size(self) -> SX:
         """By which the generalised forces are divided."""
+
+    @property
+    @abstractmethod
+    def internal_size(self) -> SX:
+        """Sizes of the internal unknowns (m,)."""
+
+    @property
+    @abstractmethod
+    def internal_scale(self) -> SX:
+        """Positive factors (m,) by which the potential's slopes in them become residuals."""
 
     @abstractmethod
     def masses(self) -> list[PointMass]:
@@ -137,10 +147,6 @@ class RodSymbols(ABC):
 
         Its gradient in the coordinates is minus the internal forces.
         """
-
-    @abstractmethod
-    def internal_residuals(self) -> SX:
-        """Equations of the internal unknowns (m,), scaled, zero."""
 
     @abstractmethod
     def outputs(self) -> dict[str, SX]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from enum import Enum
 
 import casadi as ca
@@ -81,8 +82,10 @@ class RodEquations:
             return
         rod, time = self.rod, self.sizes.time
         coordinates = COORDINATES, rod.coordinates, rod.coordinate_size, TRAITS[COORDINATES]
+        # Vibrations along a stiff axis are too fast to resolve, and hardly move it.
+        internal = replace(TRAITS[INTERNAL], is_noisy=self.form in MOVING)
         for unknowns in (algebraics, statics):
-            unknowns.add(INTERNAL, rod.internal, rod.internal_size, TRAITS[INTERNAL])
+            unknowns.add(INTERNAL, rod.internal, rod.internal_size, internal)
         statics.add(*coordinates)
         if self.form is RodForm.STATIC:
             algebraics.add(*coordinates)
@@ -135,6 +138,13 @@ class RodEquations:
 
     # -- balances -------------------------------------------------------------
 
+    def _internal_residuals(self) -> SX:
+        """Equations of the internal unknowns (m,), in which the potential is stationary."""
+        rod = self.rod
+        if not rod.internal.numel():
+            return SX(0, 1)
+        return rod.internal_scale * ca.gradient(rod.elastic_potential(), rod.internal)
+
     def _scaled_forces(self) -> SX:
         return self._forces() / self.rod.force_size
 
@@ -166,7 +176,7 @@ class RodEquations:
         if self.form is RodForm.ARCS:
             return [], []
         size, time = self.rod.coordinate_size, self.sizes.time
-        alg, motion = [self.rod.internal_residuals()], [self.rod.rates / size]
+        alg, motion = [self._internal_residuals()], [self.rod.rates / size]
         if self.form is RodForm.STATIC:
             return [], [*alg, self._scaled_forces()]
         if self.form is RodForm.DAMPED:
@@ -184,7 +194,7 @@ class RodEquations:
             return []
         rates = self.rod.rates
         at_rest = [(rates, SX.zeros(rates.shape))]
-        return [self.rod.internal_residuals(), *substitute([self._scaled_forces()], at_rest)]
+        return [self._internal_residuals(), *substitute([self._scaled_forces()], at_rest)]
 
     def energy_size(self) -> SX:
         """Energy of bending the rod by a tenth of a radian [J]."""

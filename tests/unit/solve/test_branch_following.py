@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 
+import casadi as ca
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -51,34 +53,73 @@ def snapping(interval: float) -> tuple[str, ...]:
     )
 
 
+COLUMN = (
+    "input={kind: constant, value: 0}",
+    "loads.tip_force.z=-1 N",
+    "effects={gravity: on, others: off}",
+    "run={duration: 1 s}",
+)
+"""Perfectly straight; it buckles within the loads below."""
+LOADS = np.linspace(0.5, 15.0, 30)
+
+
+def jacobians(problem: Problem, here: Start) -> Iterator[ca.DM]:
+    """Of the straight column's constraints, from below to above its critical load."""
+    moment = OperatingPoint(here.states, 0.0, problem.schedule.pieces[0])
+    for load in LOADS:
+        straight = newton(partial(constraints, problem, moment, load=load), here.algebraics)
+        yield constraints(problem, moment, straight, load)[1]
+
+
+def reduced_stiffness(problem: Problem, matrix: np.ndarray) -> np.ndarray:
+    """In the coordinates alone, scaled (n, n)."""
+    unknowns = problem.equations.algebraics
+    inner, place = (unknowns.blocks[n].span for n in (INTERNAL, COORDINATES))
+    follow = np.linalg.solve(matrix[inner, inner], matrix[inner, place])
+    full = matrix[place, inner] @ follow - matrix[place, place]
+    return np.asarray((full + full.T) / 2)
+
+
 @pytest.mark.parametrize("most", [0, 10_000])
 def test_stability_test_agrees_with_the_smallest_eigenvalue(
     most: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Along a perfect column, from below to above its critical load."""
     monkeypatch.setattr(stability, "MAX_DENSE_UNKNOWNS", most)
-    problem, here = made(
-        "input={kind: constant, value: 0}",
-        "loads.tip_force.z=-1 N",
-        "effects={gravity: on, others: off}",
-        "run={duration: 1 s}",
-    )
-    unknowns = problem.equations.algebraics
-    bend, place = (unknowns.blocks[n].span for n in (INTERNAL, COORDINATES))
+    problem, here = made(*COLUMN)
     found = []
-    for load in np.linspace(0.5, 15.0, 30):
-        moment = OperatingPoint(here.states, 0.0, problem.schedule.pieces[0])
-        straight = newton(partial(constraints, problem, moment, load=load), here.algebraics)
-        jacobian = constraints(problem, moment, straight, load)[1]
-        matrix = np.array(jacobian.full())
-        follow = np.linalg.solve(matrix[bend, bend], matrix[bend, place])
-        full = matrix[place, bend] @ follow - matrix[place, place]
-        least = np.linalg.eigvalsh((full + full.T) / 2)[0]
+    for jacobian in jacobians(problem, here):
+        least = np.linalg.eigvalsh(reduced_stiffness(problem, jacobian.full()))[0]
         assert problem.stability is not None
         found.append(problem.stability.is_stable(np.array(jacobian.nonzeros())))
         assert found[-1] == bool(least > 0)
     assert found[0]
     assert not found[-1]
+
+
+@pytest.mark.parametrize("edges", [1, 4])
+def test_pivots_have_the_signs_of_the_eigenvalues_and_are_not_small(edges: int) -> None:
+    problem, here = made(*COLUMN, edges=edges)
+    unknowns = problem.equations.algebraics
+    rows = np.arange(unknowns.count)
+    own = np.concatenate([rows[unknowns.blocks[n].span] for n in (INTERNAL, COORDINATES)])
+    order, internal = problem.rod.elimination_order()
+    signs = np.where(internal, 1.0, -1.0)[:, None]
+    for jacobian in jacobians(problem, here):
+        matrix = jacobian.full()
+        pivots = pivots_without_exchange(signs * matrix[np.ix_(own[order], own[order])])
+        eigenvalues = np.linalg.eigvalsh(reduced_stiffness(problem, matrix))
+        assert np.all(pivots[internal] < -0.3)
+        assert np.sum(pivots[~internal] < 0) == np.sum(eigenvalues < 0)
+        assert np.min(np.abs(pivots[~internal])) >= 0.1 * np.min(np.abs(eigenvalues))
+
+
+def pivots_without_exchange(matrix: np.ndarray) -> np.ndarray:
+    """Of Gauss' elimination row by row (n,)."""
+    left = matrix.copy()
+    for k in range(len(left)):
+        left[k + 1 :] -= np.outer(left[k + 1 :, k] / left[k, k], left[k])
+    return np.diag(left)
 
 
 @pytest.mark.parametrize("interval", [0.05, 0.4])
@@ -114,7 +155,9 @@ def test_a_jump_of_the_solver_is_detected() -> None:
     mirrored = algebraics.copy()
     span = unknowns.blocks[COORDINATES].span
     mirrored[span.start : span.stop : 2, 1] *= -1
-    mirrored[unknowns.blocks[INTERNAL].span, 1] *= -1
+    internal = unknowns.blocks[INTERNAL]
+    # Curvatures, which change their sign; the axial strains after them do not.
+    mirrored[internal.start : internal.start + internal.count // 2, 1] *= -1
     kept, left = detector.first_jump(here.algebraics, 0, along, mirrored)
     assert kept == 1
     assert left is not None

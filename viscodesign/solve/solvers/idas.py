@@ -171,7 +171,7 @@ class Idas(Solver):
                 "restart with a tiny first step",
                 {"step0": LIMITS.first_step * self.problem.schedule.edges[-1]},
             ),
-            ("error control of accelerations as well", {"suppress_algebraic": False}),
+            ("error control of algebraic unknowns as well", {"suppress_algebraic": False}),
             ("maximum order 2", {"max_multistep_order": 2}),
         ):
             if self.options.items() >= change.items():
