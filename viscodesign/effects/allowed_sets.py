@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from functools import cached_property
 
 from viscodesign.effects.base import Effect
@@ -25,6 +25,11 @@ class AllowedSets:
         own = {n for n, e in self.effects.items() if e.present(quantities)}
         self.present = {n for n in own if not self._is_replaced(n, own)}
         """Names of the effects that the scene has something for."""
+
+    @property
+    def key(self) -> Hashable:
+        """All that the choice among them depends on: every key of the scene, and the effects."""
+        return self.quantities.scene.digest, tuple(map(type, self.effects.values()))
 
     def _is_replaced(self, name: str, present: set[str]) -> bool:
         other = self.effects[name].replaced_by

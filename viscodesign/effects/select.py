@@ -15,6 +15,7 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.tip_displacements import TipDisplacements
 from viscodesign.effects.verdicts import verdict
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.model.lru_cache import LruCache
 from viscodesign.results.findings import Verdict
 
 
@@ -42,9 +43,16 @@ def select_effects(quantities: SceneQuantities) -> Selection:
     """The effects to join, and a verdict for every one of the catalogue."""
     sets = AllowedSets(quantities)
     displacements = TipDisplacements(sets)
-    active = _fewest(sets, displacements)
-    verdicts = tuple(verdict(sets, displacements, name, active) for name in sets.effects)
-    return Selection(sets, displacements, active, verdicts)
+
+    def choice() -> tuple[Names, tuple[Verdict, ...]]:
+        active = _fewest(sets, displacements)
+        return active, tuple(verdict(sets, displacements, n, active) for n in sets.effects)
+
+    return Selection(sets, displacements, *_choices.get(sets.key, choice))
+
+
+_choices: LruCache[tuple[Names, tuple[Verdict, ...]]] = LruCache(64)
+"""What was chosen for the latest scenes, and why."""
 
 
 @dataclass(frozen=True)

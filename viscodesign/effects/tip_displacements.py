@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from viscodesign.effects.allowed_sets import AllowedSets, Names
 from viscodesign.estimate.motion_estimate import MotionEstimate
+from viscodesign.estimate.term import EstimateTerm
+from viscodesign.model.lru_cache import LruCache
 
 MOST_BELLOWS_ESTIMATED = 96
 """Bellows beyond which an estimate would take too long: then weights alone decide."""
+
+
+_distances: LruCache[dict[frozenset[Names], float]] = LruCache(64)
+"""Those found so far for the latest scenes."""
 
 
 class TipDisplacements:
@@ -15,8 +23,12 @@ class TipDisplacements:
     def __init__(self, sets: AllowedSets) -> None:
         self._sets = sets
         self._quantities = sets.quantities
-        self._terms = {name: effect.estimate_term() for name, effect in sets.effects.items()}
         self._estimates: dict[Names, MotionEstimate] = {}
+        self._known: dict[frozenset[Names], float] = _distances.get(sets.key, dict)
+
+    @cached_property
+    def _terms(self) -> dict[str, EstimateTerm | None]:
+        return {name: effect.estimate_term() for name, effect in self._sets.effects.items()}
 
     def between(self, one: Names, other: Names) -> float:
         """Largest distance of the two tips [m].
@@ -25,6 +37,12 @@ class TipDisplacements:
         """
         if one == other:
             return 0.0
+        pair = frozenset((one, other))
+        if pair not in self._known:
+            self._known[pair] = self._estimated(one, other)
+        return self._known[pair]
+
+    def _estimated(self, one: Names, other: Names) -> float:
         too_large = len(self._quantities.graph.bellows) > MOST_BELLOWS_ESTIMATED
         unseen = [n for n in one ^ other if too_large or self._terms[n] is None]
         guess = sum(self._by_weight(n, one | other) for n in unseen)

@@ -26,18 +26,34 @@ def first_order(
     small = np.abs(z) < NEARLY_ZERO
     safe = np.where(small, 1.0, z)
     growth = np.exp(z)
-    level = np.where(small, _series(z, 1), (growth - 1) / safe) * step
-    ramp = np.where(small, _series(z, 2), (growth - 1 - z) / (safe * safe)) * step
-    gain = level * drive[:-1] + ramp * np.diff(drive, axis=0)
-    if len(rate) <= FEW:
-        return _doubling(growth, gain, start)
-    found = np.empty((len(time), len(rate)), dtype=np.result_type(gain, start))
-    found[0] = start
-    value = found[0]
-    for k in range(len(step)):
-        value = growth[k] * value + gain[k]
-        found[k + 1] = value
-    return found
+    level, ramp = (growth - 1) / safe, (growth - 1 - z) / (safe * safe)
+    if small.any():
+        level[small], ramp[small] = _series(z[small], 1), _series(z[small], 2)
+    gain = level * step * drive[:-1] + ramp * step * np.diff(drive, axis=0)
+    return _doubling(growth, gain, start) if len(rate) <= FEW else _in_parts(growth, gain, start)
+
+
+def _in_parts(growth: np.ndarray, gain: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """The recursion y_k+1 = growth_k y_k + gain_k (T, M), with all parts of the time side by side.
+
+    Each part begins at zero; what it begins with is added afterwards.
+    """
+    count, width = gain.shape
+    length = math.isqrt(count) + 1
+    parts = -(-count // length)
+    kind = np.result_type(growth, gain, start)
+    grown, gained = np.zeros((2, parts * length, width), dtype=kind)
+    grown[:count], gained[:count] = growth, gain
+    grown, gained = (values.reshape(parts, length, width) for values in (grown, gained))
+    for k in range(1, length):
+        gained[:, k] += grown[:, k] * gained[:, k - 1]
+        grown[:, k] *= grown[:, k - 1]
+    begins = np.empty((parts, 1, width), dtype=kind)
+    begins[0] = start
+    for k in range(1, parts):
+        begins[k] = grown[k - 1, -1] * begins[k - 1] + gained[k - 1, -1]
+    found = gained + grown * begins
+    return np.concatenate([begins[0], found.reshape(-1, width)[:count]])
 
 
 def _series(z: np.ndarray, order: int) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -126,6 +127,11 @@ class Scene(SpecPart):
     def graph(self) -> Graph:
         """The network as a graph."""
         return self.network.graph(self.bellows.count, tuple(self.inputs))
+
+    @cached_property
+    def digest(self) -> bytes:
+        """SHA-256 of all of its keys and values, tables included: equal for equal scenes alone."""
+        return hashlib.sha256(repr(self).encode()).digest()
 
     @property
     def source(self) -> Provenance:

@@ -18,8 +18,11 @@ from viscodesign.simulation.error_control import ErrorParts, Verifier
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
 from viscodesign.simulation.outcome import accuracy_of, outcome_of
-from viscodesign.simulation.solve_once import Progress, Run, Workspace
+from viscodesign.simulation.solve_once import ProblemStore, Progress, Run, Workspace
 from viscodesign.storage.disk_arrays import ArrayStore
+
+_PROBLEMS = ProblemStore(16)
+"""Those of the latest scenes, for the next run of an equal one."""
 
 
 def simulate(
@@ -44,7 +47,7 @@ def simulate(
     Raises `SpecError` for a scene without a bounded solution, `SolveError` where not even an
     initial equilibrium exists.
     """
-    quantities, workspace = SceneQuantities(scene), Workspace(ArrayStore(scratch))
+    quantities, workspace = SceneQuantities(scene), Workspace(ArrayStore(scratch), _PROBLEMS)
     refuse_beyond_numbers(quantities)
     selection = select_effects(quantities)
     refuse_unsolvable(quantities, selection.active)

@@ -3,22 +3,70 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.model.lru_cache import LruCache
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.motion import Motion, read_motion
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem
-from viscodesign.solve.statics import equilibrium, rest
+from viscodesign.solve.statics import Start, equilibrium, rest
 from viscodesign.solve.transient import Solution, integrate, solver_catalogue, suitable_solver
 from viscodesign.storage.disk_arrays import ArrayStore, blocks
 
 Progress = Callable[[float], None]
+
+
+@dataclass(frozen=True, eq=False)
+class PreparedProblem:
+    """A problem, and where its run starts."""
+
+    problem: Problem
+    starts_steady: bool
+    """Whether that is the equilibrium; else everything is at rest."""
+
+    @cached_property
+    def start(self) -> Start:
+        """Unknowns at the start. Raises `SolveError` where there is no equilibrium."""
+        piece = self.problem.schedule.initial_piece
+        if self.starts_steady:
+            found = equilibrium(self.problem, 0.0, piece)
+        else:
+            found = rest(self.problem, piece)
+        for values in (found.states, found.algebraics):
+            values.flags.writeable = False  # shared by all solutions
+        return found
+
+
+class ProblemStore:
+    """The latest problems of scenes: what does not change is prepared once for equal scenes.
+
+    Shared by threads.
+    """
+
+    def __init__(self, most: int) -> None:
+        self._kept: LruCache[PreparedProblem] = LruCache(most)
+
+    def problem(
+        self, quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings
+    ) -> PreparedProblem:
+        """A scene's equations, formulated once for every set of effects and mesh."""
+        scene = quantities.scene
+        key = (scene.digest, tuple(map(type, effects)), settings.edges_per_section)
+        steady = scene.run.start == "equilibrium"
+        return self._kept.get(
+            key, lambda: PreparedProblem(build(quantities, effects, settings), steady)
+        )
+
+
+MAX_PROBLEMS = 128
+"""Problems of one scene: every mesh and set of effects that a study has."""
 
 
 @dataclass
@@ -27,16 +75,7 @@ class Workspace:
 
     store: ArrayStore = field(default_factory=ArrayStore)
     """Storage for large solutions."""
-    _problems: dict[Hashable, Problem] = field(default_factory=dict)
-
-    def problem(
-        self, quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings
-    ) -> Problem:
-        """The scene's equations, formulated once for every set of effects and mesh."""
-        key = (quantities, tuple(map(type, effects)), settings.edges_per_section)
-        if key not in self._problems:
-            self._problems[key] = build(quantities, effects, settings)
-        return self._problems[key]
+    problems: ProblemStore = field(default_factory=lambda: ProblemStore(MAX_PROBLEMS))
 
 
 @dataclass(frozen=True)
@@ -85,13 +124,13 @@ def solve(
     """
     workspace = workspace or Workspace()
     began = clock.perf_counter()
-    problem = workspace.problem(quantities, effects, settings)
+    prepared = workspace.problems.problem(quantities, effects, settings)
+    problem = prepared.problem
     built = clock.perf_counter()
-    piece = problem.schedule.initial_piece
-    steady = quantities.scene.run.start == "equilibrium"
-    start = equilibrium(problem, 0.0, piece) if steady else rest(problem, piece)
     solver = suitable_solver(problem, settings.solver, settings.is_free)
-    solution = integrate(problem, start, settings.tolerance, progress, solver, workspace.store)
+    solution = integrate(
+        problem, prepared.start, settings.tolerance, progress, solver, workspace.store
+    )
     solved = clock.perf_counter()
     motion = read_motion(problem, solution, workspace.store, quantities.scene.run.shape_stride)
     compile_s = solution.work.compile_s

@@ -84,7 +84,7 @@ class TimedRuns:
         self._check()
         effects, edges = self.selection.members(names), settings.edges_per_section
         began = clock.perf_counter()
-        self._workspace.problem(self.quantities, effects, settings)
+        self._workspace.problems.problem(self.quantities, effects, settings)
         self._equations_s.setdefault((names, edges), clock.perf_counter() - began)
         found = solve(self.quantities, effects, settings, self._check, self._workspace)
         if found.solution.interrupted or self._stop.asked:

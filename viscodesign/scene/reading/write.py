@@ -18,15 +18,15 @@ class _Row(list[Any]):
     """A list that is written on one line."""
 
 
-class _Dumper(yaml.SafeDumper):
+class _Dumper(yaml.CSafeDumper):
     """Writes plain data, with each row on one line."""
 
 
-def _on_one_line(dumper: yaml.SafeDumper, row: _Row) -> yaml.SequenceNode:
+def _on_one_line(dumper: _Dumper, row: _Row) -> yaml.SequenceNode:
     return dumper.represent_sequence("tag:yaml.org,2002:seq", row, flow_style=True)
 
 
-def _in_quotes_where_needed(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
+def _in_quotes_where_needed(dumper: _Dumper, text: str) -> yaml.ScalarNode:
     """Text that would be read as a number, such as the name 1e5, needs quotes."""
     style = None if plain_value(text) == text else "'"
     return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=style)
