@@ -21,19 +21,23 @@ from viscodesign.native.ir_operations import (
     expansion,
 )
 from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.native.vector_math import NONE, VectorMath
 
 BLOCK = 300
 """Instructions in a block; LLVM takes ever longer over longer ones."""
 _NAMES = {value: name[3:] for name, value in vars(ca).items() if name.startswith("OP_")}
 
 
-def module_ir(functions: Sequence[ca.Function], names: Sequence[str], lanes: int) -> str:
+def module_ir(
+    functions: Sequence[ca.Function], names: Sequence[str], lanes: int, vectors: VectorMath = NONE
+) -> str:
     """LLVM IR of functions (local (nl,), numbers (np,)) -> out, under these names.
 
-    Each is ``void name(double *local, double *numbers, double *out)`` on arrays (entry, lane).
+    ``vectors``: what of the C library takes several numbers at once. Each kernel is
+    ``void name(double *local, double *numbers, double *out)`` on arrays (entry, lane).
     Raises `NativeUnavailable` for an operation that has no native form.
     """
-    module = _Module(lanes)
+    module = _Module(lanes, vectors)
     bodies = [module.kernel(f, name) for f, name in zip(functions, names, strict=True)]
     return "\n".join([*module.declared.values(), *bodies])
 
@@ -41,8 +45,9 @@ def module_ir(functions: Sequence[ca.Function], names: Sequence[str], lanes: int
 class _Module:
     """Kernels of one width, with what they declare."""
 
-    def __init__(self, lanes: int) -> None:
+    def __init__(self, lanes: int, vectors: VectorMath) -> None:
         self.lanes = lanes
+        self.vectors = vectors
         self.double = _vector("double", lanes)
         self.truth = _vector("i1", lanes)
         self.declared: dict[str, str] = {}
@@ -74,13 +79,49 @@ class _Module:
         return full
 
     def library(self, name: str, arguments: int) -> str:
-        """The name of a function that calls the C library lane by lane; defined once."""
+        """The name of a function that calls the C library for all lanes; defined once."""
+        if self.lanes > 1 and self.lanes % self.vectors.width == 0:
+            wide = self.vectors.name(name, arguments)
+            if wide is not None:
+                return self._part_by_part(wide, name, arguments)
         scalars = ", ".join(["double"] * arguments)
         self.declared[name] = f"declare double @{name}({scalars}) nounwind willreturn memory(none)"
         if self.lanes == 1:
             return name
         full = f"lanes.{name}"
         self.declared[full] = self._lane_by_lane(full, name, arguments)
+        return full
+
+    def _part_by_part(self, wide: str, name: str, arguments: int) -> str:
+        """Call a function for vectors once, or for each part of the lanes."""
+        width = self.vectors.width
+        part = _vector("double", width)
+        types = ", ".join([part] * arguments)
+        self.declared[wide] = f"declare {part} @{wide}({types}) nounwind willreturn memory(none)"
+        if width == self.lanes:
+            return wide
+        full = f"parts.{name}"
+        given = ", ".join(f"{self.double} %a{k}" for k in range(arguments))
+        lines = [f"define internal {self.double} @{full}({given}) nounwind noinline {{"]
+        whole = "poison"
+        for first in range(0, self.lanes, width):
+            chosen = ", ".join(f"i32 {first + k}" for k in range(width))
+            parts = []
+            for k in range(arguments):
+                lines.append(
+                    f"%x{k}.{first} = shufflevector {self.double} %a{k}, {self.double} poison, "
+                    f"<{width} x i32> <{chosen}>"
+                )
+                parts.append(f"{part} %x{k}.{first}")
+            lines.append(f"%y{first} = call {part} @{wide}({', '.join(parts)})")
+            for k in range(width):
+                lane = first + k
+                lines.append(f"%z{lane} = extractelement {part} %y{first}, i32 {k}")
+                lines.append(
+                    f"%w{lane} = insertelement {self.double} {whole}, double %z{lane}, i32 {lane}"
+                )
+                whole = f"%w{lane}"
+        self.declared[full] = "\n".join([*lines, f"ret {self.double} {whole}", "}"])
         return full
 
     def _lane_by_lane(self, full: str, name: str, arguments: int) -> str:

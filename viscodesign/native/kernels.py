@@ -80,7 +80,8 @@ def _compiled(
     names = [f"kernel{k}" for k in range(count)]
 
     def code() -> bytes:
-        return object_code(module_ir(make(), names, lanes), optimise=OPTIMISE, generate=GENERATE)
+        ir = module_ir(make(), names, lanes, this_machine().vector_math)
+        return object_code(ir, optimise=OPTIMISE, generate=GENERATE)
 
     return CompiledKernels(load(cached(parts, code), names), names)
 

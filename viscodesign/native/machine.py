@@ -15,6 +15,7 @@ from functools import cache
 from typing import Any
 
 from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.native.vector_math import NONE, VectorMath, vector_math
 
 SWITCH = "VISCODESIGN_NATIVE"
 """Environment variable: ``off`` does without native code."""
@@ -30,9 +31,10 @@ class Machine:
     triple: str
     cpu: str
     features: str
+    vector_math: VectorMath = NONE
 
     def __str__(self) -> str:
-        return f"{self.llvm} {self.triple} {self.cpu} {self.features}"
+        return f"{self.llvm} {self.triple} {self.cpu} {self.features} {self.vector_math}"
 
 
 class Loaded:
@@ -64,11 +66,13 @@ def _this_machine() -> Machine:
         triple = llvm.get_process_triple()
         # Gathers are no faster than loads one by one, and far slower where Intel had to mend them.
         tuning = ",+prefer-no-gather,+prefer-no-scatter" if triple.startswith("x86_64") else ""
+        features = llvm.get_host_cpu_features().flatten() + tuning
         return Machine(
             llvm=f"llvm {version} {llvmlite.__version__} {platform.python_implementation()}",
             triple=triple,
             cpu=llvm.get_host_cpu_name(),
-            features=llvm.get_host_cpu_features().flatten() + tuning,
+            features=features,
+            vector_math=vector_math(features),
         )
 
 

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
+from dataclasses import replace
 
 import casadi as ca
 import numpy as np
 import pytest
 from scipy.special import erfinv
 
+from viscodesign.native import kernels, machine
 from viscodesign.native.ir_operations import ARITHMETIC, COMPARISONS, INTRINSICS, LIBRARY
 from viscodesign.native.kernels import compile_kernels
 from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.native.vector_math import NONE
 
 UNARY: dict[str, Callable[[ca.SX], ca.SX]] = {
     "neg": lambda x: -x,
@@ -74,9 +77,9 @@ SPECIAL = [0.0, -0.0, 1.0, -1.0, 0.5, np.inf, -np.inf, np.nan, 1e300, 1e-300, 3.
 def natively(function: ca.Function, local: np.ndarray, numbers: np.ndarray) -> np.ndarray:
     """Values (nr, W) of a kernel for local values (nl, W) and numbers (np, W)."""
     lanes = local.shape[1]
-    kernels = compile_kernels([function], "test", lanes)
+    compiled = compile_kernels([function], "test", lanes)
     out = np.full((function.numel_out(0), lanes), 7.0)
-    call = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 3)(kernels.address(0))
+    call = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 3)(compiled.address(0))
     given = [np.ascontiguousarray(array) for array in (local, numbers, out)]
     call(*[array.ctypes.data for array in given])
     return given[2]
@@ -104,6 +107,22 @@ def assert_same(function: ca.Function, given: np.ndarray, lanes: int, bound: flo
         np.testing.assert_allclose(found, wanted, rtol=bound, atol=0, equal_nan=True)
 
 
+@pytest.fixture(params=["as here", "in fours", "one by one"])
+def vectors(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Functions of the C library for eight, four or one number at once, as far as it has them."""
+    this = machine.this_machine()
+    kinds = {
+        "as here": this.vector_math,
+        "in fours": replace(this.vector_math, letter="d", width=4),
+        "one by one": NONE,
+    }
+    if request.param == "in fours" and this.vector_math == NONE:
+        pytest.skip("no such functions here")
+    other = replace(this, vector_math=kinds[request.param])
+    monkeypatch.setattr(kernels, "this_machine", lambda: other)
+
+
+@pytest.mark.usefixtures("vectors")
 @pytest.mark.parametrize("lanes", [8, 1])
 def test_unary_operations(lanes: int) -> None:
     x, y = ca.SX.sym("x"), ca.SX.sym("y")
@@ -111,6 +130,7 @@ def test_unary_operations(lanes: int) -> None:
     assert_same(function, pairs(200 if lanes > 1 else 20), lanes)
 
 
+@pytest.mark.usefixtures("vectors")
 @pytest.mark.parametrize("lanes", [8, 1])
 def test_binary_operations(lanes: int) -> None:
     x, y = ca.SX.sym("x"), ca.SX.sym("y")
