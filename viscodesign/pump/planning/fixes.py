@@ -160,7 +160,10 @@ def _value(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
         value = _rounded(guess, fix.far)
         far = float(np.clip(fix.far, value / SEARCH.reach, value * SEARCH.reach))
     found = value if holds(value) else _nearest(holds, value, far, SEARCH.model_halvings)
-    return None if found is None else _rounded(found, far)
+    if found is None:
+        return None
+    value = _rounded(found, far)
+    return value if holds(value) else None
 
 
 def _nearest(
