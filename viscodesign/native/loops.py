@@ -73,7 +73,7 @@ class NativeLoops(Loops):
 
     def __init__(self) -> None:
         ir = IR_FILE.read_text(encoding="utf-8")
-        settings = f"loops, levels {OPTIMISE} {GENERATE}"
+        settings = f"loops, levels {OPTIMISE} {GENERATE}, not unrolled"
         parts = (settings, __version__, str(this_machine()), ir)
         code = cached(parts, lambda: object_code(ir, optimise=OPTIMISE, generate=GENERATE))
         self._loaded = load(code, list(SIGNATURES))

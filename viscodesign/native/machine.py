@@ -93,6 +93,8 @@ def object_code(ir: str, *, optimise: int, generate: int) -> bytes:
         if optimise:
             options = llvm.create_pipeline_tuning_options(speed_level=optimise)
             options.slp_vectorization = True
+            # Most loops here are short; unrolled they are no faster, and take longer to compile.
+            options.loop_unrolling = False
             passes = llvm.create_pass_builder(target, options)
             passes.getModulePassManager().run(module, passes)
         return bytes(target.emit_object(module))
