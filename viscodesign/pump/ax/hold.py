@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.transactions import ServoError
-from viscodesign.pump.ax.servo_state import ServoState, read_servo
+from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import FinalServoState
@@ -112,7 +112,7 @@ def _held(goal: int, state: ServoState) -> tuple[str, bool]:
 
 def _release(board: Board, servo: int) -> FinalServoState:
     try:
-        board.set(servo, registers.TORQUE_ENABLE, 0)
+        write_register(board, servo, registers.TORQUE_ENABLE, 0)
     except ServoError as fault:
         return FinalServoState(servo, False, f"torque off was sent; {fault}")
     except PumpError as error:

@@ -10,7 +10,7 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import HOLD_SPEED, hold, release
 from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
 from viscodesign.pump.ax.protocol import registers
-from viscodesign.pump.ax.servo_state import ServoState, read_servo
+from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_limit
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
@@ -75,13 +75,13 @@ class ServoPump(Pump):
             # A servo that strained against this very limit may shut itself off just now, and a
             # write would give it its torque back.
             if state.torque_limit != limit:
-                self.board.set(servo, registers.TORQUE_LIMIT, limit)
-            self.board.set(servo, registers.MOVING_SPEED, HOLD_SPEED)
+                write_register(self.board, servo, registers.TORQUE_LIMIT, limit)
+            write_register(self.board, servo, registers.MOVING_SPEED, HOLD_SPEED)
             # Some firmwares switch the torque on by this, so it comes behind both limits. Without
             # torque a servo's goal follows its position, so only with it is the goal checked.
             self.armed = True
             self.board.set(servo, registers.GOAL_POSITION, position)
-            self.board.set(servo, registers.TORQUE_ENABLE, 1)
+            write_register(self.board, servo, registers.TORQUE_ENABLE, 1)
             self.goals[servo] = self.positions[servo] = self._armed_goal(servo, position, limit)
 
     def _healthy(self, servo: int) -> ServoState:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, meaning
@@ -77,6 +78,16 @@ def read_register(board: Board, servo: int, register: Register) -> int:
     """One register, whatever the error bits say."""
     data, _ = read_anyway(board, servo, register.address, register.size)
     return register.decode(data)
+
+
+def write_register(board: Board, servo: int, register: Register, value: int) -> None:
+    """Set one register and read it back, whatever the board has seen of it."""
+    board.set(servo, register, value)
+    if (held := read_register(board, servo, register)) != value:
+        raise PumpError(
+            f"servo {servo}: {register.name} was set to {value}, but reads {held}; "
+            "switch the servo off and on, and check its supply and cable"
+        )
 
 
 def listen(

@@ -91,6 +91,9 @@ class Arbotix(Board):
             )
         self._speeds.pop(servo, None)
         super().write(servo, address, data)
+        # Without torque a servo gives the position it has as its goal.
+        if address != registers.GOAL_POSITION.address:
+            self.verify(servo, address, data)
 
     def answers(self, servo: int) -> bool:
         return self.wire.answers(servo, TRIES)

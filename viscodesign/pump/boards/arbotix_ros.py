@@ -47,6 +47,11 @@ class ArbotixRos(Board):
             raise PumpError(f"model {model} answers with id {ARBOTIX}; an ArbotiX is {ROS_MODEL}")
         return f"ArbotiX with the firmware for ROS, version {data[2]}"
 
+    def write(self, servo: int, address: int, data: bytes) -> None:
+        """Read back: it acknowledges every write, and does not hear the servo."""
+        super().write(servo, address, data)
+        self.verify(servo, address, data)
+
     def analog(self, channel: int) -> float:
         if not 0 <= channel <= 7:
             raise UsageError(f"analog channel {channel}; the board has 0 to 7")

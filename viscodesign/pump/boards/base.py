@@ -85,18 +85,16 @@ class Board(ABC):
         return self.wire.read(servo, address, count)
 
     def write(self, servo: int, address: int, data: bytes) -> None:
-        """Set registers of one servo that are forgotten without power, and read them back."""
+        """Set registers of one servo that are forgotten without power, and see that it says so."""
         self.wire.write(servo, address, data)
-        # Without torque a servo gives the position it has as its goal.
-        if address != registers.GOAL_POSITION.address:
-            self._verify(servo, address, data)
 
     def write_permanent(self, servo: int, address: int, data: bytes) -> None:
         """Set registers of the EEPROM where they differ, read back: for `pump calibrate` alone."""
         self.wire.write_permanent(servo, address, data)
-        self._verify(data[0] if address == registers.ID.address else servo, address, data)
+        self.verify(data[0] if address == registers.ID.address else servo, address, data)
 
-    def _verify(self, servo: int, address: int, data: bytes) -> None:
+    def verify(self, servo: int, address: int, data: bytes) -> None:
+        """Read back what was written; raises `PumpError` where a servo holds something else."""
         if (held := self.read(servo, address, len(data))) != data:
             raise PumpError(
                 f"servo {servo}: address {address} was set to {shown(data)}, but reads "
@@ -112,7 +110,7 @@ class Board(ABC):
         return register.decode(self.read(servo, register.address, register.size))
 
     def set(self, servo: int, register: Register, value: int) -> None:
-        """Write one register that is forgotten without power, and read it back."""
+        """Write one register that is forgotten without power."""
         self.write(servo, register.address, register.encode(value))
 
     def hurry(self) -> None:
