@@ -34,20 +34,22 @@ class ModalSystem:
     """The equations of one scene in their modes.
 
     Rows: the equations of the live states, on which others depend, then the algebraic ones, then
-    those of the idle states. Their values at zero unknowns are constants plus inputs, the D of
-    them that depend on time. Raises `numpy.linalg.LinAlgError` where the modes are not found.
+    those of the idle states. Everything is told as a departure from an origin, the unknowns at some
+    instant: in equilibrium the rows are exactly zero there, and stay so. Inputs are the values of
+    the D rows that depend on time, at the origin.
+
+    Raises `numpy.linalg.LinAlgError` where the modes are not found.
     """
 
     def __init__(self, equations: Equations, numbers: np.ndarray, duration: float) -> None:
         parts = equations.compiled(_linear_parts)
-        matrix, rows, slopes, *hessians = parts.call([numbers])
+        matrix, slopes, *hessians = parts.call([numbers])
         self.numbers = numbers
         self.live, self.idle = _live_and_idle(parts.sparsity_out(0), equations.states.count)
         self.algebraics = equations.algebraics.count
         own = np.concatenate([self.live, equations.states.count + np.arange(self.algebraics)])
-        order = np.concatenate([own, self.idle]).astype(int)
-        self.constants = rows.full().ravel()[order]
-        """Of the rows."""
+        self.order = order = np.concatenate([own, self.idle]).astype(int)
+        """Of the rows, and of their unknowns: place among states and algebraic unknowns."""
         inputs = equations.compiled(_inputs)
         self._inputs = NumpyFunction(inputs)
         self.input_rows = np.argsort(order)[np.array(inputs.sparsity_out(0).row(), dtype=int)]
@@ -83,16 +85,20 @@ class ModalSystem:
         self.eliminate = solver_of(matrix[count:size, count:])
         """(nz, m) -> algebraic unknowns of which the algebraic equations have that value."""
 
-    def inputs_at(self, times: np.ndarray, pieces: np.ndarray) -> np.ndarray:
+    def inputs_at(self, origin: np.ndarray, times: np.ndarray, pieces: np.ndarray) -> np.ndarray:
         """What depends on time alone (D + nq + k, N), at times (N,) in pieces (N, coefficients).
 
-        The inputs, the quadratic rates at zero unknowns, and their derivatives there.
+        The inputs, the quadratic rates at the origin (nx + nz,), and their derivatives there.
         """
-        return self._inputs([[times], list(pieces.T), self.numbers.tolist()], len(times))
+        given = [[times], list(pieces.T), self.numbers.tolist(), origin.tolist()]
+        return self._inputs(given, len(times))
 
-    def to_modes(self, states: np.ndarray) -> np.ndarray:
-        """Modes (n,) of states (nx,)."""
-        return np.asarray(self._modes.inverse @ states[self.live])
+    def input_terms(self, origin: np.ndarray) -> np.ndarray:
+        """Sums (D,) of the sizes of the terms that the origin has in the inputs' rows."""
+        size = len(self.live) + self.algebraics
+        own = np.abs(origin[self.order[:size]])
+        both = np.concatenate([abs(self._joined) @ own, abs(self._idle_rows) @ own])
+        return np.asarray(both[self.input_rows])
 
     def algebraics_of(self, live: np.ndarray, values: np.ndarray | float) -> np.ndarray:
         """Algebraic unknowns (nz, m) at live states (live, m) and values of their rows (nz, m)."""
@@ -179,7 +185,7 @@ class QuadraticRate:
     """(nw, n): hessian unknowns."""
     hessian: Matrix
     fixed: np.ndarray
-    """(nw,): constant part of the slopes."""
+    """(nw,): slopes at zero unknowns that do not depend on time."""
     moving: np.ndarray
     """(k,): unknowns whose slopes depend on time, ..."""
     slope_rows: np.ndarray
@@ -203,23 +209,30 @@ class QuadraticRate:
             own = diagonal if diagonal.any() else np.zeros(0)
         return cls(unknowns, own, bent, hessian, fixed, moving, slope_rows)
 
+    def fixed_slopes(self, origin: np.ndarray) -> np.ndarray:
+        """Slopes at an origin (nw,) that do not depend on time (nw,)."""
+        found = self.fixed + self.hessian @ origin
+        found[self.moving] = 0.0
+        return np.asarray(found)
+
     def values(
         self,
         start: np.ndarray,
         slopes: np.ndarray,
+        fixed: np.ndarray,
         offsets: np.ndarray,
         signals: np.ndarray,
         modes: np.ndarray,
     ) -> np.ndarray:
         """The rate at N instants (N,).
 
-        ``start`` (N,), ``slopes`` (k, N), ``offsets`` (nw, S), ``signals`` (S, N), ``modes``
-        (n, N).
+        ``start`` (N,), ``slopes`` (k, N) and ``fixed`` (nw,), which do not depend on time;
+        ``offsets`` (nw, S), ``signals`` (S, N), ``modes`` (n, N).
         """
         cross = offsets.T @ self.bent
-        cross[0] += self.fixed @ self.unknowns
+        cross[0] += fixed @ self.unknowns
         squares = offsets.T @ np.asarray(self.hessian @ offsets) / 2
-        squares[0] += self.fixed @ offsets
+        squares[0] += fixed @ offsets
         found = start + np.einsum("sn,sn->n", signals, squares @ signals + cross @ modes)
         if len(slopes):
             along, beside = self.unknowns[self.moving], offsets[self.moving]
@@ -286,8 +299,8 @@ def modal_system(equations: Equations, numbers: np.ndarray, duration: float) -> 
 
 
 def _linear_parts(e: Formulas) -> ca.Function:
-    """numbers -> derivatives of the rows by the unknowns, and, where they do not depend on time,
-    the rows and the slopes of the rates at zero unknowns; then the rates' second derivatives.
+    """numbers -> derivatives of the rows by the unknowns; the rates' slopes at zero unknowns,
+    where these do not depend on time; their second derivatives.
 
     A function of no results where the equations are not linear.
     """
@@ -301,27 +314,23 @@ def _linear_parts(e: Formulas) -> ca.Function:
     varies = ca.depends_on(ca.veccat(matrix, *hessians), ca.vertcat(unknowns, clock))
     if varies or (len(idle) and ca.depends_on(e.quadrature, unknowns[idle.tolist()])):
         return none
-    fixed = [_parted(values, clock)[0] for values in _at_zero(unknowns, rows, slopes)]
-    return ca.Function("linear", [e.parameters], [matrix, *fixed, *hessians])
+    zero = ca.substitute([slopes], [unknowns], [SX.zeros(unknowns.shape)])[0]
+    return ca.Function("linear", [e.parameters], [matrix, _parted(zero, clock)[0], *hessians])
 
 
 def _inputs(e: Formulas) -> ca.Function:
-    """(time, pieces, numbers) -> what depends on time of rows, quadratic rates and their slopes."""
+    """(time, pieces, numbers, unknowns) -> what depends on time of rows and slopes; all rates."""
     unknowns, clock, rows = _symbols(e)
     slopes = jacobian(e.quadrature, unknowns)
-    rows, rates, slopes = _at_zero(unknowns, rows, e.quadrature, slopes)
-    results = [_parted(rows, clock)[1], ca.densify(rates), _parted(slopes, clock)[1]]
-    return ca.Function("inputs", [e.time, e.pieces, e.parameters], ca.cse(results))
+    results = [_parted(rows, clock)[1], ca.densify(e.quadrature), _parted(slopes, clock)[1]]
+    given = [e.time, e.pieces, e.parameters, unknowns]
+    return ca.Function("inputs", given, ca.cse(results))
 
 
 def _symbols(e: Formulas) -> tuple[SX, SX, SX]:
     """Unknowns, time with all coefficients of inputs, and rows."""
     unknowns = ca.vertcat(e.states.vector, e.algebraics.vector)
     return unknowns, ca.vertcat(e.time, e.pieces), ca.vertcat(e.ode, e.alg)
-
-
-def _at_zero(unknowns: SX, *expressions: SX) -> list[SX]:
-    return list(ca.substitute(list(expressions), [unknowns], [SX.zeros(unknowns.shape)]))
 
 
 def _parted(values: SX, clock: SX) -> tuple[SX, SX]:

@@ -28,6 +28,9 @@ class DecouplingLimits:
     max_spread: float = 1e6
     """Fastest rate over that of the run from which slow modes are found by the inverse: by the
     matrix itself, their rates have errors of round-off times the fastest one."""
+    most_spread: float = 1e11
+    """The same up to which matrices are taken: exchange at such a rate is a difference of nearly
+    equal values, and loses as many digits."""
     growth: float = 1e-10
     """Rate of growth, over the fastest rate, that is round-off."""
 
@@ -65,10 +68,12 @@ def decoupled(matrix: np.ndarray, shifted: Callable[[float], Solve], rate: float
     """
     size = balancing(matrix)
     if size is None:
-        return _general(matrix)
+        return _general(matrix, rate)
     balanced = matrix * size / size[:, None]
     balanced = (balanced + balanced.T) / 2
     found, vectors = np.linalg.eigh(-balanced)
+    if found[-1] > LIMITS.most_spread * rate:
+        raise np.linalg.LinAlgError("flows through the widest tubes would be round-off")
     shift = 0.0
     if found[-1] > LIMITS.max_spread * rate:
         shift = rate
@@ -112,12 +117,14 @@ def _is_symmetric(matrix: np.ndarray) -> bool:
     return bool(apart <= LIMITS.symmetry * np.max(np.abs(matrix), initial=0.0))
 
 
-def _general(matrix: np.ndarray) -> Modes:
+def _general(matrix: np.ndarray, rate: float) -> Modes:
     if len(matrix) > LIMITS.max_unsymmetric:
         raise np.linalg.LinAlgError("too many states without symmetry")
     found, vectors = np.linalg.eig(matrix)
     rates = -found
     fastest = np.max(np.abs(rates))
+    if fastest > LIMITS.max_spread * rate:
+        raise np.linalg.LinAlgError("slow modes would be round-off")
     if np.linalg.cond(vectors) > LIMITS.max_condition:
         raise np.linalg.LinAlgError("two modes nearly coincide")
     if rates.real.min() < -LIMITS.growth * fastest:

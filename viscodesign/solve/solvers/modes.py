@@ -15,7 +15,7 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.solve.numerics.exponential_weights import cell_points, weights
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
 from viscodesign.solve.time_only_integrals import RULE, graded_parts
@@ -33,6 +33,8 @@ class CellRules:
     """Of the fastest mode, in the first cell after a corner: only there it moves."""
     input_rel_tol: float = 3e-13
     """Error of interpolating an input in a cell, over its largest value."""
+    least_input: float = 1e-3
+    """Departure of an input to which errors are relative at least, over its terms."""
     input_noise: float = 1e-9
     """The same, up to which it may be round-off."""
     noise_ratio: float = 0.1
@@ -47,7 +49,7 @@ class CellRules:
     """Cells that are halved at once, at most: a second's work."""
     max_cuts: int = 40
     """Times that a cell is halved to resolve the inputs."""
-    max_rate_cuts: int = 6
+    max_rate_cuts: int = 10
     """The same to resolve the rates."""
     numbers_at_once: int = 300_000
     """Modes times points held in memory, about."""
@@ -96,7 +98,7 @@ class LinearModes(Solver):
         done: list[Columns] = []
         while begin < stop:
             end = min(begin + self._at_once(), stop)
-            columns = _Stretch(self.problem, begin, end).solve(here, work)
+            columns = _Stretch(self.problem, here, begin, end).solve(work)
             states, algebraics, integrals = columns[0], columns[1], columns[2] + total[:, None]
             done.append((states, algebraics, integrals))
             here, total, begin = Start(states[:, -1], algebraics[:, -1]), integrals[:, -1], end
@@ -141,7 +143,7 @@ def _in_order(parts: Sequence[_Cells]) -> _Cells:
 class _Stretch:
     """Consecutive intervals, solved all at once."""
 
-    def __init__(self, problem: Problem, first: int, stop: int) -> None:
+    def __init__(self, problem: Problem, here: Start, first: int, stop: int) -> None:
         assert problem.modal_system is not None
         self.problem, self.system = problem, problem.modal_system
         self.points = cell_points(RULES.points[0])
@@ -152,13 +154,22 @@ class _Stretch:
         self.corners[changes[(changes >= 0) & (changes < stop - first)]] = True
         self.corners[0] |= first == 0
         self.input_count = len(self.system.input_rows)
+        self.origin = np.concatenate([here.states, here.algebraics])
+        """States and algebraic unknowns (nx + nz,) at the first edge."""
+        begin = float(self.edges[0])
+        tail = problem.tail(begin, self.pieces[0])
+        rows = evaluate(problem.equations.function, here.states, here.algebraics, *tail)
+        self.first_rows = np.concatenate([np.array(row).ravel() for row in rows])[self.system.order]
+        """Values of the rows there and then."""
+        first_inputs = self._inputs_at(np.array([begin]), np.array([0]))
+        self.first_inputs = first_inputs[: self.input_count]
 
-    def solve(self, here: Start, work: Work) -> Columns:
+    def solve(self, work: Work) -> Columns:
         """States, algebraic unknowns and integrals at the edges but the first."""
         cells = self._cells()
         for cut in range(RULES.max_rate_cuts + 1):
             signals, rows = self._signals(cells)
-            begins, inside = self._modes(cells, signals, rows, here)
+            begins, inside = self._modes(cells, signals, rows)
             integrals, loose = self._integrals(cells, signals, rows, inside)
             if cut == RULES.max_rate_cuts or not loose.any():
                 break
@@ -166,8 +177,10 @@ class _Stretch:
         work.steps += len(cells.begins)
         swept = (signals @ self.points.share) * cells.lengths
         last = np.cumsum(np.bincount(cells.owner, minlength=len(self.edges) - 1)) - 1
-        states = self._states(here, begins[:, last + 1], rows, np.cumsum(swept, axis=1)[:, last])
+        states = self._states(begins[:, last + 1], rows, np.cumsum(swept, axis=1)[:, last])
         algebraics = self._algebraics(states)
+        count, origin = len(states), self.origin[:, None]
+        states, algebraics = origin[:count] + states, origin[count:] + algebraics
         return states, algebraics, np.cumsum(integrals, axis=1)[:, last]
 
     # -- cells ------------------------------------------------------------------------------
@@ -179,6 +192,7 @@ class _Stretch:
             self.points = cell_points(count)
             cells = self._evaluated(begins, ends - begins, owner)
             size = np.max(np.abs(cells.values[: self.input_count]), axis=(1, 2), initial=0.0)
+            size = np.maximum(size, RULES.least_input * self.system.input_terms(self.origin))
             error = self._input_errors(cells, size)
             if np.count_nonzero(error > RULES.input_rel_tol) <= RULES.max_loose * len(error):
                 break
@@ -242,14 +256,15 @@ class _Stretch:
 
     def _inputs_at(self, times: np.ndarray, owner: np.ndarray) -> np.ndarray:
         """What depends on time alone (D + nq + k, N) at N instants in their intervals."""
-        return self.system.inputs_at(times, self.pieces[owner])
+        return self.system.inputs_at(self.origin, times, self.pieces[owner])
 
     def _signals(self, cells: _Cells) -> tuple[np.ndarray, np.ndarray]:
         """Signals (S, c, P), the first of which is one, and the rows as their sums (rows, S)."""
         inputs = cells.values[: self.input_count]
-        shares, signals = combined(inputs.reshape(self.input_count, -1))
-        rows = np.zeros((len(self.system.constants), 1 + len(signals)))
-        rows[:, 0] = self.system.constants
+        moved = inputs.reshape(self.input_count, -1) - self.first_inputs
+        shares, signals = combined(moved)
+        rows = np.zeros((len(self.first_rows), 1 + len(signals)))
+        rows[:, 0] = self.first_rows
         rows[self.system.input_rows, 1:] = shares
         every = np.vstack([np.ones((1, signals.shape[1])), signals])
         return every.reshape(-1, *inputs.shape[1:]), rows
@@ -257,7 +272,7 @@ class _Stretch:
     # -- modes ------------------------------------------------------------------------------
 
     def _modes(
-        self, cells: _Cells, signals: np.ndarray, rows: np.ndarray, here: Start
+        self, cells: _Cells, signals: np.ndarray, rows: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Modes at the beginning of every cell and at the end (n, c + 1), and inside (n, c, P)."""
         system, count = self.system, len(cells.lengths)
@@ -276,7 +291,7 @@ class _Stretch:
                 gains = each[..., 0].transpose(1, 0, 2)
             decay[:, own], gain[:, own] = decays[:, :, -1], gains[:, :, -1]
             parts.append((own, decays[:, :, :-1], gains[:, :, :-1]))
-        begins = _marched(decay, gain, system.to_modes(here.states))
+        begins = _marched(decay, gain, np.zeros(len(drive), dtype=drive.dtype))
         inside = np.empty_like(force)
         for own, decays, gains in parts:
             inside[:, own] = decays * begins[:, own, None] + gains
@@ -294,7 +309,8 @@ class _Stretch:
         values = np.empty_like(starts)
         for k, quadratic in enumerate(quadratics):
             own = slopes[quadratic.slope_rows]
-            values[k] = quadratic.values(starts[k], own, offsets, signals, inside)
+            fixed = quadratic.fixed_slopes(self.origin[self.system.order[: len(offsets)]])
+            values[k] = quadratic.values(starts[k], own, fixed, offsets, signals, inside)
         values, starts = (v.reshape(-1, *shape) for v in (values, starts))
         size = np.abs(values).max(axis=-1)
         noise = RULES.noise * np.abs(starts).max(axis=-1)
@@ -307,27 +323,24 @@ class _Stretch:
 
     # -- columns ----------------------------------------------------------------------------
 
-    def _states(
-        self, here: Start, modes: np.ndarray, rows: np.ndarray, swept: np.ndarray
-    ) -> np.ndarray:
-        """States (nx, m) from modes (n, m) and integrals of the signals (S, m)."""
+    def _states(self, modes: np.ndarray, rows: np.ndarray, swept: np.ndarray) -> np.ndarray:
+        """Departures of the states (nx, m), from modes (n, m) and signals' integrals (S, m)."""
         system = self.system
-        found = np.empty((len(here.states), modes.shape[1]))
+        found = np.empty((len(system.live) + len(system.idle), modes.shape[1]))
         live = (system.shapes @ modes).real
-        moved = system.idle_by[:, : len(live)] @ (live - here.states[system.live][:, None])
         found[system.live] = live
-        start = here.states[system.idle][:, None]
-        found[system.idle] = start + moved + system.idle_drive(rows) @ swept
+        sums = system.idle_by[:, : len(live)] @ live
+        found[system.idle] = sums + system.idle_drive(rows) @ swept
         return found
 
     def _algebraics(self, states: np.ndarray) -> np.ndarray:
-        """Algebraic unknowns (nz, m) at the ends of the intervals."""
+        """Departures of the algebraic unknowns (nz, m) at the ends of the intervals."""
         system, count = self.system, states.shape[1]
         first, last = len(system.live), len(system.live) + system.algebraics
-        values = np.repeat(system.constants[:, None], count, axis=1)
+        values = np.repeat(self.first_rows[:, None], count, axis=1)
         if np.any((system.input_rows >= first) & (system.input_rows < last)):
             inputs = self._inputs_at(self.edges[1:], np.arange(count))
-            values[system.input_rows] += inputs[: self.input_count]
+            values[system.input_rows] += inputs[: self.input_count] - self.first_inputs
         return system.algebraics_of(states[system.live], values[first:last])
 
 
