@@ -15,7 +15,7 @@ from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.postprocess.work_integrals import ENERGIES, EnergyTable, group_ends
 from viscodesign.results.trajectory import Invariants
-from viscodesign.solve.problem import Problem, evaluate_at
+from viscodesign.solve.problem import Problem, evaluate_after, evaluate_at
 from viscodesign.solve.statics import Start, consistent
 
 
@@ -43,6 +43,9 @@ class BalanceTolerances:
 
 
 TOLERANCES = BalanceTolerances()
+
+INLET_VALUES = ("inlet_pressure", "pushed")
+"""Outputs that jump where an input does."""
 
 Rows = Mapping[str, np.ndarray]
 
@@ -187,6 +190,7 @@ class EnergyLedger:
         if self._opening is None:
             self._opening = rows[0]
         last = block.first + len(rows) - 1
+        jumping = self._jumping_edges(block, last)
         while True:
             end = self._stretches[self._stretch + 1]
             ends = self._ends(int(end), last)
@@ -195,7 +199,8 @@ class EnergyLedger:
                 at_hand, self._first = at_hand[ends[-1] - self._first :], int(ends[-1])
             if self._first < end or self._stretch + 2 == len(self._stretches):
                 break
-            at_hand[0] = self._after(block, int(end), at_hand[0])
+            if int(end) in jumping:
+                at_hand[0] = self._after(block, int(end), at_hand[0])
             self._opening = at_hand[0].copy()
             self._stretch += 1
         self._kept = at_hand
@@ -241,16 +246,24 @@ class EnergyLedger:
         self._note("pump", works["pump"] + works["plunger"])
         self._note("coupling", works["coupling"])
 
+    def _jumping_edges(self, block: SolvedEdges, last: int) -> set[int]:
+        """Edges up to the last available at which the value of any inlet changes."""
+        corners = self._stretches[1:-1]
+        corners = corners[(corners >= block.first) & (corners <= last)]
+        if not self._may_jump or not len(corners):
+            return set()
+        at = corners - block.first
+        unknowns = block.states[:, at], block.algebraics[:, at]
+        after = evaluate_after(self._problem, *unknowns, corners)
+        jumps = [_changes(block.rows[name], at, after[name]) for name in INLET_VALUES]
+        return {int(corner) for corner in corners[np.any(jumps, axis=0)]}
+
     def _after(self, block: SolvedEdges, edge: int, row: np.ndarray) -> np.ndarray:
-        """The row with which a stretch begins; at a jump it differs from the last one before."""
+        """The row with which a stretch begins at a jump, where it differs from the last before."""
         problem, k = self._problem, edge - block.first
-        if not self._may_jump:
-            return row
         states, schedule = block.states[:, k], problem.schedule
         before = Start(states, block.algebraics[:, k])
         time, piece = float(schedule.edges[edge]), schedule.pieces[edge]
-        if not _jumps(block.rows, k, evaluate_at(problem, states, before.algebraics, time, piece)):
-            return row
         instant = time, schedule.pieces[edge - 1]
         found = consistent(problem, before, time, piece, instant)
         after = evaluate_at(problem, states, found.algebraics, time, piece)
@@ -282,10 +295,7 @@ class EnergyLedger:
         return None if still and imbalance > TOLERANCES.sampling else imbalance, coupled
 
 
-def _jumps(rows: Rows, k: int, after: Rows) -> bool:
-    """Whether the value of any inlet changes at a corner, at row ``k``."""
-    for name in ("inlet_pressure", "pushed"):
-        apart = np.abs(after[name][0] - rows[name][k])
-        if np.any(apart > TOLERANCES.jump_rel * np.max(np.abs(rows[name]), initial=0.0)):
-            return True
-    return False
+def _changes(values: np.ndarray, at: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """(m,) whether any of the values (M, n) jumps at rows ``at``, to ``after`` (m, n)."""
+    least = TOLERANCES.jump_rel * np.max(np.abs(values), initial=0.0)
+    return np.asarray(np.any(np.abs(after - values[at]) > least, axis=1))

@@ -178,26 +178,46 @@ def evaluate_along(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
 ) -> dict[str, np.ndarray]:
     """All named outputs (m, n) at m edges from ``first`` on, from unknowns (nx, m) and (nz, m)."""
+    return _evaluate_rows(problem, rows_along(problem, states, algebraics, first))
+
+
+def evaluate_after(
+    problem: Problem, states: np.ndarray, algebraics: np.ndarray, edges: np.ndarray
+) -> dict[str, np.ndarray]:
+    """The same at the numbers of m edges, in the intervals that begin there."""
+    return _evaluate_rows(problem, _rows_at(problem, states, algebraics, edges, edges))
+
+
+def _evaluate_rows(problem: Problem, rows: Sequence[np.ndarray]) -> dict[str, np.ndarray]:
     output = problem.equations.output_function
-    found = mapped(problem, output, rows_along(problem, states, algebraics, first))
-    return dict(zip(output.name_out(), found, strict=True))
+    return dict(zip(output.name_out(), mapped(problem, output, rows), strict=True))
 
 
 def rows_along(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int
 ) -> list[np.ndarray]:
     """Arguments of the equations' functions at m edges from ``first`` on, each (m, n)."""
-    equations, schedule = problem.equations, problem.schedule
-    count = states.shape[1]
-    edges = np.arange(first, first + count)
+    edges = np.arange(first, first + states.shape[1])
     # A state just before a corner belongs to the interval that ends there.
-    pieces = schedule.pieces[np.maximum(edges - 1, 0)]
+    return _rows_at(problem, states, algebraics, edges, np.maximum(edges - 1, 0))
+
+
+def _rows_at(
+    problem: Problem,
+    states: np.ndarray,
+    algebraics: np.ndarray,
+    edges: np.ndarray,
+    intervals: np.ndarray,
+) -> list[np.ndarray]:
+    """The same at the numbers of m edges, with the input of as many intervals."""
+    equations, schedule = problem.equations, problem.schedule
+    count = len(edges)
     tail = (equations.sealed_volumes, equations.parameter_values)
     return [
         states.T,
         algebraics.T,
         schedule.edges[edges],
-        pieces,
+        schedule.pieces[intervals],
         np.ones(count),
         *(np.broadcast_to(values, (count, len(values))) for values in tail),
     ]
