@@ -173,7 +173,7 @@ def connected(
     Closed on leaving, whatever happens.
     """
     kind, clock = board_kind(address.board), address.clock()
-    _refuse_port(kind, address)
+    refuse_port(address)
     pump, ambient, names = _known(scene, kind.simulated)
     log, baud = ByteLog(address.log, tell), address.baud or kind.baud
     try:
@@ -215,8 +215,9 @@ def _known(scene: Scene | None, simulated: bool) -> tuple[PumpSpec | None, float
     return PumpSpec.model_validate(default), AMBIENT, ("inlet",)
 
 
-def _refuse_port(kind: type[Board], address: BoardAddress) -> None:
-    port, baud = address.port, address.baud
+def refuse_port(address: BoardAddress) -> None:
+    """Refuse a port or baud rate that the board does not have, and a port left out."""
+    kind, port, baud = board_kind(address.board), address.port, address.baud
     if kind.simulated and (port is not None or baud is not None):
         raise UsageError("--board simulated has no --port and no --baud: nothing real moves")
     if not kind.simulated and port is None:

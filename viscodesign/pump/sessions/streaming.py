@@ -28,6 +28,7 @@ from viscodesign.pump.sessions.connection import (
     Tell,
     connected,
     ignore,
+    refuse_port,
 )
 from viscodesign.pump.sessions.open_board import board_kind, boards
 from viscodesign.pump.sessions.record_file import Record, recorded
@@ -244,6 +245,7 @@ def _refuse_options(address: BoardAddress, rate: float, on_stop: str) -> None:
     if on_stop not in get_args(OnStop):
         allowed = ", ".join(get_args(OnStop))
         raise UsageError(f"--on-stop must be one of {allowed}; got {on_stop}")
+    refuse_port(address)
     address.clock()
 
 

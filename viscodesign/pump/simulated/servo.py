@@ -43,7 +43,13 @@ class SimulatedServo:
         self.set(table.ID, id)
 
     def get(self, register: Register) -> int:
-        return register.within(self.memory, 0)
+        # Every step of the motion asks for ten: no copies, and no further calls for most.
+        start = register.address
+        if register.size == 1:
+            return self.memory[start]
+        if register.directed:
+            return register.within(self.memory, 0)
+        return self.memory[start] | self.memory[start + 1] << 8
 
     def set(self, register: Register, value: int) -> None:
         self.memory[register.address : register.addresses.stop] = register.encode(value)
