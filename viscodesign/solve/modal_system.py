@@ -143,8 +143,10 @@ class ModalSystem:
         if not np.all(self.rates):  # a part that is sealed keeps what it has: no row tells how much
             own = self._acting_on_idle()
         if len(own) and len(found):
-            solve = solver_of(self._joined[own][:, own].T)
-            found[:, own] = solve(self._idle_rows[:, own].T).T
+            matrix, rows = self._joined[own][:, own].T, self._idle_rows[:, own].T
+            solve = solver_of(matrix)
+            sums = solve(rows)
+            found[:, own] = (sums + solve(rows - matrix @ sums)).T
         if not np.isfinite(found).all():
             raise np.linalg.LinAlgError("idle states are no sums of the others")
         return found

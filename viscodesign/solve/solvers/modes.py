@@ -29,6 +29,8 @@ class CellRules:
     """Gauss-Legendre points of a cell: so many that few cells are to be cut."""
     max_loose: float = 0.1
     """How few."""
+    least_swing: float = 1e-7
+    """Shortest swing beside a corner that is looked for, in durations of the run."""
     decays_per_cell: float = 8.0
     """Of the fastest mode, in the first cell after a corner: only there it moves."""
     input_rel_tol: float = 3e-13
@@ -212,9 +214,13 @@ class _Stretch:
 
     def _spacing(self) -> np.ndarray:
         """Length of the first and the last cell of each interval."""
-        swing = self.problem.equations.swing_time or float(self.problem.schedule.edges[-1])
+        duration, swing = float(self.problem.schedule.edges[-1]), self.problem.equations.swing_time
         fastest = np.max(np.abs(self.system.rates), initial=0.0)
-        spacing = np.full(len(self.edges) - 1, swing / RULE.parts_per_swing)
+        spacing = np.full(len(self.edges) - 1, (swing or duration) / RULE.parts_per_swing)
+        if not swing:  # some input jumps, and nothing is known of how fast the others swing
+            beside = self.corners.copy()
+            beside[:-1] |= self.corners[1:]
+            spacing[beside] = RULES.least_swing * duration
         if fastest:
             decays = RULES.decays_per_cell / fastest
             spacing[self.corners] = np.minimum(spacing[self.corners], decays)

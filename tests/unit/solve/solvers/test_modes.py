@@ -170,3 +170,16 @@ def test_what_is_at_rest_stays_at_rest_to_the_last_digit() -> None:
     assert np.all(run.motion.pressure == run.motion.pressure[0])
     assert np.all(run.solution.integrals == 0.0)
     assert np.all(run.motion["inflow"] == run.motion["inflow"][0])
+
+
+def test_a_short_pulse_beside_an_input_that_jumps_is_not_missed() -> None:
+    """A jump says nothing of how fast the other inlet swings, here within 2 ms of 2 s."""
+    pulse = "{kind: double_sigmoid, start: 0, drop: -50 kPa, fall_time: 0.18, rise_time: 0.22, transition: 0.2 ms}"
+    scene = leg(*columns(8, pulse, "{kind: step, value: 1 kPa, time: 1.5}"), AIR, only(),
+                "run={duration: 2 s, output_times: [0, 0.2, 0.3, 2]}")  # fmt: skip
+    run = solved(scene)
+    found = run.motion.pressure[:, run.problem.bellows.index("L2")]
+    rose = 5e4 * -np.expm1(-RATE * 0.02)
+    assert found[1] == pytest.approx(rose, rel=1e-4)
+    peak = 5e4 * -np.expm1(-RATE * 0.04)
+    assert found[2] == pytest.approx(peak * np.exp(-RATE * 0.08), rel=1e-4)
