@@ -36,6 +36,7 @@ LAYERS = [
     ["scene.reading", "solve"],
     ["scene"],
     ["model"],
+    ["elements"],
     ["results"],
     ["native"],
     ["storage", "physics"],

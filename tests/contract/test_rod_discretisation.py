@@ -42,9 +42,9 @@ class SpringSymbols(ChainSymbols):
     def _curvature(self) -> SX:
         return self.elastic_turns / self.tributary_lengths
 
-    def elastic_potential(self) -> SX:
-        bending = self.EI * ca.dot(self.tributary_lengths, self._curvature() ** 2) / 2
-        return bending + self.EA * self.h * ca.sumsqr(self.elastic_stretch) / 2
+    def elastic_energies(self) -> list[SX]:
+        bending = self.EI * self.tributary_lengths * self._curvature() ** 2 / 2
+        return ca.vertsplit(bending + self.EA * self.h * self.elastic_stretch**2 / 2)
 
     def node_angles(self) -> SX:
         after = ca.vertcat(self.turns[1:], self.turns[-1])

@@ -173,10 +173,11 @@ def test_scene_numbers_cannot_enter_formulas_as_constants(
 ) -> None:
     """Formulas are shared by scenes with other numbers, for which a constant would be wrong."""
 
-    def careless(self: ChainSymbols) -> SX:
-        return SX(self.body.bending_stiffness) * ca.dot(self.elastic_curvature, self.elastic_turns)
+    def careless(self: ChainSymbols) -> list[SX]:
+        stiffness = SX(self.body.bending_stiffness)
+        return [stiffness * ca.dot(self.elastic_curvature, self.elastic_turns)]
 
-    monkeypatch.setattr(ChainSymbols, "elastic_potential", careless)
+    monkeypatch.setattr(ChainSymbols, "elastic_energies", careless)
     quantities = SceneQuantities(leg(SHORT, "effects={gravity: on, others: off}", SIDEWAYS))
     effects = select_effects(quantities).effects
     problem = build(quantities, effects, Settings(1, 1e-6))

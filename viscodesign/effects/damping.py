@@ -61,4 +61,5 @@ class Damping(Effect):
 
     def join(self, system: System) -> None:
         time = system.parameter("damping_time", self.damping_time)
-        system.dissipation_power += time * system.rod.strain_rate_power()
+        for power in system.rod.strain_rate_powers():
+            system.dissipation_power += time * power

@@ -86,9 +86,8 @@ class ChainSymbols(RodSymbols):
     def tip(self) -> SX:
         return self.position[:, -1]
 
-    @property
-    def tip_turn(self) -> SX:
-        return ca.sum1(self.turns)
+    def tip_turns(self) -> list[SX]:
+        return ca.vertsplit(self.turns)
 
     @property
     def force_size(self) -> SX:
@@ -118,14 +117,14 @@ class ChainSymbols(RodSymbols):
             mass = weight * (around[i] + around[i + 1]) / 2
             self._masses.append(PointMass(mass, self.position[:, i], self.velocity[:, i]))
 
-    def strain_rate_power(self) -> SX:
+    def strain_rate_powers(self) -> list[SX]:
         # The shortening of a chord that merely bends, of order (kappa h)^2, is left in the stretch.
         r, v = self.coordinates, self.rates
         stretch_rate = ca.jtimes(self.chord_lengths / self.h, r, v)
         curvature_rate = ca.jtimes(self.turns / self.tributary_lengths, r, v)
-        extension = self.EA * self.h * ca.sumsqr(stretch_rate)
-        bending = self.EI * ca.dot(self.tributary_lengths, curvature_rate**2)
-        return extension + bending
+        extension = self.EA * self.h * stretch_rate**2
+        bending = self.EI * self.tributary_lengths * curvature_rate**2
+        return ca.vertsplit(extension + bending)
 
     def rotary_energies(self, inertia_per_length: SX) -> list[SX]:
         inertia = inertia_per_length * self.h
@@ -190,23 +189,16 @@ class ChainSymbols(RodSymbols):
 
     # -- energy ---------------------------------------------------------------
 
-    def compliance_product(self) -> SX:
-        """W c: elastic turn that the elastic curvature amounts to (edges,) [rad]."""
-        c = self.elastic_curvature
-        after = ca.vertcat(c[1:], self.tip_curvature)
-        before = ca.vertcat(0, c[:-1])
-        own = ca.vertcat(1 / 3, SX.ones(self.edges - 1) * 2 / 3)
-        return self.h * (before / 6 + own * c + after / 6)
-
-    def elastic_potential(self) -> SX:
-        # Where it is stationary, its value is the stored elastic energy.
+    def elastic_energies(self) -> list[SX]:
+        # Where their sum is stationary, it is the stored elastic energy.
         c, tau = self.elastic_curvature, self.axial_strain
-        # The tip's curvature is given: its share counts in full, not by half.
-        tip = self.h / 6 * self.tip_curvature * c[-1]
-        product = ca.dot(c, self.compliance_product()) + tip
-        bending = self.EI * (ca.dot(c, self.elastic_turns) - product / 2)
-        extension = self.EA * self.h * ca.dot(tau, self.elastic_stretch - tau / 2)
-        return bending + extension
+        # Along an edge the curvature is linear. That of the tip is given: its product with the
+        # last node's counts, its square does not.
+        after = ca.vertcat(c[1:], self.tip_curvature)
+        square = c**2 + c * after + ca.vertcat(c[1:], 0) ** 2
+        bending = self.EI * (c * self.elastic_turns - self.h / 6 * square)
+        extension = self.EA * self.h * tau * (self.elastic_stretch - tau / 2)
+        return ca.vertsplit(bending + extension)
 
     def outputs(self) -> dict[str, SX]:
         return {

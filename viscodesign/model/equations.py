@@ -4,24 +4,47 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from typing import Concatenate, ParamSpec
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.elements.assembly import CompiledForm
+from viscodesign.elements.local_form import LocalForm
 from viscodesign.model.boundary_work import WorkSplit
 from viscodesign.model.graph import Component
-from viscodesign.model.lru_cache import LruCache
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.unknowns import Unknowns
+from viscodesign.storage.lru_cache import LruCache
 
 SX = ca.SX
 P = ParamSpec("P")
 
 LEADING_QUANTITIES = 6
 """Results of `Formulas.quantity_function` before the sizes of the unknowns."""
+
+
+@dataclass(frozen=True)
+class LocalEquations:
+    """The same equations as sums of local terms, with sums over many parts as unknowns."""
+
+    form: LocalForm
+    """Its unknowns: states, algebraic unknowns, sums, integrals."""
+    start: ca.Function
+    """(x, z, t, pieces, parameters) -> scaled sums."""
+    _compiled: LruCache[CompiledForm] = field(default_factory=lambda: LruCache(1))
+
+    @property
+    def sums(self) -> int:
+        """How many unknowns the formulas do not have."""
+        return self.form.size - self.form.balances.unknowns_of_formulas
+
+    @property
+    def compiled(self) -> CompiledForm:
+        """The same in native code, made once. Raises `NativeUnavailable`."""
+        return self._compiled.get("compiled", lambda: CompiledForm(self.form))
 
 
 @dataclass(frozen=True)
@@ -68,6 +91,13 @@ class Formulas:
     incompressible: bool
     """Whether the amount of fluid in a bellow equals its volume."""
     _compiled: LruCache[ca.Function]
+    _local: LruCache[LocalEquations | None]
+    _take_apart: Callable[[], LocalEquations | None]
+
+    @property
+    def local(self) -> LocalEquations | None:
+        """The equations as sums of local terms, made once; None where they are no such sums."""
+        return self._local.get("local", self._take_apart)
 
     def compiled(
         self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs

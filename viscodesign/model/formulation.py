@@ -23,16 +23,19 @@ from __future__ import annotations
 
 import casadi as ca
 
+from viscodesign.elements.local_form import local_form
 from viscodesign.model.boundary_work import MotionRates, WorkSplit, works_and_splits
-from viscodesign.model.equations import Equations, Formulas
+from viscodesign.model.equations import Equations, Formulas, LocalEquations
 from viscodesign.model.fluid import Incompressible
 from viscodesign.model.jacobian import jacobian
-from viscodesign.model.lru_cache import ONE_AT_A_TIME, LruCache
+from viscodesign.model.local_balances import LocalFormulation
 from viscodesign.model.network_equations import NetworkEquations
 from viscodesign.model.rod_equations import RodEquations
 from viscodesign.model.structure import structure_of, without_numbers
+from viscodesign.model.sums import rows_of, whole
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes, SizeSymbols, Unknowns, column, substitute
+from viscodesign.storage.lru_cache import ONE_AT_A_TIME, LruCache
 
 SX = ca.SX
 
@@ -76,6 +79,7 @@ class _Formulation:
         self.states, self.algebraics, self.statics = Unknowns(), Unknowns(), Unknowns()
         for part in (self.network, self.rod):
             part.name_unknowns(self.states, self.algebraics, self.statics)
+        self._rod_rows = self.rod.dynamics(self.rod.coupled)
 
     def _resolve(self, expressions: list[SX], unknowns: tuple[Unknowns, ...]) -> list[SX]:
         """Replace flows, resultants, strains, shared pressures and unknowns, in this order."""
@@ -88,7 +92,7 @@ class _Formulation:
 
     def _balances(self) -> tuple[list[SX], dict[str, SX], dict[str, SX], dict[str, WorkSplit]]:
         """(ode, alg), rates, outputs and splits of works, in the unknowns."""
-        network, rod = self.network.dynamics(), self.rod.dynamics()
+        network, rod = self.network.dynamics(), self._rod_sides()
         rates = self.network.rates() | self.rod.rates()
         outputs = self.network.outputs(self.rod.conjugate_volumes()) | self.rod.outputs()
         sides = [column(network[side] + rod[side]) for side in (0, 1)]
@@ -104,6 +108,13 @@ class _Formulation:
         timed = {name for name, rate in rates.items() if not ca.depends_on(rate, ca.vertcat(x, z))}
         rates = dict(sorted(rates.items(), key=lambda item: item[0] in timed))
         return list(ca.cse(resolved[:2])), rates, outputs, splits
+
+    def _rod_sides(self) -> tuple[list[SX], list[SX]]:
+        """(ode, alg) of the rod as formulas."""
+        ode, alg = self._rod_rows
+        counts = (rows_of(block) for block in (*ode, *alg))
+        formulas = [whole(block, n) for block, n in zip((*ode, *alg), counts, strict=True)]
+        return formulas[: len(ode)], formulas[len(ode) :]
 
     def _quadratures(self, rates: dict[str, SX]) -> tuple[SX, SX]:
         """Rates over the size of an energy: those that depend on unknowns, those on time alone."""
@@ -158,6 +169,7 @@ class _Formulation:
             network.content.sealed_volumes,
             parameters,
         ]
+        every = ca.vertcat(system.load_factor, network.content.sealed_volumes, parameters)
         return Formulas(
             rod_form=self.rod.form,
             network_form=network.form,
@@ -166,7 +178,7 @@ class _Formulation:
             statics=self.statics,
             time=system.time,
             pieces=system.pieces,
-            parameters=ca.vertcat(system.load_factor, network.content.sealed_volumes, parameters),
+            parameters=every,
             ode=ode,
             alg=alg,
             rates=rates,
@@ -192,7 +204,25 @@ class _Formulation:
             storing=tuple(network.storing),
             incompressible=isinstance(system.fluid, Incompressible),
             _compiled=LruCache(MAX_COMPILED),
+            _local=LruCache(1),
+            _take_apart=lambda: self._take_apart(ode, quadrature, rates, every),
         )
+
+    def _take_apart(
+        self, ode: SX, quadrature: SX, rates: dict[str, SX], parameters: SX
+    ) -> LocalEquations | None:
+        """The equations as sums of local terms."""
+        system = self.system
+        local = LocalFormulation(system, self.network, self.rod, self.states, self.algebraics)
+        moving = list(rates)[: quadrature.numel()]
+        size = self._energy_size()
+        balances = local.balances(system.time, system.pieces, parameters, moving, size)
+        if balances is None:
+            return None
+        sums = self._resolve([local.start(ode, self.sizes.time)], (self.states, self.algebraics))
+        x, z = self.states.vector, self.algebraics.vector
+        start = ca.Function("sums", [x, z, system.time, system.pieces, parameters], sums)
+        return LocalEquations(local_form(balances), start)
 
 
 def _names(count: int) -> list[str]:

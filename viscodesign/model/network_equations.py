@@ -47,7 +47,7 @@ class NetworkEquations:
         if self.form is NetworkForm.UNIFORM:
             self._share_pressures(algebraics, statics)
             return
-        system, volume, flows = self.system, self._volume_size(), self.flows
+        system, volume, flows = self.system, self.volume_size(), self.flows
         self.amounts = SX.sym("amount", len(system.pressure))
         self.node_amounts = SX.sym("node_amount", len(self.storing))
         self.inflows = SX.sym("inflow", len(self.content.driven))
@@ -74,13 +74,13 @@ class NetworkEquations:
         ):
             unknowns.add(name, column(symbols), self.sizes.pressure, PRESSURE)
 
-    def _volume_size(self) -> SX:
+    def volume_size(self) -> SX:
         compliance = self.system.parameter("compliance", self.system.bellow.compliance)
         return compliance * self.sizes.pressure
 
     def energy_size(self) -> SX:
         """Energy that a bellow takes up at the size of pressure [J]."""
-        return self._volume_size() * self.sizes.pressure
+        return self.volume_size() * self.sizes.pressure
 
     def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
         """Give every connected network one pressure: its inlet's, or an unknown."""
@@ -119,7 +119,7 @@ class NetworkEquations:
 
     def dynamics(self) -> tuple[list[SX], list[SX]]:
         """Rates of the scaled states and scaled algebraic residuals, not yet resolved."""
-        size = self._volume_size()
+        size = self.volume_size()
         if self.form is NetworkForm.UNIFORM:
             return [], self.content.sealed_residuals(size)
         inflow, flows, driven = self.system.net_inflow, self.flows, self.content.driven
@@ -147,7 +147,7 @@ class NetworkEquations:
     def equilibrium(self) -> list[SX]:
         """Residuals of the steady state in the static unknowns, not yet resolved."""
         if self.form is NetworkForm.UNIFORM:
-            return self.content.sealed_residuals(self._volume_size())
+            return self.content.sealed_residuals(self.volume_size())
         flows = self.flows
         return [
             self._swelling_residuals(),
@@ -170,7 +170,7 @@ class NetworkEquations:
         """No net flow anywhere; in a sealed part the first node's row is its content."""
         content = self.content
         first = (content.first_node(c) for c in content.sealed)
-        sealed = dict(zip(first, content.sealed_residuals(self._volume_size()), strict=True))
+        sealed = dict(zip(first, content.sealed_residuals(self.volume_size()), strict=True))
         return [sealed[n] if n in sealed else self.flows.steady_residual(n) for n in nodes]
 
     # -- results --------------------------------------------------------------

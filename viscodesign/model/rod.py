@@ -97,10 +97,9 @@ class RodSymbols(ABC):
     def tip(self) -> SX:
         """Position of the tip (2,) [m]."""
 
-    @property
     @abstractmethod
-    def tip_turn(self) -> SX:
-        """Rotation through which a moment at the tip does its work [rad]."""
+    def tip_turns(self) -> list[SX]:
+        """Rotations, each local, through whose sum a moment at the tip does its work [rad]."""
 
     @property
     @abstractmethod
@@ -130,8 +129,10 @@ class RodSymbols(ABC):
         """Distribute a mass [kg] along each section, first at the clamp."""
 
     @abstractmethod
-    def strain_rate_power(self) -> SX:
+    def strain_rate_powers(self) -> list[SX]:
         """EA times squared stretch rate plus EI times squared curvature rate, integrated [N m/s2].
+
+        One local term for each part of the rod.
 
         The power that a Kelvin-Voigt material dissipates, over its retardation time. It
         depends on the motion alone; a rigid rotation has none.
@@ -142,10 +143,11 @@ class RodSymbols(ABC):
         """Kinetic energies of the turning cross sections [J], whose inertia is given [kg m]."""
 
     @abstractmethod
-    def elastic_potential(self) -> SX:
-        """Elastic energy, stationary in the internal unknowns [J].
+    def elastic_energies(self) -> list[SX]:
+        """Elastic energies of the parts of the rod [J], each local.
 
-        Its gradient in the coordinates is minus the internal forces.
+        Their sum is stationary in the internal unknowns; its gradient in the coordinates is minus
+        the internal forces.
         """
 
     @abstractmethod

@@ -8,6 +8,7 @@ from enum import Enum
 
 import casadi as ca
 
+from viscodesign.model.sums import GradientRows, Rows, total, whole
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import SizeSymbols, Traits, Unknowns, column, substitute
 
@@ -71,7 +72,7 @@ class RodEquations:
         return mass.sparsity().is_diag() and free
 
     def _momentum(self) -> SX:
-        return ca.gradient(self.system.kinetic_energy, self.rod.rates)
+        return ca.gradient(self.system.kinetic_energy.total, self.rod.rates)
 
     def _mass_matrix(self) -> SX:
         return ca.jacobian(self._momentum(), self.rod.rates)
@@ -101,15 +102,33 @@ class RodEquations:
 
     def resultants(self) -> list[tuple[SX, SX]]:
         """Mean normal force and moment of each section: conjugate to its intrinsic strains."""
-        system, rod = self.system, self.rod
-        symbols = [ca.vertcat(*system.normal_force), ca.vertcat(*system.moment)]
         if self.form is RodForm.ARCS:
+            system = self.system
+            symbols = [ca.vertcat(*system.normal_force), ca.vertcat(*system.moment)]
             return [(symbol, SX.zeros(symbol.shape)) for symbol in symbols]
-        potential = rod.elastic_potential()
-        strains = (rod.intrinsic_stretch, rod.intrinsic_curvature)
+        return [(symbol, rows.whole()) for symbol, rows, _ in self._resultant_rows()]
+
+    def _resultant_rows(self) -> list[tuple[SX, GradientRows, SX]]:
+        """Symbols of the resultants, what they are, and their sizes."""
+        system, rod = self.system, self.rod
+        energies, force = rod.elastic_energies(), rod.EI / system.length**2
         return [
-            (symbol, -ca.gradient(potential, strain) / rod.section_length)
-            for symbol, strain in zip(symbols, strains, strict=True)
+            (ca.vertcat(*symbols), GradientRows(energies, strain, -1 / rod.section_length), size)
+            for symbols, strain, size in (
+                (system.normal_force, rod.intrinsic_stretch, force),
+                (system.moment, rod.intrinsic_curvature, force * system.length),
+            )
+        ]
+
+    def intermediates(self) -> list[tuple[SX, Rows, SX]]:
+        """Sums that other terms depend on: their symbols, what they are, and their sizes."""
+        if self.form is RodForm.ARCS:
+            return []
+        system, rod = self.system, self.rod
+        return [
+            (rod.intrinsic_curvature, system.intrinsic_curvature, 1 / system.length),
+            (rod.intrinsic_stretch, system.intrinsic_stretch, SX(1)),
+            *self._resultant_rows(),
         ]
 
     def intrinsic_strains(self) -> list[tuple[SX, SX]]:
@@ -138,55 +157,72 @@ class RodEquations:
 
     # -- balances -------------------------------------------------------------
 
-    def _internal_residuals(self) -> SX:
+    def _internal_rows(self) -> Rows:
         """Equations of the internal unknowns (m,), in which the potential is stationary."""
         rod = self.rod
         if not rod.internal.numel():
             return SX(0, 1)
-        return rod.internal_scale * ca.gradient(rod.elastic_potential(), rod.internal)
+        return GradientRows(rod.elastic_energies(), rod.internal, rod.internal_scale)
 
-    def _scaled_forces(self) -> SX:
-        return self._forces() / self.rod.force_size
+    def _potential(self) -> list[SX]:
+        """Energies of the rod and of its loads, each local [J]."""
+        system, rod = self.system, self.rod
+        loads = [system.load_factor * term for term in system.load_potential.terms]
+        turns = [-rod.tip_moment * turn for turn in rod.tip_turns()]
+        return [*rod.elastic_energies(), *loads, *turns]
 
-    def _forces(self) -> SX:
+    def _forces(self, scale: SX) -> list[Rows]:
+        """Generalised forces, times ``scale``."""
         rod = self.rod
-        potential = (
-            rod.elastic_potential()
-            + self.system.load_factor * self.system.load_potential
-            - rod.tip_moment * rod.tip_turn
-        )
-        forces = -ca.gradient(potential, rod.coordinates)
+        forces: list[Rows] = [GradientRows(self._potential(), rod.coordinates, -scale)]
         if self.form in MOVING:
             # A Rayleigh function is half the power, its gradient the force.
-            forces -= ca.gradient(self.system.dissipation_power / 2, rod.rates)
+            power = self.system.dissipation_power.terms
+            forces.append(GradientRows(power, rod.rates, -scale / 2))
         return forces
 
-    def _momentum_residual(self) -> SX:
-        """Lagrange's equations where the velocities are coupled, over the size of a force."""
-        rod, energy = self.rod, self.system.kinetic_energy
-        momentum = self._momentum()
-        rate = ca.jtimes(momentum, rod.rates, self.acceleration)
-        rate += ca.jtimes(momentum, rod.coordinates, rod.rates) - ca.gradient(
-            energy, rod.coordinates
-        )
-        return (rate - self._forces()) / rod.force_size
+    def _scaled_forces(self) -> list[Rows]:
+        return self._forces(1 / self.rod.force_size)
 
-    def dynamics(self) -> tuple[list[SX], list[SX]]:
-        """Rates of the scaled states and scaled algebraic residuals, not yet resolved."""
+    def _momentum_rows(self) -> list[Rows]:
+        """Lagrange's equations where the velocities are coupled, over the size of a force.
+
+        In Nielsen's form, d(dT/dt)/dv - 2 dT/dr = F, they are gradients throughout.
+        """
+        rod, energies, scale = self.rod, self.system.kinetic_energy.terms, 1 / self.rod.force_size
+        moving = ca.vertcat(rod.coordinates, rod.rates)
+        along = ca.vertcat(rod.rates, self.acceleration)
+        powers = [ca.jtimes(energy, moving, along) for energy in energies]
+        inertia = [
+            GradientRows(powers, rod.rates, scale),
+            GradientRows(energies, rod.coordinates, -2 * scale),
+        ]
+        return [*inertia, *self._forces(-scale)]
+
+    def has_constant_masses(self) -> bool:
+        """Whether no mass follows what the bellows hold."""
+        amounts = ca.vertcat(*self.system.amount.values())
+        return not ca.depends_on(ca.diag(self._mass_matrix()), amounts)
+
+    def dynamics(self, with_accelerations: bool) -> tuple[list[list[Rows]], list[list[Rows]]]:
+        """Rates of the scaled states and scaled algebraic residuals, not yet resolved.
+
+        Of every block of rows, the contributions to it. ``with_accelerations``: as unknowns,
+        with an equation each.
+        """
         if self.form is RodForm.ARCS:
             return [], []
         size, time = self.rod.coordinate_size, self.sizes.time
-        alg, motion = [self._internal_residuals()], [self.rod.rates / size]
+        alg: list[list[Rows]] = [[self._internal_rows()]]
+        motion: list[Rows] = [self.rod.rates / size]
         if self.form is RodForm.STATIC:
             return [], [*alg, self._scaled_forces()]
         if self.form is RodForm.DAMPED:
-            return motion, [*alg, self._scaled_forces()]
-        if self.coupled:
-            acceleration = self.acceleration
-            alg.append(self._momentum_residual())
-        else:
-            acceleration = self._forces() / ca.diag(self._mass_matrix())
-        return [*motion, acceleration * time / size], alg
+            return [motion], [*alg, self._scaled_forces()]
+        speed = size / time
+        if with_accelerations:
+            return [motion, [self.acceleration / speed]], [*alg, self._momentum_rows()]
+        return [motion, self._forces(1 / (ca.diag(self._mass_matrix()) * speed))], alg
 
     def equilibrium(self) -> list[SX]:
         """Residuals of the steady state in the static unknowns, not yet resolved."""
@@ -194,7 +230,9 @@ class RodEquations:
             return []
         rates = self.rod.rates
         at_rest = [(rates, SX.zeros(rates.shape))]
-        return [self._internal_residuals(), *substitute([self._scaled_forces()], at_rest)]
+        forces = whole(self._scaled_forces(), rates.numel())
+        internal = whole([self._internal_rows()], self.rod.internal.numel())
+        return [internal, *substitute([forces], at_rest)]
 
     def energy_size(self) -> SX:
         """Energy of bending the rod by a tenth of a radian [J]."""
@@ -202,7 +240,7 @@ class RodEquations:
 
     def rates(self) -> dict[str, SX]:
         """Powers whose integrals the balances need [W]."""
-        return {"material_loss": self.system.dissipation_power} if self.form in MOVING else {}
+        return {"material_loss": self.system.dissipation_power.total} if self.form in MOVING else {}
 
     def outputs(self) -> dict[str, SX]:
         """Quantities from which a motion is read."""
@@ -212,11 +250,11 @@ class RodEquations:
             "moment": column(system.moment),
             "intrinsic_curvature": rod.intrinsic_curvature,
             "intrinsic_stretch": rod.intrinsic_stretch,
-            "kinetic_energy": system.kinetic_energy,
-            "load_energy": system.load_potential - rod.tip_moment * rod.tip_turn,
+            "kinetic_energy": system.kinetic_energy.total,
+            "load_energy": system.load_potential.total - rod.tip_moment * total(rod.tip_turns()),
         }
         if self.form is not RodForm.ARCS:
-            found |= rod.outputs() | {"elastic_energy": rod.elastic_potential()}
+            found |= rod.outputs() | {"elastic_energy": total(rod.elastic_energies())}
         return found
 
 

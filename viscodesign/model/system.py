@@ -27,6 +27,7 @@ from viscodesign.model.fluid import FluidLaw, Incompressible
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, RodDiscretisation, RodParameters
 from viscodesign.model.scene_number import PARAMETER_VALUE
+from viscodesign.model.sums import Terms
 from viscodesign.model.syringes import SyringeParameters, SyringeSymbols
 
 SX = ca.SX
@@ -111,10 +112,10 @@ class System:
         """Volume of every bellow beyond that at rest [m3], where pressure does not determine it."""
 
         # The sums that effects join.
-        self.kinetic_energy = SX(0)
-        self.load_potential = SX(0)
+        self.kinetic_energy = Terms()
+        self.load_potential = Terms()
         self.tip_moment = SX(0)
-        self.dissipation_power = SX(0)
+        self.dissipation_power = Terms()
         self.extra_volume = {name: SX(0) for name in graph.bellows}
         """Volume of a bellow beyond the law of its wall [m3]."""
         self.tube_volume: dict[str, SX] = {}
@@ -189,11 +190,11 @@ class System:
 
     @cached_property
     def _load_per_amount(self) -> dict[str, SX]:
-        return self._per_amount(self.load_potential)
+        return self._per_amount(self.load_potential.total)
 
     @cached_property
     def _kinetic_per_amount(self) -> dict[str, SX]:
-        return self._per_amount(self.kinetic_energy)
+        return self._per_amount(self.kinetic_energy.total)
 
     def _per_amount(self, energy: SX) -> dict[str, SX]:
         slopes = ca.gradient(energy, ca.vertcat(*self.amount.values()))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from viscodesign.model.lru_cache import LruCache
+from viscodesign.storage.lru_cache import LruCache
 
 
 def test_results_are_cached_and_the_oldest_dropped() -> None:

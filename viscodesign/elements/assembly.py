@@ -1,0 +1,190 @@
+"""Index arrays around the kernels of a structure, and the numbers of one scene in them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import casadi as ca
+import numpy as np
+
+from viscodesign._version import __version__
+from viscodesign.elements import kinds as kinds_module
+from viscodesign.elements.kinds import Elements, rate_of, slopes_of, value_of
+from viscodesign.elements.local_form import LocalForm
+from viscodesign.native.code_cache import cached, written_by
+from viscodesign.native.kernels import LANES, CompiledKernels, compile_if_missing
+from viscodesign.native.sparse_lu import SparseLU
+from viscodesign.native.tables import Assembly, ElementTable, SourceTable
+
+FEWEST_IN_LANES = 3
+"""Elements of a kind from which it pays to treat several at once."""
+
+
+@dataclass(frozen=True)
+class _Table:
+    """All elements of one kind in groups of lanes."""
+
+    value: int
+    slopes: int
+    """Addresses of the kernels."""
+    variables: np.ndarray
+    """int32 (groups, v, lanes) places among the variables."""
+    numbers: np.ndarray
+    """(groups, m, lanes) places among the numbers of the scene."""
+    rows: np.ndarray
+    """int32 (groups, r, lanes) equations, or drives."""
+    entries: np.ndarray
+    """int32 (groups, z, lanes) places among the values of the Jacobian."""
+
+
+class CompiledForm:
+    """One structure in native code; serves all its scenes, in any thread.
+
+    Raises `NativeUnavailable` where there is no native code.
+    """
+
+    def __init__(self, form: LocalForm) -> None:
+        self.form = form
+        patterns = [
+            _places(kind, own) for kind, own in zip(form.kinds, _patterns(form.kinds), strict=True)
+        ]
+        rows = np.concatenate([own[0].ravel() for own in patterns] or [np.zeros(0, np.int64)])
+        columns = np.concatenate([own[1].ravel() for own in patterns] or [np.zeros(0, np.int64)])
+        size, moving = form.size, form.size + form.drives
+        own, driven = columns < size, (columns >= size) & (columns < moving)
+        self.rows, self.columns, place = _distinct(rows[own], columns[own], size)
+        self.drive_rows, drive_columns, drive_place = _distinct(
+            rows[driven], columns[driven], moving
+        )
+        self.drive_columns = drive_columns - size
+        entries = np.full(len(rows), len(self.rows))
+        entries[own] = place
+        entries[driven] = len(self.rows) + 1 + drive_place
+        self._code: list[CompiledKernels] = []
+        ends = np.cumsum([own[0].size for own in patterns])
+        split = np.split(entries, ends[:-1]) if patterns else []
+        shaped = [e.reshape(own[0].shape) for e, own in zip(split, patterns, strict=True)]
+        self._tables = self._compiled(
+            form.kinds,
+            lambda kind: (value_of(kind.law), slopes_of(kind.law).function),
+            shaped,
+            size,
+            len(self.rows),
+        )
+        drives = [np.array(kind.rows, dtype=np.int64) for kind in form.sources]
+        self._sources = self._compiled(
+            form.sources,
+            lambda kind: (value_of(kind.law), rate_of(kind.law, kind.time)),
+            drives,
+            form.drives,
+            form.drives,
+        )
+        self.lu = SparseLU(size, self.rows, self.columns)
+
+    def _compiled(
+        self,
+        kinds: Sequence[Elements],
+        functions_of: Callable[[Elements], tuple[ca.Function, ca.Function]],
+        entries: Sequence[np.ndarray],
+        spare_row: int,
+        spare_entry: int,
+    ) -> list[_Table]:
+        """Tables of some kinds, compiled together for each number of lanes."""
+        lanes = [LANES if len(kind.rows) >= FEWEST_IN_LANES else 1 for kind in kinds]
+        addresses: dict[int, tuple[int, int]] = {}
+        for width in sorted(set(lanes)):
+            chosen = [k for k, own in enumerate(lanes) if own == width]
+            laws = (f"{kinds[k].law} {kinds[k].time}" for k in chosen)
+            key = (written_by(kinds_module), *laws)
+            code = compile_if_missing(
+                partial(_functions, [kinds[k] for k in chosen], functions_of),
+                2 * len(chosen),
+                key,
+                width,
+            )
+            self._code.append(code)
+            for i, k in enumerate(chosen):
+                addresses[k] = code.address(2 * i), code.address(2 * i + 1)
+        return [
+            _Table(
+                *addresses[k],
+                _in_lanes(np.array(kind.variables), width).astype(np.int32),
+                _in_lanes(np.array(kind.numbers, dtype=np.int64), width),
+                _in_lanes(np.array(kind.rows), width, spare_row).astype(np.int32),
+                _in_lanes(own, width, spare_entry).astype(np.int32),
+            )
+            for k, (kind, own, width) in enumerate(zip(kinds, entries, lanes, strict=True))
+        ]
+
+    def bound(self, parameters: np.ndarray) -> Assembly:
+        """The elements with the numbers of a scene; owned by one user at a time."""
+        numbers = np.array(self.form.numbers(parameters)).ravel()
+        return Assembly(
+            [
+                ElementTable(t.value, t.slopes, t.variables, numbers[t.numbers], t.rows, t.entries)
+                for t in self._tables
+            ],
+            [
+                SourceTable(t.value, t.slopes, t.variables, numbers[t.numbers], t.rows)
+                for t in self._sources
+            ],
+            unknowns=self.form.size,
+            drives=self.form.drives,
+            entries=len(self.rows),
+            drive_rows=self.drive_rows,
+            drive_columns=self.drive_columns,
+        )
+
+
+def _functions(
+    kinds: Sequence[Elements], functions_of: Callable[[Elements], tuple[ca.Function, ca.Function]]
+) -> list[ca.Function]:
+    return [function for kind in kinds for function in functions_of(kind)]
+
+
+def _patterns(kinds: Sequence[Elements]) -> list[np.ndarray]:
+    """Result and variable of every entry of the kinds' Jacobians, each (2, z).
+
+    Kept between processes: differentiating the laws for it takes longer than all the rest.
+    """
+
+    def make() -> bytes:
+        found = [slopes_of(kind.law).pattern for kind in kinds]
+        sizes = np.array([len(found), *(own.shape[1] for own in found)], dtype=np.int64)
+        return b"".join(own.tobytes() for own in (sizes, *found))
+
+    laws = (str(kind.law) for kind in kinds)
+    writer = __version__, written_by(kinds_module), ca.CasadiMeta.version()
+    stored = np.frombuffer(cached(("patterns", *writer, *laws), make), dtype=np.int64)
+    count = int(stored[0])
+    found, first = [], 1 + count
+    for size in stored[1 : 1 + count].tolist():
+        found.append(stored[first : first + 2 * size].reshape(2, -1))
+        first += 2 * size
+    return found
+
+
+def _places(kind: Elements, pattern: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Equation and variable of every entry of every element's Jacobian (e, z)."""
+    return np.array(kind.rows)[:, pattern[0]], np.array(kind.variables)[:, pattern[1]]
+
+
+def _distinct(
+    rows: np.ndarray, columns: np.ndarray, width: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Different places of a matrix: rows, columns, and which of them each given one is."""
+    keys, place = np.unique(rows * np.int64(width) + columns, return_inverse=True)
+    return keys // width, keys % width, place
+
+
+def _in_lanes(values: np.ndarray, lanes: int, spare: int | None = None) -> np.ndarray:
+    """(e, k) -> (groups, k, lanes), filled up with ``spare``, or with the last element."""
+    count, width = values.shape
+    missing = -count % lanes
+    last = values[-1:] if spare is None else np.full((1, width), spare, dtype=values.dtype)
+    padded = np.concatenate([values, np.repeat(last, missing, axis=0)])
+    groups = len(padded) // lanes
+    grouped = padded.reshape(groups, lanes, width).transpose(0, 2, 1)
+    return np.ascontiguousarray(grouped)
