@@ -15,8 +15,8 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.tip_displacements import TipDisplacements
 from viscodesign.effects.verdicts import verdict
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.model.lru_cache import LruCache
 from viscodesign.results.findings import Verdict
+from viscodesign.storage.lru_cache import LruCache
 
 
 @dataclass(frozen=True)

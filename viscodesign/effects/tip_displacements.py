@@ -7,7 +7,7 @@ from functools import cached_property
 from viscodesign.effects.allowed_sets import AllowedSets, Names
 from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.term import EstimateTerm
-from viscodesign.model.lru_cache import LruCache
+from viscodesign.storage.lru_cache import LruCache
 
 MOST_BELLOWS_ESTIMATED = 96
 """Bellows beyond which an estimate would take too long: then weights alone decide."""

@@ -12,7 +12,7 @@ import numpy as np
 from viscodesign._version import __version__
 from viscodesign.elements import kinds as kinds_module
 from viscodesign.elements.kinds import Elements, rate_of, slopes_of, value_of
-from viscodesign.elements.local_form import LocalForm
+from viscodesign.elements.local_form import LINEAR, LocalForm
 from viscodesign.native.code_cache import cached, written_by
 from viscodesign.native.kernels import LANES, CompiledKernels, compile_if_missing
 from viscodesign.native.sparse_lu import SparseLU
@@ -23,12 +23,11 @@ FEWEST_IN_LANES = 3
 
 
 @dataclass(frozen=True)
-class _Table:
+class KindTable:
     """All elements of one kind in groups of lanes."""
 
-    value: int
-    slopes: int
-    """Addresses of the kernels."""
+    kernels: tuple[int, int] | None
+    """Addresses of those that give values and slopes; None for what is linear."""
     variables: np.ndarray
     """int32 (groups, v, lanes) places among the variables."""
     numbers: np.ndarray
@@ -37,6 +36,17 @@ class _Table:
     """int32 (groups, r, lanes) equations, or drives."""
     entries: np.ndarray
     """int32 (groups, z, lanes) places among the values of the Jacobian."""
+
+    def element_table(self) -> ElementTable:
+        """The same with room for numbers, as a table of terms."""
+        value, slopes = self.kernels or (None, None)
+        room = np.zeros(self.numbers.shape)
+        return ElementTable(value, slopes, self.variables, room, self.rows, self.entries)
+
+    def source_table(self) -> SourceTable:
+        """The same as a table of inputs."""
+        assert self.kernels is not None, "an input has a kernel, even if it is linear"
+        return SourceTable(*self.kernels, self.variables, np.zeros(self.numbers.shape), self.rows)
 
 
 class CompiledForm:
@@ -82,6 +92,7 @@ class CompiledForm:
             form.drives,
         )
         self.lu = SparseLU(size, self.rows, self.columns)
+        self._blank = self._assembled()
 
     def _compiled(
         self,
@@ -90,12 +101,13 @@ class CompiledForm:
         entries: Sequence[np.ndarray],
         spare_row: int,
         spare_entry: int,
-    ) -> list[_Table]:
+    ) -> list[KindTable]:
         """Tables of some kinds, compiled together for each number of lanes."""
         lanes = [LANES if len(kind.rows) >= FEWEST_IN_LANES else 1 for kind in kinds]
         addresses: dict[int, tuple[int, int]] = {}
-        for width in sorted(set(lanes)):
-            chosen = [k for k, own in enumerate(lanes) if own == width]
+        called = [k for k, kind in enumerate(kinds) if kind.law != LINEAR or kind.is_source]
+        for width in sorted({lanes[k] for k in called}):
+            chosen = [k for k in called if lanes[k] == width]
             laws = (f"{kinds[k].law} {kinds[k].time}" for k in chosen)
             key = (written_by(kinds_module), *laws)
             code = compile_if_missing(
@@ -108,8 +120,8 @@ class CompiledForm:
             for i, k in enumerate(chosen):
                 addresses[k] = code.address(2 * i), code.address(2 * i + 1)
         return [
-            _Table(
-                *addresses[k],
+            KindTable(
+                addresses.get(k),
                 _in_lanes(np.array(kind.variables), width).astype(np.int32),
                 _in_lanes(np.array(kind.numbers, dtype=np.int64), width),
                 _in_lanes(np.array(kind.rows), width, spare_row).astype(np.int32),
@@ -118,24 +130,25 @@ class CompiledForm:
             for k, (kind, own, width) in enumerate(zip(kinds, entries, lanes, strict=True))
         ]
 
-    def bound(self, parameters: np.ndarray) -> Assembly:
-        """The elements with the numbers of a scene; owned by one user at a time."""
-        numbers = np.array(self.form.numbers(parameters)).ravel()
+    def _assembled(self) -> Assembly:
+        """The elements without the numbers of any scene."""
         return Assembly(
-            [
-                ElementTable(t.value, t.slopes, t.variables, numbers[t.numbers], t.rows, t.entries)
-                for t in self._tables
-            ],
-            [
-                SourceTable(t.value, t.slopes, t.variables, numbers[t.numbers], t.rows)
-                for t in self._sources
-            ],
+            [table.element_table() for table in self._tables],
+            [table.source_table() for table in self._sources],
             unknowns=self.form.size,
             drives=self.form.drives,
             entries=len(self.rows),
             drive_rows=self.drive_rows,
             drive_columns=self.drive_columns,
         )
+
+    def bound(self, parameters: np.ndarray) -> Assembly:
+        """The elements with the numbers of a scene; owned by one user at a time."""
+        numbers = np.array(self.form.numbers(parameters)).ravel()
+        assembly = self._blank.copy()
+        for k, table in enumerate((*self._tables, *self._sources)):
+            assembly.numbers(k)[...] = numbers[table.numbers]
+        return assembly
 
 
 def _functions(

@@ -170,5 +170,7 @@ class Elements:
     """Of every element, places among the numbers of the scene."""
     rows: list[tuple[int, ...]] = field(default_factory=list)
     """Of every element, the equations that its results add to."""
+    is_source: bool = False
+    """Whether they give drives instead of adding to equations."""
     time: int | None = None
-    """Which of the variables is the time; known of inputs alone."""
+    """Which of the variables of a source is the time."""

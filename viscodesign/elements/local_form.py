@@ -157,7 +157,7 @@ class _Taking:
         law = Law(term.program, len(term.variables), len(term.numbers), None, 1)
         places = [self._place(own, {}) for own in term.variables]
         time = places.index(self._time()) if self._time() in places else None
-        kind = self.sources.setdefault((law, time), Elements(law, time=time))
+        kind = self.sources.setdefault((law, time), Elements(law, is_source=True, time=time))
         self._append(kind, term, [drive], [SX(1)])
 
     # -- elements ---------------------------------------------------------------

@@ -11,7 +11,10 @@ import hashlib
 import os
 import sys
 from collections.abc import Callable
+from functools import cache
+from inspect import getsource
 from pathlib import Path
+from types import ModuleType
 
 from viscodesign.errors import UsageError
 from viscodesign.storage.atomic_files import write_bytes
@@ -59,6 +62,15 @@ def digest(parts: tuple[str | bytes, ...]) -> str:
         data = part.encode() if isinstance(part, str) else part
         whole.update(f"{len(data)}:".encode() + data)
     return whole.hexdigest()
+
+
+@cache
+def written_by(*modules: ModuleType) -> str:
+    """What tells one way of writing code from another; two of them may have the same version."""
+    try:
+        return digest(tuple(getsource(module) for module in modules))
+    except OSError:
+        return "code without source"
 
 
 def _read(path: Path) -> bytes | None:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from functools import cache
-from inspect import getsource
 from weakref import WeakValueDictionary
 
 import casadi as ca
@@ -13,7 +11,7 @@ import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.native import ir_operations, ir_writer
-from viscodesign.native.code_cache import cached, digest
+from viscodesign.native.code_cache import cached, digest, written_by
 from viscodesign.native.ir_writer import module_ir
 from viscodesign.native.machine import Loaded, load, object_code, this_machine
 from viscodesign.native.source.primitives import PythonKernel
@@ -65,7 +63,8 @@ def compile_if_missing(
     The key tells them apart from all others. Raises `NativeUnavailable`.
     """
     settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}, casadi {ca.CasadiMeta.version()}"
-    parts = (*key, __version__, _writer(), str(this_machine()), settings)
+    writer = written_by(ir_operations, ir_writer)
+    parts = (*key, __version__, writer, str(this_machine()), settings)
     name = digest(parts)
     with _LOCK:
         kernels = _LOADED.get(name)
@@ -84,15 +83,6 @@ def _compiled(
         return object_code(ir, optimise=OPTIMISE, generate=GENERATE)
 
     return CompiledKernels(load(cached(parts, code), names), names)
-
-
-@cache
-def _writer() -> str:
-    """What tells one way of writing IR from another; two of them may have the same version."""
-    try:
-        return digest(tuple(getsource(module) for module in (ir_operations, ir_writer)))
-    except OSError:
-        return "code without source"
 
 
 def python_kernel(function: ca.Function, lanes: int) -> PythonKernel:

@@ -154,6 +154,7 @@ def _settings(run: Run) -> dict[str, Any]:
         "edges_per_section": run.settings.edges_per_section,
         "tolerance": run.settings.tolerance,
         "solver": run.solution.solver,
+        "native_code": run.solution.work.native,
         "states": equations.states.count,
         "algebraic_unknowns": equations.algebraics.count,
     }

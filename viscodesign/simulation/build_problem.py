@@ -24,7 +24,7 @@ from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.problem import Pieces, Problem, Schedule
-from viscodesign.solve.transient import DEFAULT_SOLVER, RINGING_SOLVER, solver_catalogue
+from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
 
 SHARE_OF_TIME = 0.5
 """Part of the accuracy that a first solution may spend on its steps through time."""
@@ -48,15 +48,9 @@ def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> 
     """
     accuracy, body = quantities.accuracy, quantities.body
     mesh = Chain.suggested(body, accuracy, quantities.largest_turn)
-    solver = RINGING_SOLVER if _rings_on(effects) else DEFAULT_SOLVER
-    tolerance = SHARE_OF_TIME * accuracy / solver_catalogue()[solver].tip_error_per_tolerance
-    return Settings(mesh.edges_per_section, tolerance, solver, is_free=True)
-
-
-def _rings_on(effects: Sequence[Effect]) -> bool:
-    """Whether an effect moves the rod without the damping that normally comes with it."""
-    names = {effect.name for effect in effects}
-    return any(effect.companion and effect.companion not in names for effect in effects)
+    solver = solver_catalogue()[DEFAULT_SOLVER]
+    tolerance = SHARE_OF_TIME * accuracy / solver.tip_error_per_tolerance
+    return Settings(mesh.edges_per_section, tolerance, solver.name, is_free=True)
 
 
 def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings) -> Problem:

@@ -11,7 +11,6 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.model.lru_cache import LruCache
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.motion import Motion, read_motion
 from viscodesign.simulation.build_problem import Settings, build
@@ -19,6 +18,7 @@ from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start, equilibrium, rest
 from viscodesign.solve.transient import Solution, integrate, solver_catalogue, suitable_solver
 from viscodesign.storage.disk_arrays import ArrayStore, blocks
+from viscodesign.storage.lru_cache import LruCache
 
 Progress = Callable[[float], None]
 

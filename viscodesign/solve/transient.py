@@ -52,9 +52,9 @@ class ChunkSizes:
 
 
 CHUNK = ChunkSizes()
-DEFAULT_SOLVER = "idas"
-RINGING_SOLVER = "rosenbrock"
-"""For undamped vibrations, for which BDF of high order is not stable."""
+DEFAULT_SOLVER = "rosenbrock"
+SPARE_SOLVER = "idas"
+"""For equations that the default does not take."""
 
 
 @dataclass
@@ -147,14 +147,15 @@ def solver_catalogue() -> dict[str, type[Solver]]:
 
 
 def suitable_solver(problem: Problem, wanted: str, is_free: bool = False) -> str:
-    """The first that takes these equations: one without error in time, if the choice is free and
-    the problem is not too large for it; the wanted one; the default.
+    """The first that takes these equations, and a problem of their size: one without error in
+    time, if the choice is free; the wanted one; the spare one.
     """
     catalogue = solver_catalogue()
     for name, kind in catalogue.items():
         if is_free and kind.is_exact and kind.fits(problem) and kind.takes(problem):
             return name
-    return wanted if catalogue[wanted].takes(problem) else DEFAULT_SOLVER
+    given = catalogue[wanted]
+    return wanted if given.fits(problem) and given.takes(problem) else SPARE_SOLVER
 
 
 def integrate(

@@ -77,8 +77,11 @@ def test_work_budget_of_the_leg() -> None:
 
 
 def test_work_budget_of_the_quasi_static_leg() -> None:
+    """Linear equations take no steps: a response for every output, and no residual at all."""
     found = simulate(leg(ONE_WAY), verify=False)
-    assert found.cost.steps <= 250
+    assert found.settings["solver"] == "modes"
+    assert found.cost.steps <= len(found.time) + 1
+    assert found.cost.residual_calls == 0
     assert found.settings["states"] == 17
 
 
@@ -163,10 +166,10 @@ def test_results_before_a_failure_are_kept(monkeypatch: pytest.MonkeyPatch) -> N
     """Bisection finds the last output before an integrator fails."""
     problem = _one_way()
     _limited(monkeypatch, 2.45)
-    for other in ("rosenbrock", "radau"):
+    for other in set(solver_catalogue()) - {"idas"}:
         monkeypatch.setattr(solver_catalogue()[other], "fits", lambda problem: False)
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
-    solution = integrate(problem, start, 1e-4)
+    solution = integrate(problem, start, 1e-4, solver="idas")
     assert solution.failure is not None
     assert solution.failure.time_s == pytest.approx(2.4)
     assert solution.reached == 25
@@ -180,9 +183,9 @@ def test_another_solver_takes_over_where_one_fails(monkeypatch: pytest.MonkeyPat
     problem = _one_way()
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     _limited(monkeypatch, 2.45)
-    solution = integrate(problem, start, 1e-4)
+    solution = integrate(problem, start, 1e-4, solver="idas")
     monkeypatch.undo()
-    whole = integrate(problem, start, 1e-4)
+    whole = integrate(problem, start, 1e-4, solver="idas")
     assert solution.failure is None
     assert solution.reached == whole.reached
     assert [attempt.tried for attempt in solution.attempts if attempt.solved] == [

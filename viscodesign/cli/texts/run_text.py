@@ -55,8 +55,13 @@ def _progress(trajectory: Trajectory) -> str:
     wall = cost.build_s + cost.solve_s + cost.verify_s
     return (
         f"{trajectory.status}: {number(reached, 's')} of motion "
-        f"in {number(wall, 's')}, {cost.steps} steps"
+        f"in {number(wall, 's')}, {cost.steps} steps of {_solver(trajectory)}"
     )
+
+
+def _solver(trajectory: Trajectory) -> str:
+    settings = trajectory.settings
+    return f"{settings['solver']}{' in native code' if settings['native_code'] else ''}"
 
 
 def _times(trajectory: Trajectory) -> str:

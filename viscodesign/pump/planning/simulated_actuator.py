@@ -20,7 +20,7 @@ from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate_along
 from viscodesign.solve.solvers.base import Solver, Work
 from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, equilibrium
-from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
+from viscodesign.solve.transient import SPARE_SOLVER, solver_catalogue
 
 TOLERANCE = 1e-3  # of the integrator: about half a percent of the length at the tip
 LONGEST = 0.05  # a longer tick is cut into such [s]
@@ -40,7 +40,7 @@ class ActuatorPlant(Plant):
         self._area, self._longest_way = drive.area, (1 - KEPT_FREE) * drive.filled_at_home
         self._problem = _problem(scene, drive)
         self._solver = _solver(self._problem)
-        self._any_length = not isinstance(self._solver, solver_catalogue()[DEFAULT_SOLVER])
+        self._any_length = not isinstance(self._solver, solver_catalogue()[SPARE_SOLVER])
         self._owed = 0.0
         self._work = Work()
         self._begin(np.zeros(len(scene.inputs)))
@@ -127,5 +127,5 @@ def _solver(problem: Problem) -> Solver:
         return QuasiStatic(problem, TOLERANCE)
     kind = solver_catalogue()[ANY_LENGTH]
     if not (kind.takes(problem) and kind.fits(problem)):
-        kind = solver_catalogue()[DEFAULT_SOLVER]
+        kind = solver_catalogue()[SPARE_SOLVER]
     return kind(problem, TOLERANCE)

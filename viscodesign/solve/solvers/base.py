@@ -27,6 +27,8 @@ class Work:
     jacobian_calls: int = 0
     compile_s: float = 0.0
     """Wall time of building integrators [s]."""
+    native: bool = False
+    """Whether any steps were taken in native code."""
     progress: Callable[[float], None] | None = None
     """Called with the time [s] after a step, by solvers whose steps are slow; may raise."""
 

@@ -64,7 +64,7 @@ class Idas(Solver):
     """Variable-order BDF of SUNDIALS on the whole system of equations."""
 
     name: ClassVar[str] = "idas"
-    order: ClassVar[int] = 10
+    order: ClassVar[int] = 20
     title: ClassVar[str] = "SUNDIALS IDAS: BDF of order 1 to 5, exact Jacobian"
     # Nine configs at their first tolerances: 6 in the median, 14 at most but for a payload that
     # swings on hardly damped (54), whose run measures that and takes a smaller tolerance.

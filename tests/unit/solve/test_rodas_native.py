@@ -1,0 +1,82 @@
+"""Steps in native code against the same steps in CasADi's virtual machine."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg, problem_of
+from viscodesign import simulate
+from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.solvers import rosenbrock
+from viscodesign.solve.solvers.rodas_formulas import FormulaSteps
+from viscodesign.solve.solvers.rodas_native import NativeSteps
+from viscodesign.solve.statics import equilibrium
+from viscodesign.solve.transient import Solution, integrate
+
+TOLERANCE = 1e-4
+SHORT = "run.duration=1 s"
+SCENES = {
+    "linear": leg(SHORT),
+    "all effects of gas": leg(SHORT, config="leg_16_straight_air_auto"),
+    "a snapping curve": leg(SHORT, config="measured_bellow"),
+    "pumps at both ends": leg(SHORT, config="antagonistic_two_inlets"),
+    "a payload": leg(SHORT, config="horizontal_payload"),
+}
+ROUND_OFF = 1e-9
+"""Scaled unknowns whose equations are the same up to the order of sums."""
+STATED = 0.05
+"""Of the tolerance: sums that are unknowns are taken along to the order of the method."""
+
+
+def solve(problem: Problem, steps: type, monkeypatch: pytest.MonkeyPatch) -> Solution:
+    monkeypatch.setattr(rosenbrock, "_steps", steps)
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    found = integrate(problem, start, TOLERANCE, solver="rosenbrock")
+    assert found.failure is None
+    return found
+
+
+@pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
+def test_both_take_the_same_steps(scene: object, monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = problem_of(scene)  # type: ignore[arg-type]
+    native = solve(problem, NativeSteps, monkeypatch)
+    formulas = solve(problem, FormulaSteps, monkeypatch)
+    assert native.work.native
+    assert not formulas.work.native
+    assert native.work.steps == formulas.work.steps
+    assert native.work.residual_calls <= formulas.work.residual_calls
+    for one, other in (
+        (native.states, formulas.states),
+        (native.integrals, formulas.integrals),
+    ):
+        assert np.max(np.abs(one - other)) <= STATED * TOLERANCE
+
+
+def test_linear_laws_agree_to_round_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = problem_of(SCENES["linear"])
+    native = solve(problem, NativeSteps, monkeypatch)
+    formulas = solve(problem, FormulaSteps, monkeypatch)
+    assert np.max(np.abs(native.states - formulas.states)) <= ROUND_OFF
+    assert np.max(np.abs(native.algebraics - formulas.algebraics)) <= ROUND_OFF
+
+
+def test_without_native_code_the_virtual_machine_answers_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    scene = leg(SHORT, config="leg_4_air")
+    native = simulate(scene)
+    monkeypatch.setenv("VISCODESIGN_NATIVE", "off")
+    found = simulate(scene)
+    assert native.settings["native_code"]
+    assert not found.settings["native_code"]
+    allowed = native.accuracy.estimated_tip_error_m + found.accuracy.estimated_tip_error_m
+    assert np.max(np.abs(found.tip[:, :2] - native.tip[:, :2])) <= allowed
+
+
+def test_equations_that_are_no_local_sums_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = problem_of(SCENES["linear"])
+    monkeypatch.setattr(type(problem.equations), "local", property(lambda self: None))
+    with pytest.raises(NativeUnavailable, match="local"):
+        NativeSteps(problem, TOLERANCE)

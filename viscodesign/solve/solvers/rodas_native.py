@@ -1,0 +1,98 @@
+"""Steps of Rodas5P in native code: small kernels for each kind of term, loops around them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from viscodesign.native.machine import this_machine
+from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, march
+from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.solve.problem import Problem, Schedule
+from viscodesign.solve.solvers.base import Work
+from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
+
+
+def has_native_code(problem: Problem) -> bool:
+    """Whether `NativeSteps` can take a problem."""
+    try:
+        this_machine()
+    except NativeUnavailable:
+        return False
+    return problem.equations.local is not None
+
+
+class NativeSteps(StretchSteps):
+    """Steps of the equations as sums of local terms.
+
+    Raises `NativeUnavailable` where there is no native code, or no such form of the equations.
+    """
+
+    def __init__(self, problem: Problem, tolerance: float) -> None:
+        super().__init__(problem, tolerance)
+        this_machine()  # code that was made before may have been switched off
+        local = problem.equations.local
+        if local is None:
+            raise NativeUnavailable("the equations are no sums of local terms")
+        self._local = local
+        self._compiled = local.compiled
+        self._assembly = self._compiled.bound(problem.numbers())
+        sums = local.sums
+        self._powers = np.concatenate([self.powers(), np.full(sums, np.inf)])
+        after = problem.unknowns + sums
+        kept = np.ones(local.form.size, dtype=bool)
+        kept[problem.unknowns : after] = False
+        self._kept = np.flatnonzero(kept)
+
+    def __call__(
+        self,
+        schedule: Schedule,
+        y: np.ndarray,
+        begin: int,
+        end: int,
+        size: float | None,
+        work: Work,
+    ) -> Reached:
+        edges, piece = schedule.edges[begin : end + 1], schedule.pieces[begin]
+        stretch = edges[-1] - edges[0]
+        state = MarchState(
+            y=self._with_sums(y, float(edges[0]), piece),
+            time=float(edges[0]),
+            size=self.first_size(size, stretch),
+        )
+        settings = MarchSettings(
+            tolerance=self.tolerance,
+            motion_time=self.problem.equations.motion_time,
+            powers=self._powers,
+            largest=self.largest_size(stretch),
+            smallest=CONTROL.min_step * schedule.edges[-1],
+            safety=CONTROL.safety,
+            max_factor=CONTROL.max_factor,
+            min_factor=CONTROL.min_factor,
+            memory=CONTROL.memory,
+        )
+        status, found = march(
+            self._assembly,
+            self._compiled.lu,
+            self._local.form.balances.mass,
+            np.append(piece, 1.0),
+            state,
+            edges[1:],
+            settings,
+            max(self.problem.max_steps - work.steps, 1),
+        )
+        work.native = True
+        work.steps += state.steps
+        work.residual_calls += state.residuals
+        work.jacobian_calls += state.jacobians
+        columns = found[:, self._kept]
+        if status is MarchStatus.FINISHED:
+            return Reached(columns, state.size, None, state.time)
+        limit = status is MarchStatus.STEP_LIMIT
+        failure = "" if limit else "step size fell below its minimum"
+        return Reached(columns, None, failure, state.time)
+
+    def _with_sums(self, y: np.ndarray, time: float, piece: np.ndarray) -> np.ndarray:
+        """Unknowns and integrals with the sums in between."""
+        x, z, integrals = np.split(y, [self.problem.equations.states.count, self.problem.unknowns])
+        sums = self._local.start(x, z, time, piece, self.problem.numbers())
+        return np.concatenate([x, z, np.array(sums).ravel(), integrals])

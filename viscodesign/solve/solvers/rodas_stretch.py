@@ -1,0 +1,95 @@
+"""What both ways to take the steps of Rodas5P share: one stretch of smooth input, its control."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import numpy as np
+
+from viscodesign.solve.problem import Problem, Schedule
+from viscodesign.solve.solvers.base import Work
+
+
+@dataclass(frozen=True)
+class StepControl:
+    """Numbers that steer the step size."""
+
+    first_step: float = 1e-3
+    """In time scales of the rod."""
+    min_step: float = 1e-14
+    """In durations of the run; below it, the run ends."""
+    safety: float = 0.9
+    max_factor: float = 5.0
+    min_factor: float = 0.2
+    """Largest and smallest ratio of a step to the one before."""
+    min_steps_per_stretch: int = 50
+    """Steps that a stretch of smooth input takes at least, if its swings are short."""
+    memory: float = 0.08
+    """Exponent of the last error in the next step (a PI controller)."""
+    max_unknowns: int = 1_000
+    """Up to which it is offered where another solver failed."""
+
+
+CONTROL = StepControl()
+
+
+@dataclass
+class Reached:
+    """What steps over a stretch found."""
+
+    columns: np.ndarray
+    """(m, n): states, algebraic unknowns and integrals at the m edges that were reached."""
+    size: float | None
+    """First step that suits what follows [s]; None where the stretch was not finished."""
+    failure: str | None = None
+    """Why it was not; empty where the steps allowed were taken."""
+    time: float = 0.0
+    """How far the steps came [s]."""
+
+
+class StretchSteps(ABC):
+    """Steps over stretches of smooth input."""
+
+    def __init__(self, problem: Problem, tolerance: float) -> None:
+        self.problem = problem
+        self.tolerance = tolerance
+
+    @abstractmethod
+    def __call__(
+        self,
+        schedule: Schedule,
+        y: np.ndarray,
+        begin: int,
+        end: int,
+        size: float | None,
+        work: Work,
+    ) -> Reached:
+        """From unknowns and integrals ``y`` (n,) at edge ``begin`` over all edges to ``end``.
+
+        ``size``: of the first step [s]; None at the start of a run.
+        """
+
+    def first_size(self, size: float | None, stretch: float) -> float:
+        """The first step of a stretch [s]."""
+        if size is not None:
+            return min(size, stretch)
+        return CONTROL.first_step * min(self.problem.equations.motion_time, stretch)
+
+    def largest_size(self, stretch: float) -> float:
+        """The largest step within a stretch [s].
+
+        No step is longer than a swing of the input, however smooth all was before; a swing far
+        shorter than the stretch has corners of its own.
+        """
+        return max(self.problem.equations.swing_time, stretch / CONTROL.min_steps_per_stretch)
+
+    def powers(self) -> np.ndarray:
+        """Powers of the step by which errors of unknowns count (n,); infinite: not at all."""
+        equations = self.problem.equations
+        found = np.zeros(self.problem.unknowns)
+        for group, first in ((equations.states, 0), (equations.algebraics, equations.states.count)):
+            for block in group.blocks.values():
+                own = slice(first + block.span.start, first + block.span.stop)
+                found[own] = block.traits.integrations
+        return found
