@@ -76,7 +76,7 @@ def command(
     address = BoardAddress(board, port, baud, pace, log)
     with progress(quiet, "planning", "planning") as advance:
         # `on_stop` is one of the words, as the session checks.
-        options: Any = (rate, on_stop, achievable, without_sensor, advance)
+        options: Any = (rate, on_stop, achievable, without_sensor, advance, dry_run)
         session = StreamSession(scene, address, *options)
     if dry_run:
         return say(rehearse_stream(session).text)

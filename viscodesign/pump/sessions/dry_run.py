@@ -59,7 +59,7 @@ def rehearse(
     ``on_stop``), for one that plays poses what `upload` would (``tolerance``, ``playback``).
     """
     if board_kind(address.board).streams:
-        options = (rate, on_stop, achievable, without_sensor, progress)
+        options = (rate, on_stop, achievable, without_sensor, progress, True)
         return rehearse_stream(StreamSession(scene, address, *options))
     return rehearse_upload(UploadSession(scene, tolerance, playback, achievable, progress))
 

@@ -85,9 +85,15 @@ class StreamSession:
         achievable: bool = False,
         without_sensor: bool = False,
         progress: Progress | None = None,
+        rehearsed: bool = False,
     ) -> None:
-        """Check what was asked for, and plan it; opens no port. Arguments as for `stream`."""
+        """Check what was asked for, and plan it; opens no port. Arguments as for `stream`.
+
+        Only what is ``rehearsed`` needs no port.
+        """
         _refuse_options(address, rate, on_stop)
+        if not rehearsed:
+            refuse_port(address)
         self.scene = with_sensors(scene, simulated=address.simulated, without=without_sensor)
         self.settings = pump_of(self.scene)
         self.address, self.rate, self.on_stop = address, rate, on_stop
@@ -245,7 +251,6 @@ def _refuse_options(address: BoardAddress, rate: float, on_stop: str) -> None:
     if on_stop not in get_args(OnStop):
         allowed = ", ".join(get_args(OnStop))
         raise UsageError(f"--on-stop must be one of {allowed}; got {on_stop}")
-    refuse_port(address)
     address.clock()
 
 

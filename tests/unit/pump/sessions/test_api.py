@@ -67,7 +67,7 @@ def test_a_rehearsal_says_what_would_be_sent_and_prints_nothing(
 ) -> None:
     words = ("input={kind: sine, amplitude: 4 kPa, frequency: 0.5 Hz}", "run={duration: 2 s}")
     scene = leg(*words, config="leg_16_pump")
-    stream = pump.rehearse(scene, pump.BoardAddress("dynamixel", "/dev/none"))
+    stream = pump.rehearse(scene, pump.BoardAddress("dynamixel"))
     poses = pump.rehearse(scene, pump.BoardAddress("arbotix"), playback="loop")
     assert stream.text.startswith("[dry run] no port is opened")
     assert "packets" in poses.text
