@@ -11,7 +11,10 @@ from hypothesis import settings
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 """Matrices are small here: more threads wait for each other, and take cores from other workers."""
-UNIT = Path(__file__).parent / "unit"
+TESTS = Path(__file__).parent
+os.environ.setdefault("VISCODESIGN_CACHE", str(TESTS.parent / ".pytest_cache" / "kernels"))
+"""Leaves the user's own cache alone."""
+UNIT = TESTS / "unit"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -96,7 +96,7 @@ def start(cells: int) -> MarchState:
 
 def test_march_is_that_of_the_formulas_in_one_piece() -> None:
     """Step by step as `RosenbrockStep`, whose formulas CasADi interprets."""
-    from viscodesign.solve.solvers.rosenbrock import step_function
+    from viscodesign.solve.solvers.rodas_formulas import step_function
 
     cells = 3
     V, p, tail, dV, walls, rate = formulas(cells)
