@@ -138,6 +138,9 @@ class Verifier:
                 # Not even its start was found: the coarser solution stays as it is.
                 self.stalled = f"the refined problem has no initial equilibrium: {error.short}"
                 break
+            except KeyboardInterrupt:  # before its first step
+                self.interrupted = True
+                return refinement.run, None
             if finer.solution.interrupted:
                 self.interrupted = True
                 return refinement.run, None

@@ -30,16 +30,24 @@ def measure_effects(
     """
     finer = replace(settings, tolerance=settings.tolerance / TOLERANCE_REDUCTION)
     workspace = workspace or Workspace()
-    base = solve(quantities, selection.effects, finer, workspace=workspace)
-    if base.solution.interrupted:
+    try:
+        base = solve(quantities, selection.effects, finer, workspace=workspace)
+    except KeyboardInterrupt:  # before the first step
+        return ()
+    if base.solution.asked_to_stop:
         return ()
     verdicts = [v for v in selection.verdicts if v.name in selection.measurable]
     ablations: list[EffectAblation] = []
     for k, verdict in enumerate(verdicts):
-        ablation, run = _switched(quantities, selection, finer, base, verdict, workspace)
+        try:
+            ablation, run = _switched(quantities, selection, finer, base, verdict, workspace)
+        except KeyboardInterrupt:  # before the first step
+            break
         if run is not None and run.solution.interrupted:
             break
         ablations.append(ablation)
+        if run is not None and run.solution.asked_to_stop:
+            break
         if progress is not None:
             progress((k + 1) / len(verdicts))
     return tuple(ablations)

@@ -44,6 +44,8 @@ def simulate(
     arrays of a long run, by default that of the system; nothing remains there.
 
     A failure or an interrupt on the way raises nothing: the trajectory ends there, and says so.
+    Only an interrupt before the first step raises `KeyboardInterrupt`.
+
     Raises `SpecError` for a scene without a bounded solution, `SolveError` where not even an
     initial equilibrium exists.
     """
@@ -55,7 +57,7 @@ def simulate(
     found = _solve_escalating(quantities, selection, request)
     selection, verifier, run = found.selection, found.verifier, found.run
     proof: tuple[EffectAblation, ...] = ()
-    if prove and run.is_complete and not verifier.interrupted:
+    if prove and run.is_complete and not (verifier.interrupted or run.solution.asked_to_stop):
         proof = measure_effects(quantities, selection, run.settings, progress, workspace)
     accuracy = accuracy_of(verifier, found.parts, verify)
     status, failure = outcome_of(verifier, run, accuracy, verify)
@@ -110,6 +112,9 @@ def _solve_escalating(
                 f"more effects are needed ({more.added}), but no initial equilibrium exists "
                 f"with them: {error.short}"
             )
+            break
+        except KeyboardInterrupt:  # before its first step: keep the previous solution
+            solved.verifier.interrupted = True
             break
         attempts.append(more.attempt(again.run.is_complete))
         solved = again

@@ -11,6 +11,7 @@ import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.interrupt import gentle_interrupt
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.motion import Motion, read_motion
 from viscodesign.simulation.build_problem import Settings, build
@@ -132,7 +133,9 @@ def solve(
         problem, prepared.start, settings.tolerance, progress, solver, workspace.store
     )
     solved = clock.perf_counter()
-    motion = read_motion(problem, solution, workspace.store, quantities.scene.run.shape_stride)
+    with gentle_interrupt() as interrupt:
+        motion = read_motion(problem, solution, workspace.store, quantities.scene.run.shape_stride)
+    solution.asked_to_stop |= interrupt.asked
     compile_s = solution.work.compile_s
     build_s, solve_s = built - began + compile_s, solved - built - compile_s
     # The columns of the solution were read into the motion.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import signal
 from dataclasses import replace
 from typing import Any
 
@@ -10,13 +12,16 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import Trajectory, simulate
-from viscodesign.effects.select import select_effects
+from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.postprocess.motion import Motion, read_motion
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation import error_control as verifying
+from viscodesign.simulation import solve_once
 from viscodesign.simulation.build_problem import Settings, suggest_settings
 from viscodesign.simulation.error_control import ErrorParts, Verifier
+from viscodesign.simulation.missed_effects import EffectEscalation
 from viscodesign.simulation.solve_once import Run, solve
 
 GRAVITY = "loads.gravity={tilt: 90 deg}"
@@ -141,7 +146,8 @@ def test_a_wish_to_stop_in_the_last_moment_is_obeyed() -> None:
 def test_a_finer_solution_without_a_start_leaves_the_coarser_one(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    scene, solutions = leg(*SCENES["loaded"]), []
+    scene = leg(*SCENES["loaded"])
+    solutions: list[Run] = []
 
     def second_fails(*arguments: Any) -> Run:
         if solutions:
@@ -157,4 +163,54 @@ def test_a_finer_solution_without_a_start_leaves_the_coarser_one(
         "could not be estimated: the refined problem has no initial equilibrium: no way"
         in run.failure
     )
+    assert np.array_equal(run.tip, solutions[0].motion.tip)
+
+
+@pytest.mark.parametrize("solved", [1, 2])
+def test_an_interrupt_between_two_solutions_keeps_the_one_before(
+    solved: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    solutions: list[Run] = []
+
+    def interrupted(*arguments: Any) -> Run:
+        if len(solutions) == solved:
+            raise KeyboardInterrupt
+        solutions.append(solve(*arguments))
+        return solutions[-1]
+
+    monkeypatch.setattr(verifying, "solve", interrupted)
+    run = simulate(leg(*SCENES["dynamic"]))
+    assert run.status == "interrupted"
+    assert np.array_equal(run.tip, solutions[-1].motion.tip)
+
+
+def test_an_interrupt_while_a_solution_is_read_keeps_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*arguments: Any) -> Motion:
+        os.kill(os.getpid(), signal.SIGINT)
+        return read_motion(*arguments)
+
+    monkeypatch.setattr(solve_once, "read_motion", interrupted)
+    run = simulate(leg(*SCENES["dynamic"]))
+    assert run.status == "interrupted"
+    assert len(run.time) == 41
+
+
+def test_an_interrupt_before_more_effects_keeps_the_run_without_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    solutions: list[Run] = []
+
+    def interrupted(*arguments: Any) -> Run:
+        if solutions:
+            raise KeyboardInterrupt
+        solutions.append(solve(*arguments))
+        return solutions[-1]
+
+    def more(_: Any, selection: Selection, __: Run) -> EffectEscalation:
+        return EffectEscalation(selection, "more", "it moves the tip", 0.0)
+
+    monkeypatch.setattr(verifying, "solve", interrupted)
+    monkeypatch.setattr("viscodesign.simulation.simulate.escalation", more)
+    run = simulate(leg(*SCENES["dynamic"]))
+    assert run.status == "interrupted"
     assert np.array_equal(run.tip, solutions[0].motion.tip)

@@ -143,6 +143,41 @@ def test_an_interrupt_ends_the_list(monkeypatch: pytest.MonkeyPatch) -> None:
     assert told[-2:] == [pytest.approx(1 / 9), pytest.approx(2 / 9)]
 
 
+@pytest.mark.parametrize(("call", "measured"), [(1, 0), (4, 2)])
+def test_an_interrupt_before_a_first_step_ends_the_list(
+    call: int, measured: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[Run] = []
+
+    def interrupted(*given: object, **more: object) -> Run:
+        if len(calls) + 1 == call:
+            raise KeyboardInterrupt
+        calls.append(really_solve(*given, **more))  # type: ignore[arg-type]
+        return calls[-1]
+
+    monkeypatch.setattr(measured_effects, "solve", interrupted)
+    found = simulate(leg(*SMALL, *SCENES["flow alone"]), verify=False, prove=True)
+    assert len(found.proof) == measured
+    assert len(found.time) > 1
+
+
+@pytest.mark.parametrize(("call", "measured"), [(1, 0), (4, 3)])
+def test_a_wish_to_stop_after_a_last_step_ends_the_list(
+    call: int, measured: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[Run] = []
+
+    def interrupted(*given: object, **more: object) -> Run:
+        calls.append(really_solve(*given, **more))  # type: ignore[arg-type]
+        calls[-1].solution.asked_to_stop = len(calls) == call
+        return calls[-1]
+
+    monkeypatch.setattr(measured_effects, "solve", interrupted)
+    found = simulate(leg(*SMALL, *SCENES["flow alone"]), verify=False, prove=True)
+    assert len(calls) == call
+    assert len(found.proof) == measured
+
+
 def test_a_failed_run_is_not_switched(monkeypatch: pytest.MonkeyPatch) -> None:
     def never(*given: object) -> Run:
         raise AssertionError("a run that failed was switched")
