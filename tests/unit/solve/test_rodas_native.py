@@ -80,3 +80,20 @@ def test_equations_that_are_no_local_sums_are_refused(monkeypatch: pytest.Monkey
     monkeypatch.setattr(type(problem.equations), "local", property(lambda self: None))
     with pytest.raises(NativeUnavailable, match="local"):
         NativeSteps(problem, TOLERANCE)
+
+
+@pytest.mark.parametrize("force", [-80, 80])
+def test_a_force_along_a_straight_rod_leaves_no_pivots_and_costs_no_attempt(force: int) -> None:
+    scene = leg(
+        "run.duration=0.3 s",
+        f"loads.tip_force.z={force} N",
+        "effects={pressure_distribution: on, others: off}",
+        config="leg_4_air",
+    )
+    problem = problem_of(scene)
+    start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
+    found, other = (integrate(problem, start, 1e-7, solver=s) for s in ("rosenbrock", "idas"))
+    assert found.failure is other.failure is None
+    assert found.attempts == ()
+    assert np.max(np.abs(found.states - other.states)) < 1e-5
+    assert np.max(np.abs(found.algebraics - other.algebraics)) < 1e-5

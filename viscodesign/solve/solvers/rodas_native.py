@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
+from viscodesign.native import rodas
 from viscodesign.native.machine import this_machine
 from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, march
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
+
+LARGEST_RESIDUAL = 1e-6
+"""Of linear equations with right sides of one; beyond, they count as not solved."""
 
 
 def has_native_code(problem: Problem) -> bool:
@@ -89,7 +93,27 @@ class NativeSteps(StretchSteps):
             return Reached(columns, state.size, None, state.time)
         limit = status is MarchStatus.STEP_LIMIT
         failure = "" if limit else "step size fell below its minimum"
-        return Reached(columns, None, failure, state.time)
+        lacks_pivots = not limit and self._lacks_pivots(state, piece)
+        return Reached(columns, None, failure, state.time, lacks_pivots)
+
+    def _lacks_pivots(self, state: MarchState, piece: np.ndarray) -> bool:
+        """Whether the next step's linear equations cannot be solved in the order chosen for them.
+
+        A force along a straight rod leaves no more than round-off where some pivots should be.
+        """
+        time = [*np.zeros(self._assembly.drives), state.time]
+        Y = np.concatenate([state.y, time, piece, [1.0]])
+        self._assembly.drive(Y)
+        J = self._assembly.jacobian(Y)
+        lu, mass = self._compiled.lu, self._local.form.balances.mass
+        scale, right = 1.0 / (rodas.GAMMA * state.size), np.ones(len(state.y))
+        try:
+            x = lu.solve(lu.factor(J, mass, scale), right)
+        except ZeroDivisionError:
+            return True
+        products = J[: lu.entries] * x[self._compiled.columns]
+        left = mass * scale * x - np.bincount(self._compiled.rows, products, len(x))
+        return not np.max(np.abs(right - left)) < LARGEST_RESIDUAL
 
     def _with_sums(self, y: np.ndarray, time: float, piece: np.ndarray) -> np.ndarray:
         """Unknowns and integrals with the sums in between."""
