@@ -131,7 +131,7 @@ def test_two_way_coupled_leg_hanging_in_gravity() -> None:
     )
     # The reference starts in equilibrium without weight; gravity then acts suddenly.
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece, loaded=False)
-    motion = read_motion(problem, integrate(problem, start, 1e-6))
+    motion = read_motion(problem, integrate(problem, start, 1e-7))
     tip, pressure = np.array(case["tip"]), np.array(case["p"])
     assert np.max(np.abs(motion.tip[:, :2] - tip[:, :2])) <= 1e-5 * LEG_LENGTH
     assert np.max(np.abs(motion.tip[:, 2] - tip[:, 2])) <= 5e-4

@@ -154,7 +154,12 @@ def test_quick_settings_are_measured_repeatedly(
     monkeypatch.setattr(timed_runs_module, "solve", counted)
     study = accuracy(leg(*SMALL, FLOW), limit=60.0)
     for point in study.points:
-        asked = [s for s in calls if (s.solver, s.tolerance) == (point.solver, point.tolerance)]
+        # A free choice is noted under the solver that took it.
+        asked = [
+            s
+            for s in calls
+            if s.tolerance == point.tolerance and (s.is_free or s.solver == point.solver)
+        ]
         assert 1 <= len(asked) <= 2 * timed_runs_module.MAX_REPEATS
     assert len(calls) < 12 * len(study.points)
 

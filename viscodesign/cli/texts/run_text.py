@@ -55,13 +55,13 @@ def _progress(trajectory: Trajectory) -> str:
     wall = cost.build_s + cost.solve_s + cost.verify_s
     return (
         f"{trajectory.status}: {number(reached, 's')} of motion "
-        f"in {number(wall, 's')}, {cost.steps} steps of {_solver(trajectory)}"
+        f"in {number(wall, 's')}, {cost.steps} steps{_solver(trajectory)}"
     )
 
 
 def _solver(trajectory: Trajectory) -> str:
-    settings = trajectory.settings
-    return f"{settings['solver']}{' in native code' if settings['native_code'] else ''}"
+    solver, native = (trajectory.settings.get(key) for key in ("solver", "native_code"))
+    return (f" of {solver}" if solver else "") + (" in native code" if native else "")
 
 
 def _times(trajectory: Trajectory) -> str:

@@ -22,7 +22,12 @@ def has_native_code(problem: Problem) -> bool:
         this_machine()
     except NativeUnavailable:
         return False
-    return problem.equations.local is not None
+    return not _is_static(problem) and problem.equations.local is not None
+
+
+def _is_static(problem: Problem) -> bool:
+    """Whether the rod follows its loads at once, by equations in which a pivot may vanish."""
+    return problem.equations.algebraics.branch_span is not None
 
 
 class NativeSteps(StretchSteps):
@@ -34,6 +39,8 @@ class NativeSteps(StretchSteps):
     def __init__(self, problem: Problem, tolerance: float) -> None:
         super().__init__(problem, tolerance)
         this_machine()  # code that was made before may have been switched off
+        if _is_static(problem):
+            raise NativeUnavailable("a static rod needs the pivots of the formulas' elimination")
         local = problem.equations.local
         if local is None:
             raise NativeUnavailable("the equations are no sums of local terms")
