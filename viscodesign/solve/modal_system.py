@@ -20,6 +20,10 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.numerics.by_numpy import NumpyFunction
 from viscodesign.solve.numerics.decoupling import decoupled
 
+MAX_SPREAD = 1e8
+"""Fastest rate over that of the run up to which modes are taken: the energy balance loses digits
+with flows through wide tubes, which are differences of nearly equal pressures."""
+
 SX = ca.SX
 Matrix = Any
 """A dense array, or a sparse matrix of SciPy."""
@@ -57,6 +61,8 @@ class ModalSystem:
         self._split(_numeric(matrix)[order][:, own])
         own_rates = _dense(self._ode_x) - self._ode_z @ self.eliminate(_dense(self._by_states))
         self._modes = decoupled(own_rates, self._solver_of_shift, 1 / duration)
+        if np.max(np.abs(self._modes.rates), initial=0.0) * duration > MAX_SPREAD:
+            raise np.linalg.LinAlgError("flows through the widest tubes would lose energy")
         self.rates, self.shapes = self._modes.rates, self._modes.shapes
         """Of decay (n,) [1/s]; live states (live, n) of the modes."""
         self.idle_by = self._idle_sums()

@@ -28,7 +28,7 @@ class DecouplingLimits:
     max_spread: float = 1e6
     """Fastest rate over that of the run from which slow modes are found by the inverse: by the
     matrix itself, their rates have errors of round-off times the fastest one."""
-    most_spread: float = 1e8
+    most_spread: float = 1e11
     """The same up to which matrices are taken: exchange at such a rate is a difference of nearly
     equal values, and loses as many digits."""
     growth: float = 1e-10
