@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from viscodesign.model.equations import LocalEquations
 from viscodesign.native import rodas
 from viscodesign.native.machine import this_machine
 from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, march
@@ -19,15 +20,22 @@ LARGEST_RESIDUAL = 1e-6
 def has_native_code(problem: Problem) -> bool:
     """Whether `NativeSteps` can take a problem."""
     try:
-        this_machine()
+        _local_equations(problem)
     except NativeUnavailable:
         return False
-    return not _is_static(problem) and problem.equations.local is not None
+    return True
 
 
-def _is_static(problem: Problem) -> bool:
-    """Whether the rod follows its loads at once, by equations in which a pivot may vanish."""
-    return problem.equations.algebraics.branch_span is not None
+def _local_equations(problem: Problem) -> LocalEquations:
+    """The equations that native code steps. Raises `NativeUnavailable` where there are none."""
+    this_machine()  # code that was made before may have been switched off
+    if problem.equations.algebraics.branch_span is not None:
+        # It follows its loads at once, by equations in which a pivot may vanish.
+        raise NativeUnavailable("a static rod needs the pivots of the formulas' elimination")
+    local = problem.equations.local
+    if local is None:
+        raise NativeUnavailable("the equations are no sums of local terms")
+    return local
 
 
 class NativeSteps(StretchSteps):
@@ -38,13 +46,7 @@ class NativeSteps(StretchSteps):
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         super().__init__(problem, tolerance)
-        this_machine()  # code that was made before may have been switched off
-        if _is_static(problem):
-            raise NativeUnavailable("a static rod needs the pivots of the formulas' elimination")
-        local = problem.equations.local
-        if local is None:
-            raise NativeUnavailable("the equations are no sums of local terms")
-        self._local = local
+        local = self._local = _local_equations(problem)
         self._compiled = local.compiled
         self._assembly = self._compiled.bound(problem.numbers())
         sums = local.sums

@@ -28,7 +28,7 @@ class StepControl:
     memory: float = 0.08
     """Exponent of the last error in the next step (a PI controller)."""
     max_unknowns: int = 1_000
-    """Up to which it is offered where another solver failed."""
+    """Up to which a whole step is written out as formulas."""
 
 
 CONTROL = StepControl()
