@@ -23,6 +23,7 @@ from viscodesign import AccuracyStudy, Trajectory, accuracy, load, simulate
 from viscodesign.cli.texts.accuracy_text import seconds
 from viscodesign.report.charts.accuracy import draw_accuracy
 from viscodesign.results.channels import channel_table
+from viscodesign.results.metrics import metric_table
 
 DOCS = Path(__file__).parent
 CONFIGS = DOCS.parent / "configs"
@@ -35,7 +36,7 @@ def main(names: list[str]) -> None:
     """Fill the pages with these names, or all."""
     makers: dict[str, Callable[[], dict[str, str]]] = {
         "effects": lambda: {"effects": effects_table()},
-        "quantities": lambda: {"quantities": quantities_table()},
+        "quantities": lambda: {"quantities": quantities_table(), "metrics": metrics_table()},
         "accuracy": lambda: {"accuracy": accuracy_block()},
         "published_and_called_for": comparison_blocks,
     }
@@ -61,6 +62,11 @@ def blocks_of(text: str) -> list[tuple[str, str, str]]:
 def quantities_table() -> str:
     """Every quantity of a run."""
     return table(("column", "what it is", "unit", "where"), list(channel_table()))
+
+
+def metrics_table() -> str:
+    """Every metric of a run."""
+    return table(("metric", "what it is"), list(metric_table()))
 
 
 # -- the table of effects ----------------------------------------------------------------

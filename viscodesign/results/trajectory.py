@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -30,6 +31,7 @@ from viscodesign.results.findings import (
     documents,
     json_ready,
 )
+from viscodesign.results.metrics import MetricInputs, metric_values
 from viscodesign.results.motion_arrays import MotionArrays
 
 if TYPE_CHECKING:
@@ -107,6 +109,8 @@ class Trajectory(MotionArrays):
     version: str
     ambient_pressure: float = 101325.0
     """Absolute [Pa]."""
+    period: float | None = None
+    """Time after which all inputs repeat together [s]; None where they do not."""
     proof: tuple[EffectAblation, ...] = ()
     """The measured change by every effect, if that was requested."""
     ladder: tuple[RetryAttempt, ...] = ()
@@ -131,6 +135,16 @@ class Trajectory(MotionArrays):
         """Inlet name -> (T,) fluid that it has delivered since all was filled at the baseline,
         unloaded [m3 at ambient density]; from what is stored, not from flows."""
         return dict(zip(self.inlets, self["inflow"].T, strict=True))
+
+    @cached_property
+    def metrics(self) -> Mapping[str, float]:
+        """The numbers that the run comes down to, in SI; NaN where one is not defined.
+
+        `results.metrics` lists and defines them.
+        """
+        return metric_values(
+            MetricInputs.of(self.time, self.tip, self.pressure, self.bellows, self.period)
+        )
 
     def members(self, per: Per) -> tuple[str, ...]:
         """Names of what a quantity has one value of."""
@@ -158,6 +172,7 @@ class Trajectory(MotionArrays):
                 for key, value in classification_document(self.classification).items()
                 if key not in ("name", "warnings")
             },
+            "metrics": self.metrics,
             "effects": documents(self.effects),
             **({"proof": documents(self.proof)} if self.proof else {}),
             "accuracy": asdict(self.accuracy),

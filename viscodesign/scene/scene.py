@@ -14,6 +14,7 @@ from pydantic import Field, PrivateAttr, ValidationInfo, field_validator, model_
 from viscodesign.model.graph import Graph
 from viscodesign.scene.actuator import Actuator
 from viscodesign.scene.bellows import Bellows
+from viscodesign.scene.common_period import common_period
 from viscodesign.scene.cross_checks import SINGLE_INLET, cross_check
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
@@ -117,6 +118,11 @@ class Scene(SpecPart):
         if self.several_inputs is not None:
             return self.several_inputs
         return {SINGLE_INLET: self.input} if self.input is not None else {}
+
+    @property
+    def period(self) -> float | None:
+        """Time after which all inputs repeat together [s]; None where they do not."""
+        return common_period(self.inputs.values())
 
     @cached_property
     def fluid(self) -> FluidProperties:

@@ -66,6 +66,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
         spec_sha256=scene.source.sha256,
         version=__version__,
         ambient_pressure=scene.ambient_pressure,
+        period=scene.period,
         settings=_settings(run),
     )
 

@@ -49,6 +49,7 @@ def test_json_is_the_summary_and_nothing_else(call: Call, tmp_path: Path) -> Non
     stored = json.loads((tmp_path / "run" / "summary.json").read_text())
     assert {key: document[key] for key in stored} == stored
     assert document["accuracy"]["estimated_tip_error_m"] is None
+    assert document["metrics"]["path_length_m"] > 0
     assert {Path(file).name for file in document["files"]} == TABLES
 
 

@@ -56,6 +56,11 @@ def test_a_run_has_its_files_and_columns(tmp_path: Path) -> None:
     assert set(summary["effects"][0]) == {
         "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present"
     }  # fmt: skip
+    assert summary["metrics"]["tip_x_max_m"] == table["tip_x_m"].max()
+    assert summary["metrics"]["tip_z_min_time_s"] == table["time_s"][table["tip_z_m"].idxmin()]
+    assert {"loop_width_m", "path_length_m", "loop_area_m2", "column_lag_s"} <= set(
+        summary["metrics"]
+    )
     assert "proof" not in summary
     assert summary["spec_sha256"]
 

@@ -27,7 +27,7 @@ def test_a_summary_has_its_sections_and_no_number_that_json_lacks() -> None:
     assert document["invariants"]["energy_imbalance_rel"] is None
     assert set(document) >= {
         "name", "version", "spec_sha256", "status", "scales", "ratios", "quadrant", "effects",
-        "accuracy", "cost", "invariants", "warnings",
+        "accuracy", "cost", "invariants", "warnings", "metrics",
     }  # fmt: skip
     assert set(document["effects"][0]) == {
         "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present"

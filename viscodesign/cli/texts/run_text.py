@@ -20,6 +20,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         ("run", _progress(trajectory)),
         ("timescales", _times(trajectory)),
         ("tip", _tip_extents(trajectory)),
+        *_loop(trajectory),
         ("tip error", _tip_error(trajectory)),
         ("error breakdown", _error_parts(trajectory)),
         *(("retry", _retry(attempt)) for attempt in trajectory.ladder[:MOST_RETRIES]),
@@ -78,6 +79,21 @@ def _tip_extents(trajectory: Trajectory) -> str:
         f"x {1e3 * low[0]:.1f} to {1e3 * high[0]:.1f} mm, "
         f"z {1e3 * low[1]:.1f} to {1e3 * high[1]:.1f} mm, "
         f"angle {math.degrees(low[2]):.0f} to {math.degrees(high[2]):.0f} deg"
+    )
+
+
+def _loop(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
+    """The last period, or the run where there is none: its size, and how far L is behind R."""
+    found = trajectory.metrics
+    if math.isnan(found["loop_width_m"]):
+        return
+    lag = found["column_lag_s"]
+    behind = "" if math.isnan(lag) else f", L {number(lag, 's')} behind R"
+    yield (
+        "loop",
+        f"{1e3 * found['loop_width_m']:.1f} mm wide, {1e3 * found['loop_height_m']:.1f} mm high, "
+        f"path {1e3 * found['path_length_m']:.1f} mm, "
+        f"area {number(1e4 * found['loop_area_m2'], 'cm^2')}{behind}",
     )
 
 

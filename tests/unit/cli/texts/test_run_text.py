@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.trajectories import VERDICTS
+from tests.trajectories import VERDICTS, made_run
 from viscodesign.cli.texts.check_text import (
     full_notice_lines,
     notice_lines,
@@ -37,6 +37,21 @@ def test_a_run_in_a_dozen_lines(trajectory: Trajectory) -> None:
     assert "included         feedback" in text
     assert "neglected        inertia" in text
     assert "runs/leg: trajectory.csv, summary.json" in text
+
+
+def test_the_loop_is_printed_where_there_is_one(trajectory: Trajectory) -> None:
+    """A triangle that is passed clockwise."""
+    text = _summary(trajectory)
+    assert "loop             30.0 mm wide, 9.0 mm high, path 52.3 mm, area -0.85 cm^2" in text
+    assert "loop" not in _summary(trajectory.with_arrays(time=np.zeros(1), tip=np.zeros((1, 3))))
+
+
+def test_how_far_the_left_column_is_behind() -> None:
+    run = made_run()
+    lag = run.metrics["column_lag_s"]
+    assert f", L {lag:.3g} s behind R" in _summary(run)
+    still = made_run(inlet=lambda time: 0 * time + 3e4)
+    assert "behind" not in _summary(still)
 
 
 def test_retries_are_printed(trajectory: Trajectory) -> None:
