@@ -14,16 +14,6 @@ from viscodesign.effects.catalogue import catalogue
 
 TIES = {"name", "needs", "companion", "free_with", "replaced_by", "considers"}
 """Attributes by which an effect declares itself and its ties to others."""
-# A warning of the same name, the example of a command, and keys of a spec in remedies.
-OTHER_MEANINGS = {
-    ("postprocess/validity_in_motion.py", "collapse"),
-    ("cli/effects.py", "gravity"),
-    ("solve/branch_following.py", "inertia"),
-    ("solve/branch_following.py", "damping"),
-    ("solve/branch_jumps.py", "inertia"),
-    ("solve/branch_jumps.py", "damping"),
-    ("solve/statics.py", "inertia"),
-}
 
 
 def quoted(path: Path) -> Iterator[str]:
@@ -59,8 +49,7 @@ def test_no_other_module_names_an_effect(path: Path) -> None:
     place = path.relative_to(PACKAGE).as_posix()
     others = [name for name in catalogue() if place != f"effects/{name}.py"]
     texts = list(quoted(path))
-    found = {name for name in others for text in texts if named_in(text, name)}
-    assert not {name for name in found if (place, name) not in OTHER_MEANINGS}
+    assert not {name for name in others for text in texts if named_in(text, name)}
 
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(PACKAGE)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, ClassVar, Self
@@ -12,6 +12,7 @@ from viscodesign.errors import Fault
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.system import System
 from viscodesign.results.findings import Notice
+from viscodesign.solve.obstacles import Obstacle
 
 if TYPE_CHECKING:
     from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -74,6 +75,8 @@ class Effect(ABC):
     considers: ClassVar[str | None] = None
     """Another effect whose mode in the spec decides what this one acts on."""
     traits: ClassVar[frozenset[Trait]] = frozenset()
+    remedies: ClassVar[Mapping[Obstacle, str]] = {}
+    """What stops a run without it, and a clause on how to include it: "set effects.x to auto"."""
     validity: ClassVar[str] = ""
     """Where the term as computed here holds, in one sentence."""
     source: ClassVar[str] = ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
@@ -15,7 +15,10 @@ from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.bellow_wall import CollapsingWall
 from viscodesign.model.system import System
 from viscodesign.physics import bellow
+from viscodesign.postprocess.motion_limits import Limit, Peak
+from viscodesign.postprocess.terminations import FLOOR_REL_TOL
 from viscodesign.results.findings import Notice
+from viscodesign.solve.obstacles import Obstacle
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +34,9 @@ class Collapse(Effect):
     formula: ClassVar[str] = "volume below the start of fading at the lowest inlet pressure / V_0"
     replaced_by: ClassVar[str] = "material_curve"
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.LIMITED_EMPTYING})
+    remedies: ClassVar[Mapping[Obstacle, str]] = {
+        Obstacle.EMPTY_BELLOW: f"set effects.{name} to auto"
+    }
     validity: ClassVar[str] = (
         "How the walls meet is an assumption of this model; a measured curve is better."
     )
@@ -83,13 +89,32 @@ class Collapse(Effect):
         if lowest < law.floor_volume:
             empty = -law.rest_volume / law.compliance
             yield Notice(
-                "negative_volume" if lowest <= 0.0 else "collapse",
+                "negative_volume" if lowest <= 0.0 else self.name,
                 f"at {low / 1e3:.4g} kPa gauge the linear law leaves a bellow "
                 f"{lowest / law.rest_volume:.3g} of its rest volume (nothing below "
                 f"{empty / 1e3:.4g} kPa gauge); a real bellow collapses at about "
                 f"{law.floor_volume / law.rest_volume:.3g}",
                 "bellows",
             )
+
+    def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
+        """The minimum volume, whatever the law of the bellows."""
+        law, names = quantities.bellow, quantities.graph.bellows
+        bound = -law.floor_volume * (1 - FLOOR_REL_TOL)
+
+        def below_floor(peak: Peak) -> Notice:
+            name, least = names[peak.column], -peak.value
+            count = int(np.sum(peak.columns > bound))
+            return Notice(
+                "negative_volume" if least <= 0.0 else self.name,
+                f"{count} of {len(names)} bellows fall below their minimum of "
+                f"{law.floor_volume / law.rest_volume:.3g} of the rest volume; {name} "
+                f"reaches {least / law.rest_volume:.3g}",
+                name,
+                peak.time_s,
+            )
+
+        yield Limit(lambda block: -block.volume, bound, below_floor)
 
     def join(self, system: System) -> None:
         floor = system.parameter("collapse.floor", self.floor)

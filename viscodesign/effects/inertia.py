@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import ClassVar, Self
 
 import casadi as ca
@@ -16,6 +16,7 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.system import System
 from viscodesign.physics.timescales import LARGEST_TIME_RATIO
 from viscodesign.postprocess.motion import Motion
+from viscodesign.solve.obstacles import Obstacle
 from viscodesign.solve.problem import Problem
 
 FOLD_FAILURES = ("equilibrium", "motion")
@@ -31,6 +32,12 @@ class Inertia(Effect):
     # Without it a rod would ring for ever.
     companion: ClassVar[str] = "damping"
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.ROD_INERTIA})
+    remedies: ClassVar[Mapping[Obstacle, str]] = {
+        Obstacle.NO_EQUILIBRIUM: f"include inertia ('effects.{name}: on', 'run.start: rest') to "
+        "follow the motion past the end of the static branch",
+        Obstacle.LIMIT_POINT: f"set effects.{name} and effects.{companion} to auto or on to follow "
+        "the snap-through",
+    }
     validity: ClassVar[str] = "A slender rod; points on its axis carry the mass."
     source: ClassVar[str] = "The paper, equation (4)."
     keys: ClassVar[tuple[str, ...]] = ("actuator.density", "actuator.solid_fraction")

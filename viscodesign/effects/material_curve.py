@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
@@ -20,6 +20,7 @@ from viscodesign.physics.snapping import SnapCurves
 from viscodesign.postprocess.motion_limits import Limit, Peak
 from viscodesign.results.findings import Notice
 from viscodesign.scene.bellows import falls, first_peak, snaps
+from viscodesign.solve.obstacles import Obstacle
 
 LINEAR_WALL_VOLUME = 7**0.5
 """Volume of a bellow, of that at rest, from which no linear law can be trusted: there even a thin
@@ -41,6 +42,9 @@ class MaterialCurve(Effect):
     order: ClassVar[int] = 12
     formula: ClassVar[str] = "largest departure from the linear law over the range / its swing"
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.LIMITED_EMPTYING})
+    remedies: ClassVar[Mapping[Obstacle, str]] = {
+        Obstacle.EMPTY_BELLOW: f"set effects.{name} to auto"
+    }
     validity: ClassVar[str] = "Within the measured range; beyond it a warning is given."
     source: ClassVar[str] = "Interpolation by Fritsch and Butland (1984)."
     keys: ClassVar[tuple[str, ...]] = ("bellows.curve",)

@@ -15,6 +15,7 @@ from viscodesign.errors import SolveError
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Invariants
+from viscodesign.solve.obstacles import Obstacle, advice
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import vanished_section
 
@@ -183,7 +184,6 @@ def _emptied(problem: Problem, time: np.ndarray, rows: Rows, row: int) -> SolveE
     """The failure of a bellow that is emptied: no gas fills a negative volume."""
     volume = rows["volume"][row]
     name, when = problem.bellows[int(np.argmin(volume))], float(time[row])
-    remedy = f", or set {' or '.join(problem.floor_keys)} to auto" if problem.floor_keys else ""
     share = float(np.min(volume)) / _rest_volume(problem)
     return SolveError(
         f"{name} reached its minimum (collapsed) volume after t = {when:.6g} s, with {share:.3g} "
@@ -191,5 +191,5 @@ def _emptied(problem: Problem, time: np.ndarray, rows: Rows, row: int) -> SolveE
         quantity="volume",
         where=name,
         time_s=when,
-        remedy=f"Raise the lowest pressure{remedy}.",
+        remedy=advice(problem.remedies, Obstacle.EMPTY_BELLOW, "Raise the lowest pressure"),
     )

@@ -9,7 +9,6 @@ import numpy as np
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import beam
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
-from viscodesign.postprocess.terminations import FLOOR_REL_TOL
 from viscodesign.results.findings import Notice
 
 SMALL_STRETCH = 0.2
@@ -22,7 +21,6 @@ than its slope at rest says."""
 def model_limits(quantities: SceneQuantities) -> Iterator[Limit]:
     """The limits of every run of a scene."""
     yield _vacuum(quantities)
-    yield _floor(quantities)
     yield from _strains()
     yield _self_contact(quantities)
     yield Limit(
@@ -46,25 +44,6 @@ def _vacuum(quantities: SceneQuantities) -> Limit:
 
     bound = scene.ambient_pressure - vapour
     return Limit(lambda block: -block.pressure, bound, notice, inclusive=True)
-
-
-def _floor(quantities: SceneQuantities) -> Limit:
-    law, names = quantities.bellow, quantities.graph.bellows
-    bound = -law.floor_volume * (1 - FLOOR_REL_TOL)
-
-    def notice(peak: Peak) -> Notice:
-        name, least = names[peak.column], -peak.value
-        count = int(np.sum(peak.columns > bound))
-        return Notice(
-            "negative_volume" if least <= 0.0 else "collapse",
-            f"{count} of {len(names)} bellows fall below their minimum of "
-            f"{law.floor_volume / law.rest_volume:.3g} of the rest volume; {name} "
-            f"reaches {least / law.rest_volume:.3g}",
-            name,
-            peak.time_s,
-        )
-
-    return Limit(lambda block: -block.volume, bound, notice)
 
 
 def _strains() -> Iterator[Limit]:

@@ -23,6 +23,7 @@ from viscodesign.postprocess.sample_times import with_samples
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
+from viscodesign.solve.obstacles import Obstacle, Remedies
 from viscodesign.solve.problem import Pieces, Problem, Schedule
 from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
 
@@ -84,7 +85,7 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         baseline=scene.gauge_pressure,
         schedule=with_samples(schedule(scene), equations, scene.run.start == "rest"),
         floor_volume=quantities.bellow.floor_volume if _may_empty(effects) else None,
-        floor_keys=_floor_keys(quantities),
+        remedies=_remedies(quantities),
         max_steps=scene.run.max_steps,
         flow_shares=_flow_shares(quantities, equations.network_form),
     )
@@ -130,11 +131,13 @@ def _may_empty(effects: Sequence[Effect]) -> bool:
     return Trait.COMPRESSIBLE_FLUID in traits and Trait.LIMITED_EMPTYING not in traits
 
 
-def _floor_keys(quantities: SceneQuantities) -> tuple[str, ...]:
-    """Keys of the spec's effects that would keep a bellow from emptying."""
-    effects = every_effect(quantities).values()
-    limiting = [e for e in effects if Trait.LIMITED_EMPTYING in e.traits and e.present(quantities)]
-    return tuple(f"effects.{effect.name}" for effect in limiting)
+def _remedies(quantities: SceneQuantities) -> Remedies:
+    """What every effect offers, included or not, if the scene has what it acts on."""
+    found: dict[Obstacle, tuple[str, ...]] = {}
+    for effect in every_effect(quantities).values():
+        for obstacle, remedy in effect.remedies.items() if effect.present(quantities) else ():
+            found[obstacle] = (*found.get(obstacle, ()), remedy)
+    return found
 
 
 def _source(scene: Scene, name: str) -> InletSource:

@@ -17,6 +17,7 @@ from viscodesign.errors import SolveError
 from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.numerics.newton import Acceptance, NewtonError, continuation
 from viscodesign.solve.numerics.stability import StabilityTest
+from viscodesign.solve.obstacles import Obstacle, advice
 from viscodesign.solve.problem import Problem, evaluate
 
 SAME_BRANCH_DISTANCE = 0.1
@@ -79,7 +80,7 @@ def follow_branch(
         earlier = _as_share_of_step(previous, before, after)
         return continuation(family, start, accept, geometry, earlier)
     except NewtonError as failure:
-        raise limit_point(before.towards(after, failure.reached).time) from failure
+        raise limit_point(problem, before.towards(after, failure.reached).time) from failure
 
 
 def _as_share_of_step(
@@ -116,7 +117,7 @@ def _on_branch(
     return stability.is_stable(np.array(jacobian.nonzeros()))
 
 
-def limit_point(time: float) -> SolveError:
+def limit_point(problem: Problem, time: float) -> SolveError:
     """The failure of a static rod whose branch of equilibria ends."""
     return SolveError(
         f"the rod has no stable equilibrium near its shape after t = {time:.6g} s: limit point "
@@ -124,6 +125,5 @@ def limit_point(time: float) -> SolveError:
         quantity="equilibrium",
         where="rod",
         time_s=float(time),
-        remedy="Lower the loads or the pressure, or set effects.inertia and effects.damping to "
-        "auto or on to follow the snap-through.",
+        remedy=advice(problem.remedies, Obstacle.LIMIT_POINT, "Lower the loads or the pressure"),
     )

@@ -18,6 +18,7 @@ from viscodesign.model.jacobian import jacobian
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch
 from viscodesign.solve.numerics.newton import NewtonError, newton
+from viscodesign.solve.obstacles import Obstacle, advice
 from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate, mapped
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
@@ -111,9 +112,9 @@ class BranchJumpDetector:
         try:
             exact = newton(partial(constraints, self.problem, after), found, geometry)
         except NewtonError:
-            return branch_jump(after.time)
+            return branch_jump(self.problem, after.time)
         distance = np.max(np.abs(exact - along)[self.span])
-        return branch_jump(after.time) if distance > JUMP.distinct_distance else None
+        return branch_jump(self.problem, after.time) if distance > JUMP.distinct_distance else None
 
 
 class AlgebraicRates:
@@ -222,13 +223,17 @@ def has_branches(problem: Problem) -> bool:
     return static and problem.equations.states.count > 0
 
 
-def branch_jump(time: float) -> SolveError:
+def branch_jump(problem: Problem, time: float) -> SolveError:
     """The failure of a solver that leaves a branch which continues."""
     return SolveError(
         f"the solution jumped to another equilibrium branch of the rod before t = {time:.6g} s",
         quantity="motion",
         where="rod",
         time_s=float(time),
-        remedy="Use a smaller run.output_interval, ask for more accuracy, or set effects.inertia "
-        "and effects.damping to auto or on.",
+        remedy=advice(
+            problem.remedies,
+            Obstacle.LIMIT_POINT,
+            "Use a smaller run.output_interval",
+            "ask for more accuracy",
+        ),
     )

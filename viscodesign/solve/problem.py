@@ -15,6 +15,7 @@ from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.modal_system import ModalSystem, modal_system
 from viscodesign.solve.numerics.stability import StabilityTest
+from viscodesign.solve.obstacles import Remedies
 
 
 class Pieces:
@@ -79,8 +80,8 @@ class Problem:
     floor_volume: float | None
     """Minimum volume, at which a gas-filled bellow ends a run [m3]; None where the model covers
     the contact of its walls, or where the fluid is no gas."""
-    floor_keys: tuple[str, ...]
-    """Keys of a spec that would keep bellows from emptying, as a remedy."""
+    remedies: Remedies
+    """What the scene's effects offer where a run cannot go on."""
     max_steps: int
     """Steps after which a run is ended."""
     flow_shares: np.ndarray

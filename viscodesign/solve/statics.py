@@ -23,6 +23,7 @@ from viscodesign.solve.branch_following import (
     follow_branch,
 )
 from viscodesign.solve.numerics.newton import NewtonError, continuation, newton
+from viscodesign.solve.obstacles import Obstacle, advice
 from viscodesign.solve.problem import Problem, evaluate
 
 Instant = tuple[float, np.ndarray]
@@ -340,8 +341,7 @@ def _no_equilibrium(problem: Problem, failure: NewtonError, time: float) -> Solv
     percent = 100 * failure.reached
     form = problem.equations.rod_form
     remedy = (
-        "Lower the loads or the pressure, or include inertia ('effects.inertia: on', "
-        "'run.start: rest') to follow the motion past the end of the static branch."
+        advice(problem.remedies, Obstacle.NO_EQUILIBRIUM, "Lower the loads or the pressure")
         if form is not RodForm.ARCS
         else "Check the network's tubes and pressures."
     )

@@ -1,0 +1,24 @@
+"""What may stop a run that an effect would carry on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import Enum
+
+
+class Obstacle(Enum):
+    """A failure that effects know a remedy for."""
+
+    NO_EQUILIBRIUM = "the rod has no equilibrium to start from under its loads"
+    LIMIT_POINT = "a static rod's branch of equilibria ends"
+    EMPTY_BELLOW = "the law of a bellow leads to volumes that no gas can fill"
+
+
+Remedies = Mapping[Obstacle, tuple[str, ...]]
+"""What the effects of a scene offer against each obstacle: clauses that begin with a verb."""
+
+
+def advice(remedies: Remedies, obstacle: Obstacle, *measures: str) -> str:
+    """A sentence of measures, of which there is one at least, and of what effects offer."""
+    *others, last = *measures, *remedies.get(obstacle, ())
+    return f"{', '.join(others)}, or {last}." if others else f"{last}."
