@@ -15,7 +15,7 @@ from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import Instruction, Packet
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.play.stream import StreamResult
+from viscodesign.pump.play.stream_result import StreamResult
 from viscodesign.pump.poses.fit import PoseFit, fit_poses
 from viscodesign.pump.poses.player import PosePlayer, split_at
 from viscodesign.pump.profile import Profile

@@ -17,7 +17,8 @@ from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.play.stream import OnStop, Stream, StreamResult, TickReport
+from viscodesign.pump.play.stream import Stream
+from viscodesign.pump.play.stream_result import OnStop, StreamResult, TickReport
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings

@@ -11,7 +11,8 @@ from tests.rig.regulator import RegulatorPump, SimulatedRegulator
 from tests.scenes import ROOT
 from viscodesign.interrupt import StopRequest
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
+from viscodesign.pump.play.stream import Stream
+from viscodesign.pump.play.stream_result import StreamResult, TickReport
 from viscodesign.pump.profile import Profile
 
 FAMILY = ("viscodesign.pump.ax", "viscodesign.pump.boards", "viscodesign.pump.simulated")

@@ -18,7 +18,8 @@ from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.play.stream import RecordingError, Stream, StreamResult
+from viscodesign.pump.play.stream import Stream
+from viscodesign.pump.play.stream_result import RecordingError, StreamResult
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings

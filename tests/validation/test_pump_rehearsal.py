@@ -20,7 +20,8 @@ from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.planning.plan import plan
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-from viscodesign.pump.play.stream import Stream, StreamResult, TickReport
+from viscodesign.pump.play.stream import Stream
+from viscodesign.pump.play.stream_result import StreamResult, TickReport
 from viscodesign.pump.sensors.base import BoardAnalog
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings

@@ -120,6 +120,12 @@ class Unknowns:
         own = (b.span for b in self.blocks.values() if b.traits.identifies_branch)
         return next(own, None)
 
+    @property
+    def multivalued(self) -> list[int]:
+        """Unknowns whose equations may have several solutions."""
+        own = (b.span for b in self.blocks.values() if b.traits.is_multivalued)
+        return [k for span in own for k in range(span.start, span.stop)]
+
     def physical(self, name: str, scaled: np.ndarray) -> np.ndarray:
         """Values in SI of one block out of a scaled vector or (count, T) matrix."""
         block = self.blocks[name]

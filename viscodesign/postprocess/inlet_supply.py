@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from viscodesign.postprocess.conservation import holding_columns
+from viscodesign.postprocess.fluid_balance import holding_columns
 from viscodesign.postprocess.outputs import Outputs
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution

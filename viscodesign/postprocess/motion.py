@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.postprocess.conservation import Ledger, SolvedEdges
+from viscodesign.postprocess.conservation import Ledger
 from viscodesign.postprocess.inlet_supply import DeliveredVolume
 from viscodesign.postprocess.outputs import Outputs, read_outputs
+from viscodesign.postprocess.solved_edges import SolvedEdges
 from viscodesign.postprocess.terminations import first_termination
 from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.results.trajectory import Invariants

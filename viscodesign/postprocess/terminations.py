@@ -15,9 +15,9 @@ from viscodesign.errors import SolveError
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Invariants
+from viscodesign.solve.equilibrium_failures import vanished_section
 from viscodesign.solve.obstacles import Obstacle, advice
 from viscodesign.solve.problem import Problem
-from viscodesign.solve.statics import vanished_section
 
 FLOOR_REL_TOL = 0.02
 """Part of its minimum volume by which a bellow may fall below it: loads take volume too."""

@@ -8,8 +8,8 @@ import pty
 
 from tests.unit.pump.samples import sample
 from viscodesign.cli.texts.live_view import REPORT_INTERVAL_S, LiveView, NonblockingText
-from viscodesign.pump.play.safety_rules import Stop
-from viscodesign.pump.play.stream import TickReport
+from viscodesign.pump.play.guard import Stop
+from viscodesign.pump.play.stream_result import TickReport
 
 
 class Terminal(io.StringIO):

@@ -12,7 +12,7 @@ from viscodesign.cli import confirm as _confirm
 from viscodesign.pump.play import link_rate
 from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.link_rate import RoundTrip
-from viscodesign.pump.play.stream import RecordingError
+from viscodesign.pump.play.stream_result import RecordingError
 from viscodesign.pump.sessions.record_file import Record
 
 from .conftest import CONFIGS, Call

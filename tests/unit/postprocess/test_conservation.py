@@ -8,9 +8,10 @@ from tests.scenes import leg
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.postprocess.conservation import Ledger, SolvedEdges
+from viscodesign.postprocess.conservation import Ledger
 from viscodesign.postprocess.motion import read_motion
 from viscodesign.postprocess.outputs import read_outputs
+from viscodesign.postprocess.solved_edges import SolvedEdges
 from viscodesign.results.trajectory import Invariants
 from viscodesign.simulation.build_problem import build, suggest_settings
 from viscodesign.solve.statics import equilibrium

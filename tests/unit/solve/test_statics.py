@@ -9,7 +9,7 @@ from tests.scenes import leg, problem_of
 from viscodesign import simulate
 from viscodesign.errors import SolveError
 from viscodesign.solve.problem import evaluate
-from viscodesign.solve.statics import _unloaded
+from viscodesign.solve.initial_guess import unloaded
 
 THROUGH = (
     "inputs={inlet: {kind: constant, value: 0}, other: {kind: constant, value: 30 kPa}}",
@@ -83,6 +83,6 @@ def test_sealed_parts_are_filled_at_the_unloaded_shape() -> None:
     )
     problem = problem_of(scene)
     piece = problem.schedule.pieces[0]
-    y = _unloaded(problem, 0.0, piece)
+    y = unloaded(problem, 0.0, piece)
     residual, *_ = evaluate(problem.equations.static_function, y, *problem.tail(0.0, piece, 0.0))
     assert np.max(np.abs(np.asarray(residual))) < 1e-8

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, TextIO
 
 if TYPE_CHECKING:
     from viscodesign.pump.planning.result import PumpPlan
-    from viscodesign.pump.play.stream import TickReport
+    from viscodesign.pump.play.stream_result import TickReport
     from viscodesign.scene.pump import PumpSpec
 
 REDRAW_INTERVAL_S = 0.1

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from viscodesign.errors import PumpError
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalServoState
-from viscodesign.pump.play.safety_rules import Stop
+from viscodesign.pump.play.guard import Stop
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 Pressed = dict[int, frozenset[str]]  # ends whose switch is pressed, by axis

@@ -7,14 +7,13 @@ sent; it answers with a reason, or None.
 from __future__ import annotations
 
 import math
-from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import ClassVar
 
 from viscodesign.pump.play.axis import AxisLimits, Sample
+from viscodesign.pump.play.guard import NOISE_SAMPLES, Guard
+from viscodesign.pump.play.pressure_rules import PressureCap, SensorFrozen
 
-NOISE_SAMPLES = 2  # samples in succession that must agree where one alone may be noise
 LONGEST_SILENCE = 0.25  # without a whole round of replies this long, the pump stops [s]
 LATE_SAMPLES = 8
 """Samples in succession in which a stream may be too far behind; then it is not catching up."""
@@ -27,107 +26,10 @@ FOLLOWING_ERROR = 60
 """A plunger farther behind its goal than this and one tick's travel does not follow it
 [counts]; the servo's controller needs an error of up to 32 to give all its torque."""
 FOLLOWING_SAMPLES = 3
-FROZEN_PRESSURE_CHANGE = 6e3
-"""A reading that stays the same to the last bit while the model's pressure changes by this
-much is none [Pa]; the sensor is good to 1.5 % of its span, 5.7 kPa."""
-
-
-@dataclass(frozen=True)
-class Stop:
-    """Why the pump has to stop."""
-
-    rule: str
-    reason: str
-    may_retreat: bool = False
-    """Whether the plunger may be drawn back."""
-
-    def __str__(self) -> str:
-        return f"{self.rule.replace('_', ' ')}: {self.reason}"
-
-
-@dataclass
-class Guard(ABC):
-    """One rule: broken where several samples in succession have its fault."""
-
-    rule: ClassVar[str]
-    samples: ClassVar[int] = 1
-    may_retreat: ClassVar[bool] = False
-    """Whether the plunger may be drawn back after this."""
-    count: int = field(default=0, init=False)
-
-    def check(self, sample: Sample) -> str | None:
-        """Why the pump has to stop now; None where it may go on."""
-        reason = self._fault(sample)
-        self.count = self.count + 1 if reason else 0
-        return reason if self.count >= self.samples else None
-
-    @abstractmethod
-    def _fault(self, sample: Sample) -> str | None:
-        """What is wrong in this sample."""
 
 
 def _first(faults: Iterator[str]) -> str | None:
     return next(faults, None)
-
-
-def _inlet(sample: Sample, inlet: int) -> str:
-    """Which of several inlets it is, by its servo."""
-    servos = list(sample.servos)
-    return f" at the inlet of servo {servos[inlet]}" if len(servos) > 1 else ""
-
-
-@dataclass
-class PressureCap(Guard):
-    """No inlet above the cap in two samples; a sample without a number counts as above."""
-
-    rule = "pressure_cap"
-    may_retreat = True
-    cap: float
-    """Gauge [Pa]."""
-    above: dict[int, int] = field(default_factory=dict, init=False)
-    """By inlet, samples in succession."""
-
-    def _fault(self, sample: Sample) -> str | None:
-        broken = None
-        for inlet, pressure in enumerate(sample.pressure):
-            # Not `pressure > cap`: a nan is to count as above.
-            over = pressure is not None and not pressure <= self.cap
-            self.above[inlet] = self.above.get(inlet, 0) + 1 if over else 0
-            if broken is None and self.above[inlet] >= NOISE_SAMPLES:
-                broken = (
-                    f"{(pressure or 0.0) / 1e3:.2f} kPa gauge in {NOISE_SAMPLES} samples"
-                    f"{_inlet(sample, inlet)}; the limit is {self.cap / 1e3:g} kPa "
-                    "(pump.max_pressure)"
-                )
-        return broken
-
-
-@dataclass
-class SensorFrozen(Guard):
-    """A reading that stays constant while the model's pressure changes is not valid."""
-
-    rule = "sensor_frozen"
-    still: dict[int, tuple[float, float, float]] = field(default_factory=dict, init=False)
-    """By inlet: its reading, lowest and highest expected pressure since that changed [Pa]."""
-
-    def _fault(self, sample: Sample) -> str | None:
-        pairs = zip(sample.pressure, sample.wanted, strict=True)
-        for inlet, (measured, expected) in enumerate(pairs):
-            if measured is None or expected is None:
-                self.still.pop(inlet, None)
-                continue
-            reading, low, high = self.still.get(inlet, (measured, expected, expected))
-            if measured != reading:
-                low = high = expected
-            low, high = min(low, expected), max(high, expected)
-            self.still[inlet] = (measured, low, high)
-            if high - low > FROZEN_PRESSURE_CHANGE:
-                return (
-                    f"the pressure sensor is frozen: it kept reading {measured / 1e3:.2f} kPa "
-                    f"while the pressure should have changed by {(high - low) / 1e3:.1f} kPa"
-                    f"{_inlet(sample, inlet)}. Check its cable, and the hose for a leak"
-                )
-        return None
 
 
 @dataclass
@@ -285,22 +187,6 @@ class BehindProfile(Guard):
             f"{sample.lag:.1f} ticks behind the profile (limit {self.max_lag:g}) in {LATE_SAMPLES} "
             "samples: the link or this computer is too slow for the rate; lower --rate"
         )
-
-
-class Watch:
-    """All rules; the first that is broken is kept, whatever the others say later."""
-
-    def __init__(self, guards: Sequence[Guard]) -> None:
-        self.guards = guards
-        self.stop: Stop | None = None
-
-    def check(self, sample: Sample) -> Stop | None:
-        """The alarm, once there is one: it stays."""
-        # Every rule is asked every time, since they count.
-        reasons = [(guard, guard.check(sample)) for guard in self.guards]
-        broken = [Stop(g.rule, reason, g.may_retreat) for g, reason in reasons if reason]
-        self.stop = self.stop or next(iter(broken), None)
-        return self.stop
 
 
 def stream_rules(pump: AxisLimits, reach: int, max_lag: float = math.inf) -> list[Guard]:

@@ -20,7 +20,8 @@ from viscodesign.pump.ax.servo_pump import ServoPump, speed_register
 from viscodesign.pump.ax.servo_state import read_servo
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.play.axis import FinalServoState
-from viscodesign.pump.play.stream import Stream, StreamResult, TickReport, wait_for_second_request
+from viscodesign.pump.play.stream import Stream, wait_for_second_request
+from viscodesign.pump.play.stream_result import StreamResult, TickReport
 from viscodesign.pump.play.ticks import SLICE
 from viscodesign.pump.poses import packets as pose_packets
 from viscodesign.pump.poses.engine import FRAME
@@ -155,7 +156,7 @@ class PosePlayer:
     def _played(self) -> StreamResult:
         clock, looped = self.pump.clock, self.fit.looped
         if self.request.asked:
-            return self._interrupted()
+            return StreamResult.interrupted(self.request)
         # From the sending on it may be playing, whatever is answered.
         self._began = clock.now()
         self.board.start(pose_packets.loop() if looped else pose_packets.play())
@@ -163,7 +164,7 @@ class PosePlayer:
         end = self._began + self._move_ends[-1]
         while looped or clock.now() < end:
             if self.request.asked:
-                return self._interrupted()
+                return StreamResult.interrupted(self.request)
             clock.sleep(SLICE if looped else min(SLICE, end - clock.now()))
             self.see(clock.now() - self._began)
         if not self.board.is_idle(ANSWER + HANDOVER * len(self.fit.sequence.moves)):
@@ -172,9 +173,6 @@ class PosePlayer:
             )
         self._began = None
         return self._arrived()
-
-    def _interrupted(self) -> StreamResult:
-        return StreamResult("interrupted", f"asked to stop ({self.request.first})")
 
     def _arrived(self) -> StreamResult:
         """Whether the plungers reach the end of the last move, with no errors reported."""

@@ -15,7 +15,7 @@ from viscodesign.pump.boards.arbotix import HALT, Arbotix
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.line import RecordingLine
-from viscodesign.pump.play.stream import OnStop
+from viscodesign.pump.play.stream_result import OnStop
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, ignore, unmonitored_pump
 from viscodesign.pump.sessions.open_board import board_kind, simulated_line
 from viscodesign.pump.sessions.reports import result_lines

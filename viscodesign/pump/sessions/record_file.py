@@ -15,7 +15,7 @@ import numpy as np
 from viscodesign._version import __version__
 from viscodesign.errors import UsageError
 from viscodesign.pump.play.axis import AxisState, Sample
-from viscodesign.pump.play.stream import RecordingError
+from viscodesign.pump.play.stream_result import RecordingError
 from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
 FLUSH_INTERVAL_S = 1.0

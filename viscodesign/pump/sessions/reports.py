@@ -11,7 +11,7 @@ import numpy as np
 from viscodesign.errors import InterruptedRunError, PumpError
 from viscodesign.pump.ax.preflight import FoundServo
 from viscodesign.pump.planning.result import PumpCourse
-from viscodesign.pump.play.stream import StreamResult
+from viscodesign.pump.play.stream_result import StreamResult
 from viscodesign.scene.pump import PumpSpec
 
 STATUS_WORDS = {

@@ -18,7 +18,8 @@ from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play import link_rate
 from viscodesign.pump.play.path import top_speed
-from viscodesign.pump.play.stream import OnStop, Stream, TickReport
+from viscodesign.pump.play.stream import Stream
+from viscodesign.pump.play.stream_result import OnStop, TickReport
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sessions import reports
 from viscodesign.pump.sessions.connection import (

@@ -16,7 +16,7 @@ from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.result import refuse_infeasible
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-from viscodesign.pump.play.stream import StreamResult
+from viscodesign.pump.play.stream_result import StreamResult
 from viscodesign.pump.poses.c_header import poses_h
 from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import fit_poses

@@ -13,7 +13,7 @@ from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.ax.servo_pump import SPEED, speed_register
 from viscodesign.pump.ax.torque_limit import free_speed, stalling_pressure, torque_limit
 from viscodesign.pump.boards.base import Goal
-from viscodesign.pump.play.safety_rules import Stop
+from viscodesign.pump.play.guard import Stop
 from viscodesign.scene.pump import PumpSpec as Settings
 
 

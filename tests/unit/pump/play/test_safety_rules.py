@@ -11,19 +11,17 @@ from tests.unit.pump.samples import sample, servo
 from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.ax.servo_pump import axis_limits
 from viscodesign.pump.play.axis import Sample
+from viscodesign.pump.play.guard import Guard, Watch
+from viscodesign.pump.play.pressure_rules import PressureCap, SensorFrozen
 from viscodesign.pump.play.safety_rules import (
     ErrorBitsSet,
     Following,
-    Guard,
     LimitSwitchPressed,
     LowBattery,
     Obedience,
     Overheating,
-    PressureCap,
-    SensorFrozen,
     Silence,
     Travel,
-    Watch,
     retreat_rules,
     stream_rules,
 )

@@ -11,7 +11,7 @@ import pytest
 from tests.scenes import leg
 from viscodesign import pump
 from viscodesign.errors import UsageError
-from viscodesign.pump.play.stream import TickReport
+from viscodesign.pump.play.stream_result import TickReport
 
 SESSIONS = (
     "plan", "stream", "upload", "record", "rehearse", "calibrate", "status", "stop", "ports",

@@ -16,7 +16,7 @@ import pytest
 
 from tests.unit.pump.samples import sample, servo
 from viscodesign.errors import UsageError
-from viscodesign.pump.play.stream import RecordingError
+from viscodesign.pump.play.stream_result import RecordingError
 from viscodesign.pump.sessions.record_file import FLUSH_INTERVAL_S, columns, recorded
 
 
