@@ -8,8 +8,8 @@ import pytest
 from tests.scenes import leg, problem_of
 from viscodesign import simulate
 from viscodesign.errors import SolveError
-from viscodesign.solve.problem import evaluate
 from viscodesign.solve.initial_guess import unloaded
+from viscodesign.solve.problem import evaluate
 
 THROUGH = (
     "inputs={inlet: {kind: constant, value: 0}, other: {kind: constant, value: 30 kPa}}",
