@@ -199,11 +199,6 @@ class RodEquations:
         ]
         return [*inertia, *self._forces(-scale)]
 
-    def has_constant_masses(self) -> bool:
-        """Whether no mass follows what the bellows hold."""
-        amounts = ca.vertcat(*self.system.amount.values())
-        return not ca.depends_on(ca.diag(self._mass_matrix()), amounts)
-
     def dynamics(self, with_accelerations: bool) -> tuple[list[list[Rows]], list[list[Rows]]]:
         """Rates of the scaled states and scaled algebraic residuals, not yet resolved.
 

@@ -14,8 +14,8 @@ SX = ca.SX
 class Terms:
     """A scalar sum that effects add to with ``+=`` and ``-=``; each term should be local."""
 
-    def __init__(self, terms: Iterable[SX] = ()) -> None:
-        self.terms: list[SX] = list(terms)
+    def __init__(self) -> None:
+        self.terms: list[SX] = []
 
     def __iadd__(self, term: SX) -> Self:
         self.terms.append(SX(term))

@@ -7,14 +7,12 @@ from collections.abc import Callable, Sequence
 from weakref import WeakValueDictionary
 
 import casadi as ca
-import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.native import ir_operations, ir_writer
 from viscodesign.native.code_cache import cached, digest, written_by
 from viscodesign.native.ir_writer import module_ir
 from viscodesign.native.machine import Loaded, load, object_code, this_machine
-from viscodesign.native.source.primitives import PythonKernel
 
 LANES = 8
 """Elements that a kernel treats at once, unless told otherwise."""
@@ -83,18 +81,3 @@ def _compiled(
         return object_code(ir, optimise=OPTIMISE, generate=GENERATE)
 
     return CompiledKernels(load(cached(parts, code), names), names)
-
-
-def python_kernel(function: ca.Function, lanes: int) -> PythonKernel:
-    """The same kernel in CasADi's virtual machine, for the loops in Python."""
-    locals_, numbers, values = function.numel_in(0), function.numel_in(1), function.numel_out(0)
-    many = function.map(lanes)
-
-    def kernel(local: np.ndarray, own: np.ndarray, out: np.ndarray) -> None:
-        found = many(
-            local[: locals_ * lanes].reshape(locals_, lanes),
-            own[: numbers * lanes].reshape(numbers, lanes),
-        )
-        out[: values * lanes] = np.array(found).reshape(-1)
-
-    return kernel

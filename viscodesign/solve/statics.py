@@ -35,19 +35,16 @@ class Start:
     algebraics: np.ndarray
 
 
-def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: bool = True) -> Start:
+def equilibrium(problem: Problem, time: float, piece: np.ndarray) -> Start:
     """Static equilibrium with the inlets held at their pressures at ``time``.
 
-    The unloaded shape is known in closed form; loads are then raised step by step,
-    unless ``loaded`` is false: then they are to act suddenly.
+    The unloaded shape is known in closed form; loads are then raised step by step.
     Raises `SolveError` with the load reached where no equilibrium is found, or where that
     takes more evaluations than a run may take steps.
     """
     equations = problem.equations
     evaluations = itertools.count(1)
     guess = unloaded(problem, time, piece)
-    if not loaded:
-        return _from_statics(problem, guess, time, piece)
 
     def family(y: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
         if next(evaluations) > problem.max_steps:
@@ -63,10 +60,10 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray, *, loaded: boo
         y = continuation(family, guess, accept, problem.step_geometry(statics))
     except NewtonError as failure:
         raise no_equilibrium(problem, failure, time) from failure
-    return _from_statics(problem, y, time, piece)
+    return from_statics(problem, y, time, piece)
 
 
-def _from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarray) -> Start:
+def from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarray) -> Start:
     """Copy the static unknowns to states and algebraic unknowns, with all rates zero."""
     equations = problem.equations
     _, _, amounts, *_ = evaluate(equations.static_function, y, *problem.tail(time, piece))
@@ -98,7 +95,7 @@ def rest(problem: Problem, piece: np.ndarray) -> Start:
         bend_to_arcs(problem, y, problem.tail(0.0, piece, 0.0))
     else:
         straighten(problem, y)
-    start = _from_statics(problem, y, 0.0, piece)
+    start = from_statics(problem, y, 0.0, piece)
     if equations.rod_form in (RodForm.STATIC, RodForm.ARCS) or BELLOW_AMOUNTS not in states.blocks:
         return start
     # A rod held straight under pressure carries moments, and they displace their volume.

@@ -59,11 +59,6 @@ class GrowingArray:
     def __len__(self) -> int:
         return self._count
 
-    @property
-    def is_on_disk(self) -> bool:
-        """Whether it has outgrown the memory it may take."""
-        return self._file is not None
-
     def append(self, rows: np.ndarray) -> None:
         """Add rows (m, *row), all or none; raises `NoRoomError` where they do not fit."""
         block = np.array(rows, dtype=FLOAT, order="C")

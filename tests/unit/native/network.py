@@ -14,8 +14,9 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from viscodesign.native.kernels import compile_kernels, python_kernel
+from viscodesign.native.kernels import compile_kernels
 from viscodesign.native.loops import Loops, NativeLoops
+from viscodesign.native.source.primitives import PythonKernel
 from viscodesign.native.tables import Assembly, ElementTable, SourceTable
 
 SX = ca.SX
@@ -34,6 +35,21 @@ class Network:
     def y_of(self, y: np.ndarray, time: float, rest: np.ndarray) -> np.ndarray:
         """Y with room for the drives, which are not set."""
         return np.concatenate([y, np.zeros(self.assembly.drives), [time], rest])
+
+
+def python_kernel(function: ca.Function, lanes: int) -> PythonKernel:
+    """The same kernel in CasADi's virtual machine, for the loops in Python."""
+    locals_, numbers, values = function.numel_in(0), function.numel_in(1), function.numel_out(0)
+    many = function.map(lanes)
+
+    def kernel(local: np.ndarray, own: np.ndarray, out: np.ndarray) -> None:
+        found = many(
+            local[: locals_ * lanes].reshape(locals_, lanes),
+            own[: numbers * lanes].reshape(numbers, lanes),
+        )
+        out[: values * lanes] = np.array(found).reshape(-1)
+
+    return kernel
 
 
 def network(cells: int, loops: Loops, lanes: int = 8) -> Network:

@@ -34,7 +34,7 @@ def filled(store: ArrayStore, *sizes: int) -> GrowingArray:
 @pytest.mark.parametrize("sizes", [(), (1,), (5, 5, 9), (0, 20)])
 def test_rows_come_back_as_they_were(in_memory: int, sizes: tuple[int, ...]) -> None:
     table = filled(ArrayStore(in_memory=in_memory), *sizes)
-    assert table.is_on_disk == (in_memory < ROWS.nbytes)
+    assert (table._file is not None) == (in_memory < ROWS.nbytes)
     assert len(table) == 20
     assert np.array_equal(table.array(), ROWS)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -24,6 +26,22 @@ def figures(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
     monkeypatch.setattr(Figure, "savefig", keep)
     monkeypatch.setitem(RC, "savefig.dpi", 40)
     return kept
+
+
+Save = Callable[[Callable[[Any, Path], object], Any], Figure]
+
+
+@pytest.fixture
+def save(tmp_path: Path, figures: list[Figure]) -> Save:
+    """Draws a subject into a file, and returns the figure as it was saved."""
+
+    def saved(draw: Callable[[Any, Path], object], subject: Any) -> Figure:
+        path = tmp_path / "picture.png"
+        draw(subject, path)
+        assert path.read_bytes().startswith(b"\x89PNG")
+        return figures[-1]
+
+    return saved
 
 
 def words(figure: Figure) -> list[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
+from functools import partial
 
 import pytest
 from matplotlib.colors import to_hex
@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from tests.studies import MODELS, POINTS, REFERENCE, STEPLESS, made_study, point
-from tests.unit.report.charts.conftest import words
+from tests.unit.report.charts.conftest import Save, words
 from viscodesign.report.charts.accuracy import draw_accuracy
 from viscodesign.report.charts.accuracy_axes import percent_words, time_words
 from viscodesign.report.charts.accuracy_key import COLOURS
@@ -44,15 +44,9 @@ CASES: dict[str, Callable[[], AccuracyStudy]] = {
 
 
 @pytest.fixture
-def drawn(tmp_path: Path, figures: list[Figure]) -> Drawn:
-    """Draws a study and returns the figure as it was saved."""
-
-    def draw(study: AccuracyStudy) -> Figure:
-        draw_accuracy(study, tmp_path / "accuracy.png")
-        assert (tmp_path / "accuracy.png").read_bytes().startswith(b"\x89PNG")
-        return figures[-1]
-
-    return draw
+def drawn(save: Save) -> Drawn:
+    """Draws a study."""
+    return partial(save, draw_accuracy)
 
 
 def marks(figure: Figure) -> list[Line2D]:

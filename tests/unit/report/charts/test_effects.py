@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from pathlib import Path
+from functools import partial
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from tests.trajectories import VERDICTS, ablated_run, verdict
-from tests.unit.report.charts.conftest import words
+from tests.unit.report.charts.conftest import Save, words
 from viscodesign.report.charts.effects import MEASURED, SMALLEST_BAR, draw_effects, effect_rows
 from viscodesign.report.layout.style import ACCENT
 from viscodesign.results.findings import EffectAblation
@@ -45,15 +45,9 @@ CASES = {
 
 
 @pytest.fixture
-def drawn(tmp_path: Path, figures: list[Figure]) -> Drawn:
-    """Draws a run and returns the figure as it was saved."""
-
-    def draw(trajectory: Trajectory) -> Figure:
-        draw_effects(trajectory, tmp_path / "effects.png")
-        assert (tmp_path / "effects.png").read_bytes().startswith(b"\x89PNG")
-        return figures[-1]
-
-    return draw
+def drawn(save: Save) -> Drawn:
+    """Draws a run."""
+    return partial(save, draw_effects)
 
 
 def bars(figure: Figure) -> dict[tuple[int, bool], Rectangle]:
