@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import time as clock
 import traceback
 from collections.abc import Sequence
 
@@ -44,13 +45,17 @@ def _replace_closed_streams() -> None:
 
 
 def _run(words: list[str]) -> int:
-    """Let typer find and call the command; it prints usage errors itself."""
+    """Let typer find and call the command; it prints usage errors itself.
+
+    A command finds in its context when it was called.
+    """
+    began = clock.perf_counter()
     from typer.main import get_command
 
     from viscodesign.cli.app import app
 
     try:
-        get_command(app)(args=words, prog_name="viscodesign")
+        get_command(app)(args=words, prog_name="viscodesign", obj=began)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else INTERNAL_ERROR
     return 0

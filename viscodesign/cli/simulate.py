@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time as clock
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -28,6 +29,7 @@ class RunFailedError(ViscodesignError):
 
 
 def command(
+    context: typer.Context,
     spec: Spec,
     overrides: Overrides = None,
     output: RunFolder = None,
@@ -59,16 +61,20 @@ def command(
     from viscodesign.cli.texts.ablation_text import ablation_lines
     from viscodesign.cli.texts.run_text import summary_lines
     from viscodesign.report.folder import prepare_folder
-    from viscodesign.report.run_folder import write_run
+    from viscodesign.report.run_folder import write_timed
 
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
     prepare_folder(folder, force=force)
+    load_s = clock.perf_counter() - context.obj
     with progress(quiet, "verifying and measuring effects" if prove else "verifying") as advance:
         trajectory = solve(
             scene, verify=not no_verify, prove=prove, progress=advance, scratch=folder
         )
-    files = write_run(trajectory, folder, plots=not no_plots, force=force)
+    written = write_timed(
+        trajectory.with_time(load_s=load_s), folder, plots=not no_plots, force=force
+    )
+    trajectory, files = written.trajectory, written.files
     if json:
         say(json_text({**trajectory.summary(), "files": [str(file) for file in files]}))
         _warn(trajectory, quiet)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import time as clock
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from viscodesign.interrupt import gentle_interrupt
@@ -23,15 +25,31 @@ from viscodesign.storage.atomic_files import write_all, write_bytes
 from viscodesign.storage.disk_arrays import BLOCK, blocks
 
 
+@dataclass(frozen=True)
+class WrittenRun:
+    """The files of a run, and the run as its summary tells it."""
+
+    files: list[Path]
+    trajectory: Trajectory
+
+
 def write_run(
     trajectory: Trajectory, directory: str | Path, *, plots: bool = True, force: bool = False
 ) -> list[Path]:
-    """Write a run's files and return them; an earlier run's files are replaced or removed.
+    """Write a run's files and return them, as `write_timed` does."""
+    return write_timed(trajectory, directory, plots=plots, force=force).files
+
+
+def write_timed(
+    trajectory: Trajectory, directory: str | Path, *, plots: bool = True, force: bool = False
+) -> WrittenRun:
+    """Write a run's files, and how long that took; an earlier run's are replaced or removed.
 
     Tables come first, all or none, so that a failing picture cannot lose them; the summary
     comes last: a folder that holds one is complete. Raises `UsageError` where the folder
     cannot be written, or (without ``force``) holds files that are not ours.
     """
+    began = clock.perf_counter()
     folder = prepare_folder(directory, force=force)
     contents = (
         trajectory_lines(trajectory),
@@ -47,8 +65,9 @@ def write_run(
         # A run that took long to solve may take a while to write: it is not lost for that.
         raise KeyboardInterrupt
     pictures = _draw(trajectory, folder) if plots else []
-    write_bytes(summary, json_bytes(trajectory.summary()))
-    return [*tables, *pictures, summary]
+    told = trajectory.with_time(write_s=clock.perf_counter() - began)
+    write_bytes(summary, json_bytes(told.summary()))
+    return WrittenRun([*tables, *pictures, summary], told)
 
 
 def _draw(trajectory: Trajectory, folder: Path) -> list[Path]:

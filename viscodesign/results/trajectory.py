@@ -7,7 +7,7 @@ the command line prints it, and a script reads it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -60,12 +60,33 @@ class Accuracy:
 class Cost:
     """What a run cost: wall times [s], and counts that do not depend on the machine."""
 
+    load_s: float = 0.0
+    """Starting the command and reading its spec."""
+    choose_s: float = 0.0
+    """Choosing the effects, before and after solving."""
     build_s: float = 0.0
+    """Building the equations of the solution that was kept."""
     solve_s: float = 0.0
+    """Solving them."""
     verify_s: float = 0.0
+    """All other solutions: coarser ones, with fewer effects, with effects switched."""
+    read_s: float = 0.0
+    """From the unknowns of the kept solution to its motion, balances and warnings."""
+    write_s: float = 0.0
+    """Writing tables and pictures."""
     steps: int = 0
     residual_calls: int = 0
     jacobian_calls: int = 0
+
+    @property
+    def total_s(self) -> float:
+        """From the call to its end, all but writing the summary [s]: the sum of the parts."""
+        solved = self.build_s + self.solve_s + self.verify_s
+        return self.load_s + self.choose_s + solved + self.read_s + self.write_s
+
+    def document(self) -> dict[str, Any]:
+        """As JSON has it."""
+        return {"total_s": self.total_s, **asdict(self)}
 
 
 @dataclass(frozen=True)
@@ -146,6 +167,10 @@ class Trajectory(MotionArrays):
             MetricInputs.of(self.time, self.tip, self.pressure, self.bellows, self.period)
         )
 
+    def with_time(self, **parts: float) -> Trajectory:
+        """The same with parts of its cost replaced: ``load_s``, ``write_s`` [s]."""
+        return replace(self, cost=replace(self.cost, **parts))  # type: ignore[arg-type]
+
     def members(self, per: Per) -> tuple[str, ...]:
         """Names of what a quantity has one value of."""
         return {
@@ -176,7 +201,7 @@ class Trajectory(MotionArrays):
             "effects": documents(self.effects),
             **({"proof": documents(self.proof)} if self.proof else {}),
             "accuracy": asdict(self.accuracy),
-            "cost": asdict(self.cost),
+            "cost": self.cost.document(),
             "invariants": asdict(self.invariants),
             "ladder": documents(self.ladder),
             "settings": dict(self.settings),

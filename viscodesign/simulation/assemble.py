@@ -48,7 +48,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
         classification=found,
         effects=selection.verdicts,
         accuracy=Accuracy(quantities.accuracy * quantities.body.length, None, NOT_VERIFIED),
-        cost=cost_of(run, 0.0),
+        cost=cost_of(run),
         invariants=motion.invariants,
         warnings=_merged(
             (
@@ -71,13 +71,13 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
     )
 
 
-def cost_of(run: Run, verify_s: float) -> Cost:
-    """What a run cost; ``verify_s``: time of the other solutions [s]."""
+def cost_of(run: Run) -> Cost:
+    """What one solution cost."""
     work = run.solution.work
     return Cost(
         build_s=run.build_s,
         solve_s=run.solve_s,
-        verify_s=verify_s,
+        read_s=run.read_s,
         steps=work.steps,
         residual_calls=work.residual_calls,
         jacobian_calls=work.jacobian_calls,

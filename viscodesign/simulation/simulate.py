@@ -19,6 +19,7 @@ from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
 from viscodesign.simulation.outcome import accuracy_of, outcome_of
 from viscodesign.simulation.solve_once import ProblemStore, Progress, Run, Workspace
+from viscodesign.simulation.stopwatch import Stopwatch
 from viscodesign.storage.disk_arrays import ArrayStore
 
 _PROBLEMS = ProblemStore(16)
@@ -49,11 +50,13 @@ def simulate(
     Raises `SpecError` for a scene without a bounded solution, `SolveError` where not even an
     initial equilibrium exists.
     """
-    quantities, workspace = SceneQuantities(scene), Workspace(ArrayStore(scratch), _PROBLEMS)
-    refuse_beyond_numbers(quantities)
-    selection = select_effects(quantities)
-    refuse_unsolvable(quantities, selection.active)
-    request = _Request(tolerance, verify, progress, workspace)
+    watch = Stopwatch()
+    with watch("choose"):
+        quantities, workspace = SceneQuantities(scene), Workspace(ArrayStore(scratch), _PROBLEMS)
+        refuse_beyond_numbers(quantities)
+        selection = select_effects(quantities)
+        refuse_unsolvable(quantities, selection.active)
+    request = _Request(tolerance, verify, progress, workspace, watch)
     found = _solve_escalating(quantities, selection, request)
     selection, verifier, run = found.selection, found.verifier, found.run
     proof: tuple[EffectAblation, ...] = ()
@@ -61,14 +64,17 @@ def simulate(
         proof = measure_effects(quantities, selection, run.settings, progress, workspace)
     accuracy = accuracy_of(verifier, found.parts, verify)
     status, failure = outcome_of(verifier, run, accuracy, verify)
-    trajectory = trajectory_of(quantities, selection, run)
+    with watch("read"):
+        trajectory = trajectory_of(quantities, selection, run)
+        doubts = tuple(uncertain_flows(trajectory, verifier))
+    is_only_solution = verifier.solutions == 1 and not (found.attempts or proof)
     return replace(
         trajectory,
-        warnings=(*trajectory.warnings, *uncertain_flows(trajectory, verifier)),
+        warnings=(*trajectory.warnings, *doubts),
         status=status,
         failure=failure,
         accuracy=accuracy,
-        cost=cost_of(run, verifier.spent_s - run.spent_s),
+        cost=watch.share_out(cost_of(run), is_only_solution=is_only_solution),
         proof=proof,
         ladder=(*found.attempts, *run.solution.attempts),
     )
@@ -82,6 +88,7 @@ class _Request:
     verify: bool
     progress: Progress | None
     workspace: Workspace
+    watch: Stopwatch
 
 
 @dataclass(frozen=True)
@@ -130,8 +137,10 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     )
     run = verifier.solve(settings)
     parts: ErrorParts | None = None
-    more = escalation(quantities, selection, run)
+    with request.watch("choose"):
+        more = escalation(quantities, selection, run)
     if request.verify and run.is_complete and more is None:
         run, parts = verifier.verify(run)
-        more = None if verifier.interrupted else escalation(quantities, selection, run)
+        with request.watch("choose"):
+            more = None if verifier.interrupted else escalation(quantities, selection, run)
     return _SolvedScene(selection, verifier, run, parts, more)

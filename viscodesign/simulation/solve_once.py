@@ -89,6 +89,8 @@ class Run:
     solution: Solution
     build_s: float
     solve_s: float
+    read_s: float = 0.0
+    """From the unknowns to the motion [s]."""
 
     @property
     def is_complete(self) -> bool:
@@ -138,8 +140,9 @@ def solve(
     solution.asked_to_stop |= interrupt.asked
     compile_s = solution.work.compile_s
     build_s, solve_s = built - began + compile_s, solved - built - compile_s
+    read_s = clock.perf_counter() - solved
     # The columns of the solution were read into the motion.
-    return Run(settings, problem, motion, solution.without_columns(), build_s, solve_s)
+    return Run(settings, problem, motion, solution.without_columns(), build_s, solve_s, read_s)
 
 
 @dataclass(frozen=True)

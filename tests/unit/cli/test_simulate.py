@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -51,6 +52,18 @@ def test_json_is_the_summary_and_nothing_else(call: Call, tmp_path: Path) -> Non
     assert document["accuracy"]["estimated_tip_error_m"] is None
     assert document["metrics"]["path_length_m"] > 0
     assert {Path(file).name for file in document["files"]} == TABLES
+
+
+def test_the_cost_is_all_the_time_but_that_of_the_summary(call: Call, tmp_path: Path) -> None:
+    spec = CONFIGS / "leg_4_air.yaml"
+    began = time.perf_counter()
+    call("simulate", spec, "-o", tmp_path / "run", "--no-verify", *SHORT)
+    spent = time.perf_counter() - began
+    cost = json.loads((tmp_path / "run" / "summary.json").read_text())["cost"]
+    parts = ("load_s", "choose_s", "build_s", "solve_s", "verify_s", "read_s", "write_s")
+    assert cost["total_s"] == pytest.approx(sum(cost[part] for part in parts), rel=1e-12)
+    assert all(cost[part] > 0 for part in parts if part != "verify_s")
+    assert 0.7 * spent < cost["total_s"] < spent
 
 
 def test_the_folder_is_named_by_the_scene(

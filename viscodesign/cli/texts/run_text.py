@@ -53,10 +53,9 @@ def _retry(attempt: RetryAttempt) -> str:
 def _progress(trajectory: Trajectory) -> str:
     cost = trajectory.cost
     reached = float(trajectory.time[-1]) if trajectory.time.size else 0.0
-    wall = cost.build_s + cost.solve_s + cost.verify_s
     return (
         f"{trajectory.status}: {number(reached, 's')} of motion "
-        f"in {number(wall, 's')}, {cost.steps} steps{_solver(trajectory)}"
+        f"in {number(cost.total_s, 's')}, {cost.steps} steps{_solver(trajectory)}"
     )
 
 
