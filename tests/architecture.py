@@ -27,6 +27,7 @@ LAYERS = [
     ["pump.bus"],
     ["pump"],
     ["studies"],
+    ["compiled"],
     ["simulation"],
     ["checks", "loading"],
     ["effects"],

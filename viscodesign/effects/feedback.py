@@ -134,7 +134,7 @@ class Feedback(Effect):
             yield from growth_notices(problem, start)
 
     def join(self, system: System) -> None:
-        length = system.bellow.length
+        length = system.parameter("bellow_length", self.length)
         per_force = system.parameter("area_per_force", self.area_per_force)
         per_moment = system.parameter("area_per_moment", self.area_per_moment)
         for name, place in places(system.graph).items():

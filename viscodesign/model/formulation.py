@@ -56,16 +56,22 @@ def formulate(system: System, sizes: Sizes) -> Equations:
     Raises `SpecError` where one pressure per network is asked for and two inlets
     feed the same network.
     """
+    with ONE_AT_A_TIME:
+        symbols = settle(system, sizes)
+        key = structure_of(system)
+        formulas = _kept.get(key, lambda: _Formulation(without_numbers(system), symbols).formulas())
+    return formulas.with_numbers(system.parameters()[1])
+
+
+def settle(system: System, sizes: Sizes) -> SizeSymbols:
+    """Register every parameter that the equations of a system will have."""
     symbols = SizeSymbols(
         pressure=system.parameter("size.pressure", sizes.pressure),
         time=system.parameter("size.time", sizes.time),
         swing=system.parameter("size.swing", sizes.swing),
     )
-    with ONE_AT_A_TIME:
-        system.settle()
-        key = structure_of(system)
-        formulas = _kept.get(key, lambda: _Formulation(without_numbers(system), symbols).formulas())
-    return formulas.with_numbers(system.parameters()[1])
+    system.settle()
+    return symbols
 
 
 class _Formulation:

@@ -63,7 +63,8 @@ def _counts(number: float | None) -> float | str | None:
     """The structural part of a scene's number: whether it is absent, zero or infinite."""
     if number is None:
         return "absent"
-    return number if number == 0.0 or not math.isfinite(number) else None
+    is_finite = number - number == 0.0  # for any kind of number
+    return number if number == 0.0 or not is_finite else None
 
 
 class _Walk:

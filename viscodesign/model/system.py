@@ -13,7 +13,6 @@ Amounts of fluid are stated as volume at ambient density; so are flows.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -136,9 +135,10 @@ class System:
         numbers begin with its name, as in ``gravity.tilt``.
         """
         if name not in self._parameters:
-            self._parameters[name] = Parameter(SX.sym(name), float(value))
+            self._parameters[name] = Parameter(SX.sym(name), value)
         known = self._parameters[name]
-        if value != known.value and not math.isnan(value):  # which formulation makes of it
+        is_blank = value != value  # NaN, which formulation makes of it
+        if not is_blank and value != known.value:
             raise ValueError(
                 f"parameter {name!r} is {known.value:g} already, and cannot be {value:g} as well; "
                 "begin the names of an effect's own parameters with its name"
@@ -148,8 +148,11 @@ class System:
     def parameters(self) -> tuple[SX, np.ndarray]:
         """All parameters' symbols and values, in the order of their first use."""
         symbols = [parameter.symbol for parameter in self._parameters.values()]
-        values = np.array([parameter.value for parameter in self._parameters.values()])
-        return ca.vertcat(*symbols), values
+        return ca.vertcat(*symbols), np.array(list(self.numbers().values()), dtype=float)
+
+    def numbers(self) -> dict[str, float]:
+        """All parameters' values by name, in the same order."""
+        return {name: parameter.value for name, parameter in self._parameters.items()}
 
     def settle(self) -> None:
         """Compute what depends on all sums, so that every parameter in it is registered."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 
 def rest_volume(height: float, width: float, length: float) -> float:
     """Volume of a bellow at zero gauge pressure, V_0 = h_b w_b l_b [m^3], from its sides [m]."""
@@ -81,7 +83,7 @@ def collapse_pressures(
     """
     floor, fade = _plain_floor(rest_volume, compliance, collapse_fraction)
     give = residual_compliance(rest_volume, compliance, collapse_fraction, ambient)
-    return floor + give / (1 - give) * max(ambient + floor, 0.0), fade
+    return floor + give / (1 - give) * np.maximum(ambient + floor, 0.0), fade
 
 
 def residual_compliance(
@@ -93,8 +95,10 @@ def residual_compliance(
     more than half of the pressure range in which they meet.
     """
     floor, fade = _plain_floor(rest_volume, compliance, collapse_fraction)
-    suction = max(ambient + floor, 0.0)
-    return min(RESIDUAL_COMPLIANCE, fade / (2 * suction)) if suction > 0.0 else RESIDUAL_COMPLIANCE
+    if not ambient + floor > 0.0:
+        return RESIDUAL_COMPLIANCE
+    # numpy's minimum serves numbers that carry formulas as well.
+    return np.minimum(RESIDUAL_COMPLIANCE, fade / (2 * (ambient + floor)))  # type: ignore[no-any-return]
 
 
 def _plain_floor(
@@ -102,7 +106,7 @@ def _plain_floor(
 ) -> tuple[float, float]:
     """Pressure at which the linear law reaches the minimum volume, and the range above it [Pa]."""
     empty = rest_volume / compliance
-    share = min(collapse_fraction or FADE_WITHOUT_FLOOR, (1 - collapse_fraction) / 2)
+    share = np.minimum(collapse_fraction or FADE_WITHOUT_FLOOR, (1 - collapse_fraction) / 2)
     return -(1 - collapse_fraction) * empty, share * empty
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from functools import cache
 
@@ -98,9 +97,9 @@ class Fluid(SpecPart):
         sound = None
         if self.gas_constant is not None:
             # Isothermal: the lower bound, as the heat capacities are unknown.
-            sound = math.sqrt(self.gas_constant * temperature)
+            sound = (self.gas_constant * temperature) ** 0.5
         elif self.bulk_modulus is not None:
-            sound = math.sqrt(self.bulk_modulus / density)
+            sound = (self.bulk_modulus / density) ** 0.5
         return FluidProperties(
             name=self.name,
             viscosity=viscosity,

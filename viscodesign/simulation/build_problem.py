@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -15,7 +15,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.chain import Chain
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
-from viscodesign.model.rod import Body
+from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.syringes import SyringeParameters
 from viscodesign.model.system import InletSource, System
 from viscodesign.model.unknowns import Sizes
@@ -58,24 +58,9 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
     """Assemble the system, let every effect join it, and formulate its equations."""
     scene = quantities.scene
     rod = Chain(quantities.body, settings.edges_per_section)
-    system = System(
-        quantities.graph,
-        _with_resolvable_stiffness(quantities),
-        quantities.bellow,
-        {name: _source(scene, name) for name in scene.inputs},
-        scene.gauge_pressure,
-        scene.ambient_pressure,
-        rod,
-    )
+    system = assemble(quantities, effects, rod, resolvable_body(quantities))
     system.wide = _wide_tubes(quantities)
-    for effect in effects:
-        effect.join(system)
-    sizes = Sizes(
-        pressure=quantities.swing,
-        time=quantities.scales.t_s,
-        swing=quantities.swing_time,
-    )
-    equations = formulate(system, sizes)
+    equations = formulate(system, sizes_of(quantities))
     return Problem(
         equations=equations,
         rod=rod,
@@ -88,6 +73,34 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         remedies=_remedies(quantities),
         max_steps=scene.run.max_steps,
         flow_shares=_flow_shares(quantities, equations.network_form),
+    )
+
+
+def assemble(
+    quantities: SceneQuantities, effects: Iterable[Effect], rod: RodDiscretisation, body: Body
+) -> System:
+    """The system of a scene with every effect's terms; ``body``: with the stiffness to use."""
+    scene = quantities.scene
+    system = System(
+        quantities.graph,
+        body,
+        quantities.bellow,
+        {name: _source(scene, name) for name in scene.inputs},
+        scene.gauge_pressure,
+        scene.ambient_pressure,
+        rod,
+    )
+    for effect in effects:
+        effect.join(system)
+    return system
+
+
+def sizes_of(quantities: SceneQuantities) -> Sizes:
+    """By which the unknowns are scaled."""
+    return Sizes(
+        pressure=quantities.swing,
+        time=quantities.scales.t_s,
+        swing=quantities.swing_time,
     )
 
 
@@ -115,7 +128,7 @@ INEXTENSIBLE = 30.0
 only makes its equations harder to solve."""
 
 
-def _with_resolvable_stiffness(quantities: SceneQuantities) -> Body:
+def resolvable_body(quantities: SceneQuantities) -> Body:
     """The body, its axis made no stiffer than moves the tip by a thirtieth of the accuracy.
 
     A force F stretches a rod by F/EA of its length; forces are scaled by EI/L2.
@@ -183,17 +196,27 @@ def schedule(scene: Scene) -> Schedule:
     """Output times, corners of all inputs, and the coefficients between them."""
     duration = scene.run.duration
     times = scene.run.output_times_array()
-    corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
-    stops = _merge(np.concatenate([[0.0], *corners, [duration]]), duration)
+    stops = stops_of(scene)
     edges = _merge(np.concatenate([times, stops]), duration)
     firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
-    sources = scene.inputs.values()
-    pieces = np.concatenate(
-        [s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))], 1
-    )
-    initial = np.concatenate([s.initial_piece() for s in sources] or [np.zeros(0)])
+    pieces, initial = pieces_between(scene, stops)
     outputs = np.searchsorted(edges, times - 1e-12 * duration)
     return Schedule(edges, Pieces(pieces, firsts, len(edges) - 1), outputs, initial)
+
+
+def stops_of(scene: Scene) -> np.ndarray:
+    """Zero, the corners of all inputs, and the end of the run, ascending (m + 1,) [s]."""
+    duration = scene.run.duration
+    corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
+    return _merge(np.concatenate([[0.0], *corners, [duration]]), duration)
+
+
+def pieces_between(scene: Scene, stops: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Coefficients of all inputs (m, c) between ``stops`` (m + 1,), and those before t = 0 (c,)."""
+    sources = scene.inputs.values()
+    pieces = [s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))]
+    initial = [s.initial_piece() for s in sources] or [np.zeros(0)]
+    return np.concatenate(pieces, 1), np.concatenate(initial)
 
 
 def _merge(times: np.ndarray, duration: float) -> np.ndarray:

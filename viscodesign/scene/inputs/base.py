@@ -8,6 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 from abc import abstractmethod
+from functools import singledispatch
 from typing import Any, ClassVar
 
 import numpy as np
@@ -125,7 +126,7 @@ class PiecewiseLinear(Input):
 
     def corners(self, duration: float) -> list[float]:
         time = self.vertices(duration)[:, 0]
-        return [float(t) for t in np.unique(time[(time > 0.0) & (time < duration)])]
+        return list(np.unique(time[(time > 0.0) & (time < duration)]).tolist())
 
     def pieces(self, edges: np.ndarray) -> np.ndarray:
         middles = (edges[:-1] + edges[1:]) / 2
@@ -168,6 +169,16 @@ class PiecewiseLinear(Input):
 
     def swing_time(self) -> float:
         return shortest_swing(self.profile())
+
+
+@singledispatch
+def periods_to_cover(ratio: Any) -> int:
+    """Periods that reach beyond the end of a run, which lasts ``ratio`` of them.
+
+    Other kinds of number than `float` register what they answer.
+    """
+    whole: int = math.floor(ratio)
+    return whole + 1
 
 
 def points_of(vertices: np.ndarray) -> list[tuple[float, float]]:

@@ -22,7 +22,7 @@ class ConstantInput(PiecewiseLinear):
         return np.array([(0.0, self.value), (duration, self.value)])
 
     def initial(self) -> float:
-        return float(self.value)
+        return self.value
 
     def profile(self) -> list[tuple[float, float]]:
         return points_of(self.vertices(1.0))

@@ -45,7 +45,7 @@ class DoubleSigmoidInput(SmoothInput):
     def corners(self, duration: float) -> list[float]:
         """Where each transition begins: a solver with large steps could skip it."""
         begins = (self.fall_time - self.transition, self.rise_time - self.transition)
-        return sorted({float(t) for t in begins if 0.0 < t < duration})
+        return list(np.unique([t for t in begins if 0.0 < t < duration]).tolist())
 
     def extremes(self, duration: float) -> tuple[float, float]:
         """At the ends and midway between fall and rise, where the two slopes cancel."""

@@ -25,7 +25,7 @@ class SineInput(SmoothInput):
 
     @property
     def period(self) -> float:
-        return float(1.0 / self.frequency)
+        return 1.0 / self.frequency
 
     @classmethod
     def expression(cls, t: Any, piece: Any, functions: Any) -> Any:

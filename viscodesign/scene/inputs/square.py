@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
 
-from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
+from viscodesign.scene.inputs.base import PiecewiseLinear, periods_to_cover, points_of
 from viscodesign.scene.spec_part import invalid_at
 from viscodesign.units import Fraction, Frequency, Pressure
 
@@ -33,16 +32,16 @@ class SquareInput(PiecewiseLinear):
 
     @property
     def period(self) -> float:
-        return float(1.0 / self.frequency)
+        return 1.0 / self.frequency
 
     def vertices(self, duration: float) -> np.ndarray:
-        start = np.arange(math.floor(duration * self.frequency) + 1.0)
+        start = np.arange(float(periods_to_cover(duration * self.frequency)))
         times = np.stack((start, start + self.duty, start + self.duty, start + 1), axis=1)
         values = np.tile((self.high, self.high, self.low, self.low), len(start))
         return np.column_stack((times.reshape(-1) / self.frequency, values))
 
     def initial(self) -> float:
-        return float(self.high)
+        return self.high
 
     def profile(self) -> list[tuple[float, float]]:
         return points_of(self.vertices(1.0 / self.frequency))

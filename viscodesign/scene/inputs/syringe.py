@@ -83,7 +83,7 @@ class SyringeInput(PiecewiseLinear):
     def _positions(self) -> list[tuple[float, float]]:
         """(time, position) where the speed changes; the last speed continues."""
         if self.speeds is None:
-            return [(float(t), float(x)) for t, x in self.rows or ()]
+            return list(self.rows or ())
         points, place = [(0.0, 0.0)], 0.0
         for (t, speed), (later, _) in itertools.pairwise(self.speeds):
             if t > points[-1][0]:

@@ -37,12 +37,12 @@ class TableInput(PiecewiseLinear):
         return self
 
     def vertices(self, duration: float) -> np.ndarray:
-        rows = [(float(t), float(p)) for t, p in self.rows or ()]
+        rows = self.rows or ()
         first = [(0.0, rows[0][1])] if rows[0][0] > 0 else []
         return np.array([*first, *rows, (max(duration, rows[-1][0]) + 1.0, rows[-1][1])])
 
     def initial(self) -> float:
-        return float((self.rows or ())[0][1])
+        return (self.rows or ())[0][1]
 
     def profile(self) -> list[tuple[float, float]]:
-        return [(float(t), float(p)) for t, p in self.rows or ()]
+        return list(self.rows or ())

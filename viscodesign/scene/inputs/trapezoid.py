@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
 
-from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
+from viscodesign.scene.inputs.base import PiecewiseLinear, periods_to_cover, points_of
 from viscodesign.scene.spec_part import invalid
 from viscodesign.units import Pressure, Time
 
@@ -34,10 +33,10 @@ class TrapezoidInput(PiecewiseLinear):
     @property
     def period(self) -> float:
         """Duration of a cycle [s]."""
-        return float(self.rise + self.hold + self.fall + self.rest)
+        return self.rise + self.hold + self.fall + self.rest
 
     def vertices(self, duration: float) -> np.ndarray:
-        cycles = math.floor(duration / self.period) + 1
+        cycles = periods_to_cover(duration / self.period)
         start = np.arange(cycles) * self.period
         top = start + self.rise
         end = top + self.hold
@@ -47,7 +46,7 @@ class TrapezoidInput(PiecewiseLinear):
         return np.concatenate([np.column_stack((times, values)), [last]])
 
     def initial(self) -> float:
-        return float(self.low)
+        return self.low
 
     def profile(self) -> list[tuple[float, float]]:
         return points_of(self.vertices(1.5 * self.period))
