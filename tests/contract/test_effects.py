@@ -362,7 +362,7 @@ def test_a_new_effect_is_told_by_the_command_line(
     page = " ".join(capsys.readouterr().out.split())
     assert page.startswith("tip_drag: Drag of the air around the tip.")
     assert "spec keys effects.tip_drag, ambient.density" in page
-    assert "It has no term in the estimate" in page
+    assert "The estimate has no term for it" in page
     assert "Without inertia it is not applicable" in page
 
 

@@ -77,7 +77,7 @@ def _sizes(quantities: SceneQuantities) -> Iterator[Fault]:
     }
     for key, value in sizes.items():
         if not 1 / LIMITS.size < value < LIMITS.size:
-            yield Fault(f"is {value:.3g} in SI units, beyond the range of numbers", key)
+            yield Fault(f"is {value:.3g} in SI units, outside the range of double precision", key)
 
 
 def _contrast(quantities: SceneQuantities) -> Iterator[Fault]:
@@ -90,9 +90,9 @@ def _contrast(quantities: SceneQuantities) -> Iterator[Fault]:
         ratio = own[most] / own[least]
         if ratio > LIMITS.resistance_ratio:
             yield Fault(
-                f"tube {most} resists {ratio:.2g} times as much as tube {least} in the same "
-                f"network, beyond the {LIMITS.resistance_ratio:g} of double precision; remove "
-                "the one, or join the ends of the other",
+                f"tube {most} has {ratio:.2g} times the resistance of tube {least} in the same "
+                f"network; double precision allows {LIMITS.resistance_ratio:g}. Remove the first, "
+                "or merge the ends of the second",
                 "network",
             )
             return
@@ -115,7 +115,7 @@ def _rod(quantities: SceneQuantities) -> Iterator[Fault]:
         if not load <= LIMITS.load * unit:
             yield Fault(
                 f"{load:.3g} N is {load / unit:.3g} times EI/l2 = {unit:.3g} N; a rod with this "
-                f"load bends too sharply to be followed (at most {LIMITS.load:g} times)",
+                f"load bends too sharply to be resolved (at most {LIMITS.load:g} times)",
                 key,
             )
 
@@ -129,7 +129,7 @@ def _turn(quantities: SceneQuantities) -> Iterator[Fault]:
     limit = LIMITS.rod_turn if is_sound else LIMITS.section_turn
     yield Fault(
         f"at the input's pressures a section turns by {turn:.3g} rad{several}: more than the "
-        f"{limit:g} rad that can be followed; check the pressures, youngs_modulus and "
+        f"{limit:g} rad that can be resolved; check the pressures, youngs_modulus and "
         "angle_per_pressure",
         "bellows.angle_per_pressure",
     )

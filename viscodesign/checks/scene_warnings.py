@@ -61,6 +61,6 @@ def _network_notices(quantities: SceneQuantities) -> Iterator[Notice]:
         if not component.fed and component.bellows:
             yield Notice(
                 "sealed_island",
-                f"no inlet reaches {', '.join(component.bellows)}: the fluid in them stays there",
+                f"no inlet feeds {', '.join(component.bellows)}: the fluid in them is sealed in",
                 "network",
             )

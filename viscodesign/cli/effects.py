@@ -94,7 +94,7 @@ def _decision(kind: type[Effect]) -> str:
     parts += inspect.cleandoc(select.__doc__ or "").split("\n\n")[1:]
     if kind.estimate_term is Effect.estimate_term:
         parts.append(
-            "It has no term in the estimate: its weight, in actuator lengths, stands for the "
+            "The estimate has no term for it: its weight, in actuator lengths, is taken as the "
             "displacement of the tip."
         )
     if kind.indispensable is not Effect.indispensable:

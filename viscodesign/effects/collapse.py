@@ -31,16 +31,16 @@ class Collapse(Effect):
 
     name: ClassVar[str] = "collapse"
     order: ClassVar[int] = 13
-    formula: ClassVar[str] = "volume below the start of fading at the lowest inlet pressure / V_0"
+    formula: ClassVar[str] = "volume below the onset of collapse at the lowest inlet pressure / V_0"
     replaced_by: ClassVar[str] = "material_curve"
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.LIMITED_EMPTYING})
     remedies: ClassVar[Mapping[Obstacle, str]] = {
         Obstacle.EMPTY_BELLOW: f"set effects.{name} to auto"
     }
-    validity: ClassVar[str] = (
-        "How the walls meet is an assumption of this model; a measured curve is better."
+    validity: ClassVar[str] = "The contact law of the walls is assumed; a measured curve is better."
+    source: ClassVar[str] = (
+        "An assumption of this model; the paper's bellows have no minimum volume."
     )
-    source: ClassVar[str] = "An assumption of this model: the paper has no floor."
     keys: ClassVar[tuple[str, ...]] = ("bellows.collapse_fraction",)
 
     floor: float
@@ -66,8 +66,8 @@ class Collapse(Effect):
 
     def reason(self, quantities: SceneQuantities) -> str:
         return (
-            f"the walls begin to meet at {(self.floor + self.fade) / 1e3:.3g} kPa gauge, "
-            f"the inlet goes down to {quantities.lowest_pressure / 1e3:.3g} kPa"
+            f"the walls start to touch at {(self.floor + self.fade) / 1e3:.3g} kPa gauge; "
+            f"the lowest inlet pressure is {quantities.lowest_pressure / 1e3:.3g} kPa"
         )
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

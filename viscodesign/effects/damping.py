@@ -27,7 +27,7 @@ class Damping(Effect):
     formula: ClassVar[str] = "t_v / t_s"
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.ROD_DAMPING})
     validity: ClassVar[str] = "A loss that grows with frequency; 1 ms is a guess for silicone."
-    source: ClassVar[str] = "Kelvin and Voigt; the paper has no damping."
+    source: ClassVar[str] = "The Kelvin-Voigt model; the paper has no damping."
     keys: ClassVar[tuple[str, ...]] = ("actuator.damping_time",)
 
     damping_time: float
@@ -54,8 +54,8 @@ class Damping(Effect):
         share = self.damping_time / quantities.scene.run.duration
         if not share < LARGEST_TIME_RATIO:
             yield Fault(
-                f"{self.damping_time:.3g} s is {share:.2g} of run.duration, beyond double "
-                "precision",
+                f"{self.damping_time:.3g} s is {share:.2g} times run.duration, too far "
+                "apart for double precision",
                 "actuator.damping_time",
             )
 

@@ -58,7 +58,7 @@ class Feedback(Effect):
         if not self.present(quantities):
             return "bellows.area_per_force and area_per_moment are zero"
         if quantities.load_force == 0.0:
-            return "nothing loads the rod"
+            return "the rod carries no load"
         return f"forces up to about {quantities.load_force:.2g} N act on the sections"
 
     def estimate_term(self) -> EstimateTerm:
@@ -93,9 +93,9 @@ class Feedback(Effect):
             )
             if blocked <= 0.0:
                 yield Fault(
-                    f"with the strain of a section held, its bellows have a negative compliance "
-                    f"in {strain} ({blocked:.4g} m3/Pa, free: {law.compliance:.4g} m3/Pa): "
-                    f"pressures would run away; the model is ill-posed. Lower {key}, or set "
+                    f"at fixed strain, a section's bellows have a negative compliance in {strain} "
+                    f"({blocked:.4g} m3/Pa, free: {law.compliance:.4g} m3/Pa): pressures would "
+                    f"diverge, and the model is ill-posed. Lower {key}, or set "
                     f"effects.{self.name}: off.",
                     key,
                 )

@@ -33,7 +33,7 @@ class FlowRegime(Effect):
     formula: ClassVar[str] = "f Re/64 - 1 + K Re r/(32 L), at the largest flow"
     needs: ClassVar[str] = "pressure_distribution"
     validity: ClassVar[str] = (
-        "Smooth tubes, developed flow at every instant; no law is certain between Re 2300 and 4000."
+        "Smooth tubes, fully developed flow; no law is reliable between Re 2300 and 4000."
     )
     source: ClassVar[str] = "Churchill (1977) for friction; local losses as for a sharp edge."
     keys: ClassVar[tuple[str, ...]] = (
@@ -68,7 +68,7 @@ class FlowRegime(Effect):
 
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.radii:
-            return "no tube joins anything"
+            return "the network has no tubes"
         reynolds = self._reynolds(quantities.slow_flows)
         place = list(self.radii)[int(np.argmax(np.max(reynolds, axis=0)))]
         return (
@@ -126,7 +126,7 @@ class FlowRegime(Effect):
                 lost, time_s = float(along[row]), float(motion.time[rows][row])
         share = lost / quantities.swing
         reason = (
-            f"the computed flows would lose {lost:.3g} Pa through it, {share:.2g} of the largest "
+            f"at the computed flows it would cost {lost:.3g} Pa, {share:.2g} times the largest "
             "pressure"
         )
         way = motion.largest_displacement(quantities.body.length)

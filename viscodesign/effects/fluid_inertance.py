@@ -24,7 +24,7 @@ class FluidInertance(Effect):
     # Its losses make the flows unknowns already, and inertance makes them smooth at rest.
     free_with: ClassVar[str] = "flow_regime"
     validity: ClassVar[str] = (
-        "The velocity profile of steady laminar flow; no pressure waves inside of a tube."
+        "The velocity profile of steady laminar flow; no pressure waves within a tube."
     )
     source: ClassVar[str] = "Momentum of a parabolic profile."
     keys: ClassVar[tuple[str, ...]] = ("fluid.density", "network")
@@ -49,8 +49,8 @@ class FluidInertance(Effect):
 
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.inertances:
-            return "no tube joins anything"
-        return f"viscosity stops a flow within {self.delay:.3g} s"
+            return "the network has no tubes"
+        return f"viscosity damps a flow within {self.delay:.3g} s"
 
     def estimate_term(self) -> EstimateTerm:
         return EstimateTerm(inertance=tuple(self.inertances.values()))

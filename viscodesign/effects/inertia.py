@@ -38,7 +38,7 @@ class Inertia(Effect):
         Obstacle.LIMIT_POINT: f"set effects.{name} and effects.{companion} to auto or on to follow "
         "the snap-through",
     }
-    validity: ClassVar[str] = "A slender rod; points on its axis carry the mass."
+    validity: ClassVar[str] = "A slender rod, its mass lumped at points of the axis."
     source: ClassVar[str] = "The paper, equation (4)."
     keys: ClassVar[tuple[str, ...]] = ("actuator.density", "actuator.solid_fraction")
 
@@ -66,8 +66,8 @@ class Inertia(Effect):
         share = t_s / quantities.scene.run.duration
         if not 1 / LARGEST_TIME_RATIO < share < LARGEST_TIME_RATIO:
             yield Fault(
-                f"the rod swings in {t_s:.3g} s, {share:.2g} of run.duration: beyond double "
-                f"precision; use effects.{self.name}: off",
+                f"the rod swings in {t_s:.3g} s, {share:.2g} times run.duration: too far apart for "
+                f"double precision; use effects.{self.name}: off",
                 "actuator.density",
             )
 

@@ -88,10 +88,10 @@ class MaterialCurve(Effect):
 
     def reason(self, quantities: SceneQuantities) -> str:
         if self.snap is not None:
-            return "measured rows replace the linear coefficients; they make a bellow snap"
+            return "the measured curve replaces the linear coefficients and snaps through"
         if not self.curves:
             return "no curve is given (bellows.curve)"
-        return "measured rows replace the linear coefficients"
+        return "the measured curve replaces the linear coefficients"
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Volume beyond rest, curvature and stretch at gauge pressures, any shape."""
@@ -110,8 +110,8 @@ class MaterialCurve(Effect):
         if snaps(quantities.scene.bellows):
             remedy = " or ".join(f"effects.{name}" for name in names_with(distributed))
             yield Fault(
-                "between some of its rows the pressure falls as the bellow swells; there it "
-                f"snaps, as fast as flow through the tubes allows. Set {remedy} to on or auto.",
+                "between some rows the pressure falls as the bellow swells: it snaps through, at a "
+                f"speed that only flow in the tubes limits. Set {remedy} to on or auto.",
                 "bellows.curve",
             )
 
@@ -120,9 +120,9 @@ class MaterialCurve(Effect):
         if falls(rows) and quantities.scene.effects.mode(self.name) != "off":
             yield Notice(
                 "snapping_curve",
-                f"by bellows.curve a bellow snaps at {first_peak(rows) / 1e3:.4g} kPa gauge, where "
-                "its pressure falls as it swells: at such a pressure equal bellows swell one after "
-                "another, and small differences decide which is first",
+                f"bellows.curve makes a bellow snap through at {first_peak(rows) / 1e3:.4g} kPa "
+                "gauge: identical bellows then swell one after another, in an order that small "
+                "differences decide",
                 "bellows.curve",
             )
 

@@ -49,9 +49,9 @@ class PressureDistribution(Effect):
 
     def reason(self, quantities: SceneQuantities) -> str:
         if not quantities.graph.tubes:
-            return "no tube joins anything"
+            return "the network has no tubes"
         if snaps(quantities.scene.bellows):
-            return "the measured curve snaps, as fast as flow allows"
+            return "the measured curve snaps through, as fast as flow allows"
         if self.indispensable(quantities):
             return "several inlets feed one network; only flow lets their pressures differ"
         scales = quantities.scales
@@ -73,8 +73,8 @@ class PressureDistribution(Effect):
                 slow = "lower fluid.viscosity, or lengthen run.duration"
                 fast = f"use effects.{self.name}: off"
                 yield Fault(
-                    f"a bellow fills in {time:.3g} s, {share:.2g} of run.duration: beyond double "
-                    f"precision; {slow if share > 1 else fast}",
+                    f"a bellow fills in {time:.3g} s, {share:.2g} times run.duration: too far "
+                    f"apart for double precision; {slow if share > 1 else fast}",
                     "fluid.viscosity",
                 )
                 return

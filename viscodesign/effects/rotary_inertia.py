@@ -26,7 +26,7 @@ class RotaryInertia(Effect):
     order: ClassVar[int] = 32
     formula: ClassVar[str] = "(t_s / t_i)^2 h_s^2 / (12 l^2)"
     needs: ClassVar[str] = "inertia"
-    validity: ClassVar[str] = "A cross section of even mass that stays plane, without shear."
+    validity: ClassVar[str] = "Homogeneous cross sections that stay plane; no shear."
     source: ClassVar[str] = "Rayleigh's beam."
     keys: ClassVar[tuple[str, ...]] = ("actuator.height",)
 

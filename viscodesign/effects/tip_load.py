@@ -22,7 +22,7 @@ class TipLoad(Effect):
     order: ClassVar[int] = 5  # before everything that acts on masses
     formula: ClassVar[str] = "F l^2 / (E I)"
     switchable: ClassVar[bool] = False
-    validity: ClassVar[str] = "A force that keeps its direction; a payload without size."
+    validity: ClassVar[str] = "A force of constant direction; a payload that is a point mass."
     keys: ClassVar[tuple[str, ...]] = ("loads.tip_force", "loads.payload")
 
     force_x: float

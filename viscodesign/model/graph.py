@@ -120,7 +120,7 @@ class Graph:
             f"{name} has no tube: a sealed bellow" for name in self.bellows if not degree[name]
         ]
         remarks += [
-            f"junction {name} ends one tube only: nothing flows through it"
+            f"junction {name} joins only one tube: nothing flows through it"
             for name in self.junctions
             if degree[name] == 1
         ]

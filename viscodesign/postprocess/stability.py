@@ -36,8 +36,8 @@ def growth_notices(problem: Problem, start: Start) -> list[Notice]:
         return []
     message = (
         f"the initial equilibrium is linearly unstable: perturbations grow at {fastest.real:.4g} "
-        f"1/s and {abs(fastest.imag):.5g} rad/s, since the coefficients of the coupling are not "
-        "reciprocal and feed work into them"
+        f"1/s and {abs(fastest.imag):.5g} rad/s, because the coefficients of the coupling are "
+        "not reciprocal and do work on them"
     )
     return [Notice("self_excited", message, "bellows", 0.0)]
 

@@ -87,7 +87,8 @@ def broken_balance(invariants: Invariants, time: float) -> SolveError | None:
             quantity="volume balance",
             where="network",
             time_s=time,
-            remedy="Tighten `accuracy`; tubes of very different resistance make the balance hard.",
+            remedy="Tighten `accuracy`; very different tube resistances make the balance "
+            "ill-conditioned.",
         )
     if energy is not None and not energy <= LIMITS.energy_imbalance:
         return SolveError(
@@ -130,7 +131,7 @@ def _not_finite(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndar
         quantity=name,
         where=where,
         time_s=float(time[row]),
-        remedy="Lower the pressure or the loads; the last rows show where it runs away.",
+        remedy="Lower the pressure or the loads; the last rows show where it diverges.",
     )
 
 

@@ -55,7 +55,7 @@ def _compressed(peak: Peak) -> Notice:
     where = f"section {peak.column + 1}"
     return Notice(
         "small_stretch",
-        f"{where} is compressed to {-peak.value:.3g} of its length",
+        f"{where} is compressed to {-100 * peak.value:.3g} % of its length",
         where,
         peak.time_s,
     )

@@ -163,8 +163,8 @@ CHANNELS: tuple[Channel, ...] = (
     Channel("volume", "m^3", "volume", "volume of a bellow", Per.BELLOW),
     Channel(
         "inflow", "m^3", "volume delivered",
-        "fluid delivered by an inlet since all was at the baseline pressure, without load; "
-        "its volume at ambient density",
+        "volume of fluid, at ambient density, that an inlet has delivered since the unloaded "
+        "state at the baseline pressure",
         Per.INLET,
     ),
     Channel(

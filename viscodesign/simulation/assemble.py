@@ -140,9 +140,8 @@ def _thinned_shapes(motion: Motion) -> Iterator[Notice]:
     if motion.shape_every > 1:
         yield Notice(
             "thinned_shapes",
-            f"whole shapes are stored at {len(motion.shape)} of {len(motion.time)} output times, "
-            f"every {motion.shape_every} of them and the last (run.shape_every); "
-            "the tip at all output times",
+            f"full shapes are stored at {len(motion.shape)} of {len(motion.time)} output times "
+            f"(one in {motion.shape_every} and the last; run.shape_every), the tip at all of them",
             "shape.csv",
         )
 

@@ -10,10 +10,10 @@ from viscodesign.simulation.solve_once import Run
 
 NOT_VERIFIED = "not verified"
 METHOD = (
-    f"time: {ERROR_CONTROL.time_share:g} of the last displacement of the tip when the tolerance "
-    f"was divided by ten; space: {ERROR_CONTROL.space_share:g} of its last displacement when the "
-    f"edges were halved; neglected effects: {NUMBERS.stated_per_estimated:g} times the distance "
-    "of two estimates, with and without them"
+    f"time: {ERROR_CONTROL.time_share:g} of the last change of the tip when the tolerance was "
+    f"divided by ten; space: {ERROR_CONTROL.space_share:g} of its last change when the edge "
+    f"length was halved; neglected effects: {NUMBERS.stated_per_estimated:g} times the difference "
+    "between two estimates, with and without them"
 )
 
 
@@ -45,8 +45,8 @@ def outcome_of(
 def _too_inaccurate(verifier: Verifier, accuracy: Accuracy, error: float) -> str:
     """The message of a run whose error remained above the requested accuracy."""
     parts = (
-        ("time", accuracy.time_m, "look at the last shapes for an instability"),
-        ("space", accuracy.space_m, "look at the last shapes for a kink"),
+        ("time", accuracy.time_m, "check the last shapes for an instability"),
+        ("space", accuracy.space_m, "check the last shapes for a kink"),
         ("neglected effects", accuracy.omitted_m, "--set effects.others=on includes them all"),
     )
     _, _, remedy = max(parts, key=lambda part: part[1] or 0.0)

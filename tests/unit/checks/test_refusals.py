@@ -10,8 +10,8 @@ from viscodesign.errors import SpecError
 
 SECOND = "run={duration: 1 s, output_interval: 0.1 s}"
 BEYOND = {
-    "network.changes={R3-R4: {length: 3.75e18 m}}": "1e+20 times as much as tube inlet-R1",
-    "network.changes={R3-R4: {radius: 100 m}}": "as much as tube R3-R4",
+    "network.changes={R3-R4: {length: 3.75e18 m}}": "1e+20 times the resistance of tube inlet-R1",
+    "network.changes={R3-R4: {radius: 100 m}}": "the resistance of tube R3-R4",
     "fluid={name: own, viscosity: 1e-30, density: 1}": "effects.pressure_distribution: off",
     "fluid={name: own, viscosity: 1e30, density: 1}": "lower fluid.viscosity",
     "actuator.youngs_modulus=1e300": "bending stiffness",
@@ -74,7 +74,7 @@ def test_what_has_no_numbers_has_no_place_on_the_plane(change: str) -> None:
 
 
 def test_a_network_too_slow_for_numbers_is_named_and_not_divided_by() -> None:
-    with pytest.raises(SpecError, match="as much as tube"):
+    with pytest.raises(SpecError, match="the resistance of tube"):
         classify(
             leg("network.changes={inlet-R1: {radius: 100 m}, R1-R2: {radius: 1e-9 m}}", SECOND)
         )

@@ -59,7 +59,7 @@ def test_remarks_report_unusual_networks() -> None:
     assert [tube.name for tube in graph.tubes] == ["inlet-R1", "inlet-R1#2", "R1-inlet", "R1-T"]
     remarks = " ".join(graph.remarks())
     assert "3 parallel tubes join R1 and inlet" in remarks
-    assert "junction T ends one tube only" in remarks
+    assert "junction T joins only one tube" in remarks
     assert "L1 has no tube" in remarks
 
 

@@ -42,7 +42,7 @@ def test_fast_flow_calls_for_its_losses_once(fast: Solved) -> None:
     assert found.selection.active == selection.active | {"flow_regime"}
     (verdict,) = (v for v in found.selection.verdicts if v.name == "flow_regime")
     assert verdict.taken
-    assert "the computed flows would lose" in verdict.reason
+    assert "at the computed flows it would cost" in verdict.reason
     again = solve(quantities, found.selection.effects, run.settings)
     assert escalation(quantities, found.selection, again) is None
 
@@ -93,7 +93,7 @@ def test_the_run_tells_why_it_was_done_again() -> None:
     run = simulate(leg(*LEFT_ITS_FLOOR), verify=False)
     (rung,) = run.ladder
     assert (rung.tried, rung.solved) == ("flow_regime included, from the start", True)
-    assert "of the largest pressure" in rung.reason
+    assert "times the largest pressure" in rung.reason
     assert "turbulent_flow" not in {notice.code for notice in run.warnings}
 
 

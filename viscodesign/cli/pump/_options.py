@@ -48,7 +48,7 @@ OptionalSpec = Annotated[
 ]
 Achievable = Annotated[
     bool,
-    typer.Option("--achievable", help="Play the achievable part of a profile beyond the pump."),
+    typer.Option("--achievable", help="Play what the pump can do of a profile beyond its limits."),
 ]
 Force = Annotated[bool, typer.Option("--force", help="Overwrite files that exist.")]
 

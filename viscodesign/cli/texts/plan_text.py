@@ -44,8 +44,8 @@ def _drive(plan: PumpPlan, inlet: str, servo: int) -> list[str]:
         ("stall", f"{kpa['stall']:.4g} kPa gauge; a fifth of it is {kpa['steady']:.3g} kPa"),
         (
             "counts",
-            f"{n['counts_per_ml']:.3g} per mL; per kPa {n['counts_per_kpa_fast']:.3g} at once, "
-            f"{n['counts_per_kpa_slow']:.3g} once the actuator follows",
+            f"{n['counts_per_ml']:.3g} per mL; per kPa {n['counts_per_kpa_fast']:.3g} at first, "
+            f"{n['counts_per_kpa_slow']:.3g} once the actuator has followed",
         ),
         (
             "travel",
@@ -103,7 +103,7 @@ def _outcome(plan: PumpPlan) -> Iterator[str]:
     life = plan.limits["battery_life_s"]
     yield from table(
         [
-            ("tip", f"up to {deviation} from its wanted position; errors of both runs: {total}"),
+            ("tip", f"up to {deviation} off its wanted path; errors of both runs: {total}"),
             ("battery", _battery(life)),
             *(("cut off", words) for words in plan.clipped),
         ]

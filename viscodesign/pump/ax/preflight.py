@@ -73,7 +73,7 @@ def _faults(servo: FoundServo, pump: PumpSpec) -> Iterator[str]:
         yield "is in wheel mode (both angle limits 0), where it never stops; run `pump calibrate`"
     elif not low <= servo.limits[0] <= servo.limits[1] <= high:
         yield (
-            f"its own angle limits {list(servo.limits)} let it out of pump.travel "
+            f"its own angle limits {list(servo.limits)} exceed pump.travel "
             f"[{low}, {high}]: not calibrated for this spec; run `pump calibrate`"
         )
     if not low <= state.position <= high:

@@ -62,7 +62,7 @@ class ArbotixRos(Board):
         found = re.fullmatch(r"D(\d{1,2})", pin)
         if not found or (number := int(found[1])) not in FREE_PINS:
             raise UsageError(
-                f"{pin!r} is no pin for a switch; those are D1 to D7 and D12 to D31 "
+                f"{pin!r} cannot take a switch; D1 to D7 and D12 to D31 can "
                 "(D0 is the lamp, D8 to D11 are the serial ports)"
             )
         now = self.line.clock.now()

@@ -188,8 +188,8 @@ def _notices(
         if over > CAP_REL_TOL * demand.pump.max_pressure:
             yield Notice(
                 "cap_passed",
-                f"whole counts bring the pressure {over / 1e3:.3g} kPa above the cap for "
-                "moments: a pump that monitors it would stop there",
+                f"rounding to whole counts briefly takes the pressure {over / 1e3:.3g} kPa above "
+                "the cap, where a monitored pump would stop",
                 demand.inlet,
                 float(demand.time[int(np.argmax(demand.pressure))]),
             )

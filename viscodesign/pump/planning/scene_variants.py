@@ -51,8 +51,8 @@ def pump_of(scene: Scene) -> PumpSpec:
         )
     elif driven:
         key = "input"
-        message = f"the inlet '{driven[0]}' is driven by a plunger already; a plan starts from the "
-        message += "pressures that are wanted"
+        message = f"the inlet '{driven[0]}' already has a syringe as its input; a plan starts from "
+        message += "the pressure wanted at each inlet"
     elif isinstance(pump.servo_id, int) and len(inlets) > 1:
         key, count = "pump.servo_id", len(inlets)
         ids = ", ".join(f"{name}: {k}" for k, name in enumerate(inlets, start=1))
@@ -60,7 +60,9 @@ def pump_of(scene: Scene) -> PumpSpec:
         message += f"{{{ids}}}"
     elif not fluid.is_gas and fluid.bulk_modulus is None:
         key = "fluid"
-        message = f"the pump pushes {fluid.name}, whose stiffness is not known; state viscosity, "
+        message = (
+            f"the stiffness of {fluid.name}, which the pump pushes, is unknown; give viscosity, "
+        )
         message += "density and gas_constant or bulk_modulus under fluid"
     elif (drive := Drive(pump)).filled_at_home <= 0.0:
         key = "pump.syringe_stroke"

@@ -57,12 +57,13 @@ def stall(demand: PumpDemand) -> Assessment:
 
 
 def one_fifth(demand: PumpDemand) -> Assessment:
-    """Torque against the maker's advice."""
+    """Torque against the manufacturer's advice."""
     allowed = STEADY_SHARE * demand.drive.stall_torque
     torque, when = _worst_torque(demand)
+    pressure = STEADY_SHARE * demand.drive.stall_pressure
     message = (
-        f"{torque:.3g} N m; the maker promises steady motion up to a fifth of the stall torque, "
-        f"{allowed:.3g} N m or {STEADY_SHARE * demand.drive.stall_pressure / 1e3:.3g} kPa gauge"
+        f"{torque:.3g} N m; the manufacturer specifies steady motion up to a fifth of the stall "
+        f"torque, {allowed:.3g} N m or {pressure / 1e3:.3g} kPa gauge"
     )
     return Assessment("advice", torque, allowed, "N m", torque / allowed, when, message)
 
@@ -101,7 +102,7 @@ def cap_torque(demand: PumpDemand) -> Assessment:
         f"stall torque at {demand.pump.supply_voltage:g} V"
     )
     if pressure > stalls:
-        message += f": the servo stalls before, at {stalls / 1e3:.4g} kPa gauge"
+        message += f": the servo stalls earlier, at {stalls / 1e3:.4g} kPa gauge"
     gauge = pressure - demand.scene.ambient_pressure
     if pressure > allowed and gauge > 0.0:
         message += (

@@ -27,7 +27,7 @@ class Phidget(PressureSource):
             self.close()
             raise SensorError(
                 f"no Phidget interface kit found for channel {channel} ({error}). Is it "
-                "plugged in, and has it a udev rule?"
+                "plugged in, and does it have a udev rule?"
             ) from None
         except OSError as error:
             raise SensorError(

@@ -138,7 +138,8 @@ def _by_hand(
 ) -> Calibration:
     if by_hand is None:
         raise UsageError(
-            "nobody to move the plunger by hand; pass `by_hand`, or keep the spec's home and travel"
+            "the plunger has to be moved by hand: pass `by_hand`, or keep the home and travel of "
+            "the spec"
         )
     require(
         vented,

@@ -33,7 +33,7 @@ class Input(SpecPart):
     """Whether its value is a pressure; otherwise it is the volume displaced by a plunger."""
 
     transient_time: Time | None = Field(
-        None, gt=0, description="Transient time t_i, to replace that of the profile"
+        None, gt=0, description="Transient time t_i, instead of the profile's own"
     )
 
     @classmethod

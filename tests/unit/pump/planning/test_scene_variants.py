@@ -64,7 +64,7 @@ def test_a_plan_includes_effects_that_the_plunger_feels() -> None:
     ("config", "words", "message"),
     [
         ("leg_4_air", (), "pump: missing; .*syringe_diameter: 34.9 mm"),
-        ("syringe_water", ("pump={syringe_diameter: 34.9 mm}",), "driven by a plunger already"),
+        ("syringe_water", ("pump={syringe_diameter: 34.9 mm}",), "already has a syringe"),
         (
             "antagonistic_two_inlets",
             ("pump={syringe_diameter: 34.9 mm}",),
@@ -76,7 +76,7 @@ def test_a_plan_includes_effects_that_the_plunger_feels() -> None:
                 "pump={syringe_diameter: 34.9 mm}",
                 "fluid={name: oil, viscosity: 0.01, density: 900}",
             ),
-            "stiffness is not known",
+            "the stiffness of .* is unknown",
         ),
     ],
 )

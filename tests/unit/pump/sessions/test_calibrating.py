@@ -81,5 +81,5 @@ def test_positions_that_cannot_be_are_refused(
 def test_without_consent_or_a_hand_nothing_is_written(address: pump.BoardAddress) -> None:
     with pytest.raises(UsageError, match="nothing moved"):
         pump.calibrate(SCENE, address, confirm=lambda text: False, by_hand=shown())
-    with pytest.raises(UsageError, match="nobody to move the plunger"):
+    with pytest.raises(UsageError, match="has to be moved by hand"):
         pump.calibrate(SCENE, address, confirm=lambda text: True)

@@ -55,7 +55,9 @@ MEANINGS = {
 def meaning(errors: int) -> str:
     """Words for the bits that are set."""
     words = [text for bit, text in MEANINGS.items() if errors & bit]
-    return ", ".join(words if errors < 128 else [*words, "an error bit that the protocol lacks"])
+    return ", ".join(
+        words if errors < 128 else [*words, "an error bit that the protocol does not define"]
+    )
 
 
 def shown(data: bytes) -> str:

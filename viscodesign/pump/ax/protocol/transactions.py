@@ -201,6 +201,6 @@ def _nothing(packet: Packet, came: bytes, tries: int) -> str:
         )
     times = "once" if tries == 1 else f"{tries} times"
     return (
-        f"{asked}, sent {times}; {packets.shown(came)} came. Is the power on, the id right "
+        f"{asked}, sent {times}; received {packets.shown(came)}. Is the power on, the id right "
         "(`pump status`), and this the right --board and --baud?"
     )

@@ -91,7 +91,7 @@ def test_error_bits_are_named() -> None:
     assert meaning(ErrorBits.OVERLOAD | ErrorBits.OVERHEAT) == (
         "too hot, overload: its torque is already off"
     )
-    assert "protocol lacks" in meaning(128)
+    assert "protocol does not define" in meaning(128)
 
 
 @pytest.mark.parametrize(("id", "code", "count"), [(255, 0, 0), (1, 256, 0), (1, 3, 254)])
