@@ -156,9 +156,9 @@ def factorising_s(problem: Problem) -> float:
     import casadi as ca
     import numpy as np
 
-    equations = problem.equations
-    y = ca.vertcat(equations.states.vector, equations.algebraics.vector)
-    pattern = ca.jacobian(ca.vertcat(equations.ode, equations.alg), y).sparsity()
+    e = problem.equations.formulas
+    y = ca.vertcat(e.states.vector, e.algebraics.vector)
+    pattern = ca.jacobian(ca.vertcat(e.ode, e.alg), y).sparsity()
     pattern = pattern + ca.Sparsity.diag(y.numel())
     matrix, right = ca.MX.sym("matrix", pattern), ca.MX.sym("right", y.numel())
     solve = ca.Function("solve", [matrix, right], [ca.solve(matrix, right, "csparse")])

@@ -121,11 +121,11 @@ def test_jacobian_equals_differences(name: str) -> None:
     quantities = SceneQuantities(scene_of(name))
     chosen = select_effects(quantities).effects if name == "all" else joined(name, quantities)
     problem = build(quantities, chosen, Settings(1, 1e-6))
-    equations = problem.equations
-    x, z = equations.states.vector, equations.algebraics.vector
+    e = problem.equations.formulas
+    x, z = e.states.vector, e.algebraics.vector
     unknowns = ca.vertcat(x, z)
-    rows = ca.vertcat(equations.ode, equations.alg)
-    tail = [equations.time, equations.pieces, equations.parameters]
+    rows = ca.vertcat(e.ode, e.alg)
+    tail = [e.time, e.pieces, e.parameters]
     function = ca.Function("f", [x, z, *tail], [rows, ca.jacobian(rows, unknowns)])
     point = values(problem)
 
@@ -164,11 +164,9 @@ def test_no_force_at_rest_but_steady_load(name: str) -> None:
 def test_damping_only_takes_and_spares_a_rigid_turn() -> None:
     problem = problem_with(made("inertia")[0], made("damping")[0], edges=2)
     equations = problem.equations
-    power = ca.Function(
-        "p",
-        [equations.states.vector, equations.algebraics.vector, equations.parameters],
-        [equations.rates["material_loss"]],
-    )
+    e = equations.formulas
+    loss_rate = e.quadrature[equations.rates.index("material_loss")] * equations.energy_size
+    power = ca.Function("p", [e.states.vector, e.algebraics.vector, e.parameters], [loss_rate])
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     x = start.states.copy()
     position = equations.states.physical(COORDINATES, x).reshape(-1, 2)

@@ -66,20 +66,12 @@ def check(problem: Problem) -> None:
     z = start.algebraics + 1e-2 * chance.standard_normal(len(start.algebraics))
     numbers = problem.numbers()
     sums = np.array(local.start(x, z, time, piece, numbers)).ravel()
-    integrals = np.zeros(equations.quadrature.numel())
+    integrals = np.zeros(equations.integrals)
     found = residual(local.form, np.concatenate([x, z, sums, integrals]), time, piece, numbers)
     ode, alg = (np.array(v).ravel() for v in equations.function(x, z, *problem.tail(time, piece)))
-    powers = ca.Function(
-        "powers",
-        [
-            equations.states.vector,
-            equations.algebraics.vector,
-            equations.time,
-            equations.pieces,
-            equations.parameters,
-        ],
-        [equations.quadrature],
-    )
+    e = equations.formulas
+    given = [e.states.vector, e.algebraics.vector, e.time, e.pieces, e.parameters]
+    powers = ca.Function("powers", given, [e.quadrature])
     powers = np.array(powers(x, z, time, piece, numbers)).ravel()
     parts = np.split(found, np.cumsum([len(x), len(z), len(sums)]))
     for part, expected in zip(parts, (ode, alg, np.zeros(len(sums)), powers), strict=True):

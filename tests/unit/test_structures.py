@@ -74,9 +74,9 @@ def test_inputs_that_differ_in_numbers_share_formulas(changes: tuple[str, ...]) 
 
 def test_other_output_times_compile_nothing_but_an_integrator() -> None:
     first = solved().problem.equations
-    before = len(first.formulas._compiled)
+    before = len(first.shared._compiled)
     solved("run={duration: 0.29 s, output_interval: 0.01 s}")
-    assert len(first.formulas._compiled) == before
+    assert len(first.shared._compiled) == before
 
 
 @pytest.mark.parametrize("change", SAME)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import casadi as ca
 import numpy as np
@@ -31,13 +31,9 @@ class Potential:
 
 
 @dataclass(frozen=True)
-class Balances:
-    """M dy/dt = rows + slopes of the potentials."""
+class BalanceLayout:
+    """What equations and unknowns there are."""
 
-    leaves: Leaves
-    rows: SX
-    """One formula for every equation."""
-    potentials: Sequence[Potential]
     mass: np.ndarray
     """(n,) 1 where the equation gives a rate, 0 where it is a constraint."""
     states: int
@@ -49,3 +45,17 @@ class Balances:
     def unknowns_of_formulas(self) -> int:
         """Unknowns that are no sums."""
         return self.states + self.algebraics + self.integrals
+
+
+@dataclass(frozen=True)
+class Balances(BalanceLayout):
+    """M dy/dt = rows + slopes of the potentials."""
+
+    leaves: Leaves
+    rows: SX
+    """One formula for every equation."""
+    potentials: Sequence[Potential]
+
+    def layout(self) -> BalanceLayout:
+        """The same without formulas."""
+        return BalanceLayout(**{f.name: getattr(self, f.name) for f in fields(BalanceLayout)})

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from viscodesign.elements.balances import Balances, Potential, Slope
+from viscodesign.elements.balances import BalanceLayout, Balances, Potential, Slope
 from viscodesign.elements.expression_graph import ExpressionGraph, Role
 from viscodesign.elements.kinds import LOCAL, Elements, Law, Term, term_of
 from viscodesign.elements.splitting import summands
@@ -30,7 +30,7 @@ ONE = -1
 class LocalForm:
     """Kinds of elements, and the numbers that they need."""
 
-    balances: Balances
+    balances: BalanceLayout
     drives: int
     kinds: tuple[Elements, ...]
     sources: tuple[Elements, ...]
@@ -42,7 +42,7 @@ class LocalForm:
     @property
     def size(self) -> int:
         """Number of unknowns, integrals included."""
-        return int(self.balances.leaves.unknowns.numel())
+        return len(self.balances.mass)
 
     @property
     def time(self) -> int:
@@ -82,7 +82,7 @@ class _Taking:
                 ]
         formulas = ca.vertcat(*self._formulas) if self._formulas else SX(0, 1)
         return LocalForm(
-            balances=given,
+            balances=given.layout(),
             drives=len(self.drives),
             kinds=tuple(self.kinds.values()),
             sources=tuple(self.sources.values()),

@@ -1,103 +1,58 @@
-"""The equations that a solver is given: formulas of one structure, and the numbers of one scene."""
+"""The equations that a solver is given: functions of one structure, and numbers of one scene."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Concatenate, ParamSpec
 
 import casadi as ca
 import numpy as np
 
-from viscodesign.elements.assembly import CompiledForm
-from viscodesign.elements.local_form import LocalForm
-from viscodesign.model.boundary_work import WorkSplit
-from viscodesign.model.graph import Component
-from viscodesign.model.network_equations import NetworkForm
-from viscodesign.model.rod_equations import RodForm
-from viscodesign.model.unknowns import Unknowns
+from viscodesign.model import formulas as of
+from viscodesign.model.equation_layout import EquationLayout
+from viscodesign.model.formula_store import FormulaStore
+from viscodesign.model.formulas import Formulas
+from viscodesign.model.local_equations import LocalEquations
 from viscodesign.storage.lru_cache import LruCache
 
-SX = ca.SX
 P = ParamSpec("P")
 
 LEADING_QUANTITIES = 6
-"""Results of `Formulas.quantity_function` before the sizes of the unknowns."""
+"""Results of `formulas.quantities` before the sizes of the unknowns."""
+MAX_COMPILED = 20
+"""Functions that are kept with each structure."""
 
 
-@dataclass(frozen=True)
-class LocalEquations:
-    """The same equations as sums of local terms, with sums over many parts as unknowns."""
+class SharedFormulas:
+    """Functions of one structure, made when first asked for, for all scenes and threads.
 
-    form: LocalForm
-    """Its unknowns: states, algebraic unknowns, sums, integrals."""
-    start: ca.Function
-    """(x, z, t, pieces, parameters) -> scaled sums."""
-    _compiled: LruCache[CompiledForm] = field(default_factory=lambda: LruCache(1))
+    ``make``: gives the formulas; not called where the user's cache folder has all that is
+    asked for.
+    """
+
+    def __init__(self, store: FormulaStore, make: Callable[[], Formulas]) -> None:
+        self._store = store
+        self._make = make
+        self._formulas: LruCache[Formulas] = LruCache(1)
+        self._local: LruCache[LocalEquations | None] = LruCache(1)
+        self._compiled: LruCache[ca.Function] = LruCache(MAX_COMPILED)
+        self.layout = store.layout(lambda: self.formulas.layout)
 
     @property
-    def sums(self) -> int:
-        """How many unknowns the formulas do not have."""
-        return self.form.size - self.form.balances.unknowns_of_formulas
-
-    @property
-    def compiled(self) -> CompiledForm:
-        """The same in native code, made once. Raises `NativeUnavailable`."""
-        return self._compiled.get("compiled", lambda: CompiledForm(self.form))
-
-
-@dataclass(frozen=True)
-class Formulas:
-    """The equations of one structure in symbols, valid for every scene of its kind."""
-
-    rod_form: RodForm
-    network_form: NetworkForm
-    states: Unknowns
-    algebraics: Unknowns
-    statics: Unknowns
-    """Unknowns of the equilibrium: pressures, flows that are not formulas, the rod's shape."""
-    time: SX
-    pieces: SX
-    parameters: SX
-    ode: SX
-    alg: SX
-    rates: dict[str, SX]
-    """Powers whose integrals the balances need [W]; those that depend on time alone come last."""
-    quadrature: SX
-    """The others, over the size of an energy, for an integrator."""
-    time_only_quadrature: SX
-    """Those that depend on time alone, scaled likewise."""
-    work_splits: dict[str, WorkSplit]
-    """How works of forces along paths are integrated, by name."""
-    function: ca.Function
-    """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> (ode, alg)."""
-    static_function: ca.Function
-    """(y, t, pieces, load_factor, sealed_volumes, parameters) -> (residual, Jacobian,
-    amounts beyond rest, intrinsic curvatures, intrinsic stretches)."""
-    algebraic_function: ca.Function
-    """Like `function`, returning (alg, d alg/d z)."""
-    output_function: ca.Function
-    """(x, z, t, pieces, load_factor, sealed_volumes, parameters) -> named outputs."""
-    quantity_function: ca.Function
-    """parameters -> (sealed_volumes, rest_amounts, filled_amounts, motion time, swing time,
-    energy size, and the sizes of all blocks of states, algebraics and statics)."""
-    fed: tuple[Component, ...]
-    driven: tuple[str, ...]
-    """Inlets whose pressure is given, in the order of the state `inflow`."""
-    sealed: tuple[Component, ...]
-    storing: tuple[str, ...]
-    """Nodes other than bellows that store fluid."""
-    incompressible: bool
-    """Whether the amount of fluid in a bellow equals its volume."""
-    _compiled: LruCache[ca.Function]
-    _local: LruCache[LocalEquations | None]
-    _take_apart: Callable[[], LocalEquations | None]
+    def formulas(self) -> Formulas:
+        """The equations in symbols, without any scene's numbers."""
+        return self._formulas.get("formulas", self._make)
 
     @property
     def local(self) -> LocalEquations | None:
-        """The equations as sums of local terms, made once; None where they are no such sums."""
-        return self._local.get("local", self._take_apart)
+        """The equations as sums of local terms; None where they are no such sums."""
+        return self._local.get("local", self._local_equations)
+
+    def _local_equations(self) -> LocalEquations | None:
+        return self._store.local_equations(lambda: self.formulas.take_apart())
 
     def compiled(
         self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
@@ -107,30 +62,35 @@ class Formulas:
         ``make`` gets the symbols without any scene's numbers. Its result is shared by scenes and
         threads: it must be stateless, which integrators are not.
         """
-        return self._compiled.get((make, args), lambda: make(self._symbolic, *args))  # type: ignore[call-arg]
+
+        def stored() -> ca.Function:
+            return self._store.function(make, args, lambda: make(self.formulas, *args))  # type: ignore[call-arg]
+
+        return self._compiled.get((make, args), stored)
+
+    def mapped(self, function: ca.Function, rows: int) -> ca.Function:
+        """A function of these formulas for so many rows at once, made once."""
+        return self._compiled.get((function, rows), lambda: function.map(rows))
 
     def lent(
         self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
     ) -> AbstractContextManager[ca.Function]:
         """The same for a stateful result, which is used exclusively inside the context."""
-        return self._compiled.lend((make, args), lambda: make(self._symbolic, *args))  # type: ignore[call-arg]
-
-    @property
-    def _symbolic(self) -> Formulas:
-        return self
+        return self._compiled.lend((make, args), lambda: make(self.formulas, *args))  # type: ignore[call-arg]
 
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""
-        found = [np.array(v, dtype=float).ravel() for v in self.quantity_function.call([values])]
+        function, layout = self.compiled(of.quantities), self.layout
+        found = [np.array(v, dtype=float).ravel() for v in function.call([values])]
         sealed, rest, filled, motion, swing, energy = found[:LEADING_QUANTITIES]
-        groups = [self.states, self.algebraics, self.statics]
+        groups = [layout.states, layout.algebraics, layout.statics]
         ends = LEADING_QUANTITIES + np.cumsum([0, *(len(group.blocks) for group in groups)])
         sized = [g.sized(found[i:j]) for g, i, j in zip(groups, ends, ends[1:], strict=False)]
-        own = {f.name: getattr(self, f.name) for f in fields(self)}
+        own = {f.name: getattr(layout, f.name) for f in fields(layout)}
         names = ("states", "algebraics", "statics")
         return Equations(
             **{**own, **dict(zip(names, sized, strict=True))},
-            formulas=self,
+            shared=self,
             parameter_values=values,
             sealed_volumes=sealed,
             rest_amounts=rest,
@@ -142,11 +102,11 @@ class Formulas:
 
 
 @dataclass(frozen=True)
-class Equations(Formulas):
-    """Formulas with the numbers of one scene: all that a solver needs."""
+class Equations(EquationLayout):
+    """Functions with the numbers of one scene: all that a solver needs."""
 
-    formulas: Formulas
-    """The same without numbers."""
+    shared: SharedFormulas
+    """What it has in common with all scenes of its structure."""
     parameter_values: np.ndarray
     sealed_volumes: np.ndarray
     """Amount with which each sealed part was filled [m3 at ambient density]."""
@@ -159,8 +119,50 @@ class Equations(Formulas):
     motion_time: float
     """Time scale of the rod's motion [s]: its velocities are scaled by length over it."""
     energy_size: float
-    """Energy by which `quadrature` is divided [J]."""
+    """Energy by which integrals of powers are divided [J]."""
+
+    @cached_property
+    def function(self) -> ca.Function:
+        """See `formulas.balances`."""
+        return self.compiled(of.balances)
+
+    @cached_property
+    def static_function(self) -> ca.Function:
+        """See `formulas.equilibrium`."""
+        return self.compiled(of.equilibrium)
+
+    @cached_property
+    def algebraic_function(self) -> ca.Function:
+        """See `formulas.constraints`."""
+        return self.compiled(of.constraints)
+
+    @cached_property
+    def output_function(self) -> ca.Function:
+        """See `formulas.outputs`."""
+        return self.compiled(of.outputs)
 
     @property
-    def _symbolic(self) -> Formulas:
-        return self.formulas
+    def formulas(self) -> Formulas:
+        """The equations in symbols, without any scene's numbers; made if they were not needed."""
+        return self.shared.formulas
+
+    @property
+    def local(self) -> LocalEquations | None:
+        """The equations as sums of local terms; None where they are no such sums."""
+        return self.shared.local
+
+    def compiled(
+        self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
+    ) -> ca.Function:
+        """See `SharedFormulas.compiled`."""
+        return self.shared.compiled(make, *args)  # type: ignore[call-arg]
+
+    def mapped(self, function: ca.Function, rows: int) -> ca.Function:
+        """See `SharedFormulas.mapped`."""
+        return self.shared.mapped(function, rows)
+
+    def lent(
+        self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
+    ) -> AbstractContextManager[ca.Function]:
+        """See `SharedFormulas.lent`."""
+        return self.shared.lent(make, *args)  # type: ignore[call-arg]

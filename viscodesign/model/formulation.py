@@ -21,20 +21,26 @@ no pressure drops            one pressure per connected network
 
 from __future__ import annotations
 
+from collections.abc import Hashable
+
 import casadi as ca
 
 from viscodesign.elements.local_form import local_form
 from viscodesign.model.boundary_work import MotionRates, WorkSplit, works_and_splits
-from viscodesign.model.equations import Equations, Formulas, LocalEquations
+from viscodesign.model.equation_layout import EquationLayout
+from viscodesign.model.equations import Equations, SharedFormulas
 from viscodesign.model.fluid import Incompressible
-from viscodesign.model.jacobian import jacobian
+from viscodesign.model.formula_store import FormulaStore
+from viscodesign.model.formulas import Formulas
 from viscodesign.model.local_balances import LocalFormulation
+from viscodesign.model.local_equations import LocalEquations
 from viscodesign.model.network_equations import NetworkEquations
 from viscodesign.model.rod_equations import RodEquations
 from viscodesign.model.structure import structure_of, without_numbers
+from viscodesign.model.structure_digest import structure_digest
 from viscodesign.model.sums import rows_of, whole
 from viscodesign.model.system import System
-from viscodesign.model.unknowns import Sizes, SizeSymbols, Unknowns, column, substitute
+from viscodesign.model.unknowns import Sizes, SizeSymbols, SymbolicUnknowns, column, substitute
 from viscodesign.storage.lru_cache import ONE_AT_A_TIME, LruCache
 
 SX = ca.SX
@@ -42,10 +48,8 @@ SX = ca.SX
 
 MAX_STRUCTURES = 16
 """Structures whose formulas are cached for the next scene of the same kind."""
-MAX_COMPILED = 12
-"""Compiled functions that are cached with each."""
 
-_kept: LruCache[Formulas] = LruCache(MAX_STRUCTURES)
+_kept: LruCache[SharedFormulas] = LruCache(MAX_STRUCTURES)
 
 
 def formulate(system: System, sizes: Sizes) -> Equations:
@@ -59,8 +63,8 @@ def formulate(system: System, sizes: Sizes) -> Equations:
     with ONE_AT_A_TIME:
         symbols = settle(system, sizes)
         key = structure_of(system)
-        formulas = _kept.get(key, lambda: _Formulation(without_numbers(system), symbols).formulas())
-    return formulas.with_numbers(system.parameters()[1])
+        shared = _kept.get(key, lambda: _shared(key, without_numbers(system), symbols))
+    return shared.with_numbers(system.parameters()[1])
 
 
 def settle(system: System, sizes: Sizes) -> SizeSymbols:
@@ -74,6 +78,11 @@ def settle(system: System, sizes: Sizes) -> SizeSymbols:
     return symbols
 
 
+def _shared(key: Hashable, system: System, symbols: SizeSymbols) -> SharedFormulas:
+    store = FormulaStore(structure_digest(key))
+    return SharedFormulas(store, lambda: _Formulation(system, symbols).formulas())
+
+
 class _Formulation:
     """One pass over a system; in one class since every step needs the same symbols."""
 
@@ -82,12 +91,16 @@ class _Formulation:
         self.sizes = sizes
         self.rod = RodEquations(system, sizes)
         self.network = NetworkEquations(system, sizes)
-        self.states, self.algebraics, self.statics = Unknowns(), Unknowns(), Unknowns()
+        self.states, self.algebraics, self.statics = (
+            SymbolicUnknowns(),
+            SymbolicUnknowns(),
+            SymbolicUnknowns(),
+        )
         for part in (self.network, self.rod):
             part.name_unknowns(self.states, self.algebraics, self.statics)
         self._rod_rows = self.rod.dynamics(self.rod.coupled)
 
-    def _resolve(self, expressions: list[SX], unknowns: tuple[Unknowns, ...]) -> list[SX]:
+    def _resolve(self, expressions: list[SX], unknowns: tuple[SymbolicUnknowns, ...]) -> list[SX]:
         """Replace flows, resultants, strains, shared pressures and unknowns, in this order."""
         explicit, amounts, *later = self.network.substitutions()
         steps = [explicit, amounts, self.rod.resultants(), self.rod.intrinsic_strains(), *later]
@@ -160,14 +173,12 @@ class _Formulation:
         ]
 
     def formulas(self) -> Formulas:
-        """Assemble, resolve and compile."""
+        """Assemble and resolve."""
         (ode, alg), rates, outputs, splits = self._balances()
         quadrature, timed = self._quadratures(rates)
         static, *static_values = self._statics()
         system, network = self.system, self.network
-        quantities = self._quantities()
         parameters, _ = system.parameters()
-        x, z, y = self.states.vector, self.algebraics.vector, self.statics.vector
         tail = [
             system.time,
             system.pieces,
@@ -175,43 +186,45 @@ class _Formulation:
             network.content.sealed_volumes,
             parameters,
         ]
-        every = ca.vertcat(system.load_factor, network.content.sealed_volumes, parameters)
+        every = ca.vertcat(*tail[2:])
         return Formulas(
-            rod_form=self.rod.form,
-            network_form=network.form,
+            layout=self._layout(rates, splits, quadrature.numel()),
             states=self.states,
             algebraics=self.algebraics,
             statics=self.statics,
             time=system.time,
             pieces=system.pieces,
             parameters=every,
+            tail=tail,
             ode=ode,
             alg=alg,
-            rates=rates,
             quadrature=quadrature,
             time_only_quadrature=timed,
+            statics_rows=static,
+            statics_values=static_values,
+            outputs=outputs,
+            quantities=self._quantities(),
+            take_apart=lambda: self._take_apart(ode, quadrature, rates, every),
+        )
+
+    def _layout(
+        self, rates: dict[str, SX], splits: dict[str, WorkSplit], integrals: int
+    ) -> EquationLayout:
+        content = self.network.content
+        return EquationLayout(
+            rod_form=self.rod.form,
+            network_form=self.network.form,
+            states=self.states.without_symbols(),
+            algebraics=self.algebraics.without_symbols(),
+            statics=self.statics.without_symbols(),
+            rates=tuple(rates),
+            integrals=integrals,
             work_splits=splits,
-            function=ca.Function("balances", [x, z, *tail], [ode, alg]),
-            static_function=ca.Function(
-                "equilibrium", [y, *tail], [static, jacobian(static, y), *static_values]
-            ),
-            algebraic_function=ca.Function("constraints", [x, z, *tail], [alg, jacobian(alg, z)]),
-            output_function=ca.Function(
-                "outputs",
-                [x, z, *tail],
-                [ca.densify(value) for value in outputs.values()],
-                _names(7),
-                list(outputs),
-            ),
-            quantity_function=ca.Function("quantities", [parameters], quantities),
-            fed=network.content.fed,
-            driven=tuple(network.content.driven),
-            sealed=network.content.sealed,
-            storing=tuple(network.storing),
-            incompressible=isinstance(system.fluid, Incompressible),
-            _compiled=LruCache(MAX_COMPILED),
-            _local=LruCache(1),
-            _take_apart=lambda: self._take_apart(ode, quadrature, rates, every),
+            fed=content.fed,
+            driven=tuple(content.driven),
+            sealed=content.sealed,
+            storing=tuple(self.network.storing),
+            incompressible=isinstance(self.system.fluid, Incompressible),
         )
 
     def _take_apart(
@@ -229,7 +242,3 @@ class _Formulation:
         x, z = self.states.vector, self.algebraics.vector
         start = ca.Function("sums", [x, z, system.time, system.pieces, parameters], sums)
         return LocalEquations(local_form(balances), start)
-
-
-def _names(count: int) -> list[str]:
-    return [f"i{k}" for k in range(count)]

@@ -20,7 +20,7 @@ from viscodesign.model.network_equations import NetworkEquations
 from viscodesign.model.rod_equations import ACCELERATIONS, RATES, RodEquations, RodForm
 from viscodesign.model.sums import GradientRows, Rows, rows_of
 from viscodesign.model.system import System
-from viscodesign.model.unknowns import Unknowns, column, substitute
+from viscodesign.model.unknowns import SymbolicUnknowns, column, substitute
 
 SX = ca.SX
 Block = list[Rows]
@@ -34,12 +34,12 @@ class LocalFormulation:
         system: System,
         network: NetworkEquations,
         rod: RodEquations,
-        states: Unknowns,
-        algebraics: Unknowns,
+        states: SymbolicUnknowns,
+        algebraics: SymbolicUnknowns,
     ) -> None:
         self.system, self.network, self.rod = system, network, rod
         self.states, self.algebraics = states, algebraics
-        self.sums = Unknowns()
+        self.sums = SymbolicUnknowns()
         """Unknowns that the formulas do not have."""
         bends = rod.form is not RodForm.ARCS
         amounts = column(list(system.amount.values()))
@@ -124,7 +124,7 @@ class LocalFormulation:
             yield from ((first, part) for part in block if isinstance(part, GradientRows))
             first += rows_of(block)
 
-    def _resolve(self, formulas: list[SX], groups: Sequence[Unknowns]) -> list[SX]:
+    def _resolve(self, formulas: list[SX], groups: Sequence[SymbolicUnknowns]) -> list[SX]:
         explicit, amounts, *later = self.network.substitutions()
         steps = [explicit]
         if not self._keeps_amounts:

@@ -10,7 +10,7 @@ from viscodesign.errors import SpecError
 from viscodesign.model.fluid_content import FluidContent
 from viscodesign.model.system import System
 from viscodesign.model.tube_flows import TubeFlows
-from viscodesign.model.unknowns import SizeSymbols, Traits, Unknowns, column
+from viscodesign.model.unknowns import SizeSymbols, SymbolicUnknowns, Traits, column
 
 SX = ca.SX
 
@@ -42,7 +42,9 @@ class NetworkEquations:
 
     # -- unknowns -------------------------------------------------------------
 
-    def name_unknowns(self, states: Unknowns, algebraics: Unknowns, statics: Unknowns) -> None:
+    def name_unknowns(
+        self, states: SymbolicUnknowns, algebraics: SymbolicUnknowns, statics: SymbolicUnknowns
+    ) -> None:
         """Add the network's unknowns to their vectors."""
         if self.form is NetworkForm.UNIFORM:
             self._share_pressures(algebraics, statics)
@@ -65,7 +67,7 @@ class NetworkEquations:
         every = [*inertial, *implicit]
         statics.add("flow", flows.symbols(every), flows.flow_sizes(every))
 
-    def _add_pressures(self, unknowns: Unknowns) -> None:
+    def _add_pressures(self, unknowns: SymbolicUnknowns) -> None:
         system = self.system
         for name, symbols in (
             (BELLOW_PRESSURES, list(system.pressure.values())),
@@ -82,7 +84,7 @@ class NetworkEquations:
         """Energy that a bellow takes up at the size of pressure [J]."""
         return self.volume_size() * self.sizes.pressure
 
-    def _share_pressures(self, algebraics: Unknowns, statics: Unknowns) -> None:
+    def _share_pressures(self, algebraics: SymbolicUnknowns, statics: SymbolicUnknowns) -> None:
         """Give every connected network one pressure: its inlet's, or an unknown."""
         system, content = self.system, self.content
         if system.swelling:

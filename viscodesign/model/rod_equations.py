@@ -10,7 +10,7 @@ import casadi as ca
 
 from viscodesign.model.sums import GradientRows, Rows, total, whole
 from viscodesign.model.system import System
-from viscodesign.model.unknowns import SizeSymbols, Traits, Unknowns, column, substitute
+from viscodesign.model.unknowns import SizeSymbols, SymbolicUnknowns, Traits, column, substitute
 
 SX = ca.SX
 
@@ -77,7 +77,9 @@ class RodEquations:
     def _mass_matrix(self) -> SX:
         return ca.jacobian(self._momentum(), self.rod.rates)
 
-    def name_unknowns(self, states: Unknowns, algebraics: Unknowns, statics: Unknowns) -> None:
+    def name_unknowns(
+        self, states: SymbolicUnknowns, algebraics: SymbolicUnknowns, statics: SymbolicUnknowns
+    ) -> None:
         """Add the rod's unknowns to their vectors."""
         if self.form is RodForm.ARCS:
             return

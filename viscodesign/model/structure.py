@@ -101,7 +101,7 @@ class _Walk:
         self._alive.append(value)
         if isinstance(value, FunctionType):
             parts = (value.__defaults__, value.__kwdefaults__, _closure(value))
-            return FunctionType, value.__module__, value.__code__, self.key_of(parts)
+            return FunctionType, ModuleName(value.__module__), value.__code__, self.key_of(parts)
         if isinstance(value, MethodType):
             return MethodType, self.key_of((value.__func__, value.__self__))
         return self._state(value)
@@ -115,7 +115,7 @@ class _Walk:
         except Exception:  # whatever its class raises where it cannot be copied
             return _Unlike()
         if isinstance(made, str):
-            return type(value), value.__module__, made
+            return type(value), ModuleName(value.__module__), made
         make, given, state, *items = (*made, None, None, None)[:5]
         if make is copyreg.__newobj__ and isinstance(state, dict):  # type: ignore[attr-defined]
             state = self._attributes(value, state)
@@ -131,6 +131,10 @@ class _Walk:
             (name, self.key_of(own) if name not in numbers else numbers[name] and _counts(own))
             for name, own in sorted(state.items())
         )
+
+
+class ModuleName(str):
+    """Where code comes from."""
 
 
 class _Unlike:

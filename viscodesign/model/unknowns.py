@@ -75,26 +75,7 @@ class Block:
 class Unknowns:
     """A vector of scaled unknowns, made of blocks."""
 
-    scaled: list[SX] = field(default_factory=list)
     blocks: dict[str, Block] = field(default_factory=dict)
-    symbols: list[SX] = field(default_factory=list)
-    values: list[SX] = field(default_factory=list)
-    sizes: list[SX] = field(default_factory=list)
-
-    def add(self, name: str, symbol: SX, size: SX, traits: Traits = Traits()) -> None:
-        """Let ``symbol`` be ``size`` times a new scaled unknown; nothing for an empty symbol.
-
-        ``size``: one for all or one for each, a formula of the system's parameters.
-        """
-        flat = ca.vec(symbol)
-        if not flat.numel():
-            return
-        scaled = SX.sym(f"{name}_scaled", flat.numel())
-        self.blocks[name] = Block(name, self.count, flat.numel(), np.nan, traits)
-        self.scaled.append(scaled)
-        self.symbols.append(flat)
-        self.values.append(size * scaled)
-        self.sizes.append(SX(size))
 
     def sized(self, sizes: Sequence[np.ndarray]) -> Unknowns:
         """The same with numbers for the blocks' sizes, in the order of `sizes`."""
@@ -103,11 +84,6 @@ class Unknowns:
             for (name, block), size in zip(self.blocks.items(), sizes, strict=True)
         }
         return replace(self, blocks=blocks)
-
-    @property
-    def vector(self) -> SX:
-        """All scaled unknowns as one column."""
-        return ca.vertcat(*self.scaled) if self.scaled else SX(0, 1)
 
     @property
     def count(self) -> int:
@@ -132,6 +108,40 @@ class Unknowns:
         part = np.asarray(scaled)[block.span]
         size = np.asarray(block.size)
         return np.asarray(part * (size[:, None] if size.ndim and part.ndim > 1 else size))
+
+
+@dataclass
+class SymbolicUnknowns(Unknowns):
+    """The same with symbols."""
+
+    scaled: list[SX] = field(default_factory=list)
+    symbols: list[SX] = field(default_factory=list)
+    values: list[SX] = field(default_factory=list)
+    sizes: list[SX] = field(default_factory=list)
+
+    def add(self, name: str, symbol: SX, size: SX, traits: Traits = Traits()) -> None:
+        """Let ``symbol`` be ``size`` times a new scaled unknown; nothing for an empty symbol.
+
+        ``size``: one for all or one for each, a formula of the system's parameters.
+        """
+        flat = ca.vec(symbol)
+        if not flat.numel():
+            return
+        scaled = SX.sym(f"{name}_scaled", flat.numel())
+        self.blocks[name] = Block(name, self.count, flat.numel(), np.nan, traits)
+        self.scaled.append(scaled)
+        self.symbols.append(flat)
+        self.values.append(size * scaled)
+        self.sizes.append(SX(size))
+
+    @property
+    def vector(self) -> SX:
+        """All scaled unknowns as one column."""
+        return ca.vertcat(*self.scaled) if self.scaled else SX(0, 1)
+
+    def without_symbols(self) -> Unknowns:
+        """The blocks alone."""
+        return Unknowns(self.blocks)
 
 
 def column(parts: list[SX]) -> SX:

@@ -1,4 +1,4 @@
-"""Machine code kept in the user's cache folder between processes.
+"""Machine code and formulas kept in the user's cache folder between processes.
 
 A file is whole or absent, and only loaded if its checksum agrees. A folder that cannot be read
 or written only costs the time to compile again.
@@ -22,22 +22,31 @@ from viscodesign.storage.atomic_files import write_bytes
 FOLDER_VARIABLE = "VISCODESIGN_CACHE"
 """Environment variable: another cache folder; empty or ``off`` for none."""
 MAX_BYTES = 64 * 2**20
-"""Bytes of machine code that are kept; beyond, what was not used for longest goes."""
+"""Bytes that are kept; beyond, what was not used for longest goes."""
 MAGIC = b"viscodesign machine code 1\n"
 SUFFIX = ".code"
 
 
 def cached(parts: tuple[str | bytes, ...], make: Callable[[], bytes]) -> bytes:
     """What ``make`` gives, from the cache folder if it was made there for the same parts."""
-    folder = cache_folder()
-    if folder is None:
-        return make()
-    path = folder / (digest(parts) + SUFFIX)
-    code = _read(path)
+    code = kept(parts)
     if code is None:
         code = make()
-        _write(path, code)
+        keep(parts, code)
     return code
+
+
+def kept(parts: tuple[str | bytes, ...]) -> bytes | None:
+    """What was kept for these parts."""
+    folder = cache_folder()
+    return None if folder is None else _read(folder / (digest(parts) + SUFFIX))
+
+
+def keep(parts: tuple[str | bytes, ...], code: bytes) -> None:
+    """Keep it for them, if there is a cache folder."""
+    folder = cache_folder()
+    if folder is not None:
+        _write(folder / (digest(parts) + SUFFIX), code)
 
 
 def cache_folder() -> Path | None:

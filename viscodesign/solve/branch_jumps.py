@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.model.equations import Formulas
+from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch

@@ -9,7 +9,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.equations import Formulas
+from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
 
 SX = ca.SX

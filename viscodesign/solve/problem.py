@@ -9,7 +9,7 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.equations import Equations, Formulas
+from viscodesign.model.equations import Equations
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.unknowns import Unknowns
@@ -229,7 +229,7 @@ def mapped(problem: Problem, function: ca.Function, rows: Sequence[np.ndarray]) 
     column by column (m, n).
     """
     count = len(rows[0])
-    many = problem.equations.compiled(_of_block, function)
+    many = problem.equations.mapped(function, BLOCK_ROWS)
     given = [_in_blocks(np.asarray(row, dtype=float)) for row in rows]
     found = [np.zeros((len(given[0]), function.nnz_out(k))) for k in range(function.n_out())]
     for begin in range(0, count, BLOCK_ROWS):
@@ -251,10 +251,6 @@ def _in_blocks(rows: np.ndarray) -> np.ndarray:
     """Rows (m, ...), contiguous, the last one repeated up to whole blocks."""
     more = np.repeat(rows[-1:], whole_blocks(len(rows)) - len(rows), axis=0)
     return np.ascontiguousarray(np.concatenate([rows, more]))
-
-
-def _of_block(_: Formulas, function: ca.Function) -> ca.Function:
-    return function.map(BLOCK_ROWS)
 
 
 def evaluate_at(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.equations import Formulas
+from viscodesign.model.formulas import Formulas
 from viscodesign.solve.problem import Problem
 
 
@@ -41,7 +41,7 @@ def timed_integrals(problem: Problem, first: int, count: int) -> np.ndarray:
     Parts are halved, each by itself, until that changes little: an input may do all its
     work in a millionth of an interval.
     """
-    sums = np.zeros((problem.equations.time_only_quadrature.numel(), count))
+    sums = np.zeros((problem.equations.time_only_integrals, count))
     if not sums.size:
         return sums
     for begin in range(0, count, RULE.intervals_at_once):

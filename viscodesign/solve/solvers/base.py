@@ -101,7 +101,7 @@ class Solver(ABC):
         return (
             np.zeros((equations.states.count, 0)),
             np.zeros((equations.algebraics.count, 0)),
-            np.zeros((equations.quadrature.numel(), 0)),
+            np.zeros((equations.integrals, 0)),
         )
 
     def failure(self, reason: str, edge: int) -> SolveError:

@@ -19,7 +19,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.model.equations import Formulas
+from viscodesign.model.formulas import Formulas
 from viscodesign.solve.numerics.newton import integrator_linear_solver
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
@@ -84,7 +84,7 @@ class Idas(Solver):
             "show_eval_warnings": False,
             "disable_internal_warnings": True,
             # Steps that resolve the pressures well may still integrate their work badly.
-            "quad_err_con": equations.quadrature.numel() > 0,
+            "quad_err_con": equations.integrals > 0,
             "suppress_algebraic": any(
                 block.traits.is_noisy for block in equations.algebraics.blocks.values()
             ),

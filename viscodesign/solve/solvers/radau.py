@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
-from viscodesign.model.equations import Formulas
+from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate
@@ -64,7 +64,7 @@ class Radau(Solver):
         """Solve the stretches of smooth input in first..stop one after the other."""
         schedule = self.problem.schedule
         columns: list[np.ndarray] = []
-        total = np.zeros(self.problem.equations.quadrature.numel())
+        total = np.zeros(self.problem.equations.integrals)
         failure: SolveError | None = None
         for begin, end in smooth_stretches(schedule.pieces, first, stop):
             try:

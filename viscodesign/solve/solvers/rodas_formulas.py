@@ -11,7 +11,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.equations import Equations, Formulas
+from viscodesign.model.equations import Equations
+from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.native import rodas
 from viscodesign.solve.numerics.symbolic_lu import SymbolicLU
@@ -75,7 +76,7 @@ class FormulaSteps(StretchSteps):
     def _reached(
         self, found: list[np.ndarray], size: float | None, failure: str | None, time: float
     ) -> Reached:
-        width = self.problem.unknowns + self.problem.equations.quadrature.numel()
+        width = self.problem.unknowns + self.problem.equations.integrals
         columns = np.array(found) if found else np.zeros((0, width))
         return Reached(columns, size, failure, time)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from viscodesign.model.equations import LocalEquations
+from viscodesign.model.local_equations import LocalEquations
 from viscodesign.native import rodas
 from viscodesign.native.machine import this_machine
 from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, march

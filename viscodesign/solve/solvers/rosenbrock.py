@@ -57,7 +57,7 @@ class Rosenbrock(Solver):
         """Solve the stretches of smooth input in first..stop one after the other."""
         work.compile_s, self.build_s = work.compile_s + self.build_s, 0.0
         columns: list[np.ndarray] = []
-        total = np.zeros(self.problem.equations.quadrature.numel())
+        total = np.zeros(self.problem.equations.integrals)
         failure: SolveError | None = None
         for begin, end in smooth_stretches(self.problem.schedule.pieces, first, stop):
             try:

@@ -1,0 +1,32 @@
+"""The equations as sums of local terms, for native code."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import casadi as ca
+
+from viscodesign.elements.assembly import CompiledForm
+from viscodesign.elements.local_form import LocalForm
+from viscodesign.storage.lru_cache import LruCache
+
+
+@dataclass(frozen=True)
+class LocalEquations:
+    """The same equations as sums of local terms, with sums over many parts as unknowns."""
+
+    form: LocalForm
+    """Its unknowns: states, algebraic unknowns, sums, integrals."""
+    start: ca.Function
+    """(x, z, t, pieces, parameters) -> scaled sums."""
+    _compiled: LruCache[CompiledForm] = field(default_factory=lambda: LruCache(1))
+
+    @property
+    def sums(self) -> int:
+        """How many unknowns the formulas do not have."""
+        return self.form.size - self.form.balances.unknowns_of_formulas
+
+    @property
+    def compiled(self) -> CompiledForm:
+        """The same in native code, made once. Raises `NativeUnavailable`."""
+        return self._compiled.get("compiled", lambda: CompiledForm(self.form))
