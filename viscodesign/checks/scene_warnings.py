@@ -33,10 +33,10 @@ def verdict_notices(verdicts: Iterable[Verdict]) -> Iterator[Notice]:
             )
 
 
-def _pressure_notices(quantities: SceneQuantities) -> Iterator[Notice]:
-    scene, low = quantities.scene, quantities.lowest_pressure
-    absolute, vapour = scene.ambient_pressure + low, scene.fluid.vapour_pressure
-    lowest = f"the lowest inlet pressure, {low / 1e3:.4g} kPa gauge, is"
+def inlet_violations(quantities: SceneQuantities) -> Iterator[Notice]:
+    """Pressures of the inlets at which the fluid is none."""
+    scene, absolute = quantities.scene, _lowest_absolute(quantities)
+    vapour, lowest = scene.fluid.vapour_pressure, _lowest_words(quantities)
     if absolute <= 0.0:
         yield Notice(
             "below_vacuum",
@@ -50,10 +50,26 @@ def _pressure_notices(quantities: SceneQuantities) -> Iterator[Notice]:
             f"{scene.fluid.name} ({vapour / 1e3:.3g} kPa)",
             "input",
         )
-    elif absolute < NEAR_VACUUM * scene.ambient_pressure:
+
+
+def _pressure_notices(quantities: SceneQuantities) -> Iterator[Notice]:
+    violations = list(inlet_violations(quantities))
+    yield from violations
+    absolute = _lowest_absolute(quantities)
+    if not violations and absolute < NEAR_VACUUM * quantities.scene.ambient_pressure:
         yield Notice(
-            "near_vacuum", f"{lowest} {absolute / 1e3:.3g} kPa absolute: near vacuum", "input"
+            "near_vacuum",
+            f"{_lowest_words(quantities)} {absolute / 1e3:.3g} kPa absolute: near vacuum",
+            "input",
         )
+
+
+def _lowest_absolute(quantities: SceneQuantities) -> float:
+    return quantities.scene.ambient_pressure + quantities.lowest_pressure
+
+
+def _lowest_words(quantities: SceneQuantities) -> str:
+    return f"the lowest inlet pressure, {quantities.lowest_pressure / 1e3:.4g} kPa gauge, is"
 
 
 def _network_notices(quantities: SceneQuantities) -> Iterator[Notice]:

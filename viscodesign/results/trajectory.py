@@ -140,6 +140,10 @@ class Trajectory(MotionArrays):
     """Settings of the solver: edges, tolerance, form of rod and network."""
     failure: str | None = None
     """Why the run ended early."""
+    violations: tuple[Notice, ...] = ()
+    """Those of the warnings that say where the run is outside of what its model describes."""
+    provenance: Mapping[str, Any] = field(default_factory=dict)
+    """Versions and platform that it was computed with."""
 
     @property
     def sections(self) -> int:
@@ -166,6 +170,12 @@ class Trajectory(MotionArrays):
         return metric_values(
             MetricInputs.of(self.time, self.tip, self.pressure, self.bellows, self.period)
         )
+
+    @property
+    def validity(self) -> Literal["inside", "outside"]:
+        """Whether the run stays within what its model describes; elsewhere its stated error is
+        that of a model that does not hold."""
+        return "outside" if self.violations else "inside"
 
     def with_time(self, **parts: float) -> Trajectory:
         """The same with parts of its cost replaced: ``load_s``, ``write_s`` [s]."""
@@ -198,6 +208,7 @@ class Trajectory(MotionArrays):
                 if key not in ("name", "warnings")
             },
             "metrics": self.metrics,
+            "validity": {"state": self.validity, "reasons": documents(self.violations)},
             "effects": documents(self.effects),
             **({"proof": documents(self.proof)} if self.proof else {}),
             "accuracy": asdict(self.accuracy),
@@ -205,6 +216,7 @@ class Trajectory(MotionArrays):
             "invariants": asdict(self.invariants),
             "ladder": documents(self.ladder),
             "settings": dict(self.settings),
+            "provenance": {**self.provenance, "settings": dict(self.settings)},
             "warnings": documents(self.warnings),
         }
         return dict(json_ready(document))

@@ -10,7 +10,7 @@ import numpy as np
 from viscodesign._version import __version__
 from viscodesign.checks.classify import classification
 from viscodesign.checks.motion_warnings import motion_notices
-from viscodesign.checks.scene_warnings import verdict_notices
+from viscodesign.checks.scene_warnings import inlet_violations, verdict_notices
 from viscodesign.effects.select import Selection
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.graph import Graph
@@ -22,6 +22,7 @@ from viscodesign.results.trajectory import Accuracy, Cost, Trajectory
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.simulation.error_control import ERROR_CONTROL, Verifier
 from viscodesign.simulation.outcome import NOT_VERIFIED
+from viscodesign.simulation.provenance import provenance
 from viscodesign.simulation.solve_once import Run
 from viscodesign.storage.disk_arrays import blocks
 
@@ -33,6 +34,8 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
     """The motion with its warnings; how it ended and how accurate it is come later."""
     scene, motion, graph = quantities.scene, run.motion, quantities.graph
     found = classification(quantities, selection.active)
+    blocks_of_motion = _motion_blocks(quantities, motion)
+    exceeded = tuple(motion_notices(quantities, selection.active, blocks_of_motion))
     return Trajectory(
         name=scene.name,
         status="complete",
@@ -57,17 +60,19 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
                 *_start_notices(quantities, selection, run),
             ),
             (
-                *motion_notices(quantities, selection.active, _motion_blocks(quantities, motion)),
+                *exceeded,
                 *doubted_balance(motion.invariants),
                 *_thinned_shapes(motion),
             ),
         ),
+        violations=_merged(inlet_violations(quantities), exceeded),
         spec_text=resolved_yaml(scene),
         spec_sha256=scene.source.sha256,
         version=__version__,
         ambient_pressure=scene.ambient_pressure,
         period=scene.period,
         settings=_settings(run),
+        provenance=provenance(),
     )
 
 

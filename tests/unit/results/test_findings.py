@@ -28,11 +28,13 @@ def test_a_summary_has_its_sections_and_no_number_that_json_lacks() -> None:
     assert set(document) >= {
         "name", "version", "spec_sha256", "status", "scales", "ratios", "quadrant", "effects",
         "accuracy", "cost", "invariants", "warnings", "metrics",
+        "validity", "provenance",
     }  # fmt: skip
     assert set(document["effects"][0]) == {
         "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present"
     }  # fmt: skip
     assert document["effects"][0]["taken"] is False
+    assert document["validity"] == {"state": "inside", "reasons": []}
     assert set(document["warnings"][0]) == {"code", "message", "where", "time_s"}
 
 

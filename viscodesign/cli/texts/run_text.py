@@ -23,6 +23,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         *_loop(trajectory),
         ("tip error", _tip_error(trajectory)),
         ("error breakdown", _error_parts(trajectory)),
+        *_outside(trajectory),
         *(("retry", _retry(attempt)) for attempt in trajectory.ladder[:MOST_RETRIES]),
         *_decisions(trajectory),
         ("files", f"{folder}: {', '.join(file.name for file in files)}"),
@@ -106,6 +107,15 @@ def _tip_error(trajectory: Trajectory) -> str:
     if error is None:
         return f"{accuracy.method} ({requested})"
     return f"{number(1e3 * error, 'mm')}, {percent(error, length)} of the length ({requested})"
+
+
+def _outside(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
+    codes = dict.fromkeys(reason.code for reason in trajectory.violations)
+    if codes:
+        yield (
+            "validity",
+            f"outside of the model: {', '.join(codes)}; the tip error does not count it",
+        )
 
 
 def _error_parts(trajectory: Trajectory) -> str:

@@ -54,6 +54,12 @@ def test_how_far_the_left_column_is_behind() -> None:
     assert "behind" not in _summary(still)
 
 
+def test_a_run_outside_of_its_model_says_so(trajectory: Trajectory) -> None:
+    assert "validity" not in _summary(trajectory)
+    outside = replace(trajectory, violations=(*trajectory.warnings, trajectory.warnings[0]))
+    assert "validity         outside of the model: negative_volume, reynolds;" in _summary(outside)
+
+
 def test_retries_are_printed(trajectory: Trajectory) -> None:
     assert "retry" not in _summary(trajectory)
     rungs = (
