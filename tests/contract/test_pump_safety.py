@@ -19,6 +19,7 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import HOLD_SPEED
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, Instruction
+from viscodesign.pump.ax.servo_pump import APPROACH_SPEED
 from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.play.path import led_in, top_speed
 from viscodesign.pump.play.safety_rules import LOST
@@ -468,7 +469,7 @@ def test_late_ticks_are_skipped_and_not_made_up_for_in_a_burst(stall: float) -> 
         assert ending.status == "complete", (moment, ending)
         assert rig.stream is not None
         assert rig.stream.ticks.skipped >= int(stall * RATE) - 1
-        duration = led_in(rig.profile(), {1: 200}).duration
+        duration = led_in(rig.profile(), {1: 200}, APPROACH_SPEED).duration
         moves = [
             s
             for s in rig.tap.sent

@@ -14,6 +14,7 @@ from viscodesign.pump.sensors.pressure_readings import PressureReadings
 AMBIENT = 101_325.0
 LIMITS = AxisLimits(
     step=100.0,
+    unit="hPa",
     travel=(-100, 400),
     home=0,
     retreat_sign=-1,
@@ -21,6 +22,13 @@ LIMITS = AxisLimits(
     top_speed=2000.0,
     slowest_speed=1.0,
     lead_distance=0.0,
+    largest_lead=40.0,
+    approach_speed=50.0,
+    settle_speed=45.0,
+    following_error=60.0,
+    travel_tolerance=5,
+    lowest_voltage=10.0,
+    highest_temperature=70.0,
 )
 
 

@@ -9,9 +9,13 @@ from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.ax.servo_state import ServoState, read_anyway, read_servo
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.play.safety_rules import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE
 from viscodesign.pump.servo_motor import SERVOS, model_title
 from viscodesign.scene.pump import PumpSpec
+
+LOWEST_VOLTAGE = 10.0
+"""Below it a battery of three lithium cells is ruined; its servo would go on to 6 V [V]."""
+HIGHEST_TEMPERATURE = 70.0
+"""AX servos switch themselves off at 70 (AX-12A) or 75 degC (AX-18A) [degC]."""
 
 IDENTITY = registers.STATUS_LEVEL.address + 1  # bytes from address 0 on that tell what a servo is
 ANSWERS_ALL = 2  # status return level with which writes are answered too

@@ -8,7 +8,13 @@ from dataclasses import replace
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import HOLD_SPEED, hold, release
-from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
+from viscodesign.pump.ax.preflight import (
+    HIGHEST_TEMPERATURE,
+    LOWEST_VOLTAGE,
+    FoundServo,
+    blocking_faults,
+    identify,
+)
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_limit
@@ -26,6 +32,14 @@ SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
 COMPLIANCE_SLOPE = 32.0
 """Distance from its goal at which a servo gives its full output [counts]: the initial value of
 its compliance slopes (ROBOTIS e-manual)."""
+APPROACH_SPEED = 50.0
+"""On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
+SETTLE_SPEED = 45.0  # at the end of a path [counts/s]
+LARGEST_LEAD = 40.0
+"""Of what is added for the load [counts]: beyond the slope nothing more is given anyway."""
+FOLLOWING_ERROR = 60.0
+"""[counts]; the servo's controller needs an error of up to 32 to give all its torque."""
+TRAVEL_TOLERANCE = 5
 LIMIT_STEPS = 6  # readings in which a torque limit may be lowered at the end of a motion
 ARMED_TOLERANCE = 3
 """The goal of a servo that gets its torque may be its position of a moment later [counts]."""
@@ -183,6 +197,7 @@ def axis_limits(settings: PumpSpec) -> AxisLimits:
     """What the servos of a spec can do."""
     return AxisLimits(
         step=Drive(settings).advance_per_count,
+        unit="counts",
         travel=settings.travel,
         home=settings.home,
         retreat_sign=-1 if settings.push == "up" else 1,
@@ -190,6 +205,13 @@ def axis_limits(settings: PumpSpec) -> AxisLimits:
         top_speed=free_speed(settings),
         slowest_speed=SPEED,
         lead_distance=COMPLIANCE_SLOPE,
+        largest_lead=LARGEST_LEAD,
+        approach_speed=APPROACH_SPEED,
+        settle_speed=SETTLE_SPEED,
+        following_error=FOLLOWING_ERROR,
+        travel_tolerance=TRAVEL_TOLERANCE,
+        lowest_voltage=LOWEST_VOLTAGE,
+        highest_temperature=HIGHEST_TEMPERATURE,
     )
 
 

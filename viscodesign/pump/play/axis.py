@@ -1,7 +1,8 @@
 """What an axis is to those who move it: its state, its limits, and how it was left.
 
-An axis sets what drives one inlet: a plunger by its place, or a regulator by its pressure. It
-counts in whole steps of its own; `AxisLimits.step` says what one is, in SI.
+An axis sets what drives one inlet: a plunger by its place, or a regulator by its pressure. Its
+targets are whole steps, so that what was sent and what is held compare exactly; `AxisLimits.step`
+says what one is, in SI. Every number about steps is the family's own.
 """
 
 from __future__ import annotations
@@ -39,6 +40,8 @@ class AxisLimits:
 
     step: float
     """Of the coordinate that it sets, in SI: [m] of a plunger, [Pa] of a regulator."""
+    unit: str
+    """What several steps are called in messages: 'counts'."""
     travel: tuple[int, int]
     """Lowest and highest target [steps]."""
     home: int
@@ -53,6 +56,20 @@ class AxisLimits:
     """[steps/s]"""
     lead_distance: float
     """By which the target has to be ahead at top speed [steps]."""
+    largest_lead: float
+    """By which it may be ahead to make up for a load [steps]."""
+    approach_speed: float
+    """On the way to a start or back [steps/s]."""
+    settle_speed: float
+    """At the end of a path [steps/s]."""
+    following_error: float
+    """Beyond this and one tick's travel an axis does not follow its target [steps]."""
+    travel_tolerance: int
+    """A position this far outside of travel is not yet one that slipped [steps]."""
+    lowest_voltage: float
+    """Of the supply, below which the pump stops [V]."""
+    highest_temperature: float
+    """At which the pump stops [degC]."""
 
 
 @dataclass(frozen=True)

@@ -12,18 +12,13 @@ import numpy as np
 from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.profile import Profile
 
-LEAD_SPEED = 50.0
-"""On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
 AROUND = 0.1  # A plunger may be this much earlier or later than its path [s]
 SHORTEST = 0.1  # of such a way [s]
 LEARNING_RATE = 0.25  # part of the following error that is added to the goals in each tick
-LARGEST_LEAD = 40.0
-"""Of what is added for the load [counts]: beyond the slope nothing more is given anyway."""
 DEAD_BAND = 1.0  # following error that is none [counts]: counts are whole, and gears have play
 SPEED_MARGIN = 1.25
 """Of the speed register: a servo that is behind needs more than the path's speed."""
 SETTLED = 0.5  # dead band at the end of a path [counts]
-SETTLE_SPEED = 45.0  # at the end of a path [counts/s]
 
 
 @dataclass(frozen=True)
@@ -81,14 +76,16 @@ def top_speed(profile: Profile) -> float:
     return TargetPath(profile).top_speed
 
 
-def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> TargetPath:
+def led_in(
+    profile: Profile, present: Mapping[int, int], speed: float, lead: float = 0.0
+) -> TargetPath:
     """A profile behind a slow way to its first counts.
 
-    ``present``: position of each servo [counts]; ``lead``: part of the profile that lies before
-    the scene's own start [s].
+    ``present``: position of each axis [steps]; ``speed``: of that way [steps/s]; ``lead``: part of
+    the profile that lies before the scene's own start [s].
     """
     here = np.array([[float(present[servo]) for servo in profile.servos]])
-    way = float(np.max(np.abs(profile.counts[0] - here), initial=0.0)) / LEAD_SPEED
+    way = float(np.max(np.abs(profile.counts[0] - here), initial=0.0)) / speed
     # Not at once even where it is there already: times have to rise.
     begins = max(way, SHORTEST)
     joined = Profile(
@@ -101,11 +98,11 @@ def led_in(profile: Profile, present: Mapping[int, int], lead: float = 0.0) -> T
     return TargetPath(joined, begins, begins + lead)
 
 
-def way_back(profile: Profile, goals: Mapping[int, int], home: int) -> TargetPath:
-    """Slowly from the goals in force to home; no pressure is expected on the way."""
+def way_back(profile: Profile, goals: Mapping[int, int], home: int, speed: float) -> TargetPath:
+    """From the goals in force to home at a speed [steps/s]; no pressure is expected on the way."""
     here = np.array([float(goals[servo]) for servo in profile.servos])
     counts = np.stack((here, np.full_like(here, home)))
-    time = np.array([0.0, max(float(np.abs(here - home).max()) / LEAD_SPEED, SHORTEST)])
+    time = np.array([0.0, max(float(np.abs(here - home).max()) / speed, SHORTEST)])
     return TargetPath(Profile(profile.inlets, profile.servos, time, counts, np.zeros_like(counts)))
 
 
@@ -137,7 +134,8 @@ class SetPoints:
             lead = self.behind.setdefault(servo, 0.0)
             if abs(error) > dead_band:
                 lead += LEARNING_RATE * error
-                self.behind[servo] = min(max(lead, -LARGEST_LEAD), LARGEST_LEAD)
+                most = self.limits.largest_lead
+                self.behind[servo] = min(max(lead, -most), most)
 
     def next(
         self, place: float, goals: Mapping[int, int], reach: int

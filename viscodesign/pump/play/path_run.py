@@ -9,7 +9,6 @@ from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.guard import Guard, Stop, Watch
 from viscodesign.pump.play.path import (
     DEAD_BAND,
-    SETTLE_SPEED,
     SETTLED,
     SetPoints,
     TargetPath,
@@ -94,8 +93,8 @@ class PathRun:
         servo, error = max(self._errors().items(), key=lambda item: item[1])
         return StreamResult(
             "stopped",
-            f"not reached: servo {servo} stays {error:.0f} counts from its last "
-            "target; the plunger is blocked, or the torque limit too low for the pressure",
+            f"not reached: servo {servo} stays {error:.0f} {self.pump.limits.unit} from its "
+            "last target; the plunger is blocked, or the torque limit too low for the pressure",
             "not_reached",
         )
 
@@ -120,7 +119,7 @@ class PathRun:
         goals, speeds = self.points.next(self.place, pump.goals, pump.reach)
         goals = pump.allowed(goals)
         if ended:
-            speeds = dict.fromkeys(goals, SETTLE_SPEED)
+            speeds = dict.fromkeys(goals, pump.limits.settle_speed)
         sample = Sample(
             time=pump.clock.now(),
             servos=states,

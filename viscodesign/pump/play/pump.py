@@ -1,6 +1,6 @@
 """The contract of a pump: axes that move only a little at a time, and can always be held.
 
-Streams, safety rules and homing know no more than this; targets that an alarm, the travel or the
+Streams and safety rules know no more than this; targets that an alarm, the travel or the
 reach of a tick forbids are refused here, for every family alike.
 """
 
@@ -122,8 +122,8 @@ class Pump(ABC):
                 raise PumpError(f"servo {servo}: goal {goal} is outside its travel [{low}, {high}]")
             if abs(step) > self.reach:
                 raise PumpError(
-                    f"servo {servo}: goal {goal} is {abs(step)} counts from the last one; one "
-                    f"tick's travel is {self.reach}"
+                    f"servo {servo}: goal {goal} is {abs(step)} {self.limits.unit} from the "
+                    f"last one; one tick's travel is {self.reach}"
                 )
 
     def _draws_back(self, step: int) -> bool:

@@ -18,13 +18,6 @@ LONGEST_SILENCE = 0.25  # without a whole round of replies this long, the pump s
 LATE_SAMPLES = 8
 """Samples in succession in which a stream may be too far behind; then it is not catching up."""
 LOST = 3  # commands lost in succession that stop the pump
-LOWEST_VOLTAGE = 10.0
-"""Below it a battery of three lithium cells is ruined; its servo would go on to 6 V [V]."""
-HIGHEST_TEMPERATURE = 70.0  # AX servos switch themselves off at 70 (AX-12A) or 75 degC (AX-18A)
-TRAVEL_TOLERANCE = 5  # A position this far outside of travel is not yet one that slipped [counts]
-FOLLOWING_ERROR = 60
-"""A plunger farther behind its goal than this and one tick's travel does not follow it
-[counts]; the servo's controller needs an error of up to 32 to give all its torque."""
 FOLLOWING_SAMPLES = 3
 
 
@@ -69,14 +62,14 @@ class Travel(Guard):
     """No plunger outside of its calibrated travel."""
 
     rule = "travel"
-    low: int
-    high: int
+    limits: AxisLimits
 
     def _fault(self, sample: Sample) -> str | None:
-        low, high = self.low - TRAVEL_TOLERANCE, self.high + TRAVEL_TOLERANCE
+        (first, last), tolerance = self.limits.travel, self.limits.travel_tolerance
+        low, high = first - tolerance, last + tolerance
         return _first(
-            f"servo {servo} is at {state.position} counts, outside of [{self.low}, {self.high}] "
-            "(pump.travel); find out what moved it, then calibrate again"
+            f"servo {servo} is at {state.position} {self.limits.unit}, outside of "
+            f"[{first}, {last}] (pump.travel); find out what moved it, then calibrate again"
             for servo, state in sample.servos.items()
             if not low <= state.position <= high
         )
@@ -88,17 +81,18 @@ class Following(Guard):
 
     rule = "following"
     samples = FOLLOWING_SAMPLES
+    limits: AxisLimits
     reach: int
-    """One tick's travel [counts]."""
+    """One tick's travel [steps]."""
 
     def _fault(self, sample: Sample) -> str | None:
         errors = {s: abs(sample.goals[s] - state.position) for s, state in sample.servos.items()}
         worst = max(errors, key=lambda servo: errors[servo])
-        if errors[worst] <= FOLLOWING_ERROR + self.reach:
+        if errors[worst] <= self.limits.following_error + self.reach:
             return None
         return (
-            f"servo {worst} is {errors[worst]} counts from its goal: the plunger is blocked, "
-            "or the torque limit is too low for the requested pressure"
+            f"servo {worst} is {errors[worst]} {self.limits.unit} from its goal: the plunger is "
+            "blocked, or the torque limit is too low for the requested pressure"
         )
 
 
@@ -132,29 +126,35 @@ class ErrorBitsSet(Guard):
         )
 
 
+@dataclass
 class Overheating(Guard):
     """Stop before the servo shuts down by itself."""
 
     rule = "temperature"
     samples = NOISE_SAMPLES
+    highest: float
+    """[degC]"""
 
     def _fault(self, sample: Sample) -> str | None:
         hottest, servo = max((state.temperature, servo) for servo, state in sample.servos.items())
-        limit = f"limit {HIGHEST_TEMPERATURE:g}"
+        limit = f"limit {self.highest:g}"
         words = f"servo {servo} is at {hottest:g} degC ({limit}); let it cool down"
-        return words if hottest >= HIGHEST_TEMPERATURE else None
+        return words if hottest >= self.highest else None
 
 
+@dataclass
 class LowBattery(Guard):
     """Stop before the battery is damaged; a dip in one sample may be an inrush current."""
 
     rule = "low_battery"
     samples = NOISE_SAMPLES
+    lowest: float
+    """[V]"""
 
     def _fault(self, sample: Sample) -> str | None:
         lowest = min(state.voltage for state in sample.servos.values())
-        words = f"{lowest:g} V at the servo; charge the battery (at least {LOWEST_VOLTAGE:g} V)"
-        return words if lowest < LOWEST_VOLTAGE else None
+        words = f"{lowest:g} V at the servo; charge the battery (at least {self.lowest:g} V)"
+        return words if lowest < self.lowest else None
 
 
 @dataclass
@@ -190,7 +190,7 @@ class BehindProfile(Guard):
 
 
 def stream_rules(pump: AxisLimits, reach: int, max_lag: float = math.inf) -> list[Guard]:
-    """What monitors a profile; ``reach`` is one tick's travel [counts].
+    """What monitors a profile; ``reach`` is one tick's travel [steps].
 
     Where several are broken at once, the first one is told: causes before consequences.
     """
@@ -204,10 +204,10 @@ def retreat_rules(pump: AxisLimits, reach: int) -> list[Guard]:
     return [
         Silence(),
         LimitSwitchPressed(),
-        Travel(*pump.travel),
+        Travel(pump),
         ErrorBitsSet(),
-        Following(reach),
+        Following(pump, reach),
         Obedience(),
-        Overheating(),
-        LowBattery(),
+        Overheating(pump.highest_temperature),
+        LowBattery(pump.lowest_voltage),
     ]

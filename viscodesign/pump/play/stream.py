@@ -78,12 +78,13 @@ class Stream:
         (low, high), counts = self.pump.limits.travel, self.profile.counts
         if counts.min() < low - DEAD_BAND or counts.max() > high + DEAD_BAND:
             raise PumpError(
-                f"the profile goes from {counts.min():.0f} to {counts.max():.0f} counts, outside "
+                f"the profile goes from {counts.min():.0f} to {counts.max():.0f} "
+                f"{self.pump.limits.unit}, outside "
                 f"of travel [{low}, {high}]; nothing was sent"
             )
         if not self.pump.armed:
             self.pump.arm(top_speed(self.profile))
-        path = led_in(self.profile, self.pump.goals, self.lead)
+        path = led_in(self.profile, self.pump.goals, self.pump.limits.approach_speed, self.lead)
         self.origin = self.pump.clock.now() + path.zero
         rules = stream_rules(self.pump.limits, self._reach(path), self.max_lag)
         return self._run(path, rules).go()
@@ -122,7 +123,7 @@ class Stream:
         """
         pump = self.pump
         try:
-            path = way_back(self.profile, pump.goals, pump.limits.home)
+            path = way_back(self.profile, pump.goals, pump.limits.home, pump.limits.approach_speed)
             guards = retreat_rules(pump.limits, self._reach(path))
             heard = int(self.result.status == "interrupted")
             back = self._run(path, guards, heard, relief).go()

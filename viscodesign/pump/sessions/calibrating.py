@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
 from viscodesign.pump.ax.hold import release
+from viscodesign.pump.ax.homing import find_travel
 from viscodesign.pump.ax.preflight import RegisterChange, changes, identify
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.servo_state import read_register
 from viscodesign.pump.planning.scene_variants import pump_of
-from viscodesign.pump.play.homing import find_travel
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.connection import (

@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from viscodesign.pump.play.path import AROUND, LEAD_SPEED, TargetPath, led_in, way_back
+from viscodesign.pump.play.path import AROUND, TargetPath, led_in, way_back
 from viscodesign.pump.profile import Profile
+
+SPEED = 50.0
+"""On the way to a start or back [counts/s]."""
 
 
 def profile(counts: list[float], servos: tuple[int, ...] = (1,)) -> Profile:
@@ -18,36 +21,36 @@ def profile(counts: list[float], servos: tuple[int, ...] = (1,)) -> Profile:
 
 @pytest.mark.parametrize("lead", [0.0, 0.5])
 def test_it_begins_where_the_plunger_is_and_goes_slowly(lead: float) -> None:
-    course = led_in(profile([300.0, 320.0]), {1: 200}, lead)
+    course = led_in(profile([300.0, 320.0]), {1: 200}, SPEED, lead)
     assert course.goals(0.0) == pytest.approx([200.0])
-    assert course.begins == pytest.approx(100 / LEAD_SPEED)
+    assert course.begins == pytest.approx(100 / SPEED)
     assert course.zero == pytest.approx(course.begins + lead)
     assert course.goals(course.begins) == pytest.approx([300.0])
     assert course.goals(course.begins + 0.5) == pytest.approx([310.0])
     assert course.duration == pytest.approx(course.begins + 1.0)
     moments = np.arange(0.0, course.begins, 0.01)
     steps = np.diff([course.goals(t)[0] for t in moments])
-    assert np.abs(steps).max() <= LEAD_SPEED * 0.01 * (1 + 1e-9)
+    assert np.abs(steps).max() <= SPEED * 0.01 * (1 + 1e-9)
 
 
 def test_no_pressure_is_expected_before_the_profile() -> None:
-    course = led_in(profile([300.0, 320.0]), {1: 200}, 0.7)
+    course = led_in(profile([300.0, 320.0]), {1: 200}, SPEED, 0.7)
     assert course.expected_pressure(course.begins - 1e-6) == (None,)
     assert course.expected_pressure(course.begins + 0.5) == pytest.approx((3100.0,))
 
 
 def test_several_plungers_arrive_together() -> None:
-    course = led_in(profile([300.0, 320.0], (1, 2)), {1: 200, 2: 290})
+    course = led_in(profile([300.0, 320.0], (1, 2)), {1: 200, 2: 290}, SPEED)
     assert course.begins == pytest.approx(2.0)
     assert course.goals(1.0) == pytest.approx([250.0, 295.0])
 
 
 def test_one_tick_reaches_as_far_as_the_steepest_part() -> None:
-    assert led_in(profile([200.0, 200.0, 290.0]), {1: 200}).reach(1 / 30) == 4
+    assert led_in(profile([200.0, 200.0, 290.0]), {1: 200}, SPEED).reach(1 / 30) == 4
 
 
 def test_the_way_back_expects_no_pressure() -> None:
-    back = way_back(profile([300.0, 320.0]), {1: 320}, 200)
+    back = way_back(profile([300.0, 320.0]), {1: 320}, 200, SPEED)
     assert back.goals(0.0) == pytest.approx([320.0])
     assert back.goals(back.duration) == pytest.approx([200.0])
     assert back.expected_pressure(back.duration) == (None,)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import pytest
 
@@ -26,6 +27,8 @@ from viscodesign.pump.play.safety_rules import (
     stream_rules,
 )
 from viscodesign.scene.pump import PumpSpec
+
+LIMITS = axis_limits(PumpSpec(syringe_diameter=0.0349))
 
 
 def first_stop(guard: Guard, samples: Sequence[Sample]) -> int | None:
@@ -130,14 +133,14 @@ def test_leaving_a_switch_goes_on() -> None:
     ("position", "stops"), [(100, False), (95, False), (94, True), (1006, True)]
 )
 def test_travel(position: int, stops: bool) -> None:
-    reason = Travel(100, 1000).check(sample(state=servo(position)))
+    reason = Travel(replace(LIMITS, travel=(100, 1000))).check(sample(state=servo(position)))
     assert (reason is not None) == stops
 
 
 def test_a_blocked_plunger_is_noticed_after_three_samples() -> None:
     behind = sample(state=servo(500, goal=564))
-    assert first_stop(Following(3), [behind] * 5) == 2
-    assert first_stop(Following(3), [sample(state=servo(500, goal=563))] * 5) is None
+    assert first_stop(Following(LIMITS, 3), [behind] * 5) == 2
+    assert first_stop(Following(LIMITS, 3), [sample(state=servo(500, goal=563))] * 5) is None
 
 
 def test_a_lost_command_may_be_lost_twice() -> None:
@@ -162,9 +165,9 @@ def test_every_error_bit_stops(bit: ErrorBits) -> None:
 
 def test_heat_and_battery_take_two_samples() -> None:
     hot, cool = sample(state=servo(temperature=70.0)), sample(state=servo(temperature=69.0))
-    assert first_stop(Overheating(), [hot, cool, hot, hot]) == 3
+    assert first_stop(Overheating(70.0), [hot, cool, hot, hot]) == 3
     low, full = sample(state=servo(voltage=9.9)), sample(state=servo(voltage=10.0))
-    assert first_stop(LowBattery(), [low, full, low, low]) == 3
+    assert first_stop(LowBattery(10.0), [low, full, low, low]) == 3
 
 
 def test_a_silence_of_a_quarter_of_a_second() -> None:
@@ -173,13 +176,13 @@ def test_a_silence_of_a_quarter_of_a_second() -> None:
 
 
 def test_every_rule_names_itself_and_leaves_a_healthy_pump_alone() -> None:
-    rules = stream_rules(axis_limits(PumpSpec(syringe_diameter=0.0349)), 3)
+    rules = stream_rules(LIMITS, 3)
     assert len({guard.rule for guard in rules}) == len(rules) == 11
     assert all(guard.check(sample(time=0.01 * k)) is None for k in range(50) for guard in rules)
 
 
 def test_drawing_back_is_watched_by_all_but_the_pressure() -> None:
-    pump = axis_limits(PumpSpec(syringe_diameter=0.0349))
+    pump = LIMITS
     left_out = {g.rule for g in stream_rules(pump, 3)} - {g.rule for g in retreat_rules(pump, 3)}
     assert left_out == {"behind_profile", "pressure_cap", "sensor_frozen"}
 

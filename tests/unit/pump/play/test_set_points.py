@@ -8,8 +8,13 @@ import numpy as np
 import pytest
 
 from tests.pumps import pump
-from viscodesign.pump.ax.servo_pump import COMPLIANCE_SLOPE, axis_limits, speed_register
-from viscodesign.pump.play.path import LARGEST_LEAD, SetPoints, TargetPath
+from viscodesign.pump.ax.servo_pump import (
+    COMPLIANCE_SLOPE,
+    LARGEST_LEAD,
+    axis_limits,
+    speed_register,
+)
+from viscodesign.pump.play.path import SetPoints, TargetPath
 from viscodesign.pump.profile import Profile
 
 PERIOD = 1 / 30

@@ -48,3 +48,13 @@ def words(figure: Figure) -> list[str]:
     """Everything that is written in a figure."""
     texts: list[Text] = figure.findobj(Text)
     return [text.get_text() for text in texts]
+
+
+def assert_on_page(figure: Figure) -> None:
+    """All that is drawn lies on the page, and no formula is left unset."""
+    box, size = figure.get_tightbbox(), figure.get_size_inches()
+    assert box.x0 >= -0.01
+    assert box.y0 >= -0.01
+    assert box.x1 <= size[0] + 0.01
+    assert box.y1 <= size[1] + 0.01
+    assert not any("mathdefault" in text for text in words(figure))

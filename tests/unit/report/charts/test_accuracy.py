@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from tests.studies import MODELS, POINTS, REFERENCE, STEPLESS, made_study, point
-from tests.unit.report.charts.conftest import Save, words
+from tests.unit.report.charts.conftest import Save, assert_on_page, words
 from viscodesign.report.charts.accuracy import draw_accuracy
 from viscodesign.report.charts.accuracy_axes import percent_words, time_words
 from viscodesign.report.charts.accuracy_key import COLOURS
@@ -61,13 +61,7 @@ def ring(figure: Figure) -> list[Line2D]:
 
 @pytest.mark.parametrize("case", CASES)
 def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
-    figure = drawn(CASES[case]())
-    box, size = figure.get_tightbbox(), figure.get_size_inches()
-    assert box.x0 >= -0.01
-    assert box.y0 >= -0.01
-    assert box.x1 <= size[0] + 0.01
-    assert box.y1 <= size[1] + 0.01
-    assert not any("mathdefault" in text for text in words(figure))
+    assert_on_page(drawn(CASES[case]()))
 
 
 def test_every_point_has_its_mark_full_on_the_front(drawn: Drawn) -> None:

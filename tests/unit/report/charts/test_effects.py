@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from tests.trajectories import VERDICTS, ablated_run, verdict
-from tests.unit.report.charts.conftest import Save, words
+from tests.unit.report.charts.conftest import Save, assert_on_page, words
 from viscodesign.report.charts.effects import MEASURED, SMALLEST_BAR, draw_effects, effect_rows
 from viscodesign.report.layout.style import ACCENT
 from viscodesign.results.findings import EffectAblation
@@ -66,13 +66,7 @@ def names(figure: Figure) -> list[str]:
 
 @pytest.mark.parametrize("case", CASES)
 def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
-    figure = drawn(CASES[case]())
-    box, size = figure.get_tightbbox(), figure.get_size_inches()
-    assert box.x0 >= -0.01
-    assert box.y0 >= -0.01
-    assert box.x1 <= size[0] + 0.01
-    assert box.y1 <= size[1] + 0.01
-    assert not any("mathdefault" in text for text in words(figure))
+    assert_on_page(drawn(CASES[case]()))
 
 
 def test_one_row_per_effect_largest_first_not_applicable_last() -> None:

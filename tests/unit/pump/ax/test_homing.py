@@ -9,11 +9,11 @@ import pytest
 from tests.pumps import pump as settings_of
 from tests.rig.full import BrokenPins
 from viscodesign.errors import InterruptedRunError, PumpError
+from viscodesign.pump.ax.homing import BACK_OFF, find_travel
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.play.homing import BACK_OFF, find_travel
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import Plant, SimulatedBench
