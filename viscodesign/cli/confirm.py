@@ -1,4 +1,4 @@
-"""Nothing moves before somebody agreed."""
+"""Nothing moves before the user has agreed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def asking(*, yes: bool, quiet: bool = False) -> Callable[[str], bool]:
     """A function that shows what is about to happen on standard error, and asks.
 
     Its text ends with the question. ``yes``: agreed to beforehand; then ``quiet`` shows
-    nothing. Raises `UsageError` where nobody is there to be asked.
+    nothing. Raises `UsageError` where there is no one to ask.
     """
 
     def confirm(text: str) -> bool:

@@ -112,7 +112,7 @@ class Effect(ABC):
     def estimate_term(self) -> EstimateTerm | None:
         """Its contribution to a quick estimate of the motion; None where there is none.
 
-        Then the weight itself, in actuator lengths, stands for the displacement of the tip.
+        Then the weight itself, in actuator lengths, is taken as the displacement of the tip.
         """
         return None
 

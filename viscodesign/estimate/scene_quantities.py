@@ -225,7 +225,7 @@ class SceneQuantities:
 
     @property
     def bending_force(self) -> float:
-        """EI/l2, by which forces are told [N]."""
+        """EI/l2, the scale of forces [N]."""
         return self.body.bending_stiffness / self.body.length**2
 
     @property

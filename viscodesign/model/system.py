@@ -131,7 +131,7 @@ class System:
     def parameter(self, name: str, value: float) -> SX:
         """A named number of the scene as a symbol, so that the same formulas serve many values.
 
-        Raises `ValueError` where the name stands for another number already: an effect's own
+        Raises `ValueError` where the name already has another value: an effect's own
         numbers begin with its name, as in ``gravity.tilt``.
         """
         if name not in self._parameters:

@@ -78,9 +78,9 @@ DOCUMENTS = {SUMMARY, STUDY_FILES.document, PLAN_FILES.document}
 
 
 def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
-    """Make the folder, and refuse one that holds files of somebody else.
+    """Make the folder; refuse one that holds other files.
 
-    A command calls it before it computes, so that an unusable folder costs no time.
+    A command calls this before it computes, so that an unusable folder costs no time.
     """
     folder = Path(directory)
     with write_errors_as_usage(folder):

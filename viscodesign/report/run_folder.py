@@ -27,7 +27,7 @@ from viscodesign.storage.disk_arrays import BLOCK, blocks
 
 @dataclass(frozen=True)
 class WrittenRun:
-    """The files of a run, and the run as its summary tells it."""
+    """The files of a run, and the run as its summary describes it."""
 
     files: list[Path]
     trajectory: Trajectory

@@ -73,7 +73,7 @@ class Point:
     is_exact_in_space: bool = False
     """Whether the rod is a chain of exact arcs, which has no mesh."""
     is_stepless: bool = False
-    """Whether every output time is solved by itself, without solver and tolerance."""
+    """Whether every output time is solved independently, without solver and tolerance."""
     steps: int = 0
     """Time steps, independent of the speed of the machine."""
     dominated: bool = False

@@ -105,7 +105,7 @@ class Verifier:
         self.steps = 0
         """Of all solutions together."""
         self.stalled = ""
-        """Why further refinement is no use, where it is none."""
+        """Why further refinement would not help; empty where it may."""
         self.flows_apart: FlowDifference | None = None
         """How far the last reduction of the tolerance changed the flows."""
         self.interrupted = False
@@ -203,7 +203,7 @@ class _Refinement:
         return replace(settings, tolerance=settings.tolerance / 10)
 
     def add(self, finer: Run) -> None:
-        """Take over a finer solution, and what its distance says of the error."""
+        """Adopt a finer solution, and estimate the error from its distance."""
         verifier, is_in_space = self._verifier, self._is_in_space
         distance = tip_difference(self.run.motion, finer.motion)
         if not is_in_space:

@@ -32,7 +32,7 @@ class ModalSystem:
     """The equations of one scene in their modes.
 
     Rows: the equations of the live states, on which others depend, then the algebraic ones, then
-    those of the idle states. Everything is told as a departure from an origin, the unknowns at some
+    those of the idle states. All values are departures from an origin, the unknowns at some
     instant: in equilibrium the rows are exactly zero there, and stay so. Inputs are the values of
     the D rows that depend on time, at the origin.
 

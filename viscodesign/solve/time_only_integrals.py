@@ -38,8 +38,8 @@ RULE = PartRule()
 def timed_integrals(problem: Problem, first: int, count: int) -> np.ndarray:
     """Integrals (n, m) of the rates from edge ``first`` to each of the m = ``count`` following.
 
-    Parts are halved, each by itself, until that changes little: an input may do all its
-    work in a millionth of an interval.
+    Each part is halved until its integral hardly changes: an input may do all its work in a
+    millionth of an interval.
     """
     sums = np.zeros((problem.equations.time_only_integrals, count))
     if not sums.size:

@@ -32,7 +32,7 @@ class ChunkSizes:
     """How much of a run is solved in one uninterrupted call."""
 
     seconds: float = 0.4
-    """Wall time of one call, where each output is solved by itself."""
+    """Wall time of one call, where each output is solved separately."""
     work: int = 400_000
     """Steps times unknowns of one call of an integrator: some tenths of a second. Not in wall
     time, since where an integrator restarts would then depend on how busy the machine is."""

@@ -1,4 +1,4 @@
-"""What stands at the other end before anything moves: whether it may be moved, or calibrated."""
+"""Which servos are connected, before anything moves, and whether they may be moved."""
 
 from __future__ import annotations
 

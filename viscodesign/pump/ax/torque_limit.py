@@ -16,8 +16,8 @@ ABOVE_CAP = 1.2  # so that the cap in software acts first
 NOTABLE = 32
 """A limit so much above what is needed is lowered [1/1023 of stall]: 4 kPa of a 100 mL syringe."""
 LONGEST_SATURATION = 0.2
-"""After which a torque limit is left alone [s]. After how long at its limit a servo shuts itself
-off no manual says; that it is no sooner is an assumption."""
+"""Time at its limit after which a servo's torque limit is left alone [s]. No manual says when a
+servo at its limit shuts itself off; that it is no sooner than this is an assumption."""
 SATURATION_MARGIN = 2  # an output this close to its limit is at it [1/1023 of stall]
 
 

@@ -12,7 +12,7 @@ SCANNED_IDS = range(1, 17)  # ids that are asked where no servos are named
 
 
 class Dynamixel(Board):
-    """The adapter itself says nothing: whether a servo answers tells that it is there."""
+    """The adapter itself is silent; a servo that answers shows that it is there."""
 
     name = "dynamixel"
     baud = 1_000_000

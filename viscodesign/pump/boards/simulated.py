@@ -1,4 +1,4 @@
-"""`--board simulated`: nothing but numbers, and the same bytes."""
+"""`--board simulated`: a computed pump that speaks the same bytes."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ class WallClock(Clock):
 
 
 class SteppedClock(Clock):
-    """Time that passes only while somebody waits: as fast as it is computed."""
+    """Simulated time: it advances only in waits, as fast as these are computed."""
 
     def __init__(self) -> None:
         self._now = 0.0
@@ -49,7 +49,7 @@ class SteppedClock(Clock):
 
 
 class PacedClock(SteppedClock):
-    """Time that passes only while somebody waits, and no faster than the wall's times ``pace``.
+    """Simulated time that advances only in waits, and no faster than ``pace`` times wall time.
 
     Computing between two waits takes none of it: a simulated pump is not late because the machine
     is busy.

@@ -1,4 +1,4 @@
-"""A serial port, or a pseudo-terminal that stands for one."""
+"""A serial port, or a pseudo-terminal in its place."""
 
 from __future__ import annotations
 

@@ -89,7 +89,7 @@ class PumpDemand:
 
     @cached_property
     def speed_share(self) -> np.ndarray:
-        """Share of it that is asked; infinite where none is left."""
+        """Share of it that is required; infinite where none is left."""
         speed = np.abs(self.velocity) * (self.direction != 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(speed > 0.0, speed / self.speed_left, 0.0)

@@ -1,4 +1,4 @@
-"""What a pump can do, held against what is asked of it: one function a limit, and their table."""
+"""What a pump can do against what is required of it: one function per limit, and their table."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ MARGINS = LimitMargins()
 
 
 class Assessment(NamedTuple):
-    """What a limit says of a demand."""
+    """How a demand compares with one limit."""
 
     severity: Severity  # where the ratio is above 1
     wanted: float  # at the worst time, in the unit

@@ -110,9 +110,9 @@ def way_back(profile: Profile, goals: Mapping[int, int], home: int, speed: float
 class SetPoints:
     """Goals for the next tick: where the path is then, and what the servos need to get there.
 
-    A servo of this kind gives an output in proportion to the distance from its goal: it stays
-    behind by what its load asks for, and by more the faster it goes. Both are compensated, the
-    speed's share in advance and the load's as it is seen, and kept as what was learnt.
+    An axis whose output is proportional to the distance from its goal lags by what its load needs,
+    and by more the faster it goes. Both lags are compensated: that of the speed in advance, that of
+    the load as it is observed.
     """
 
     path: TargetPath

@@ -1,7 +1,7 @@
-"""What makes the pump stop, one rule a class.
+"""The rules that stop the pump, one class each.
 
-Each is asked once a tick with what was read and what is to follow, before the next goals are
-sent; it answers with a reason, or None.
+Each is checked once per tick against what was read and what is about to be sent, and returns a
+reason to stop, or None.
 """
 
 from __future__ import annotations
@@ -190,9 +190,9 @@ class BehindProfile(Guard):
 
 
 def stream_rules(pump: AxisLimits, reach: int, max_lag: float = math.inf) -> list[Guard]:
-    """What monitors a profile; ``reach`` is one tick's travel [steps].
+    """The rules of a profile; ``reach`` is one tick's travel [steps].
 
-    Where several are broken at once, the first one is told: causes before consequences.
+    Where several are broken at once, the first is reported: causes before consequences.
     """
     silence, *others = retreat_rules(pump, reach)
     cap = PressureCap(pump.max_pressure)

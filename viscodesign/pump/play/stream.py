@@ -55,8 +55,8 @@ class Stream:
     def play(self) -> StreamResult:
         """Arm, go to the profile, and along it to its end, a stop or a request to stop.
 
-        However this is left, by an exception too, the pump is held (or it is said that no hold
-        could be sent) and `result` tells how.
+        However this ends, even by an exception, the pump is held and `result` says how, or that no
+        hold could be sent.
         """
         try:
             self.result = self._forward()
@@ -134,7 +134,7 @@ class Stream:
 
 
 def wait_for_second_request(request: StopRequest, clock: Clock) -> None:
-    """Leave somebody time to ask again, which drops the torque of a pump that is held."""
+    """Give the user time to ask again, which drops the torque of a held pump."""
     end = clock.now() + SECOND_REQUEST_TIME
     while not request.urgent and clock.now() < end:
         clock.sleep(SLICE)

@@ -29,7 +29,7 @@ class Ticks:
     """Sum of those times [s]."""
 
     def begin(self) -> None:
-        """Put the first moment at now; counts go on."""
+        """Start counting time now; the counters continue."""
         self.start, self.index = self.clock.now(), 0
 
     @property

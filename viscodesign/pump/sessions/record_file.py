@@ -66,7 +66,7 @@ class Record:
         """The document."""
         self.rows = 0
         self.started = False
-        """Whether something may be moving: then a full disk is no fault of the command line."""
+        """Whether something may be moving: a full disk is then not a usage error."""
         self.broken = False
         """Whether the disk has refused a row; no more are written then."""
         self._table = table

@@ -51,7 +51,7 @@ class ClosedGas(Plant):
 class SimulatedBench:
     """P servos with a plunger each.
 
-    Time goes in fixed steps, so that what happens does not depend on when it is asked.
+    Time advances in fixed steps, so that the motion does not depend on when it is queried.
     """
 
     def __init__(

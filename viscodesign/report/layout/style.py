@@ -69,7 +69,7 @@ BANNER_LINES = 3
 def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
     """A figure in inches, written completely to ``path`` at the end; leaves no global state.
 
-    The ending of ``path`` tells the format (png, pdf, svg; png without one).
+    The suffix of ``path`` determines the format (png, pdf, svg; png without one).
     """
     with mpl.rc_context(RC):
         made = Figure(figsize=(width, height))

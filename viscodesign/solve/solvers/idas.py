@@ -1,4 +1,4 @@
-"""SUNDIALS IDAS through CasADi: the default.
+"""SUNDIALS IDAS through CasADi: BDF of variable order for any of the equations.
 
 IDAS chooses its steps inside an interval of smooth input and restarts at every corner,
 where the coefficients of the input change. Where that fails, every smooth stretch gets a

@@ -18,9 +18,9 @@ class CellRules:
     """How time is cut into cells."""
 
     points: tuple[int, ...] = (6, 12)
-    """Gauss-Legendre points of a cell: so many that few cells are to be cut."""
+    """Gauss-Legendre points of a cell: the first number with which few cells need cutting."""
     max_loose: float = 0.1
-    """How few."""
+    """Share of the cells that counts as few."""
     least_swing: float = 1e-7
     """Shortest swing beside a corner that is looked for, in durations of the run."""
     decays_per_cell: float = 8.0
@@ -152,7 +152,7 @@ class CellGrid:
         return np.asarray(np.maximum(missed * np.exp(np.minimum(share, 0.0)), missed**2))
 
     def next_coefficients(self, values: np.ndarray) -> np.ndarray:
-        """Legendre coefficients (..., c) beyond the last, as the last four let expect them."""
+        """Legendre coefficients (..., c) beyond the last, extrapolated from the last four."""
         last = np.abs(values @ self.points.coefficients[-4:].T)
         before, after = last[..., :2].max(axis=-1), last[..., 2:].max(axis=-1)
         return np.asarray(after * np.minimum(after / np.maximum(before, TINY), 1.0))

@@ -38,18 +38,18 @@ class ModeRules:
     numbers_at_once: int = 300_000
     """Modes times points held in memory, about."""
     max_states: int = 400
-    """Up to which it is chosen by itself."""
+    """Up to which it is chosen automatically."""
     same_length_rel: float = 1e-11
     """Difference of cells that have the same length but for round-off."""
     few_lengths: int = 8
-    """Different lengths of cells up to which each is handled by itself."""
+    """Different lengths of cells up to which each is handled separately."""
 
 
 RULES = ModeRules()
 
 
 class LinearModes(Solver):
-    """The modes of linear equations with constant coefficients, each by itself."""
+    """The modes of linear equations with constant coefficients, each solved independently."""
 
     name: ClassVar[str] = "modes"
     order: ClassVar[int] = 40

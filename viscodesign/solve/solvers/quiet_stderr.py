@@ -34,7 +34,7 @@ class _Sink:
             os.close(sink)
 
     def leave(self) -> None:
-        """Turn it back, if nobody else needs it away."""
+        """Restore it, unless another caller still needs it redirected."""
         with self._lock:
             self._users -= 1
             if self._users or self._kept is None:

@@ -96,7 +96,7 @@ class Transactions:
             self.ask(packets.write(servo, address, data), 0)
 
     def tell(self, packet: Packet) -> None:
-        """Send what nobody answers."""
+        """Send a packet that gets no answer."""
         self.line.drain()
         self.line.write(packet.encode())
 
