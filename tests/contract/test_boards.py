@@ -80,7 +80,7 @@ def test_it_knows_what_it_is_not(name: str, other: str) -> None:
 
 
 @pytest.mark.parametrize("name", BOARDS)
-def test_identifying_a_silent_line_says_what_to_look_at(name: str) -> None:
+def test_identifying_a_silent_line_says_what_to_check(name: str) -> None:
     pump = bench(1, 2)
     board = connected(name, pump, [faults.LostRequest(times=10**6)])
     with pytest.raises(PumpError, match="baud"):
@@ -212,7 +212,7 @@ def test_each_plunger_has_its_own_sensor_and_switches(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", WITH_PINS)
-def test_a_board_that_was_reset_tells_a_broken_wire_again(name: str) -> None:
+def test_a_board_that_was_reset_reports_a_broken_wire_again(name: str) -> None:
     pump = bench(1, limit_switches={"low": "D1", "high": "D2"})
     device = Ros(pump)
     board = boards()[name](DirectLine(device, stepped()), [1])

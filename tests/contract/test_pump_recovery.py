@@ -252,7 +252,7 @@ def test_a_second_request_interrupts_a_retreat() -> None:
     assert not rig.bench.servos[0].get(registers.TORQUE_ENABLE)
 
 
-def test_a_record_that_cannot_be_written_is_an_ending_of_its_own() -> None:
+def test_a_record_that_cannot_be_written_ends_a_stream_with_its_own_reason() -> None:
     for tick in range(1, 60, 7):
         rig = Rig()
 

@@ -274,7 +274,7 @@ def test_each_inlet_is_watched(rule: str, trouble: Callable[[Rig, int], None], i
         promises(rig)
 
 
-def test_an_overload_is_told_and_the_torque_limit_is_not_given_back() -> None:
+def test_an_overload_is_reported_and_the_torque_limit_is_not_restored() -> None:
     for moment in MOMENTS:
         rig = Rig()
         struck: list[int] = []
@@ -412,7 +412,7 @@ class Opposed(Rig):
 
 
 @pytest.mark.parametrize("ids", [(1,), (1, 2)])
-def test_after_too_much_pressure_each_plunger_is_drawn_back_or_stays(ids: tuple[int, ...]) -> None:
+def test_after_overpressure_no_plunger_moves_inwards(ids: tuple[int, ...]) -> None:
     for moment in range(20, 80, 7):
         rig = Opposed(ids, on_stop="retract")
         streamed(rig, at(moment, lambda rig=rig: rig.press(26e3, 0)))  # type: ignore[misc]
@@ -528,7 +528,7 @@ def test_whatever_fails_while_arming_nothing_moves() -> None:
             assert rig.positions() == pytest.approx([200.0], abs=2 * rig.pump.reach)
 
 
-def test_a_servo_that_is_armed_again_is_given_no_torque_limit_that_it_has() -> None:
+def test_arming_again_does_not_rewrite_an_equal_torque_limit() -> None:
     """It may have strained against it until now; the write could give back what it let go."""
     rig = Rig()
     rig.begin()

@@ -74,7 +74,7 @@ def blocked(kind: type[Board], fast: float, slow: float) -> float:
         (100, 100, 36.4, 37.4),
     ],
 )
-def test_a_blocked_outlet_is_pressed_no_harder_than_the_present_speed_needs(
+def test_a_blocked_outlet_gets_no_more_torque_than_the_present_speed_needs(
     fast: float, slow: float, before: float, now: float
 ) -> None:
     assert blocked(Once, fast, slow) / 1e3 == pytest.approx(before, abs=1.0)
@@ -92,7 +92,7 @@ class Varied(Rig):
 
 
 @pytest.mark.parametrize("ids", [(1,), (1, 2)])
-def test_each_tick_allows_what_the_plan_needs_and_hardly_more(ids: tuple[int, ...]) -> None:
+def test_each_tick_allows_little_more_torque_than_the_plan_needs(ids: tuple[int, ...]) -> None:
     rig = Varied(ids)
     assert rig.play().status == "complete"
     assert rig.stream is not None
@@ -172,7 +172,7 @@ def test_a_servo_that_shuts_itself_off_is_never_revived(ids: tuple[int, ...]) ->
     assert shut > 50
 
 
-def test_a_servo_that_strains_keeps_its_limit_while_the_other_ones_follows_the_plan() -> None:
+def test_a_saturated_servo_keeps_its_limit_while_that_of_the_other_follows_the_plan() -> None:
     rig = Varied((1, 2))
     rig.begin()
     before = len(rig.tap.sent)

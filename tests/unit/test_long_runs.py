@@ -104,7 +104,7 @@ def test_a_full_disk_ends_a_run_that_keeps_what_it_has(monkeypatch: pytest.Monke
 # -- what is written ---------------------------------------------------------
 
 
-def test_shapes_of_a_long_run_are_thinned_and_that_is_told() -> None:
+def test_shapes_of_a_long_run_are_thinned_with_a_notice() -> None:
     run = simulate(leg(*SHORT, SINE, UNIFORM, "run.shape_every=300"), verify=False)
     assert list(run.shape_rows) == [0, 300, 600, 900, 1000]
     assert len(run.shape) == 5
@@ -120,7 +120,7 @@ def test_the_usual_run_keeps_every_shape() -> None:
     assert leg("run={duration: 1e5 s, shape_every: 1}").run.shape_stride == 1
 
 
-def test_more_corners_than_steps_are_refused_before_anything_is_solved() -> None:
+def test_an_input_with_more_corners_than_steps_is_refused_before_solving() -> None:
     square = "input={kind: square, high: 1 kPa, low: 0, frequency: 2 Hz}"
     scene = leg(square, "run={duration: 1e5 s, output_interval: 1 s, max_steps: 100000}")
     with pytest.raises(SpecError, match=r"run.max_steps: .* 399999 corners .* 2.5e\+04 s"):

@@ -27,7 +27,7 @@ def test_a_signal_is_a_wish_and_a_second_one_is_urgent(number: int) -> None:
     assert signal.getsignal(number) is before
 
 
-def test_elsewhere_than_in_the_main_thread_nothing_changes() -> None:
+def test_outside_the_main_thread_nothing_changes() -> None:
     before = signal.getsignal(signal.SIGINT)
     seen = []
 

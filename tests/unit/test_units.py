@@ -154,7 +154,7 @@ def test_the_table_reads_the_example_of_every_kind(name: str) -> None:
     assert value_in_si(plain, kind.unit) == kind._by_pint(example, plain)
 
 
-def test_every_prefix_with_every_common_unit_is_as_pint_has_it() -> None:
+def test_every_prefix_of_every_common_unit_agrees_with_pint() -> None:
     compared = 0
     for text in ("2.5 " + p + name for p in ["", *"pnµumcdkMG"] for name in dir_of_common_units()):
         for kind in kinds().values():

@@ -67,13 +67,13 @@ def test_what_double_precision_carries_is_let_through() -> None:
 @pytest.mark.parametrize(
     "change", [c for c in BEYOND if not c.startswith(("loads", "actuator.damping"))]
 )
-def test_what_has_no_numbers_has_no_place_on_the_plane(change: str) -> None:
+def test_a_scene_without_finite_numbers_is_not_placed_on_the_plane(change: str) -> None:
     with pytest.raises(SpecError) as refusal:
         classify(leg(change, SECOND, "effects=auto"))
     assert BEYOND[change] in str(refusal.value)
 
 
-def test_a_network_too_slow_for_numbers_is_named_and_not_divided_by() -> None:
+def test_a_network_too_slow_for_double_precision_is_refused_before_any_division() -> None:
     with pytest.raises(SpecError, match="the resistance of tube"):
         classify(
             leg("network.changes={inlet-R1: {radius: 100 m}, R1-R2: {radius: 1e-9 m}}", SECOND)

@@ -108,7 +108,7 @@ def test_the_document_of_all(call: Call, tmp_path: Path) -> None:
     assert call("effects", "-q").out == ""
 
 
-def test_how_auto_decides_is_what_the_selection_says_of_itself(call: Call) -> None:
+def test_the_page_quotes_how_the_selection_decides(call: Call) -> None:
     rule = words((select.__doc__ or "").split("\n\n")[1])
     assert rule in words(call("effects", "gravity").out)
     assert rule not in words(call("effects", "tip_load").out)

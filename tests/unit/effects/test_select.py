@@ -100,13 +100,13 @@ def test_a_smaller_accuracy_never_leaves_out_more(scene: str) -> None:
 
 
 @pytest.mark.parametrize("scene", [s for s in SCENES if s != "small swing"])
-def test_a_smaller_accuracy_mostly_keeps_what_a_larger_one_took(scene: str) -> None:
+def test_a_tighter_accuracy_mostly_keeps_the_effects_of_a_looser_one(scene: str) -> None:
     names = [{e.name for e in found.effects} for _, found in ladder(scene)]
     assert all(coarse <= fine for coarse, fine in pairwise(names))
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_the_finest_accuracy_leaves_out_only_what_does_nothing(scene: str) -> None:
+def test_the_finest_accuracy_neglects_only_what_has_no_effect(scene: str) -> None:
     _, found = ladder(scene)[-1]
     assert found.sets.present - {e.name for e in found.effects} <= {"collapse"}
 
@@ -156,7 +156,9 @@ class Shove(Push):
     name: ClassVar[str] = "shove"
 
 
-def test_omissions_may_add_up_to_more_than_each_does_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_omitted_effects_may_add_up_to_more_than_each_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     known = {**catalogue(), "push": Push, "shove": Shove}
     monkeypatch.setattr("viscodesign.effects.catalogue.catalogue", lambda: known)
     found = {e.name for e in selection(AUTO, STILL).effects}
@@ -194,7 +196,7 @@ def test_a_pressure_that_never_moves_calls_for_nothing() -> None:
     assert active(AUTO, STILL) == set()
 
 
-def test_a_collapse_that_no_pressure_reaches_does_nothing() -> None:
+def test_a_collapse_that_no_pressure_reaches_changes_nothing() -> None:
     """Up to the iteration by which an estimate finds its means over the motion."""
     assert verdicts(AUTO, *SMALL)["collapse"].budget_share <= 1e-3
 
@@ -224,7 +226,7 @@ def test_dependants_go_with_what_they_need(needed: str, dependants: list[str]) -
 
 
 @pytest.mark.parametrize("name", [n for n, kind in catalogue().items() if kind.needs])
-def test_a_dependant_that_is_wanted_keeps_what_it_needs(name: str) -> None:
+def test_an_effect_that_is_on_keeps_the_one_it_depends_on(name: str) -> None:
     needed = catalogue()[name].needs
     assert needed is not None
     still = (
@@ -239,7 +241,7 @@ def test_a_dependant_that_is_wanted_keeps_what_it_needs(name: str) -> None:
     assert found[needed].mode == "auto"
 
 
-def test_off_of_what_is_needed_wins_over_on_of_a_dependant() -> None:
+def test_switching_off_a_needed_effect_overrides_one_that_depends_on_it() -> None:
     found = verdicts("effects={rotary_inertia: on, inertia: off}")
     assert not found["rotary_inertia"].taken
     assert found["rotary_inertia"].mode == "on"
@@ -271,7 +273,7 @@ def test_inertia_brings_damping_unless_it_is_forbidden() -> None:
     assert after == before | {"inertia"}
 
 
-def test_switching_takes_dependants_along_and_brings_what_is_needed() -> None:
+def test_switching_an_effect_switches_those_tied_to_it() -> None:
     found = selection("effects={others: on}")
     gone = {e.name for e in found.effects} - {e.name for e in found.with_flipped("inertia")}
     assert gone == {"inertia", "rotary_inertia"}
@@ -369,7 +371,7 @@ def test_what_is_absent_has_no_weight() -> None:
     assert found.reason.startswith("not applicable: ")
 
 
-def test_choosing_effects_leaves_the_quantities_of_a_scene_as_they_were() -> None:
+def test_selecting_effects_does_not_change_the_quantities_of_a_scene() -> None:
     quantities = SceneQuantities(leg(AUTO))
     assert [f.name for f in fields(quantities)] == ["scene"]
     select_effects(quantities)

@@ -301,7 +301,7 @@ def test_what_is_not_finite_is_infinitely_far() -> None:
     assert estimate.distance(estimate.plus(EstimateTerm(tip_force=(math.nan, 0.0)))) == math.inf
 
 
-def test_a_network_is_settled_once_for_the_same_numbers() -> None:
+def test_the_settled_state_of_a_network_is_computed_once_for_equal_numbers() -> None:
     estimate = bare(RAMPS, SHORT).plus(EstimateTerm(distributed=True))
     assert (
         estimate.plus(EstimateTerm(resists_acceleration=True)).network.averaged
@@ -319,14 +319,14 @@ def test_a_long_train_is_estimated_by_its_beginning() -> None:
     assert len(estimate.setting.time) < 3000
 
 
-def test_outputs_rarer_than_the_estimate_is_long_may_fall_upon_any_sample() -> None:
+def test_outputs_sparser_than_the_estimate_may_fall_on_any_sample() -> None:
     run = "run={duration: 2000 s, output_interval: 50 s}"
     estimate = bare("input={kind: sine, amplitude: 3 kPa, frequency: 1 Hz}", run)
     assert len(estimate.setting.output_mask) > 500
     assert estimate.distance(estimate.plus(EstimateTerm(distributed=True))) > 0.0
 
 
-def test_the_start_is_told_as_it_leaves_and_a_corner_as_it_is_reached() -> None:
+def test_the_start_has_the_values_after_a_jump_and_a_corner_those_before() -> None:
     """A step at zero shows at once; one at an output time not yet."""
     estimate = bare(
         "input={kind: table, rows: [[0, 0], [1, 0], [1, 5 kPa], [2, 5 kPa]]}",

@@ -108,7 +108,7 @@ def test_an_altered_file_is_made_anew(folder: Path, made: list[int]) -> None:
     assert len(made) == 2
 
 
-def test_a_whole_file_that_is_no_machine_code_is_refused(folder: Path) -> None:
+def test_a_complete_file_that_is_not_machine_code_is_refused(folder: Path) -> None:
     """It cannot come about by accident; the process survives it all the same."""
     use()
     parts_of_it = b"no object code"

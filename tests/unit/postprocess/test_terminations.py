@@ -42,18 +42,18 @@ def ended(problem: Any, values: dict[str, np.ndarray], stretch: np.ndarray | Non
     )
 
 
-def test_an_ordinary_run_goes_to_its_end() -> None:
+def test_an_ordinary_run_is_complete() -> None:
     assert ended(problem(0.1), rows()) == (5, None)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
-def test_what_is_no_number_ends_a_run_with_its_bellow(value: float) -> None:
+def test_a_value_that_is_not_finite_ends_a_run_and_names_its_bellow(value: float) -> None:
     end, failure = ended(problem(), rows(pressure=((3, 1), value)))
     assert end == 3
     assert (failure.quantity, failure.where, failure.time_s) == ("pressure", "L1", 0.75)
 
 
-def test_a_section_pressed_to_nothing_ends_a_run() -> None:
+def test_a_section_compressed_to_nothing_ends_a_run() -> None:
     stretch = np.array([[1.0], [0.5], [0.0], [-0.2], [0.1]])
     end, failure = ended(problem(), rows(), stretch)
     assert (end, failure.quantity, failure.where) == (2, "stretch", "section 1")

@@ -85,7 +85,7 @@ def test_a_run_that_ended_before_its_first_output_has_nothing_to_tell() -> None:
     assert notices(scene, nothing) == []
 
 
-def test_a_bellow_that_swells_far_beyond_its_rest_is_told_with_number_and_place() -> None:
+def test_a_bellow_far_beyond_its_rest_volume_is_reported_with_size_and_place() -> None:
     scene = quantities()
     rest = scene.bellow.rest_volume
     assert codes(scene, at(scene, "volume", 1, 2, 2.6 * rest)) == []
@@ -160,7 +160,7 @@ def test_below_vacuum_a_speed_is_still_finite() -> None:
     assert "inf" not in found[0].message
 
 
-def test_a_liquid_is_told_as_fluid_and_one_without_a_speed_of_sound_not_at_all() -> None:
+def test_a_liquid_near_mach_1_is_called_a_fluid_and_needs_a_speed_of_sound() -> None:
     water = quantities("fluid=water", "temperature=20 degC", taken=("flow_regime",))
     (notice,) = notices(water, at(water, "flow", 0, 0, flow_at(water, 0.5)))
     assert notice.message.startswith("the fluid reaches Mach 0.5")
@@ -170,7 +170,7 @@ def test_a_liquid_is_told_as_fluid_and_one_without_a_speed_of_sound_not_at_all()
 
 @pytest.mark.parametrize("reynolds", [2299.0, 2301.0])
 @pytest.mark.parametrize("taken", [(), ("flow_regime",)])
-def test_turbulence_is_warned_of_where_no_term_stands_for_it(
+def test_turbulence_draws_a_warning_where_no_term_models_it(
     reynolds: float, taken: tuple[str, ...]
 ) -> None:
     scene = quantities("fluid={name: oil, viscosity: 0.1, density: 900}", taken=taken)

@@ -70,7 +70,7 @@ def has(figure: Figure, part: str) -> bool:
 
 @pytest.mark.parametrize("picture", DRAWERS)
 @pytest.mark.parametrize("case", CASES)
-def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str, picture: str) -> None:
+def test_everything_drawn_lies_on_the_page(drawn: Drawn, case: str, picture: str) -> None:
     figure = drawn(case, picture)
     box = figure.get_tightbbox()
     width, height = figure.get_size_inches()
@@ -118,7 +118,7 @@ def test_the_pressures_picture_names_columns_inlet_and_levels(drawn: Drawn) -> N
     assert len(curves.get_segments()) == 8
 
 
-def test_vacuum_is_as_far_below_the_ambient_as_the_ambient_pressure(drawn: Drawn) -> None:
+def test_vacuum_lies_one_ambient_pressure_below_ambient(drawn: Drawn) -> None:
     assert not has(drawn("far_above", "pressures"), "vacuum")
     for case, level in (("leg", -101.325), ("thin_air", -60.0)):
         axes = drawn(case, "pressures").axes[0]

@@ -166,7 +166,7 @@ def test_effects_are_drawn_only_where_they_were_measured(run: Trajectory, tmp_pa
     assert names(tmp_path) == {*RUN_TABLES, *RUN_PICTURES, "summary.json"}
 
 
-def test_an_old_picture_of_effects_goes_when_none_are_drawn(tmp_path: Path) -> None:
+def test_an_old_picture_of_effects_is_removed_when_none_is_drawn(tmp_path: Path) -> None:
     write_run(ablated_run(), tmp_path)
     write_run(ablated_run(), tmp_path, plots=False)
     assert names(tmp_path) == {*RUN_TABLES, "summary.json"}

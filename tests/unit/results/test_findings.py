@@ -18,7 +18,7 @@ from viscodesign.results.findings import (
 )
 
 
-def test_a_summary_has_its_sections_and_no_number_that_json_lacks() -> None:
+def test_a_summary_has_its_sections_and_only_numbers_that_json_can_represent() -> None:
     constant = replace(CLASSIFICATION, scales=Scales(0.029, 0.16, math.inf, 1.1))
     document = replace(made_run(), classification=constant).summary()
     assert json.loads(json.dumps(document, allow_nan=False)) == document

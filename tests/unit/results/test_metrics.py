@@ -93,7 +93,7 @@ def test_what_comes_before_the_last_period_does_not_count() -> None:
         assert found[name] == pytest.approx(math.exp(0.5 * 4.0 * power) * later[name], rel=1e-6)
 
 
-def test_a_run_shorter_than_its_period_counts_as_a_whole() -> None:
+def test_a_run_shorter_than_its_period_counts_entirely() -> None:
     found = metric_values(ellipse(101, rounds=0.5))
     assert found["loop_area_m2"] == pytest.approx(math.pi * WIDTH * HEIGHT / 2, rel=1e-3)
 

@@ -40,7 +40,7 @@ def test_resolved_specs_differ_in_their_effects_only(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", PINNED)
-def test_an_automatic_spec_keeps_the_lines_of_its_original(name: str) -> None:
+def test_apart_from_effects_an_automatic_spec_equals_its_original(name: str) -> None:
     """Comments as well: one of the two is changed only with the other."""
     bodies = []
     for stem in (name, f"{name}_auto"):

@@ -20,7 +20,7 @@ def custom(tubes: str, *more: str) -> str:
     )
 
 
-def test_a_feed_line_stands_between_the_inlet_and_the_network() -> None:
+def test_a_feed_line_joins_the_inlet_and_the_network() -> None:
     graph = leg("bellows.count=4", LINE).graph
     assert [t.name for t in graph.tubes] == ["inlet-feed", "inlet-R1", "R1-R2", "R2-L2", "L2-L1"]
     line, first = graph.tubes[:2]

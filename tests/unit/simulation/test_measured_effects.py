@@ -63,7 +63,7 @@ def test_everything_that_the_scene_has_is_switched_once(scene: str) -> None:
         assert ablation.note == ""
 
 
-def test_what_is_left_out_moves_the_tip_by_less_than_was_asked_for() -> None:
+def test_neglected_effects_move_the_tip_by_less_than_the_accuracy() -> None:
     found = ablated("as it calls for")
     left = [p.measured_m for p in found.proof if not p.taken]
     assert left
@@ -103,7 +103,7 @@ def test_a_switch_that_cannot_be_solved_says_so() -> None:
     assert all(p.measured_m is not None and not p.note for p in ablations.values())
 
 
-def test_a_switch_that_ends_early_is_compared_as_far_as_it_came() -> None:
+def test_a_switched_run_that_ends_early_is_compared_up_to_its_end() -> None:
     ramp = ("input={kind: table, rows: [[0, 0], [1, -100 kPa]]}",
             "run={duration: 1 s, output_interval: 0.125 s}")  # fmt: skip
     quantities = SceneQuantities(leg(*DEEP, *ramp))

@@ -73,7 +73,7 @@ def test_slow_flow_calls_for_nothing() -> None:
     assert escalation(*solved("effects=auto")) is None
 
 
-def test_what_it_needs_and_what_costs_nothing_beside_it_come_along() -> None:
+def test_needed_and_free_effects_are_included_with_it() -> None:
     quantities = SceneQuantities(
         leg("effects=auto", "accuracy=20 %", "input={kind: constant, value: 1 kPa}")
     )
@@ -89,7 +89,7 @@ def test_what_it_needs_and_what_costs_nothing_beside_it_come_along() -> None:
     assert grown.grown("flow_regime", "it is asked for") is None
 
 
-def test_the_run_tells_why_it_was_done_again() -> None:
+def test_a_repeated_run_says_why() -> None:
     run = simulate(leg(*LEFT_ITS_FLOOR), verify=False)
     (rung,) = run.ladder
     assert (rung.tried, rung.solved) == ("flow_regime included, from the start", True)

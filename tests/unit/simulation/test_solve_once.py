@@ -28,7 +28,7 @@ def test_no_flow_has_no_difference() -> None:
     assert flow_difference(still, still) is None
 
 
-def test_uncertain_flows_are_told_with_number_and_place() -> None:
+def test_uncertain_flows_are_reported_with_size_and_place() -> None:
     run = simulate(leg("bellows.count=4", "run={duration: 0.2 s}"), verify=False)
     verifier: Any = SimpleNamespace(flows_apart=FlowDifference(2.1 * FLOW_ERROR_WARNED, 1, 3))
     (notice,) = uncertain_flows(run, verifier)

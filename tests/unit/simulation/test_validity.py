@@ -31,7 +31,7 @@ def test_a_gentle_run_is_inside() -> None:
 
 
 @pytest.mark.parametrize(("mode", "found"), [("off", ["turbulent_flow"]), ("on", [])])
-def test_what_an_active_effect_accounts_for_is_no_reason(mode: str, found: list[str]) -> None:
+def test_what_an_active_effect_models_does_not_call_for_more(mode: str, found: list[str]) -> None:
     run = solved(
         "fluid=water",
         "network.tube_radius=1 mm",

@@ -83,7 +83,7 @@ def test_equations_that_are_no_local_sums_are_refused(monkeypatch: pytest.Monkey
 
 
 @pytest.mark.parametrize("force", [-80, 80])
-def test_a_force_along_a_straight_rod_leaves_no_pivots_and_costs_no_attempt(force: int) -> None:
+def test_an_axial_force_on_a_straight_rod_leaves_no_pivots_and_costs_no_retry(force: int) -> None:
     scene = leg(
         "run.duration=0.3 s",
         f"loads.tip_force.z={force} N",

@@ -51,7 +51,7 @@ def test_lendable_results_are_limited() -> None:
     assert len(made) == 6
 
 
-def test_what_is_away_or_spoiled_is_not_counted_among_what_may_be_dropped() -> None:
+def test_lent_or_failed_entries_do_not_count_towards_the_size_limit() -> None:
     cache: LruCache[object] = LruCache(1)
     with cache.lend("spoiled", object):
         pass

@@ -135,7 +135,7 @@ def test_decisions_are_a_table_followed_by_reasons(
         assert all(len(line) <= int(columns) for line in text.splitlines())
 
 
-def test_an_effect_is_one_line_of_the_table_and_taken_ones_come_first() -> None:
+def test_the_table_has_one_line_per_effect_included_ones_first() -> None:
     lines = verdict_lines(VERDICTS)
     names = [line.split()[0] for line in lines[2 : 2 + len(VERDICTS)]]
     assert names == [

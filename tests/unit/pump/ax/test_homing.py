@@ -66,7 +66,7 @@ def test_a_broken_wire_is_a_pressed_switch_and_told() -> None:
     assert abs(bed.servo.position - 400) < 5
 
 
-def test_a_switch_that_never_comes_ends_at_the_servos_own_end() -> None:
+def test_a_search_without_a_switch_ends_at_the_servos_own_limit() -> None:
     bed = Bed(D2=0)
     with pytest.raises(PumpError, match="without a switch being pressed"):
         find_travel(bed.pump, lambda: False)

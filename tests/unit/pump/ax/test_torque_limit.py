@@ -43,7 +43,7 @@ def test_who_is_off_is_not(state) -> None:  # type: ignore[no-untyped-def]
 
 
 @pytest.mark.parametrize("sign", [-1, 1])
-def test_who_strains_for_long_is_not_until_it_gives_less(sign: int) -> None:
+def test_a_saturated_servo_is_left_alone_until_its_output_falls(sign: int) -> None:
     limits = TorqueLimits()
     full, less = servo(load=sign * 300 / FULL), servo(load=sign * 250 / FULL)
     for moment in (1.0, 1.0 + LONGEST_SATURATION / 2):

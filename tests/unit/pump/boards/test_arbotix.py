@@ -90,7 +90,7 @@ class Stubborn(bytearray):
 
 
 @pytest.mark.parametrize("loop", [False, True])
-def test_of_all_instructions_only_the_harmless_ones_are_sent(loop: bool) -> None:
+def test_only_harmless_instructions_are_sent(loop: bool) -> None:
     rig = PoseRig((1, 2), loop=loop)
     rig.stop_at = 1.5 * rig.fit.duration
     heard = Heard(rig.line.device)

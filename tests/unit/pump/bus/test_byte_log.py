@@ -69,7 +69,7 @@ def test_a_failed_write_is_logged_and_raised(tmp_path: Path) -> None:
     assert entries(path)[-1]["kind"] == "tx failed"
 
 
-def test_a_place_that_cannot_be_is_told_before_anything_moves(tmp_path: Path) -> None:
+def test_an_unusable_log_path_is_reported_before_anything_moves(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="No such file"):
         ByteLog(tmp_path / "none" / "log.jsonl", print)
 

@@ -89,6 +89,6 @@ def test_scenes_that_cannot_be_planned_are_refused(
 
 
 @pytest.mark.parametrize("part", ["syringe_stroke: 30 mm", "pinion_diameter: 120 mm"])
-def test_a_travel_that_empties_the_barrel_is_refused_with_what_to_do(part: str) -> None:
+def test_a_travel_that_empties_the_barrel_is_refused_with_a_remedy(part: str) -> None:
     with pytest.raises(SpecError, match=r"pump.syringe_stroke: .* draws the plunger out by"):
         pump_of(leg(f"pump={{syringe_diameter: 34.9 mm, home: 500, {part}}}"))

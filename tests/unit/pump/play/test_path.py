@@ -20,7 +20,7 @@ def profile(counts: list[float], servos: tuple[int, ...] = (1,)) -> Profile:
 
 
 @pytest.mark.parametrize("lead", [0.0, 0.5])
-def test_it_begins_where_the_plunger_is_and_goes_slowly(lead: float) -> None:
+def test_it_starts_at_the_plunger_and_moves_slowly(lead: float) -> None:
     course = led_in(profile([300.0, 320.0]), {1: 200}, SPEED, lead)
     assert course.goals(0.0) == pytest.approx([200.0])
     assert course.begins == pytest.approx(100 / SPEED)

@@ -75,7 +75,7 @@ def test_a_frozen_sensor_is_found_when_the_pressure_should_change() -> None:
     assert first_stop(SensorFrozen(), alive) is None
 
 
-def test_a_frozen_sensor_is_one_that_stays_while_the_pressure_changes() -> None:
+def test_a_sensor_is_frozen_if_it_does_not_change_with_the_pressure() -> None:
     guard = SensorFrozen()
     for expected in (0.0, 3e3, 6e3):
         assert guard.check(sample(pressure=1e3, wanted=expected)) is None
@@ -170,7 +170,7 @@ def test_heat_and_battery_take_two_samples() -> None:
     assert first_stop(LowBattery(10.0), [low, full, low, low]) == 3
 
 
-def test_a_silence_of_a_quarter_of_a_second() -> None:
+def test_a_silence_of_more_than_a_quarter_of_a_second_stops() -> None:
     times = [0.0, 0.033, 0.28, 0.54]
     assert first_stop(Silence(), [sample(time=t) for t in times]) == 3
 

@@ -41,7 +41,7 @@ def test_a_slow_ramp_steps_by_single_counts_at_its_own_speed() -> None:
     assert sum(steps) == pytest.approx(18, abs=1)
 
 
-def test_a_fast_ramp_runs_ahead_by_what_its_speed_needs() -> None:
+def test_on_a_fast_ramp_goals_lead_by_what_the_speed_needs() -> None:
     speed = 900.0
     new, _ = points(speed).next(1.0, {1: 1430}, 100)
     assert new[1] == round(500 + speed * (1.0 + PERIOD) + COMPLIANCE_SLOPE * speed / FREE)

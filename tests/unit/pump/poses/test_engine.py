@@ -79,7 +79,7 @@ def test_a_time_asks_for_its_frames(frames: int) -> None:
 
 
 # Measured on the original firmware's image in an AVR emulator: 2.7 s and one frame.
-def test_ten_counts_in_five_seconds_take_less_than_three() -> None:
+def test_ten_counts_in_five_seconds_take_less_than_three_seconds() -> None:
     rows = play(sequence(((310,), 5000)), (300,))
     assert len(rows) * FRAME == pytest.approx(2.7, abs=0.05)
     assert np.diff(rows[:, 0]).max() == 1
@@ -101,7 +101,7 @@ def test_the_slowest_ramp_is_an_eighth_of_a_count_a_frame() -> None:
     assert pytest.approx(3.8, abs=0.02) == 1 / EIGHTHS / FRAME  # counts per second
 
 
-def test_the_phantom_holds_all_short_times_and_few_of_the_long_ones() -> None:
+def test_the_phantom_times_all_short_waits_and_few_long_ones() -> None:
     distance = EIGHTHS * PHANTOM
     # 8000 // s + 1 frames at s eighths a frame: all of them that there are, and no others.
     reached = {distance // step + 1 for step in range(1, distance + 2)}
@@ -112,7 +112,7 @@ def test_the_phantom_holds_all_short_times_and_few_of_the_long_ones() -> None:
     assert max(np.diff(long) / long[:-1]) < 0.12
 
 
-def test_a_time_of_sixteen_bits_that_overflows_goes_at_the_slowest_speed() -> None:
+def test_a_move_whose_time_overflows_sixteen_bits_runs_at_the_slowest_speed() -> None:
     rows = play_in_16_bits(sequence(((110,), LONGEST_MS + 1)), (100,))
     assert len(rows) == EIGHTHS * 10 + 1
 

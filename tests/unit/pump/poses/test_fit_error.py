@@ -51,7 +51,7 @@ def test_tolerances_are_read_with_their_units(text: str, allows: bool, fit: Pose
 @pytest.mark.parametrize(
     "text", ["", "1", "kPa", "counts", "-1 kPa", "0 counts", "nan counts", "1 mm", "1 parrot", "1e"]
 )
-def test_a_text_that_is_no_tolerance_is_refused_with_examples(text: str) -> None:
+def test_an_invalid_tolerance_is_refused_with_examples(text: str) -> None:
     with pytest.raises(UsageError, match=r"'1 kPa', '0\.1 mL' or '2 counts'"):
         Tolerance.of(text)
 

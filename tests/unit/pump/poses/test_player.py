@@ -59,7 +59,7 @@ def test_a_halt_that_is_lost_is_sent_again() -> None:
     assert ending.verified
 
 
-def test_a_board_that_stays_deaf_is_told_with_the_power_switch() -> None:
+def test_a_board_that_does_not_listen_is_reported_with_the_power_switch_as_remedy() -> None:
     rig = PoseRig(loop=True)
     rig.begin()
     rig.line.device.faults.append(  # type: ignore[attr-defined]

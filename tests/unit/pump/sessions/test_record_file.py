@@ -104,7 +104,7 @@ def test_a_full_disk_is_one_error_with_a_remedy(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-def test_a_disk_that_fills_up_on_the_way_is_no_usage_error(tmp_path: Path) -> None:
+def test_a_disk_that_fills_up_during_a_run_is_not_a_usage_error(tmp_path: Path) -> None:
     path = tmp_path / "record.csv"
 
     def fill() -> None:

@@ -110,7 +110,7 @@ def test_it_acknowledges_before_it_does_and_is_deaf_meanwhile() -> None:
     assert host.board.take(host.now) == Packet(253, 0).encode()
 
 
-def test_it_acknowledges_anything_and_writes_for_nobody() -> None:
+def test_it_acknowledges_any_packet_and_writes_to_missing_servos() -> None:
     host = Host()
     assert host.send(Packet(253, 99)) == Packet(253, 0).encode()
     assert host.send(packets.write(77, 30, b"\x00\x02")) == Packet(77, 0).encode()

@@ -82,7 +82,7 @@ def test_it_slows_down_under_load_by_the_line_from_no_load_to_stall(share: float
     assert (b - a) / 0.3 == pytest.approx(expected, rel=0.03)
 
 
-def test_more_than_the_torque_limit_overloads_it_and_nothing_holds_any_more() -> None:
+def test_a_load_above_the_torque_limit_overloads_it_and_it_holds_nothing() -> None:
     pump = at_pressure(0.5 * STALL_PRESSURE)
     set(pump, registers.TORQUE_LIMIT, 300, 0.0)
     set(pump, registers.GOAL_POSITION, 400, 0.0)

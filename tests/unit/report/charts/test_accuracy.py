@@ -60,7 +60,7 @@ def ring(figure: Figure) -> list[Line2D]:
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
+def test_everything_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
     assert_on_page(drawn(CASES[case]()))
 
 

@@ -65,7 +65,7 @@ def names(figure: Figure) -> list[str]:
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_all_that_is_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
+def test_everything_drawn_lies_on_the_page(drawn: Drawn, case: str) -> None:
     assert_on_page(drawn(CASES[case]()))
 
 

@@ -84,7 +84,7 @@ def test_oscillations_have_complex_modes() -> None:
     [[[-1.0, 1.0], [0.0, -1.0]], [[0.1, 1.0], [-1.0, 0.1]], [[1.0, 0.0], [0.0, -1.0]]],
     ids=["coinciding", "growing oscillation", "growing"],
 )
-def test_what_has_no_accurate_or_bounded_modes_is_refused(matrix: list[list[float]]) -> None:
+def test_systems_without_accurate_or_bounded_modes_are_refused(matrix: list[list[float]]) -> None:
     own = np.array(matrix)
     with pytest.raises(np.linalg.LinAlgError):
         decoupled(own, shifted(own), 1.0)

@@ -165,7 +165,7 @@ def test_one_solution_suffices() -> None:
     assert found.cost.verify_s == 0.0
 
 
-def test_what_is_at_rest_stays_at_rest_to_the_last_digit() -> None:
+def test_a_scene_at_rest_stays_at_rest_to_the_last_digit() -> None:
     run = solved(leg(AIR, only(), RUN, "input={kind: constant, value: 60 kPa}"))
     assert np.all(run.motion.pressure == run.motion.pressure[0])
     assert np.all(run.solution.integrals == 0.0)

@@ -181,7 +181,7 @@ def test_an_echo_is_no_reply() -> None:
     assert Transactions(line).read(1, 36, 2) == bytes([36, 37])
 
 
-def test_a_line_that_chatters_for_ever_ends_at_the_deadline() -> None:
+def test_reading_an_endlessly_chattering_line_ends_at_the_deadline() -> None:
     class Chatter(Scripted):
         def read(self, most: int, deadline: float) -> bytes:
             self.clock.sleep(0.01)
