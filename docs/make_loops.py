@@ -40,7 +40,7 @@ KINDS = {
 }
 INLINED = (
     *("copy", "copy_block", "add_scaled", "gather", "scatter", "numba"),
-    *("enlist", "delist"),
+    *("enlist", "delist", "subtract_product"),
 )
 """Loops that are copied into what calls them; the others keep that arrays never overlap."""
 

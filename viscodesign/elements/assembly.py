@@ -4,16 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import casadi as ca
 import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.elements import kinds as kinds_module
-from viscodesign.elements.kinds import Elements, rate_of, slopes_of, value_of
+from viscodesign.elements.kinds import (
+    Elements,
+    pull_of,
+    push_of,
+    rate_of,
+    slopes_of,
+    value_of,
+)
 from viscodesign.elements.local_form import LINEAR, LocalForm
 from viscodesign.native.code_cache import cached, written_by
+from viscodesign.native.derivatives import Differentiable
 from viscodesign.native.kernels import LANES, CompiledKernels, compile_if_missing
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly, ElementTable, SourceTable
@@ -26,7 +34,7 @@ FEWEST_IN_LANES = 3
 class KindTable:
     """All elements of one kind in groups of lanes."""
 
-    kernels: tuple[int, int] | None
+    kernels: tuple[int, ...] | None
     """Addresses of those that give values and slopes; None for what is linear."""
     variables: np.ndarray
     """int32 (groups, v, lanes) places among the variables."""
@@ -46,7 +54,8 @@ class KindTable:
     def source_table(self) -> SourceTable:
         """The same as a table of inputs."""
         assert self.kernels is not None, "an input has a kernel, even if it is linear"
-        return SourceTable(*self.kernels, self.variables, np.zeros(self.numbers.shape), self.rows)
+        value, rate = self.kernels
+        return SourceTable(value, rate, self.variables, np.zeros(self.numbers.shape), self.rows)
 
 
 class CompiledForm:
@@ -78,7 +87,7 @@ class CompiledForm:
         shaped = [e.reshape(own[0].shape) for e, own in zip(split, patterns, strict=True)]
         self._tables = self._compiled(
             form.kinds,
-            lambda kind: (value_of(kind.law), slopes_of(kind.law).function),
+            _of_element,
             shaped,
             size,
             len(self.rows),
@@ -86,13 +95,50 @@ class CompiledForm:
         drives = [np.array(kind.rows, dtype=np.int64) for kind in form.sources]
         self._sources = self._compiled(
             form.sources,
-            lambda kind: (value_of(kind.law), rate_of(kind.law, kind.time)),
+            _of_source,
             drives,
             form.drives,
             form.drives,
         )
         self.lu = SparseLU(size, self.rows, self.columns)
         self._blank = self._assembled()
+
+    @cached_property
+    def differentiable(self) -> Differentiable:
+        """What derivatives of its marches need; their kernels are compiled when first asked for."""
+        derived = [
+            *self._addresses(self.form.kinds, lambda kind: _derived(*_of_element(kind)), 4),
+            *self._addresses(self.form.sources, lambda kind: _derived(*_of_source(kind)), 4),
+        ]
+        kernels = [address for own in derived if own is not None for address in own]
+        return Differentiable(
+            lu=self.lu,
+            mass=self.form.balances.mass,
+            rows=self.rows.astype(np.int32),
+            columns=self.columns.astype(np.int32),
+            kernels=np.array(kernels, dtype=np.int64),
+        )
+
+    def _addresses(
+        self,
+        kinds: Sequence[Elements],
+        functions_of: Callable[[Elements], Sequence[ca.Function]],
+        count: int,
+    ) -> list[tuple[int, ...] | None]:
+        """Addresses of ``count`` kernels of every kind that is not linear."""
+        lanes = _lanes(kinds)
+        addresses: list[tuple[int, ...] | None] = [None] * len(kinds)
+        called = [k for k, kind in enumerate(kinds) if kind.law != LINEAR or kind.is_source]
+        for width in sorted({lanes[k] for k in called}):
+            chosen = [k for k in called if lanes[k] == width]
+            laws = (f"{kinds[k].law} {kinds[k].time}" for k in chosen)
+            key = (written_by(kinds_module), f"{count} kernels each", *laws)
+            make = partial(_functions, [kinds[k] for k in chosen], functions_of)
+            code = compile_if_missing(make, count * len(chosen), key, width)
+            self._code.append(code)
+            for i, k in enumerate(chosen):
+                addresses[k] = tuple(code.address(count * i + j) for j in range(count))
+        return addresses
 
     def _compiled(
         self,
@@ -103,31 +149,16 @@ class CompiledForm:
         spare_entry: int,
     ) -> list[KindTable]:
         """Tables of some kinds, compiled together for each number of lanes."""
-        lanes = [LANES if len(kind.rows) >= FEWEST_IN_LANES else 1 for kind in kinds]
-        addresses: dict[int, tuple[int, int]] = {}
-        called = [k for k, kind in enumerate(kinds) if kind.law != LINEAR or kind.is_source]
-        for width in sorted({lanes[k] for k in called}):
-            chosen = [k for k in called if lanes[k] == width]
-            laws = (f"{kinds[k].law} {kinds[k].time}" for k in chosen)
-            key = (written_by(kinds_module), *laws)
-            code = compile_if_missing(
-                partial(_functions, [kinds[k] for k in chosen], functions_of),
-                2 * len(chosen),
-                key,
-                width,
-            )
-            self._code.append(code)
-            for i, k in enumerate(chosen):
-                addresses[k] = code.address(2 * i), code.address(2 * i + 1)
+        addresses = self._addresses(kinds, functions_of, 2)
         return [
             KindTable(
-                addresses.get(k),
+                addresses[k],
                 _in_lanes(np.array(kind.variables), width).astype(np.int32),
                 _in_lanes(np.array(kind.numbers, dtype=np.int64), width),
                 _in_lanes(np.array(kind.rows), width, spare_row).astype(np.int32),
                 _in_lanes(own, width, spare_entry).astype(np.int32),
             )
-            for k, (kind, own, width) in enumerate(zip(kinds, entries, lanes, strict=True))
+            for k, (kind, own, width) in enumerate(zip(kinds, entries, _lanes(kinds), strict=True))
         ]
 
     def _assembled(self) -> Assembly:
@@ -146,13 +177,36 @@ class CompiledForm:
         """The elements with the numbers of a scene; owned by one user at a time."""
         numbers = np.array(self.form.numbers(parameters)).ravel()
         assembly = self._blank.copy()
-        for k, table in enumerate((*self._tables, *self._sources)):
-            assembly.numbers(k)[...] = numbers[table.numbers]
+        assembly.all_numbers[:] = numbers[self.places_of_numbers]
         return assembly
+
+    @cached_property
+    def places_of_numbers(self) -> np.ndarray:
+        """Which of the numbers of `LocalForm` each of the assembly's is (nn,)."""
+        own = [table.numbers.ravel() for table in (*self._tables, *self._sources)]
+        return np.concatenate([np.zeros(0, dtype=np.int64), *own])
+
+
+def _of_element(kind: Elements) -> tuple[ca.Function, ca.Function]:
+    return value_of(kind.law), slopes_of(kind.law).function
+
+
+def _of_source(kind: Elements) -> tuple[ca.Function, ca.Function]:
+    return value_of(kind.law), rate_of(kind.law, kind.time)
+
+
+def _derived(value: ca.Function, second: ca.Function) -> tuple[ca.Function, ...]:
+    """In the order of `Differentiable.kernels`."""
+    return pull_of(value), pull_of(second), push_of(value), push_of(second)
+
+
+def _lanes(kinds: Sequence[Elements]) -> list[int]:
+    """How many elements of each kind are treated at once."""
+    return [LANES if len(kind.rows) >= FEWEST_IN_LANES else 1 for kind in kinds]
 
 
 def _functions(
-    kinds: Sequence[Elements], functions_of: Callable[[Elements], tuple[ca.Function, ca.Function]]
+    kinds: Sequence[Elements], functions_of: Callable[[Elements], Sequence[ca.Function]]
 ) -> list[ca.Function]:
     return [function for kind in kinds for function in functions_of(kind)]
 

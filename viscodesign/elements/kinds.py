@@ -118,6 +118,34 @@ def rate_of(law: Law, variable: int | None) -> ca.Function:
     return ca.Function("rate", [local, numbers], [ca.densify(slope)])
 
 
+def pull_of(function: ca.Function) -> ca.Function:
+    """(arguments and weights of the results (v + r,), numbers (m,)) -> slopes (v + m,).
+
+    Those of the weighted sum of the results of a function (v,), (m,) -> (r,).
+    """
+    local, numbers, values = _symbolic(function)
+    weights = SX.sym("weights", values.numel())
+    slopes = ca.gradient(ca.dot(weights, values), ca.vertcat(local, numbers))
+    return ca.Function("pull", [ca.vertcat(local, weights), numbers], [ca.cse(ca.densify(slopes))])
+
+
+def push_of(function: ca.Function) -> ca.Function:
+    """(arguments and rates of arguments and numbers (v + v + m,), numbers) -> rates (r,)."""
+    local, numbers, values = _symbolic(function)
+    moved = ca.vertcat(local, numbers)
+    rates = SX.sym("rates", moved.numel())
+    found = ca.jtimes(values, moved, rates)
+    return ca.Function("push", [ca.vertcat(local, rates), numbers], [ca.cse(ca.densify(found))])
+
+
+def _symbolic(function: ca.Function) -> tuple[SX, SX, SX]:
+    """Arguments, numbers and results of a function as symbols and formulas."""
+    local = SX.sym("local", function.numel_in(0))
+    numbers = SX.sym("numbers", function.numel_in(1))
+    (values,) = function.call([local, numbers])
+    return local, numbers, values
+
+
 def _value(law: Law) -> ca.Function:
     local, numbers, results = _results(law)
     return ca.Function("value", [local, numbers], [ca.cse(results)])

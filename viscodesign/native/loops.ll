@@ -1,4 +1,4 @@
-; made from f4db3abaeb42f54e8c8165c1e12245f099050cda99375e6f3ff7f356502c5c4f
+; made from 3344b95af932162f59ade01b83163a8fe7ddcadbf3bc3cc6526e6e97e4d5c1fb
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -2075,889 +2075,973 @@ B1086.if:
   br i1 %exitcond294.not, label %B1126, label %B1086.if
 }
 
-define i64 @march(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, i64 %a20, i64 %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, ptr %a26, ptr %a27) {
+define i64 @march(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, i64 %a20, i64 %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, ptr %a26, i64 %a27, ptr %a28, ptr %a29) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @march.20(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, i64 %a20, i64 %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, ptr %a26, ptr %a27)
+  %1 = call i32 @march.20(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, i64 %a20, i64 %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, ptr %a26, i64 %a27, ptr %a28, ptr %a29)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @march.20(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, ptr noalias %arg.settings, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.max_steps, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+define internal i32 @march.20(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, ptr noalias %arg.settings, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.max_steps, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, i64 %arg.most_recorded, ptr noalias %arg.record, ptr noalias %arg.work) noinline {
 entry:
-  %.391 = alloca double, align 8
-  store double 0.000000e+00, ptr %.391, align 8
+  %.485 = alloca double, align 8
+  store double 0.000000e+00, ptr %.485, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.436 = alloca ptr, align 8
-  store ptr null, ptr %.436, align 8
+  %.541 = alloca ptr, align 8
+  store ptr null, ptr %.541, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.474 = alloca ptr, align 8
-  store ptr null, ptr %.474, align 8
+  %.594 = alloca ptr, align 8
+  store ptr null, ptr %.594, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.508 = alloca ptr, align 8
-  store ptr null, ptr %.508, align 8
+  %.625 = alloca i64, align 8
+  store i64 0, ptr %.625, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.542 = alloca ptr, align 8
-  store ptr null, ptr %.542, align 8
+  %.687 = alloca ptr, align 8
+  store ptr null, ptr %.687, align 8
   %excinfo.5 = alloca ptr, align 8
   store ptr null, ptr %excinfo.5, align 8
-  %.872 = alloca ptr, align 8
-  store ptr null, ptr %.872, align 8
+  %.727 = alloca ptr, align 8
+  store ptr null, ptr %.727, align 8
   %excinfo.6 = alloca ptr, align 8
   store ptr null, ptr %excinfo.6, align 8
-  %.903 = alloca i64, align 8
-  store i64 0, ptr %.903, align 8
+  %.754 = alloca ptr, align 8
+  store ptr null, ptr %.754, align 8
   %excinfo.7 = alloca ptr, align 8
   store ptr null, ptr %excinfo.7, align 8
-  %.1069 = alloca ptr, align 8
-  store ptr null, ptr %.1069, align 8
+  %.788 = alloca double, align 8
+  store double 0.000000e+00, ptr %.788, align 8
   %excinfo.8 = alloca ptr, align 8
   store ptr null, ptr %excinfo.8, align 8
-  %.1224 = alloca ptr, align 8
-  store ptr null, ptr %.1224, align 8
+  %.823 = alloca double, align 8
+  store double 0.000000e+00, ptr %.823, align 8
   %excinfo.9 = alloca ptr, align 8
   store ptr null, ptr %excinfo.9, align 8
-  %.1263 = alloca ptr, align 8
-  store ptr null, ptr %.1263, align 8
+  %.872 = alloca double, align 8
+  store double 0.000000e+00, ptr %.872, align 8
   %excinfo.10 = alloca ptr, align 8
   store ptr null, ptr %excinfo.10, align 8
-  %.1292 = alloca ptr, align 8
-  store ptr null, ptr %.1292, align 8
+  %.1145 = alloca ptr, align 8
+  store ptr null, ptr %.1145, align 8
   %excinfo.11 = alloca ptr, align 8
   store ptr null, ptr %excinfo.11, align 8
-  %.1338 = alloca ptr, align 8
-  store ptr null, ptr %.1338, align 8
+  %.1191 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1191, align 8
   %excinfo.12 = alloca ptr, align 8
   store ptr null, ptr %excinfo.12, align 8
-  %.1372 = alloca ptr, align 8
-  store ptr null, ptr %.1372, align 8
+  %.1242 = alloca ptr, align 8
+  store ptr null, ptr %.1242, align 8
   %excinfo.13 = alloca ptr, align 8
   store ptr null, ptr %excinfo.13, align 8
-  %.1409 = alloca ptr, align 8
-  store ptr null, ptr %.1409, align 8
+  %.1284 = alloca ptr, align 8
+  store ptr null, ptr %.1284, align 8
   %excinfo.14 = alloca ptr, align 8
   store ptr null, ptr %excinfo.14, align 8
-  %.1451 = alloca ptr, align 8
-  store ptr null, ptr %.1451, align 8
+  %.1410 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1410, align 8
   %excinfo.15 = alloca ptr, align 8
   store ptr null, ptr %excinfo.15, align 8
-  %.1497 = alloca ptr, align 8
-  store ptr null, ptr %.1497, align 8
+  %.1452 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1452, align 8
   %excinfo.16 = alloca ptr, align 8
   store ptr null, ptr %excinfo.16, align 8
-  %.1542 = alloca ptr, align 8
-  store ptr null, ptr %.1542, align 8
+  %.1507 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1507, align 8
   %excinfo.17 = alloca ptr, align 8
   store ptr null, ptr %excinfo.17, align 8
-  %.1569 = alloca ptr, align 8
-  store ptr null, ptr %.1569, align 8
+  %.1539 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1539, align 8
   %excinfo.18 = alloca ptr, align 8
   store ptr null, ptr %excinfo.18, align 8
-  %.1603 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1603, align 8
-  %excinfo.19 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.19, align 8
-  %.1638 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1638, align 8
-  %excinfo.20 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.20, align 8
-  %.1687 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1687, align 8
-  %excinfo.21 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.21, align 8
-  %.1952 = alloca ptr, align 8
-  store ptr null, ptr %.1952, align 8
-  %excinfo.22 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.22, align 8
-  %.1998 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1998, align 8
-  %excinfo.23 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.23, align 8
-  %.2029 = alloca ptr, align 8
-  store ptr null, ptr %.2029, align 8
-  %excinfo.24 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.24, align 8
-  %.2153 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2153, align 8
-  %excinfo.25 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.25, align 8
-  %.2195 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2195, align 8
-  %excinfo.26 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.26, align 8
-  %.2245 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2245, align 8
-  %excinfo.27 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.27, align 8
-  %.2277 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2277, align 8
-  %excinfo.28 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.28, align 8
-  %.86 = load i64, ptr %arg.layout, align 8
-  %.88 = getelementptr i8, ptr %arg.layout, i64 16
-  %.89 = load i64, ptr %.88, align 8
-  %.97 = getelementptr i8, ptr %arg.layout, i64 8
-  %.98 = load i64, ptr %.97, align 8
-  %.110.idx = shl i64 %.86, 6
-  %.110 = getelementptr i8, ptr %arg.work, i64 %.110.idx
-  %.113.idx = mul i64 %.86, 72
-  %.113 = getelementptr i8, ptr %arg.work, i64 %.113.idx
-  %.idx = mul i64 %.86, 80
+  %.92 = load i64, ptr %arg.layout, align 8
+  %.94 = getelementptr i8, ptr %arg.layout, i64 16
+  %.95 = load i64, ptr %.94, align 8
+  %.105.idx = shl i64 %.92, 6
+  %.105 = getelementptr i8, ptr %arg.work, i64 %.105.idx
+  %.108.idx = mul i64 %.92, 72
+  %.108 = getelementptr i8, ptr %arg.work, i64 %.108.idx
+  %.idx = mul i64 %.92, 80
   %0 = getelementptr i8, ptr %arg.work, i64 %.idx
-  %.117 = getelementptr i8, ptr %0, i64 8
-  %.idx307 = mul i64 %.86, 88
-  %1 = getelementptr i8, ptr %arg.work, i64 %.idx307
-  %.130 = getelementptr i8, ptr %1, i64 8
-  %.idx308 = mul i64 %.86, 96
-  %2 = getelementptr i8, ptr %arg.work, i64 %.idx308
-  %.134 = getelementptr i8, ptr %2, i64 8
-  %.144.idx = shl i64 %arg.blocks, 5
-  %.144 = getelementptr i8, ptr %.134, i64 %.144.idx
-  %.151.idx = shl i64 %arg.blocks, 4
-  %.151 = getelementptr i8, ptr %.144, i64 %.151.idx
-  %.157 = getelementptr double, ptr %.151, i64 %.89
-  %.164 = getelementptr i8, ptr %arg.layout, i64 24
-  %.165 = load i64, ptr %.164, align 8
-  %3 = getelementptr double, ptr %.157, i64 %.89
+  %.112 = getelementptr i8, ptr %0, i64 8
+  %.idx164 = mul i64 %.92, 88
+  %1 = getelementptr i8, ptr %arg.work, i64 %.idx164
+  %.125 = getelementptr i8, ptr %1, i64 8
+  %.idx165 = mul i64 %.92, 96
+  %2 = getelementptr i8, ptr %arg.work, i64 %.idx165
+  %.129 = getelementptr i8, ptr %2, i64 8
+  %.139.idx = shl i64 %arg.blocks, 5
+  %.139 = getelementptr i8, ptr %.129, i64 %.139.idx
+  %.146.idx = shl i64 %arg.blocks, 4
+  %.146 = getelementptr i8, ptr %.139, i64 %.146.idx
+  %.151 = getelementptr double, ptr %.146, i64 %.95
+  %.157 = getelementptr i8, ptr %arg.layout, i64 24
+  %.158 = load i64, ptr %.157, align 8
+  %3 = getelementptr double, ptr %.151, i64 %.95
   %4 = getelementptr i8, ptr %3, i64 8
-  %.168 = getelementptr double, ptr %4, i64 %.165
-  %5 = getelementptr double, ptr %.168, i64 %.98
-  %.177 = getelementptr i8, ptr %5, i64 8
-  %.182 = getelementptr i8, ptr %arg.layout, i64 48
-  %.183 = load i64, ptr %.182, align 8
-  %.185 = getelementptr double, ptr %.177, i64 %.183
+  %.161 = getelementptr double, ptr %4, i64 %.158
+  %.166 = getelementptr i8, ptr %arg.layout, i64 8
+  %.167 = load i64, ptr %.166, align 8
+  %5 = getelementptr double, ptr %.161, i64 %.167
+  %.170 = getelementptr i8, ptr %5, i64 8
+  %.175 = getelementptr i8, ptr %arg.layout, i64 48
+  %.176 = load i64, ptr %.175, align 8
+  %.178 = getelementptr double, ptr %.170, i64 %.176
   %6 = getelementptr double, ptr %arg.edges, i64 %arg.edge_count
-  %.192 = getelementptr i8, ptr %6, i64 -8
-  %.193 = load double, ptr %.192, align 8
-  %.199 = load i64, ptr %arg.counts, align 8
-  %.288488.not = icmp slt i64 %arg.max_steps, 1
-  br i1 %.288488.not, label %B3550, label %B700.if.lr.ph
+  %.185 = getelementptr i8, ptr %6, i64 -8
+  %.186 = load double, ptr %.185, align 8
+  %.192 = load i64, ptr %arg.counts, align 8
+  %.284270.not = icmp slt i64 %arg.max_steps, 1
+  br i1 %.284270.not, label %B2754, label %B672.if.lr.ph
 
-B700.if.lr.ph:
-  %.100 = add nsw i64 %.98, %.86
-  %.330 = getelementptr i8, ptr %arg.state, i64 8
-  %.463 = getelementptr double, ptr %arg.Y, i64 %.100
-  %storemerge309 = call i64 @llvm.smax.i64(i64 %.86, i64 0)
-  %.646477.not = icmp slt i64 %.86, 1
-  %.844 = getelementptr i8, ptr %arg.counts, i64 32
-  %.854 = getelementptr i8, ptr %arg.method, i64 1344
-  %.865 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
-  %.928 = getelementptr i8, ptr %arg.counts, i64 8
-  %.1327 = getelementptr double, ptr %arg.Y, i64 %.100
-  %.1527 = getelementptr i8, ptr %arg.counts, i64 24
-  %.1537.idx = mul i64 %.86, 56
-  %.1537 = getelementptr i8, ptr %arg.work, i64 %.1537.idx
-  %.1594 = getelementptr i8, ptr %arg.settings, i64 8
-  %.1991 = getelementptr i8, ptr %arg.state, i64 16
-  %.1994 = getelementptr i8, ptr %arg.method, i64 1352
-  %.2241 = getelementptr i8, ptr %arg.settings, i64 16
-  %.1675 = getelementptr i8, ptr %arg.counts, i64 16
-  %.1683 = getelementptr i8, ptr %arg.method, i64 1352
-  %.1724 = getelementptr i8, ptr %arg.settings, i64 24
-  %.330.promoted = load double, ptr %.330, align 8
-  %7 = shl nuw i64 %storemerge309, 3
-  %8 = add i64 %arg.edge_count, -1
-  br label %B700.if
-
-B798:
-  %.376 = fmul contract double %.340, 5.000000e-01
-  %.378 = fcmp contract ogt double %.331491, %.376
-  br i1 %.378, label %B816, label %B854
-
-B816:
-  store double 0.000000e+00, ptr %.391, align 8
-  %.397 = call i32 @numba.21(ptr nonnull %.391, ptr nonnull %excinfo.1, double %.331491, double %.376)
-  switch i32 %.397, label %B816.endif.if [
-    i32 -2, label %B816.endif.endif
-    i32 0, label %B816.endif.endif
-  ]
-
-B854:
-  %h.3.1 = phi double [ %.331491, %B798 ], [ %.407, %B816.endif.endif ], [ %.340, %B700.if ]
-  br i1 %fresh.3.0490, label %B1286, label %B858
-
-B858:
-  store ptr null, ptr %.436, align 8
-  %.440 = call i32 @copy.22(ptr nonnull %.436, ptr nonnull %excinfo.2, i64 %.86, ptr %arg.y, ptr %arg.Y)
-  switch i32 %.440, label %B858.if [
-    i32 -2, label %B858.endif
-    i32 0, label %B858.endif
-  ]
-
-B1084:
-  %.694 = load i64, ptr %.164, align 8
-  %.774480.not = icmp slt i64 %.694, 1
-  br i1 %.774480.not, label %B1240, label %B1136.if
-
-B1240:
-  %.845 = load i64, ptr %.844, align 8
-  %.846 = add nsw i64 %.845, 1
-  store i64 %.846, ptr %.844, align 8
-  br label %B1286
-
-B1286:
-  %.855 = load double, ptr %.854, align 8
-  %.857 = fmul contract double %h.3.1, %.855
-  %.861 = fdiv contract double 1.000000e+00, %.857
-  %.866 = load i32, ptr %.865, align 4
-  store ptr null, ptr %.872, align 8
-  %.876 = call i32 @lu_fill.23(ptr nonnull %.872, ptr nonnull %excinfo.6, i64 %.86, i32 %.866, ptr %.157, ptr %arg.own, ptr %arg.mass, double %.861, ptr %.151)
-  switch i32 %.876, label %B1286.endif.if [
-    i32 -2, label %B1286.endif.endif
-    i32 0, label %B1286.endif.endif
-  ]
-
-B1566:
-  store ptr null, ptr %.1069, align 8
-  %.1073 = call i32 @copy.22(ptr nonnull %.1069, ptr nonnull %excinfo.8, i64 %.86, ptr %arg.y, ptr %.110)
-  switch i32 %.1073, label %B1566.if [
-    i32 -2, label %B1566.endif
-    i32 0, label %B1566.endif
-  ]
-
-B1732:
-  %.1256 = add nsw i64 %.964.0486, -1
-  %.1258 = mul nsw i64 %.1256, %.86
-  %.1260 = getelementptr double, ptr %arg.work, i64 %.1258
-  store ptr null, ptr %.1263, align 8
-  %.1267 = call i32 @add_scaled.24(ptr nonnull %.1263, ptr nonnull %excinfo.10, i64 %.86, double 1.000000e+00, ptr %.1260, ptr %.110)
-  switch i32 %.1267, label %B1732.if [
-    i32 -2, label %B1808
-    i32 0, label %B1808
-  ]
-
-B1808:
-  store ptr null, ptr %.1292, align 8
-  %.1296 = call i32 @copy.22(ptr nonnull %.1292, ptr nonnull %excinfo.11, i64 %.86, ptr %.110, ptr %arg.Y)
-  switch i32 %.1296, label %B1808.if [
-    i32 -2, label %B1808.endif
-    i32 0, label %B1808.endif
-  ]
-
-B2126:
-  store ptr null, ptr %.1451, align 8
-  %.1455 = call i32 @add_scaled.24(ptr nonnull %.1451, ptr nonnull %excinfo.15, i64 %.86, double %.1439, ptr %.130, ptr %.113)
-  switch i32 %.1455, label %B2126.if [
-    i32 -2, label %B2162
-    i32 0, label %B2162
-  ]
-
-B2162:
-  %.1482 = mul nsw i64 %.964.0486, %.86
-  %.1486 = getelementptr double, ptr %arg.work, i64 %.1482
-  store ptr null, ptr %.1497, align 8
-  %.1501 = call i32 @lu_solve.19(ptr nonnull %.1497, ptr nonnull %excinfo.16, i64 %.86, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.151, ptr %.113, ptr %.1486, ptr %.144)
-  switch i32 %.1501, label %B2162.if [
-    i32 -2, label %B2162.endif
-    i32 0, label %B2162.endif
-  ]
-
-B2252:
-  %.1528 = load i64, ptr %.1527, align 8
-  %.1529 = add nsw i64 %.1528, 8
-  store i64 %.1529, ptr %.1527, align 8
-  store ptr null, ptr %.1542, align 8
-  %.1546 = call i32 @copy.22(ptr nonnull %.1542, ptr nonnull %excinfo.17, i64 %.86, ptr %.110, ptr %.117)
-  switch i32 %.1546, label %B2252.if [
-    i32 -2, label %B2252.endif
-    i32 0, label %B2252.endif
-  ]
-
-B2554:
-  %error.2.1 = phi double [ %.1652, %B2252.endif.endif.endif.endif.endif ], [ 0x7FF0000000000000, %B1286.endif.endif.endif ]
-  %.1666 = fcmp contract ugt double %error.2.1, 1.000000e+00
-  br i1 %.1666, label %B2566, label %B2766
-
-B2566:
-  %.1676 = load i64, ptr %.1675, align 8
-  %.1677 = add nsw i64 %.1676, 1
-  store i64 %.1677, ptr %.1675, align 8
-  %.1684 = load double, ptr %.1683, align 8
-  store double 0.000000e+00, ptr %.1687, align 8
-  %.1691 = call i32 @step_factor.25(ptr nonnull %.1687, ptr nonnull %excinfo.21, double %error.2.1, double 1.000000e+00, double %.1684, ptr %arg.settings)
-  switch i32 %.1691, label %B2566.if [
-    i32 -2, label %B2566.endif
-    i32 0, label %B2566.endif
-  ]
+B672.if.lr.ph:
+  %.424 = getelementptr i8, ptr %arg.state, i64 8
+  %.566 = getelementptr i8, ptr %arg.counts, i64 32
+  %.576 = getelementptr i8, ptr %arg.method, i64 1344
+  %.587 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
+  %.650 = getelementptr i8, ptr %arg.counts, i64 8
+  %.712 = getelementptr i8, ptr %arg.counts, i64 24
+  %.722.idx = mul i64 %.92, 56
+  %.722 = getelementptr i8, ptr %arg.work, i64 %.722.idx
+  %.779 = getelementptr i8, ptr %arg.settings, i64 8
+  %.1184 = getelementptr i8, ptr %arg.state, i64 16
+  %.1187 = getelementptr i8, ptr %arg.method, i64 1352
+  %.1219 = icmp sgt i64 %arg.most_recorded, 0
+  %.1222 = add nsw i64 %.92, 3
+  %.1273 = getelementptr i8, ptr %arg.counts, i64 40
+  %.1503 = getelementptr i8, ptr %arg.settings, i64 16
+  %.860 = getelementptr i8, ptr %arg.counts, i64 16
+  %.868 = getelementptr i8, ptr %arg.method, i64 1352
+  %.909 = getelementptr i8, ptr %arg.settings, i64 24
+  %7 = add i64 %arg.edge_count, -1
+  br label %B672.if
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B2744 ], [ 0, %B3550 ], [ %.2283, %B3418.endif.if ], [ %.2251, %B3418.if ], [ %.397, %B816.endif.if ], [ %.440, %B858.if ], [ %.478, %B858.endif.if ], [ %.512, %B858.endif.endif.if ], [ %.2201, %B3290.endif.endif.if ], [ %.2159, %B3290.if ], [ %.546, %B858.endif.endif.endif.if ], [ %.876, %B1286.endif.if ], [ 0, %B3290.endif.endif.endif ], [ %.907, %B1286.endif.endif.if ], [ %.2033, %B3152.endif.if ], [ %.1073, %B1566.if ], [ %.1228, %B1632.if ], [ %.1267, %B1732.if ], [ %.1296, %B1808.if ], [ %.1342, %B1808.endif.if ], [ %.1376, %B1808.endif.endif.if ], [ %.1413, %B1808.endif.endif.endif.if ], [ %.1455, %B2126.if ], [ %.1501, %B2162.if ], [ %.1546, %B2252.if ], [ %.1573, %B2252.endif.if ], [ %.1609, %B2252.endif.endif.endif.if ], [ %.1642, %B2252.endif.endif.endif.endif.if ], [ %.1691, %B2566.if ], [ %.1956, %B2938.if ], [ %.2002, %B3152.if ]
+  %common.ret.op = phi i32 [ 0, %B688 ], [ 0, %B1748 ], [ 0, %B2754 ], [ %.1545, %B2622.endif.if ], [ %.1513, %B2622.if ], [ %.491, %B818.endif.if ], [ %.545, %B860.if ], [ %.598, %B966.endif.if ], [ %.629, %B966.endif.endif.if ], [ %.691, %B1176.if ], [ %.731, %B1176.endif.if ], [ %.758, %B1176.endif.endif.if ], [ %.794, %B1176.endif.endif.endif.endif.if ], [ %.827, %B1176.endif.endif.endif.endif.endif.if ], [ %.876, %B1570.if ], [ %.1149, %B1942.if ], [ %.1195, %B2156.if ], [ %.1246, %B2248.if ], [ %.1288, %B2436.if ], [ 0, %B2494.endif.endif.endif ], [ %.1416, %B2494.if ], [ %.1458, %B2494.endif.endif.if ]
   ret i32 %common.ret.op
 
-B2744:
-  store i64 2, ptr %retptr, align 8
-  br label %common.ret
-
-B2766:
-  %.1831 = fadd contract double %.328, %h.3.1
-  %until.2.1 = select i1 %.347, double %.193, double %.1831
-  %.1843 = load i64, ptr %arg.counts, align 8
-  %.1853 = icmp slt i64 %.1843, %arg.edge_count
-  br i1 %.1853, label %B2822, label %B2904
-
-B2822:
-  %.1864 = getelementptr double, ptr %arg.edges, i64 %.1843
-  %.1865 = load double, ptr %.1864, align 8
-  %.1869 = fmul contract double %until.2.1, 0x3FF0000000000005
-  %.1870 = fcmp contract ugt double %.1865, %.1869
-  br i1 %.1870, label %B2904, label %B2852
-
-B2852:
-  %stop.2.1 = phi i64 [ %.1876, %B2874 ], [ %.1843, %B2822 ]
-  %exitcond641.not = icmp eq i64 %stop.2.1, %8
-  br i1 %exitcond641.not, label %B2904, label %B2874
-
-B2874:
-  %.1876 = add nsw i64 %stop.2.1, 1
-  %.1897 = getelementptr double, ptr %arg.edges, i64 %.1876
-  %.1898 = load double, ptr %.1897, align 8
-  %.1903 = fcmp contract ugt double %.1898, %.1869
-  br i1 %.1903, label %B2904, label %B2852
-
-B2904:
-  %stop.3.2 = phi i64 [ %.1843, %B2822 ], [ %.1843, %B2766 ], [ %arg.edge_count, %B2852 ], [ %.1876, %B2874 ]
-  %.1920 = icmp sgt i64 %stop.3.2, %.1843
-  br i1 %.1920, label %B2938, label %B3152
-
-B2938:
-  %.1927 = getelementptr double, ptr %arg.edges, i64 %.1843
-  %.1932 = sub nsw i64 %stop.3.2, %.1843
-  %.1937 = sub nsw i64 %.1843, %.199
-  %.1939 = mul nsw i64 %.1937, %.86
-  %.1941 = getelementptr double, ptr %arg.outputs, i64 %.1939
-  store ptr null, ptr %.1952, align 8
-  %.1956 = call i32 @dense_output.26(ptr nonnull %.1952, ptr nonnull %excinfo.22, i64 %.86, ptr %arg.y, ptr %.117, ptr %arg.work, ptr %arg.method, double %.328, double %until.2.1, ptr %.1927, i64 %.1932, ptr %.1941, ptr %.113, ptr %.134, ptr %.144)
-  switch i32 %.1956, label %B2938.if [
-    i32 -2, label %B2938.endif
-    i32 0, label %B2938.endif
-  ]
-
-B3152:
-  %.1992 = load double, ptr %.1991, align 8
-  %.1995 = load double, ptr %.1994, align 8
-  store double 0.000000e+00, ptr %.1998, align 8
-  %.2002 = call i32 @step_factor.25(ptr nonnull %.1998, ptr nonnull %excinfo.23, double %error.2.1, double %.1992, double %.1995, ptr %arg.settings)
-  %.2012 = load double, ptr %.1998, align 8
-  switch i32 %.2002, label %B3152.if [
-    i32 -2, label %B3152.endif
-    i32 0, label %B3152.endif
-  ]
-
-B3290:
-  store double 0.000000e+00, ptr %.2153, align 8
-  %.2159 = call i32 @numba.27(ptr nonnull %.2153, ptr nonnull %excinfo.25, double %.331491, double %h.3.1)
-  %.2169 = load double, ptr %.2153, align 8
-  switch i32 %.2159, label %B3290.if [
-    i32 -2, label %B3290.endif
-    i32 0, label %B3290.endif
-  ]
-
-B3418:
-  %.2235 = fmul contract double %h.3.1, %.2012
-  %.2242 = load double, ptr %.2241, align 8
-  store double 0.000000e+00, ptr %.2245, align 8
-  %.2251 = call i32 @numba.21(ptr nonnull %.2245, ptr nonnull %excinfo.27, double %.2235, double %.2242)
-  switch i32 %.2251, label %B3418.if [
-    i32 -2, label %B3418.endif
-    i32 0, label %B3418.endif
-  ]
-
-B3550:
+B688:
   store i64 1, ptr %retptr, align 8
   br label %common.ret
 
-B3551:
-  %.331492 = phi double [ %.1714, %B2566.endif ], [ %.2261, %B3418.endif.endif ]
-  %.288 = icmp sgt i64 %.232.0489, 1
-  br i1 %.288, label %B700.if, label %B3550
+B706:
+  %.422 = load double, ptr %arg.state, align 8
+  %.425 = load double, ptr %.424, align 8
+  %.434 = fsub contract double %.186, %.422
+  %.439 = fmul contract double %.434, 0x3FEFFFFFFF768FA1
+  %.441 = fcmp contract oge double %.425, %.439
+  br i1 %.441, label %B856, label %B800
 
-B700.if:
-  %.331491 = phi double [ %.330.promoted, %B700.if.lr.ph ], [ %.331492, %B3551 ]
-  %fresh.3.0490 = phi i1 [ false, %B700.if.lr.ph ], [ %.1666, %B3551 ]
-  %.232.0489 = phi i64 [ %arg.max_steps, %B700.if.lr.ph ], [ %.297, %B3551 ]
-  %.297 = add nsw i64 %.232.0489, -1
-  %.328 = load double, ptr %arg.state, align 8
-  %.340 = fsub contract double %.193, %.328
-  %.345 = fmul contract double %.340, 0x3FEFFFFFFF768FA1
-  %.347 = fcmp contract oge double %.331491, %.345
-  br i1 %.347, label %B854, label %B798
+B800:
+  %.470 = fmul contract double %.434, 5.000000e-01
+  %.472 = fcmp contract ogt double %.425, %.470
+  br i1 %.472, label %B818, label %B856
 
-B816.endif.if:
-  %.405 = icmp sgt i32 %.397, 0
-  %.398 = load ptr, ptr %excinfo.1, align 8
-  %.406 = select i1 %.405, ptr %.398, ptr undef
-  store ptr %.406, ptr %excinfo, align 8
-  br label %common.ret
-
-B816.endif.endif:
-  %.407 = load double, ptr %.391, align 8
-  br label %B854
-
-B858.if:
-  %.448 = icmp sgt i32 %.440, 0
-  %.441 = load ptr, ptr %excinfo.2, align 8
-  %.449 = select i1 %.448, ptr %.441, ptr undef
-  store ptr %.449, ptr %excinfo, align 8
-  br label %common.ret
-
-B858.endif:
-  store double %.328, ptr %.463, align 8
-  store ptr null, ptr %.474, align 8
-  %.478 = call i32 @drive.6(ptr nonnull %.474, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.177, ptr %.185)
-  switch i32 %.478, label %B858.endif.if [
-    i32 -2, label %B858.endif.endif
-    i32 0, label %B858.endif.endif
+B818:
+  store double 0.000000e+00, ptr %.485, align 8
+  %.491 = call i32 @numba.21(ptr nonnull %.485, ptr nonnull %excinfo.1, double %.425, double %.470)
+  switch i32 %.491, label %B818.endif.if [
+    i32 -2, label %B818.endif.endif
+    i32 0, label %B818.endif.endif
   ]
 
-B858.endif.if:
-  %.486 = icmp sgt i32 %.478, 0
-  %.479 = load ptr, ptr %excinfo.3, align 8
-  %.487 = select i1 %.486, ptr %.479, ptr undef
-  store ptr %.487, ptr %excinfo, align 8
-  br label %common.ret
+B856:
+  %h.3.1 = phi double [ %.425, %B800 ], [ %.501, %B818.endif.endif ], [ %.434, %B706 ]
+  br i1 %fresh.3.0273, label %B966, label %B860
 
-B858.endif.endif:
-  store ptr null, ptr %.508, align 8
-  %.512 = call i32 @jacobian.4(ptr nonnull %.508, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.157, ptr %.177, ptr %.185)
-  switch i32 %.512, label %B858.endif.endif.if [
-    i32 -2, label %B858.endif.endif.endif
-    i32 0, label %B858.endif.endif.endif
+B860:
+  store ptr null, ptr %.541, align 8
+  %.545 = call i32 @linearise.22(ptr nonnull %.541, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.422, ptr %arg.y, ptr %arg.Y, ptr %.151, ptr %.161, ptr %.125, ptr %.170, ptr %.178)
+  switch i32 %.545, label %B860.if [
+    i32 -2, label %B860.endif
+    i32 0, label %B860.endif
   ]
 
-B858.endif.endif.if:
-  %.520 = icmp sgt i32 %.512, 0
-  %.513 = load ptr, ptr %excinfo.4, align 8
-  %.521 = select i1 %.520, ptr %.513, ptr undef
-  store ptr %.521, ptr %excinfo, align 8
-  br label %common.ret
-
-B858.endif.endif.endif:
-  store ptr null, ptr %.542, align 8
-  %.546 = call i32 @drive_rates.7(ptr nonnull %.542, ptr nonnull %excinfo.5, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.168, ptr %.177, ptr %.185)
-  switch i32 %.546, label %B858.endif.endif.endif.if [
-    i32 -2, label %B858.endif.endif.endif.endif
-    i32 0, label %B858.endif.endif.endif.endif
+B966:
+  %.577 = load double, ptr %.576, align 8
+  %.579 = fmul contract double %h.3.1, %.577
+  %.583 = fdiv contract double 1.000000e+00, %.579
+  %.588 = load i32, ptr %.587, align 4
+  store ptr null, ptr %.594, align 8
+  %.598 = call i32 @lu_fill.23(ptr nonnull %.594, ptr nonnull %excinfo.3, i64 %.92, i32 %.588, ptr %.151, ptr %arg.own, ptr %arg.mass, double %.583, ptr %.146)
+  switch i32 %.598, label %B966.endif.if [
+    i32 -2, label %B966.endif.endif
+    i32 0, label %B966.endif.endif
   ]
 
-B858.endif.endif.endif.if:
-  %.554 = icmp sgt i32 %.546, 0
-  %.547 = load ptr, ptr %excinfo.5, align 8
-  %.555 = select i1 %.554, ptr %.547, ptr undef
-  store ptr %.555, ptr %excinfo, align 8
+B1176:
+  store ptr null, ptr %.687, align 8
+  %.691 = call i32 @solve_stages.24(ptr nonnull %.687, ptr nonnull %excinfo.5, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.422, double %h.3.1, ptr %arg.y, ptr %arg.Y, ptr %.125, ptr %.146, ptr %arg.work, ptr %.105, i64 0, ptr %.108, ptr %.112, ptr %.139, ptr %.170, ptr %.178)
+  switch i32 %.691, label %B1176.if [
+    i32 -2, label %B1176.endif
+    i32 0, label %B1176.endif
+  ]
+
+B1558:
+  %error.2.1 = phi double [ %.837, %B1176.endif.endif.endif.endif.endif.endif ], [ 0x7FF0000000000000, %B966.endif.endif.endif ]
+  %.851 = fcmp contract ugt double %error.2.1, 1.000000e+00
+  br i1 %.851, label %B1570, label %B1770
+
+B1570:
+  %.861 = load i64, ptr %.860, align 8
+  %.862 = add nsw i64 %.861, 1
+  store i64 %.862, ptr %.860, align 8
+  %.869 = load double, ptr %.868, align 8
+  store double 0.000000e+00, ptr %.872, align 8
+  %.876 = call i32 @step_factor.25(ptr nonnull %.872, ptr nonnull %excinfo.10, double %error.2.1, double 1.000000e+00, double %.869, ptr %arg.settings)
+  switch i32 %.876, label %B1570.if [
+    i32 -2, label %B1570.endif
+    i32 0, label %B1570.endif
+  ]
+
+B1748:
+  store i64 2, ptr %retptr, align 8
   br label %common.ret
 
-B858.endif.endif.endif.endif:
-  br i1 %.646477.not, label %B1084, label %B1068.if.preheader
+B1770:
+  %.1024 = fadd contract double %.422, %h.3.1
+  %until.2.1 = select i1 %.441, double %.186, double %.1024
+  %.1036 = load i64, ptr %arg.counts, align 8
+  %.1046 = icmp slt i64 %.1036, %arg.edge_count
+  br i1 %.1046, label %B1826, label %B1908
 
-B1068.if.preheader:
-  call void @llvm.memset.p0.i64(ptr align 8 %.130, i8 0, i64 %7, i1 false)
-  br label %B1084
+B1826:
+  %.1057 = getelementptr double, ptr %arg.edges, i64 %.1036
+  %.1058 = load double, ptr %.1057, align 8
+  %.1062 = fmul contract double %until.2.1, 0x3FF0000000000005
+  %.1063 = fcmp contract ugt double %.1058, %.1062
+  br i1 %.1063, label %B1908, label %B1856
 
-B1136.if:
-  %.718.0481 = phi i64 [ %.787, %B1136.if ], [ 0, %B1084 ]
-  %.787 = add nuw nsw i64 %.718.0481, 1
-  %.813 = getelementptr i32, ptr %arg.drive_rows, i64 %.718.0481
-  %.814 = load i32, ptr %.813, align 4
-  %.816 = sext i32 %.814 to i64
-  %.817 = getelementptr double, ptr %.130, i64 %.816
-  %.818 = load double, ptr %.817, align 8
-  %.823 = getelementptr double, ptr %4, i64 %.718.0481
-  %.824 = load double, ptr %.823, align 8
-  %.826 = getelementptr i32, ptr %arg.drive_columns, i64 %.718.0481
-  %.827 = load i32, ptr %.826, align 4
-  %.829 = sext i32 %.827 to i64
-  %.830 = getelementptr double, ptr %.168, i64 %.829
-  %.831 = load double, ptr %.830, align 8
-  %.832 = fmul contract double %.824, %.831
-  %.833 = fadd contract double %.818, %.832
-  store double %.833, ptr %.817, align 8
-  %exitcond.not = icmp eq i64 %.694, %.787
-  br i1 %exitcond.not, label %B1240, label %B1136.if
+B1856:
+  %stop.2.1 = phi i64 [ %.1069, %B1878 ], [ %.1036, %B1826 ]
+  %exitcond.not = icmp eq i64 %stop.2.1, %7
+  br i1 %exitcond.not, label %B1908, label %B1878
 
-B1286.endif.if:
+B1878:
+  %.1069 = add nsw i64 %stop.2.1, 1
+  %.1090 = getelementptr double, ptr %arg.edges, i64 %.1069
+  %.1091 = load double, ptr %.1090, align 8
+  %.1096 = fcmp contract ugt double %.1091, %.1062
+  br i1 %.1096, label %B1908, label %B1856
+
+B1908:
+  %stop.3.2 = phi i64 [ %.1036, %B1826 ], [ %.1036, %B1770 ], [ %arg.edge_count, %B1856 ], [ %.1069, %B1878 ]
+  %.1113 = icmp sgt i64 %stop.3.2, %.1036
+  br i1 %.1113, label %B1942, label %B2156
+
+B1942:
+  %.1120 = getelementptr double, ptr %arg.edges, i64 %.1036
+  %.1125 = sub nsw i64 %stop.3.2, %.1036
+  %.1130 = sub nsw i64 %.1036, %.192
+  %.1132 = mul nsw i64 %.1130, %.92
+  %.1134 = getelementptr double, ptr %arg.outputs, i64 %.1132
+  store ptr null, ptr %.1145, align 8
+  %.1149 = call i32 @dense_output.26(ptr nonnull %.1145, ptr nonnull %excinfo.11, i64 %.92, ptr %arg.y, ptr %.112, ptr %arg.work, ptr %arg.method, double %.422, double %until.2.1, ptr %.1120, i64 %.1125, ptr %.1134, ptr %.108, ptr %.129, ptr %.139)
+  switch i32 %.1149, label %B1942.if [
+    i32 -2, label %B1942.endif
+    i32 0, label %B1942.endif
+  ]
+
+B2156:
+  %.1185 = load double, ptr %.1184, align 8
+  %.1188 = load double, ptr %.1187, align 8
+  store double 0.000000e+00, ptr %.1191, align 8
+  %.1195 = call i32 @step_factor.25(ptr nonnull %.1191, ptr nonnull %excinfo.12, double %error.2.1, double %.1185, double %.1188, ptr %arg.settings)
+  %.1205 = load double, ptr %.1191, align 8
+  switch i32 %.1195, label %B2156.if [
+    i32 -2, label %B2156.endif
+    i32 0, label %B2156.endif
+  ]
+
+B2248:
+  %.1224 = mul nsw i64 %recorded.2.0272, %.1222
+  %.1226 = getelementptr double, ptr %arg.record, i64 %.1224
+  store double %.422, ptr %.1226, align 8
+  %.1233 = getelementptr i8, ptr %.1226, i64 8
+  store double %h.3.1, ptr %.1233, align 8
+  %.1236 = getelementptr i8, ptr %.1226, i64 16
+  store double %until.2.1, ptr %.1236, align 8
+  %.1239 = getelementptr i8, ptr %.1226, i64 24
+  store ptr null, ptr %.1242, align 8
+  %.1246 = call i32 @copy.27(ptr nonnull %.1242, ptr nonnull %excinfo.13, i64 %.92, ptr %arg.y, ptr %.1239)
+  switch i32 %.1246, label %B2248.if [
+    i32 -2, label %B2248.endif
+    i32 0, label %B2248.endif
+  ]
+
+B2436:
+  %recorded.4.1 = phi i64 [ %.1267, %B2248.endif ], [ %recorded.2.0272, %B2156.endif ]
+  store ptr null, ptr %.1284, align 8
+  %.1288 = call i32 @copy.27(ptr nonnull %.1284, ptr nonnull %excinfo.14, i64 %.92, ptr %.112, ptr %arg.y)
+  switch i32 %.1288, label %B2436.if [
+    i32 -2, label %B2436.endif
+    i32 0, label %B2436.endif
+  ]
+
+B2494:
+  store double 0.000000e+00, ptr %.1410, align 8
+  %.1416 = call i32 @numba.28(ptr nonnull %.1410, ptr nonnull %excinfo.15, double %.425, double %h.3.1)
+  %.1426 = load double, ptr %.1410, align 8
+  switch i32 %.1416, label %B2494.if [
+    i32 -2, label %B2494.endif
+    i32 0, label %B2494.endif
+  ]
+
+B2622:
+  %.1497 = fmul contract double %h.3.1, %.1205
+  %.1504 = load double, ptr %.1503, align 8
+  store double 0.000000e+00, ptr %.1507, align 8
+  %.1513 = call i32 @numba.21(ptr nonnull %.1507, ptr nonnull %excinfo.17, double %.1497, double %.1504)
+  switch i32 %.1513, label %B2622.if [
+    i32 -2, label %B2622.endif
+    i32 0, label %B2622.endif
+  ]
+
+B2754:
+  store i64 1, ptr %retptr, align 8
+  br label %common.ret
+
+B2755:
+  %recorded.3.1 = phi i64 [ %recorded.4.1, %B2622.endif.endif ], [ %recorded.2.0272, %B1570.endif ]
+  %.284 = icmp sgt i64 %.228.0271, 1
+  br i1 %.284, label %B672.if, label %B2754
+
+B672.if:
+  %fresh.3.0273 = phi i1 [ false, %B672.if.lr.ph ], [ %.851, %B2755 ]
+  %recorded.2.0272 = phi i64 [ 0, %B672.if.lr.ph ], [ %recorded.3.1, %B2755 ]
+  %.228.0271 = phi i64 [ %arg.max_steps, %B672.if.lr.ph ], [ %.293, %B2755 ]
+  %.293 = add nsw i64 %.228.0271, -1
+  %.324 = icmp eq i64 %recorded.2.0272, %arg.most_recorded
+  br i1 %.324, label %B688, label %B706
+
+B818.endif.if:
+  %.499 = icmp sgt i32 %.491, 0
+  %.492 = load ptr, ptr %excinfo.1, align 8
+  %.500 = select i1 %.499, ptr %.492, ptr undef
+  store ptr %.500, ptr %excinfo, align 8
+  br label %common.ret
+
+B818.endif.endif:
+  %.501 = load double, ptr %.485, align 8
+  br label %B856
+
+B860.if:
+  %.553 = icmp sgt i32 %.545, 0
+  %.546 = load ptr, ptr %excinfo.2, align 8
+  %.554 = select i1 %.553, ptr %.546, ptr undef
+  store ptr %.554, ptr %excinfo, align 8
+  br label %common.ret
+
+B860.endif:
+  %.567 = load i64, ptr %.566, align 8
+  %.568 = add nsw i64 %.567, 1
+  store i64 %.568, ptr %.566, align 8
+  br label %B966
+
+B966.endif.if:
+  %.606 = icmp sgt i32 %.598, 0
+  %.599 = load ptr, ptr %excinfo.3, align 8
+  %.607 = select i1 %.606, ptr %.599, ptr undef
+  store ptr %.607, ptr %excinfo, align 8
+  br label %common.ret
+
+B966.endif.endif:
+  store i64 0, ptr %.625, align 8
+  %.629 = call i32 @lu_factor.17(ptr nonnull %.625, ptr nonnull %excinfo.4, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.146, ptr %.129)
+  switch i32 %.629, label %B966.endif.endif.if [
+    i32 -2, label %B966.endif.endif.endif
+    i32 0, label %B966.endif.endif.endif
+  ]
+
+B966.endif.endif.if:
+  %.637 = icmp sgt i32 %.629, 0
+  %.630 = load ptr, ptr %excinfo.4, align 8
+  %.638 = select i1 %.637, ptr %.630, ptr undef
+  store ptr %.638, ptr %excinfo, align 8
+  br label %common.ret
+
+B966.endif.endif.endif:
+  %.639 = load i64, ptr %.625, align 8
+  %.651 = load i64, ptr %.650, align 8
+  %.652 = add nsw i64 %.651, 1
+  store i64 %.652, ptr %.650, align 8
+  %.659 = icmp eq i64 %.639, 0
+  br i1 %.659, label %B1176, label %B1558
+
+B1176.if:
+  %.699 = icmp sgt i32 %.691, 0
+  %.692 = load ptr, ptr %excinfo.5, align 8
+  %.700 = select i1 %.699, ptr %.692, ptr undef
+  store ptr %.700, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif:
+  %.713 = load i64, ptr %.712, align 8
+  %.714 = add nsw i64 %.713, 8
+  store i64 %.714, ptr %.712, align 8
+  store ptr null, ptr %.727, align 8
+  %.731 = call i32 @copy.27(ptr nonnull %.727, ptr nonnull %excinfo.6, i64 %.92, ptr %.105, ptr %.112)
+  switch i32 %.731, label %B1176.endif.if [
+    i32 -2, label %B1176.endif.endif
+    i32 0, label %B1176.endif.endif
+  ]
+
+B1176.endif.if:
+  %.739 = icmp sgt i32 %.731, 0
+  %.732 = load ptr, ptr %excinfo.6, align 8
+  %.740 = select i1 %.739, ptr %.732, ptr undef
+  store ptr %.740, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif.endif:
+  store ptr null, ptr %.754, align 8
+  %.758 = call i32 @add_scaled.29(ptr nonnull %.754, ptr nonnull %excinfo.7, i64 %.92, double 1.000000e+00, ptr %.722, ptr %.112)
+  switch i32 %.758, label %B1176.endif.endif.if [
+    i32 -2, label %B1176.endif.endif.endif
+    i32 0, label %B1176.endif.endif.endif
+  ]
+
+B1176.endif.endif.if:
+  %.766 = icmp sgt i32 %.758, 0
+  %.759 = load ptr, ptr %excinfo.7, align 8
+  %.767 = select i1 %.766, ptr %.759, ptr undef
+  store ptr %.767, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif.endif.endif:
+  %.780 = load double, ptr %.779, align 8
+  %.785 = fdiv contract double %h.3.1, %.780
+  store double 0.000000e+00, ptr %.788, align 8
+  %.794 = call i32 @numba.21(ptr nonnull %.788, ptr nonnull %excinfo.8, double 1.000000e+00, double %.785)
+  switch i32 %.794, label %B1176.endif.endif.endif.endif.if [
+    i32 -2, label %B1176.endif.endif.endif.endif.endif
+    i32 0, label %B1176.endif.endif.endif.endif.endif
+  ]
+
+B1176.endif.endif.endif.endif.if:
+  %.802 = icmp sgt i32 %.794, 0
+  %.795 = load ptr, ptr %excinfo.8, align 8
+  %.803 = select i1 %.802, ptr %.795, ptr undef
+  store ptr %.803, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif.endif.endif.endif.endif:
+  %.804 = load double, ptr %.788, align 8
+  %.817 = load double, ptr %arg.settings, align 8
+  store double 0.000000e+00, ptr %.823, align 8
+  %.827 = call i32 @step_error.30(ptr nonnull %.823, ptr nonnull %excinfo.9, i64 %.92, i64 %arg.tested, ptr %arg.y, ptr %.112, ptr %.722, ptr %arg.powers, double %.804, double %.817)
+  switch i32 %.827, label %B1176.endif.endif.endif.endif.endif.if [
+    i32 -2, label %B1176.endif.endif.endif.endif.endif.endif
+    i32 0, label %B1176.endif.endif.endif.endif.endif.endif
+  ]
+
+B1176.endif.endif.endif.endif.endif.if:
+  %.835 = icmp sgt i32 %.827, 0
+  %.828 = load ptr, ptr %excinfo.9, align 8
+  %.836 = select i1 %.835, ptr %.828, ptr undef
+  store ptr %.836, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif.endif.endif.endif.endif.endif:
+  %.837 = load double, ptr %.823, align 8
+  br label %B1558
+
+B1570.if:
   %.884 = icmp sgt i32 %.876, 0
-  %.877 = load ptr, ptr %excinfo.6, align 8
+  %.877 = load ptr, ptr %excinfo.10, align 8
   %.885 = select i1 %.884, ptr %.877, ptr undef
   store ptr %.885, ptr %excinfo, align 8
   br label %common.ret
 
-B1286.endif.endif:
-  store i64 0, ptr %.903, align 8
-  %.907 = call i32 @lu_factor.17(ptr nonnull %.903, ptr nonnull %excinfo.7, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.151, ptr %.134)
-  switch i32 %.907, label %B1286.endif.endif.if [
-    i32 -2, label %B1286.endif.endif.endif
-    i32 0, label %B1286.endif.endif.endif
-  ]
+B1570.endif:
+  %.886 = load double, ptr %.872, align 8
+  %.899 = fmul contract double %h.3.1, %.886
+  store double %.899, ptr %.424, align 8
+  %.910 = load double, ptr %.909, align 8
+  %.911 = fcmp contract olt double %.899, %.910
+  br i1 %.911, label %B1748, label %B2755
 
-B1286.endif.endif.if:
-  %.915 = icmp sgt i32 %.907, 0
-  %.908 = load ptr, ptr %excinfo.7, align 8
-  %.916 = select i1 %.915, ptr %.908, ptr undef
-  store ptr %.916, ptr %excinfo, align 8
+B1942.if:
+  %.1157 = icmp sgt i32 %.1149, 0
+  %.1150 = load ptr, ptr %excinfo.11, align 8
+  %.1158 = select i1 %.1157, ptr %.1150, ptr undef
+  store ptr %.1158, ptr %excinfo, align 8
   br label %common.ret
 
-B1286.endif.endif.endif:
-  %.917 = load i64, ptr %.903, align 8
-  %.929 = load i64, ptr %.928, align 8
-  %.930 = add nsw i64 %.929, 1
-  store i64 %.930, ptr %.928, align 8
-  %.937 = icmp eq i64 %.917, 0
-  br i1 %.937, label %B1540.if, label %B2554
-
-B1540.if:
-  %.964.0486 = phi i64 [ %.1034, %B2162.endif ], [ 0, %B1286.endif.endif.endif ]
-  %.1034 = add nuw nsw i64 %.964.0486, 1
-  %.1063 = icmp samesign ult i64 %.964.0486, 6
-  br i1 %.1063, label %B1566, label %B1732
-
-B1566.if:
-  %.1081 = icmp sgt i32 %.1073, 0
-  %.1074 = load ptr, ptr %excinfo.8, align 8
-  %.1082 = select i1 %.1081, ptr %.1074, ptr undef
-  store ptr %.1082, ptr %excinfo, align 8
-  br label %common.ret
-
-B1566.endif:
-  %.1173483.not = icmp eq i64 %.964.0486, 0
-  br i1 %.1173483.not, label %B1808, label %B1630.if.lr.ph
-
-B1630.if.lr.ph:
-  %.idx313 = shl nuw nsw i64 %.964.0486, 6
-  %9 = getelementptr i8, ptr %arg.method, i64 %.idx313
-  br label %B1630.if
-
-B1630.if:
-  %.1117.0484 = phi i64 [ 0, %B1630.if.lr.ph ], [ %.1186, %B1632.endif ]
-  %.1216 = getelementptr double, ptr %9, i64 %.1117.0484
-  %.1217 = load double, ptr %.1216, align 8
-  %.1219 = mul nsw i64 %.1117.0484, %.86
-  %.1221 = getelementptr double, ptr %arg.work, i64 %.1219
-  store ptr null, ptr %.1224, align 8
-  %.1228 = call i32 @add_scaled.24(ptr nonnull %.1224, ptr nonnull %excinfo.9, i64 %.86, double %.1217, ptr %.1221, ptr %.110)
-  switch i32 %.1228, label %B1632.if [
-    i32 -2, label %B1632.endif
-    i32 0, label %B1632.endif
-  ]
-
-B1632.if:
-  %.1236 = icmp sgt i32 %.1228, 0
-  %.1229 = load ptr, ptr %excinfo.9, align 8
-  %.1237 = select i1 %.1236, ptr %.1229, ptr undef
-  store ptr %.1237, ptr %excinfo, align 8
-  br label %common.ret
-
-B1632.endif:
-  %.1186 = add nuw nsw i64 %.1117.0484, 1
-  %exitcond639.not = icmp eq i64 %.1186, %.964.0486
-  br i1 %exitcond639.not, label %B1808, label %B1630.if
-
-B1732.if:
-  %.1275 = icmp sgt i32 %.1267, 0
-  %.1268 = load ptr, ptr %excinfo.10, align 8
-  %.1276 = select i1 %.1275, ptr %.1268, ptr undef
-  store ptr %.1276, ptr %excinfo, align 8
-  br label %common.ret
-
-B1808.if:
-  %.1304 = icmp sgt i32 %.1296, 0
-  %.1297 = load ptr, ptr %excinfo.11, align 8
-  %.1305 = select i1 %.1304, ptr %.1297, ptr undef
-  store ptr %.1305, ptr %excinfo, align 8
-  br label %common.ret
-
-B1808.endif:
-  %10 = getelementptr double, ptr %arg.method, i64 %.964.0486
-  %.1319 = getelementptr i8, ptr %10, i64 1024
-  %.1320 = load double, ptr %.1319, align 8
-  %.1322 = fmul contract double %h.3.1, %.1320
-  %.1324 = fadd contract double %.328, %.1322
-  store double %.1324, ptr %.1327, align 8
-  store ptr null, ptr %.1338, align 8
-  %.1342 = call i32 @drive.6(ptr nonnull %.1338, ptr nonnull %excinfo.12, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.177, ptr %.185)
-  switch i32 %.1342, label %B1808.endif.if [
-    i32 -2, label %B1808.endif.endif
-    i32 0, label %B1808.endif.endif
-  ]
-
-B1808.endif.if:
-  %.1350 = icmp sgt i32 %.1342, 0
-  %.1343 = load ptr, ptr %excinfo.12, align 8
-  %.1351 = select i1 %.1350, ptr %.1343, ptr undef
-  store ptr %.1351, ptr %excinfo, align 8
-  br label %common.ret
-
-B1808.endif.endif:
-  store ptr null, ptr %.1372, align 8
-  %.1376 = call i32 @residual.0(ptr nonnull %.1372, ptr nonnull %excinfo.13, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.113, ptr %.177, ptr %.185)
-  switch i32 %.1376, label %B1808.endif.endif.if [
-    i32 -2, label %B1808.endif.endif.endif
-    i32 0, label %B1808.endif.endif.endif
-  ]
-
-B1808.endif.endif.if:
-  %.1384 = icmp sgt i32 %.1376, 0
-  %.1377 = load ptr, ptr %excinfo.13, align 8
-  %.1385 = select i1 %.1384, ptr %.1377, ptr undef
-  store ptr %.1385, ptr %excinfo, align 8
-  br label %common.ret
-
-B1808.endif.endif.endif:
-  %.idx312 = shl i64 %.964.0486, 6
-  %11 = getelementptr i8, ptr %arg.method, i64 %.idx312
-  %.1401 = getelementptr i8, ptr %11, i64 512
-  store ptr null, ptr %.1409, align 8
-  %.1413 = call i32 @combine.28(ptr nonnull %.1409, ptr nonnull %excinfo.14, i64 %.86, i64 %.964.0486, ptr %.1401, double %h.3.1, ptr %arg.mass, ptr %arg.work, ptr %.113, ptr %.117)
-  switch i32 %.1413, label %B1808.endif.endif.endif.if [
-    i32 -2, label %B1808.endif.endif.endif.endif
-    i32 0, label %B1808.endif.endif.endif.endif
-  ]
-
-B1808.endif.endif.endif.if:
-  %.1421 = icmp sgt i32 %.1413, 0
-  %.1414 = load ptr, ptr %excinfo.14, align 8
-  %.1422 = select i1 %.1421, ptr %.1414, ptr undef
-  store ptr %.1422, ptr %excinfo, align 8
-  br label %common.ret
-
-B1808.endif.endif.endif.endif:
-  %.1436 = getelementptr i8, ptr %10, i64 1088
-  %.1437 = load double, ptr %.1436, align 8
-  %.1439 = fmul contract double %h.3.1, %.1437
-  %.1444 = fcmp contract une double %.1439, 0.000000e+00
-  br i1 %.1444, label %B2126, label %B2162
-
-B2126.if:
-  %.1463 = icmp sgt i32 %.1455, 0
-  %.1456 = load ptr, ptr %excinfo.15, align 8
-  %.1464 = select i1 %.1463, ptr %.1456, ptr undef
-  store ptr %.1464, ptr %excinfo, align 8
-  br label %common.ret
-
-B2162.if:
-  %.1509 = icmp sgt i32 %.1501, 0
-  %.1502 = load ptr, ptr %excinfo.16, align 8
-  %.1510 = select i1 %.1509, ptr %.1502, ptr undef
-  store ptr %.1510, ptr %excinfo, align 8
-  br label %common.ret
-
-B2162.endif:
-  %exitcond640.not = icmp eq i64 %.1034, 8
-  br i1 %exitcond640.not, label %B2252, label %B1540.if
-
-B2252.if:
-  %.1554 = icmp sgt i32 %.1546, 0
-  %.1547 = load ptr, ptr %excinfo.17, align 8
-  %.1555 = select i1 %.1554, ptr %.1547, ptr undef
-  store ptr %.1555, ptr %excinfo, align 8
-  br label %common.ret
-
-B2252.endif:
-  store ptr null, ptr %.1569, align 8
-  %.1573 = call i32 @add_scaled.24(ptr nonnull %.1569, ptr nonnull %excinfo.18, i64 %.86, double 1.000000e+00, ptr %.1537, ptr %.117)
-  switch i32 %.1573, label %B2252.endif.if [
-    i32 -2, label %B2252.endif.endif
-    i32 0, label %B2252.endif.endif
-  ]
-
-B2252.endif.if:
-  %.1581 = icmp sgt i32 %.1573, 0
-  %.1574 = load ptr, ptr %excinfo.18, align 8
-  %.1582 = select i1 %.1581, ptr %.1574, ptr undef
-  store ptr %.1582, ptr %excinfo, align 8
-  br label %common.ret
-
-B2252.endif.endif:
-  %.1595 = load double, ptr %.1594, align 8
-  %.1600 = fdiv contract double %h.3.1, %.1595
-  store double 0.000000e+00, ptr %.1603, align 8
-  %.1609 = call i32 @numba.21(ptr nonnull %.1603, ptr nonnull %excinfo.19, double 1.000000e+00, double %.1600)
-  switch i32 %.1609, label %B2252.endif.endif.endif.if [
-    i32 -2, label %B2252.endif.endif.endif.endif
-    i32 0, label %B2252.endif.endif.endif.endif
-  ]
-
-B2252.endif.endif.endif.if:
-  %.1617 = icmp sgt i32 %.1609, 0
-  %.1610 = load ptr, ptr %excinfo.19, align 8
-  %.1618 = select i1 %.1617, ptr %.1610, ptr undef
-  store ptr %.1618, ptr %excinfo, align 8
-  br label %common.ret
-
-B2252.endif.endif.endif.endif:
-  %.1619 = load double, ptr %.1603, align 8
-  %.1632 = load double, ptr %arg.settings, align 8
-  store double 0.000000e+00, ptr %.1638, align 8
-  %.1642 = call i32 @step_error.29(ptr nonnull %.1638, ptr nonnull %excinfo.20, i64 %.86, i64 %arg.tested, ptr %arg.y, ptr %.117, ptr %.1537, ptr %arg.powers, double %.1619, double %.1632)
-  switch i32 %.1642, label %B2252.endif.endif.endif.endif.if [
-    i32 -2, label %B2252.endif.endif.endif.endif.endif
-    i32 0, label %B2252.endif.endif.endif.endif.endif
-  ]
-
-B2252.endif.endif.endif.endif.if:
-  %.1650 = icmp sgt i32 %.1642, 0
-  %.1643 = load ptr, ptr %excinfo.20, align 8
-  %.1651 = select i1 %.1650, ptr %.1643, ptr undef
-  store ptr %.1651, ptr %excinfo, align 8
-  br label %common.ret
-
-B2252.endif.endif.endif.endif.endif:
-  %.1652 = load double, ptr %.1638, align 8
-  br label %B2554
-
-B2566.if:
-  %.1699 = icmp sgt i32 %.1691, 0
-  %.1692 = load ptr, ptr %excinfo.21, align 8
-  %.1700 = select i1 %.1699, ptr %.1692, ptr undef
-  store ptr %.1700, ptr %excinfo, align 8
-  br label %common.ret
-
-B2566.endif:
-  %.1701 = load double, ptr %.1687, align 8
-  %.1714 = fmul contract double %h.3.1, %.1701
-  store double %.1714, ptr %.330, align 8
-  %.1725 = load double, ptr %.1724, align 8
-  %.1726 = fcmp contract olt double %.1714, %.1725
-  br i1 %.1726, label %B2744, label %B3551
-
-B2938.if:
-  %.1964 = icmp sgt i32 %.1956, 0
-  %.1957 = load ptr, ptr %excinfo.22, align 8
-  %.1965 = select i1 %.1964, ptr %.1957, ptr undef
-  store ptr %.1965, ptr %excinfo, align 8
-  br label %common.ret
-
-B2938.endif:
+B1942.endif:
   store i64 %stop.3.2, ptr %arg.counts, align 8
-  br label %B3152
+  br label %B2156
 
-B3152.if:
-  %.2010 = icmp sgt i32 %.2002, 0
-  %.2003 = load ptr, ptr %excinfo.23, align 8
-  %.2011 = select i1 %.2010, ptr %.2003, ptr undef
-  store ptr %.2011, ptr %excinfo, align 8
+B2156.if:
+  %.1203 = icmp sgt i32 %.1195, 0
+  %.1196 = load ptr, ptr %excinfo.12, align 8
+  %.1204 = select i1 %.1203, ptr %.1196, ptr undef
+  store ptr %.1204, ptr %excinfo, align 8
   br label %common.ret
 
-B3152.endif:
-  store ptr null, ptr %.2029, align 8
-  %.2033 = call i32 @copy.22(ptr nonnull %.2029, ptr nonnull %excinfo.24, i64 %.86, ptr %.117, ptr %arg.y)
-  switch i32 %.2033, label %B3152.endif.if [
-    i32 -2, label %B3152.endif.endif
-    i32 0, label %B3152.endif.endif
-  ]
+B2156.endif:
+  br i1 %.1219, label %B2248, label %B2436
 
-B3152.endif.if:
-  %.2041 = icmp sgt i32 %.2033, 0
-  %.2034 = load ptr, ptr %excinfo.24, align 8
-  %.2042 = select i1 %.2041, ptr %.2034, ptr undef
-  store ptr %.2042, ptr %excinfo, align 8
+B2248.if:
+  %.1254 = icmp sgt i32 %.1246, 0
+  %.1247 = load ptr, ptr %excinfo.13, align 8
+  %.1255 = select i1 %.1254, ptr %.1247, ptr undef
+  store ptr %.1255, ptr %excinfo, align 8
   br label %common.ret
 
-B3152.endif.endif:
+B2248.endif:
+  %.1267 = add nsw i64 %recorded.2.0272, 1
+  store i64 %.1267, ptr %.1273, align 8
+  br label %B2436
+
+B2436.if:
+  %.1296 = icmp sgt i32 %.1288, 0
+  %.1289 = load ptr, ptr %excinfo.14, align 8
+  %.1297 = select i1 %.1296, ptr %.1289, ptr undef
+  store ptr %.1297, ptr %excinfo, align 8
+  br label %common.ret
+
+B2436.endif:
   store double %until.2.1, ptr %arg.state, align 8
-  br i1 %.347, label %B3290, label %B3418
+  br i1 %.441, label %B2494, label %B2622
 
-B3290.if:
-  %.2167 = icmp sgt i32 %.2159, 0
-  %.2160 = load ptr, ptr %excinfo.25, align 8
-  %.2168 = select i1 %.2167, ptr %.2160, ptr undef
-  store ptr %.2168, ptr %excinfo, align 8
+B2494.if:
+  %.1424 = icmp sgt i32 %.1416, 0
+  %.1417 = load ptr, ptr %excinfo.15, align 8
+  %.1425 = select i1 %.1424, ptr %.1417, ptr undef
+  store ptr %.1425, ptr %excinfo, align 8
   br label %common.ret
 
-B3290.endif:
-  %.2184 = getelementptr i8, ptr %arg.settings, i64 32
-  %.2185 = load double, ptr %.2184, align 8
-  %.2191 = fdiv contract double 1.000000e+00, %.2185
-  store double 0.000000e+00, ptr %.2195, align 8
-  %.2201 = call i32 @numba.21(ptr nonnull %.2195, ptr nonnull %excinfo.26, double %.2012, double %.2191)
-  switch i32 %.2201, label %B3290.endif.endif.if [
-    i32 -2, label %B3290.endif.endif.endif
-    i32 0, label %B3290.endif.endif.endif
+B2494.endif:
+  %.1441 = getelementptr i8, ptr %arg.settings, i64 32
+  %.1442 = load double, ptr %.1441, align 8
+  %.1448 = fdiv contract double 1.000000e+00, %.1442
+  store double 0.000000e+00, ptr %.1452, align 8
+  %.1458 = call i32 @numba.21(ptr nonnull %.1452, ptr nonnull %excinfo.16, double %.1205, double %.1448)
+  switch i32 %.1458, label %B2494.endif.endif.if [
+    i32 -2, label %B2494.endif.endif.endif
+    i32 0, label %B2494.endif.endif.endif
   ]
 
-B3290.endif.endif.if:
-  %.2209 = icmp sgt i32 %.2201, 0
-  %.2202 = load ptr, ptr %excinfo.26, align 8
-  %.2210 = select i1 %.2209, ptr %.2202, ptr undef
-  store ptr %.2210, ptr %excinfo, align 8
+B2494.endif.endif.if:
+  %.1466 = icmp sgt i32 %.1458, 0
+  %.1459 = load ptr, ptr %excinfo.16, align 8
+  %.1467 = select i1 %.1466, ptr %.1459, ptr undef
+  store ptr %.1467, ptr %excinfo, align 8
   br label %common.ret
 
-B3290.endif.endif.endif:
-  %.2211 = load double, ptr %.2195, align 8
-  %.2223 = fmul contract double %.2169, %.2211
-  store double %.2223, ptr %.330, align 8
+B2494.endif.endif.endif:
+  %.1468 = load double, ptr %.1452, align 8
+  %.1480 = fmul contract double %.1426, %.1468
+  store double %.1480, ptr %.424, align 8
   store i64 0, ptr %retptr, align 8
   br label %common.ret
 
-B3418.if:
-  %.2259 = icmp sgt i32 %.2251, 0
-  %.2252 = load ptr, ptr %excinfo.27, align 8
-  %.2260 = select i1 %.2259, ptr %.2252, ptr undef
-  store ptr %.2260, ptr %excinfo, align 8
+B2622.if:
+  %.1521 = icmp sgt i32 %.1513, 0
+  %.1514 = load ptr, ptr %excinfo.17, align 8
+  %.1522 = select i1 %.1521, ptr %.1514, ptr undef
+  store ptr %.1522, ptr %excinfo, align 8
   br label %common.ret
 
-B3418.endif:
-  %.2261 = load double, ptr %.2245, align 8
-  store double %.2261, ptr %.330, align 8
-  store double 0.000000e+00, ptr %.2277, align 8
-  %.2283 = call i32 @numba.27(ptr nonnull %.2277, ptr nonnull %excinfo.28, double %error.2.1, double 1.000000e-04)
-  switch i32 %.2283, label %B3418.endif.if [
-    i32 -2, label %B3418.endif.endif
-    i32 0, label %B3418.endif.endif
+B2622.endif:
+  %.1523 = load double, ptr %.1507, align 8
+  store double %.1523, ptr %.424, align 8
+  store double 0.000000e+00, ptr %.1539, align 8
+  %.1545 = call i32 @numba.28(ptr nonnull %.1539, ptr nonnull %excinfo.18, double %error.2.1, double 1.000000e-04)
+  switch i32 %.1545, label %B2622.endif.if [
+    i32 -2, label %B2622.endif.endif
+    i32 0, label %B2622.endif.endif
   ]
 
-B3418.endif.if:
-  %.2291 = icmp sgt i32 %.2283, 0
-  %.2284 = load ptr, ptr %excinfo.28, align 8
-  %.2292 = select i1 %.2291, ptr %.2284, ptr undef
-  store ptr %.2292, ptr %excinfo, align 8
+B2622.endif.if:
+  %.1553 = icmp sgt i32 %.1545, 0
+  %.1546 = load ptr, ptr %excinfo.18, align 8
+  %.1554 = select i1 %.1553, ptr %.1546, ptr undef
+  store ptr %.1554, ptr %excinfo, align 8
   br label %common.ret
 
-B3418.endif.endif:
-  %.2293 = load double, ptr %.2277, align 8
-  store double %.2293, ptr %.1991, align 8
-  br label %B3551
+B2622.endif.endif:
+  %.1555 = load double, ptr %.1539, align 8
+  store double %.1555, ptr %.1184, align 8
+  br label %B2755
 }
 
-define internal i32 @copy.22(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) {
+define internal i32 @linearise.22(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, double %arg.time, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
-  %.9234.not = icmp slt i64 %arg.n, 1
-  br i1 %.9234.not, label %B62, label %B34.if.preheader
+  %.42 = alloca ptr, align 8
+  store ptr null, ptr %.42, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.76 = alloca ptr, align 8
+  store ptr null, ptr %.76, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.103 = alloca ptr, align 8
+  store ptr null, ptr %.103, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.130 = alloca ptr, align 8
+  store ptr null, ptr %.130, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.34 = load i64, ptr %arg.layout, align 8
+  %.36 = getelementptr i8, ptr %arg.layout, i64 16
+  %.37 = load i64, ptr %.36, align 8
+  store ptr null, ptr %.42, align 8
+  %.46 = call i32 @copy.27(ptr nonnull %.42, ptr nonnull %excinfo.1, i64 %.34, ptr %arg.y, ptr %arg.Y)
+  switch i32 %.46, label %B0.if [
+    i32 -2, label %B0.endif
+    i32 0, label %B0.endif
+  ]
 
-B34.if.preheader:
-  %0 = shl nuw i64 %arg.n, 3
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %arg.y, ptr align 8 %arg.x, i64 %0, i1 false)
-  br label %B62
+B310:
+  %.280 = getelementptr i8, ptr %arg.layout, i64 24
+  %.281 = load i64, ptr %.280, align 8
+  %.36378.not = icmp slt i64 %.281, 1
+  br i1 %.36378.not, label %B466, label %B362.if.lr.ph
 
-B62:
+B362.if.lr.ph:
+  %0 = getelementptr double, ptr %arg.J, i64 %.37
+  %1 = getelementptr i8, ptr %0, i64 8
+  br label %B362.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B466 ], [ %.134, %B0.endif.endif.endif.if ], [ %.46, %B0.if ], [ %.80, %B0.endif.if ], [ %.107, %B0.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B466:
   store ptr null, ptr %retptr, align 8
-  ret i32 0
+  br label %common.ret
+
+B0.if:
+  %.54 = icmp sgt i32 %.46, 0
+  %.47 = load ptr, ptr %excinfo.1, align 8
+  %.55 = select i1 %.54, ptr %.47, ptr undef
+  store ptr %.55, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif:
+  %.69 = getelementptr i8, ptr %arg.layout, i64 8
+  %.70 = load i64, ptr %.69, align 8
+  %2 = getelementptr double, ptr %arg.Y, i64 %.34
+  %.72 = getelementptr double, ptr %2, i64 %.70
+  store double %arg.time, ptr %.72, align 8
+  store ptr null, ptr %.76, align 8
+  %.80 = call i32 @drive.6(ptr nonnull %.76, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.80, label %B0.endif.if [
+    i32 -2, label %B0.endif.endif
+    i32 0, label %B0.endif.endif
+  ]
+
+B0.endif.if:
+  %.88 = icmp sgt i32 %.80, 0
+  %.81 = load ptr, ptr %excinfo.2, align 8
+  %.89 = select i1 %.88, ptr %.81, ptr undef
+  store ptr %.89, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif:
+  store ptr null, ptr %.103, align 8
+  %.107 = call i32 @jacobian.4(ptr nonnull %.103, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %arg.J, ptr %arg.local, ptr %arg.out)
+  switch i32 %.107, label %B0.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif
+  ]
+
+B0.endif.endif.if:
+  %.115 = icmp sgt i32 %.107, 0
+  %.108 = load ptr, ptr %excinfo.3, align 8
+  %.116 = select i1 %.115, ptr %.108, ptr undef
+  store ptr %.116, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif:
+  store ptr null, ptr %.130, align 8
+  %.134 = call i32 @drive_rates.7(ptr nonnull %.130, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.rates, ptr %arg.local, ptr %arg.out)
+  switch i32 %.134, label %B0.endif.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif.endif
+  ]
+
+B0.endif.endif.endif.if:
+  %.142 = icmp sgt i32 %.134, 0
+  %.135 = load ptr, ptr %excinfo.4, align 8
+  %.143 = select i1 %.142, ptr %.135, ptr undef
+  store ptr %.143, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif.endif:
+  %.23375.not = icmp slt i64 %.34, 1
+  br i1 %.23375.not, label %B310, label %B294.if.preheader
+
+B294.if.preheader:
+  %3 = shl nuw i64 %.34, 3
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.drift, i8 0, i64 %3, i1 false)
+  br label %B310
+
+B362.if:
+  %.307.079 = phi i64 [ 0, %B362.if.lr.ph ], [ %.376, %B362.if ]
+  %.376 = add nuw nsw i64 %.307.079, 1
+  %.402 = getelementptr i32, ptr %arg.drive_rows, i64 %.307.079
+  %.403 = load i32, ptr %.402, align 4
+  %.405 = sext i32 %.403 to i64
+  %.406 = getelementptr double, ptr %arg.drift, i64 %.405
+  %.407 = load double, ptr %.406, align 8
+  %.412 = getelementptr double, ptr %1, i64 %.307.079
+  %.413 = load double, ptr %.412, align 8
+  %.415 = getelementptr i32, ptr %arg.drive_columns, i64 %.307.079
+  %.416 = load i32, ptr %.415, align 4
+  %.418 = sext i32 %.416 to i64
+  %.419 = getelementptr double, ptr %arg.rates, i64 %.418
+  %.420 = load double, ptr %.419, align 8
+  %.421 = fmul contract double %.413, %.420
+  %.422 = fadd contract double %.407, %.421
+  store double %.422, ptr %.406, align 8
+  %exitcond.not = icmp eq i64 %.376, %.281
+  br i1 %exitcond.not, label %B466, label %B362.if
 }
 
-define internal i32 @add_scaled.24(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
+define internal i32 @solve_stages.24(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
-  %.9534.not = icmp slt i64 %arg.n, 1
-  br i1 %.9534.not, label %B90, label %B34.if
+  %.226 = alloca ptr, align 8
+  store ptr null, ptr %.226, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.381 = alloca ptr, align 8
+  store ptr null, ptr %.381, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.456 = alloca ptr, align 8
+  store ptr null, ptr %.456, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.485 = alloca ptr, align 8
+  store ptr null, ptr %.485, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.537 = alloca ptr, align 8
+  store ptr null, ptr %.537, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.571 = alloca ptr, align 8
+  store ptr null, ptr %.571, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.608 = alloca ptr, align 8
+  store ptr null, ptr %.608, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.650 = alloca ptr, align 8
+  store ptr null, ptr %.650, align 8
+  %excinfo.9 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.9, align 8
+  %.696 = alloca ptr, align 8
+  store ptr null, ptr %.696, align 8
+  %excinfo.10 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.10, align 8
+  %.84 = load i64, ptr %arg.layout, align 8
+  %.521 = getelementptr i8, ptr %arg.layout, i64 8
+  %0 = getelementptr double, ptr %arg.Y, i64 %.84
+  br label %B72.if
 
-B90:
+B136:
+  store ptr null, ptr %.226, align 8
+  %.230 = call i32 @copy.27(ptr nonnull %.226, ptr nonnull %excinfo.1, i64 %.84, ptr %arg.y, ptr %arg.place_)
+  switch i32 %.230, label %B136.if [
+    i32 -2, label %B136.endif
+    i32 0, label %B136.endif
+  ]
+
+B302:
+  %.449 = add nsw i64 %.111.0122, -1
+  %.451 = mul nsw i64 %.449, %.84
+  %.453 = getelementptr double, ptr %arg.stages, i64 %.451
+  store ptr null, ptr %.456, align 8
+  %.460 = call i32 @add_scaled.29(ptr nonnull %.456, ptr nonnull %excinfo.4, i64 %.84, double 1.000000e+00, ptr %.453, ptr %arg.place_)
+  switch i32 %.460, label %B388.if [
+    i32 -2, label %B464
+    i32 0, label %B464
+  ]
+
+B464:
+  store ptr null, ptr %.485, align 8
+  %.489 = call i32 @copy.27(ptr nonnull %.485, ptr nonnull %excinfo.5, i64 %.84, ptr %arg.place_, ptr %arg.Y)
+  switch i32 %.489, label %B464.if [
+    i32 -2, label %B464.endif
+    i32 0, label %B464.endif
+  ]
+
+B810:
+  store ptr null, ptr %.650, align 8
+  %.654 = call i32 @add_scaled.29(ptr nonnull %.650, ptr nonnull %excinfo.9, i64 %.84, double %.638, ptr %arg.drift, ptr %arg.right)
+  switch i32 %.654, label %B810.if [
+    i32 -2, label %B846
+    i32 0, label %B846
+  ]
+
+B846:
+  %.681 = mul nsw i64 %.111.0122, %.84
+  %.685 = getelementptr double, ptr %arg.stages, i64 %.681
+  store ptr null, ptr %.696, align 8
+  %.700 = call i32 @lu_solve.19(ptr nonnull %.696, ptr nonnull %excinfo.10, i64 %.84, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.right, ptr %.685, ptr %arg.x)
+  switch i32 %.700, label %B846.if [
+    i32 -2, label %B846.endif
+    i32 0, label %B846.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B936 ], [ %.700, %B846.if ], [ %.654, %B810.if ], [ %.612, %B464.endif.endif.endif.if ], [ %.230, %B136.if ], [ %.385, %B202.if ], [ %.460, %B388.if ], [ %.489, %B464.if ], [ %.541, %B464.endif.if ], [ %.575, %B464.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B936:
   store ptr null, ptr %retptr, align 8
-  ret i32 0
+  br label %common.ret
 
-B34.if:
-  %.37.035 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
-  %.108 = add nuw nsw i64 %.37.035, 1
-  %.134 = getelementptr double, ptr %arg.y, i64 %.37.035
-  %.135 = load double, ptr %.134, align 8
-  %.137 = getelementptr double, ptr %arg.x, i64 %.37.035
-  %.138 = load double, ptr %.137, align 8
-  %.140 = fmul contract double %arg.factor, %.138
-  %.141 = fadd contract double %.135, %.140
-  store double %.141, ptr %.134, align 8
-  %exitcond.not = icmp eq i64 %arg.n, %.108
-  br i1 %exitcond.not, label %B90, label %B34.if
+B72.if:
+  %.111.0122 = phi i64 [ 0, %entry ], [ %.183, %B846.endif ]
+  %.183 = add nuw nsw i64 %.111.0122, 1
+  %.220 = icmp samesign ult i64 %.111.0122, 6
+  br i1 %.220, label %B136, label %B302
+
+B136.if:
+  %.238 = icmp sgt i32 %.230, 0
+  %.231 = load ptr, ptr %excinfo.1, align 8
+  %.239 = select i1 %.238, ptr %.231, ptr undef
+  store ptr %.239, ptr %excinfo, align 8
+  br label %common.ret
+
+B136.endif:
+  %.330119.not = icmp eq i64 %.111.0122, 0
+  br i1 %.330119.not, label %B464, label %B200.if.lr.ph
+
+B200.if.lr.ph:
+  %.idx103 = shl nuw nsw i64 %.111.0122, 6
+  %1 = getelementptr i8, ptr %arg.method, i64 %.idx103
+  br label %B200.if
+
+B200.if:
+  %.274.0120 = phi i64 [ 0, %B200.if.lr.ph ], [ %.343, %B202.endif ]
+  %.373 = getelementptr double, ptr %1, i64 %.274.0120
+  %.374 = load double, ptr %.373, align 8
+  %.376 = mul nsw i64 %.274.0120, %.84
+  %.378 = getelementptr double, ptr %arg.stages, i64 %.376
+  store ptr null, ptr %.381, align 8
+  %.385 = call i32 @add_scaled.29(ptr nonnull %.381, ptr nonnull %excinfo.2, i64 %.84, double %.374, ptr %.378, ptr %arg.place_)
+  switch i32 %.385, label %B202.if [
+    i32 -2, label %B202.endif
+    i32 0, label %B202.endif
+  ]
+
+B202.if:
+  %.393 = icmp sgt i32 %.385, 0
+  %.386 = load ptr, ptr %excinfo.2, align 8
+  %.394 = select i1 %.393, ptr %.386, ptr undef
+  store ptr %.394, ptr %excinfo, align 8
+  br label %common.ret
+
+B202.endif:
+  %.343 = add nuw nsw i64 %.274.0120, 1
+  %exitcond.not = icmp eq i64 %.343, %.111.0122
+  br i1 %exitcond.not, label %B464, label %B200.if
+
+B388.if:
+  %.468 = icmp sgt i32 %.460, 0
+  %.461 = load ptr, ptr %excinfo.4, align 8
+  %.469 = select i1 %.468, ptr %.461, ptr undef
+  store ptr %.469, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.if:
+  %.497 = icmp sgt i32 %.489, 0
+  %.490 = load ptr, ptr %excinfo.5, align 8
+  %.498 = select i1 %.497, ptr %.490, ptr undef
+  store ptr %.498, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.endif:
+  %2 = getelementptr double, ptr %arg.method, i64 %.111.0122
+  %.514 = getelementptr i8, ptr %2, i64 1024
+  %.515 = load double, ptr %.514, align 8
+  %.517 = fmul contract double %arg.h, %.515
+  %.519 = fadd contract double %arg.time, %.517
+  %.522 = load i64, ptr %.521, align 8
+  %.526 = getelementptr double, ptr %0, i64 %.522
+  store double %.519, ptr %.526, align 8
+  store ptr null, ptr %.537, align 8
+  %.541 = call i32 @drive.6(ptr nonnull %.537, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.541, label %B464.endif.if [
+    i32 -2, label %B464.endif.endif
+    i32 0, label %B464.endif.endif
+  ]
+
+B464.endif.if:
+  %.549 = icmp sgt i32 %.541, 0
+  %.542 = load ptr, ptr %excinfo.6, align 8
+  %.550 = select i1 %.549, ptr %.542, ptr undef
+  store ptr %.550, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.endif.endif:
+  store ptr null, ptr %.571, align 8
+  %.575 = call i32 @residual.0(ptr nonnull %.571, ptr nonnull %excinfo.7, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.right, ptr %arg.local, ptr %arg.out)
+  switch i32 %.575, label %B464.endif.endif.if [
+    i32 -2, label %B464.endif.endif.endif
+    i32 0, label %B464.endif.endif.endif
+  ]
+
+B464.endif.endif.if:
+  %.583 = icmp sgt i32 %.575, 0
+  %.576 = load ptr, ptr %excinfo.7, align 8
+  %.584 = select i1 %.583, ptr %.576, ptr undef
+  store ptr %.584, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.endif.endif.endif:
+  %.idx = shl i64 %.111.0122, 6
+  %3 = getelementptr i8, ptr %arg.method, i64 %.idx
+  %.600 = getelementptr i8, ptr %3, i64 512
+  store ptr null, ptr %.608, align 8
+  %.612 = call i32 @combine.31(ptr nonnull %.608, ptr nonnull %excinfo.8, i64 %.84, i64 %.111.0122, ptr %.600, double %arg.h, ptr %arg.mass, ptr %arg.stages, ptr %arg.right, ptr %arg.after)
+  switch i32 %.612, label %B464.endif.endif.endif.if [
+    i32 -2, label %B464.endif.endif.endif.endif
+    i32 0, label %B464.endif.endif.endif.endif
+  ]
+
+B464.endif.endif.endif.if:
+  %.620 = icmp sgt i32 %.612, 0
+  %.613 = load ptr, ptr %excinfo.8, align 8
+  %.621 = select i1 %.620, ptr %.613, ptr undef
+  store ptr %.621, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.endif.endif.endif.endif:
+  %.635 = getelementptr i8, ptr %2, i64 1088
+  %.636 = load double, ptr %.635, align 8
+  %.638 = fmul contract double %arg.h, %.636
+  %.643 = fcmp contract une double %.638, 0.000000e+00
+  br i1 %.643, label %B810, label %B846
+
+B810.if:
+  %.662 = icmp sgt i32 %.654, 0
+  %.655 = load ptr, ptr %excinfo.9, align 8
+  %.663 = select i1 %.662, ptr %.655, ptr undef
+  store ptr %.663, ptr %excinfo, align 8
+  br label %common.ret
+
+B846.if:
+  %.708 = icmp sgt i32 %.700, 0
+  %.701 = load ptr, ptr %excinfo.10, align 8
+  %.709 = select i1 %.708, ptr %.701, ptr undef
+  store ptr %.709, ptr %excinfo, align 8
+  br label %common.ret
+
+B846.endif:
+  %exitcond145.not = icmp eq i64 %.183, 8
+  br i1 %exitcond145.not, label %B936, label %B72.if
 }
 
 define internal i32 @step_factor.25(ptr noalias %retptr, ptr noalias %excinfo, double %arg.error, double %arg.before, double %arg.order, ptr noalias %arg.settings) noinline {
@@ -2990,7 +3074,7 @@ B44:
 
 B70:
   store double 0.000000e+00, ptr %.36, align 8
-  %.42 = call i32 @numba.27(ptr nonnull %.36, ptr nonnull %excinfo.1, double %arg.error, double 1.000000e-10)
+  %.42 = call i32 @numba.28(ptr nonnull %.36, ptr nonnull %excinfo.1, double %arg.error, double 1.000000e-10)
   %.52 = load double, ptr %.36, align 8
   switch i32 %.42, label %B70.if [
     i32 -2, label %B70.endif
@@ -3026,7 +3110,7 @@ B250:
   %.125 = getelementptr i8, ptr %arg.settings, i64 48
   %.126 = load double, ptr %.125, align 8
   store double 0.000000e+00, ptr %.132, align 8
-  %.138 = call i32 @numba.27(ptr nonnull %.132, ptr nonnull %excinfo.2, double %.126, double %wanted.2.0)
+  %.138 = call i32 @numba.28(ptr nonnull %.132, ptr nonnull %excinfo.2, double %.126, double %wanted.2.0)
   switch i32 %.138, label %B250.if [
     i32 -2, label %B250.endif
     i32 0, label %B250.endif
@@ -3120,7 +3204,7 @@ B414.if.lr.ph:
 
 B530:
   store ptr null, ptr %.588, align 8
-  %.592 = call i32 @copy.22(ptr nonnull %.588, ptr nonnull %excinfo.5, i64 %arg.n, ptr %arg.after, ptr %.575)
+  %.592 = call i32 @copy.27(ptr nonnull %.588, ptr nonnull %excinfo.5, i64 %arg.n, ptr %arg.after, ptr %.575)
   switch i32 %.592, label %B530.if [
     i32 -2, label %B745
     i32 0, label %B745
@@ -3147,7 +3231,7 @@ B110.if:
   %.307 = getelementptr i8, ptr %3, i64 1152
   %.308 = load double, ptr %.307, align 8
   store ptr null, ptr %.311, align 8
-  %.315 = call i32 @add_scaled.24(ptr nonnull %.311, ptr nonnull %excinfo.1, i64 %arg.n, double %.308, ptr %.303, ptr %arg.first)
+  %.315 = call i32 @add_scaled.29(ptr nonnull %.311, ptr nonnull %excinfo.1, i64 %arg.n, double %.308, ptr %.303, ptr %arg.first)
   switch i32 %.315, label %B112.if [
     i32 -2, label %B112.endif
     i32 0, label %B112.endif
@@ -3164,7 +3248,7 @@ B112.endif:
   %.339 = getelementptr i8, ptr %3, i64 1216
   %.340 = load double, ptr %.339, align 8
   store ptr null, ptr %.343, align 8
-  %.347 = call i32 @add_scaled.24(ptr nonnull %.343, ptr nonnull %excinfo.2, i64 %arg.n, double %.340, ptr %.303, ptr %arg.second)
+  %.347 = call i32 @add_scaled.29(ptr nonnull %.343, ptr nonnull %excinfo.2, i64 %arg.n, double %.340, ptr %.303, ptr %arg.second)
   switch i32 %.347, label %B112.endif.if [
     i32 -2, label %B112.endif.endif
     i32 0, label %B112.endif.endif
@@ -3181,7 +3265,7 @@ B112.endif.endif:
   %.372 = getelementptr i8, ptr %3, i64 1280
   %.373 = load double, ptr %.372, align 8
   store ptr null, ptr %.376, align 8
-  %.380 = call i32 @add_scaled.24(ptr nonnull %.376, ptr nonnull %excinfo.3, i64 %arg.n, double %.373, ptr %.303, ptr %arg.third)
+  %.380 = call i32 @add_scaled.29(ptr nonnull %.376, ptr nonnull %excinfo.3, i64 %arg.n, double %.373, ptr %.303, ptr %arg.third)
   switch i32 %.380, label %B112.endif.endif.if [
     i32 -2, label %B112.endif.endif.endif
     i32 0, label %B112.endif.endif.endif
@@ -3268,7 +3352,22 @@ B596.if:
   br i1 %exitcond175.not, label %B745, label %B596.if
 }
 
-define internal i32 @numba.27(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x.0, double %arg.x.1) {
+define internal i32 @copy.27(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B62, label %B34.if.preheader
+
+B34.if.preheader:
+  %0 = shl nuw i64 %arg.n, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %arg.y, ptr align 8 %arg.x, i64 %0, i1 false)
+  br label %B62
+
+B62:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+}
+
+define internal i32 @numba.28(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x.0, double %arg.x.1) {
 entry:
   %.10 = fcmp contract ogt double %arg.x.1, %arg.x.0
   %.11 = select i1 %.10, double %arg.x.1, double %arg.x.0
@@ -3341,88 +3440,30 @@ B100.if:
   br i1 %exitcond79.not, label %B168, label %B100.if
 }
 
-define internal i32 @combine.28(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.count, ptr noalias %arg.weights, double %arg.h, ptr noalias %arg.mass, ptr noalias %arg.stages, ptr noalias %arg.right, ptr noalias %arg.pull) noinline {
+define internal i32 @add_scaled.29(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
 entry:
-  %.307 = alloca ptr, align 8
-  store ptr null, ptr %.307, align 8
-  %excinfo.1 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.1, align 8
-  %.29 = icmp eq i64 %arg.count, 0
-  br i1 %.29, label %B16, label %B20
+  %.9534.not = icmp slt i64 %arg.n, 1
+  br i1 %.9534.not, label %B90, label %B34.if
 
-common.ret:
-  %common.ret.op = phi i32 [ 0, %B16 ], [ 0, %B288 ], [ %.311, %B98.if ]
-  ret i32 %common.ret.op
-
-B16:
+B90:
   store ptr null, ptr %retptr, align 8
-  br label %common.ret
+  ret i32 0
 
-B20:
-  %.131113.not = icmp slt i64 %arg.n, 1
-  br i1 %.131113.not, label %B66, label %B50.if.preheader
-
-B50.if.preheader:
-  %0 = shl nuw i64 %arg.n, 3
-  call void @llvm.memset.p0.i64(ptr align 8 %arg.pull, i8 0, i64 %0, i1 false)
-  br label %B66
-
-B66:
-  %storemerge111 = call i64 @llvm.smax.i64(i64 %arg.count, i64 0)
-  %.259116.not = icmp eq i64 %storemerge111, 0
-  br i1 %.259116.not, label %B214.preheader, label %B96.if
-
-B214.preheader:
-  %.422119.not = icmp slt i64 %arg.n, 1
-  br i1 %.422119.not, label %B288, label %B214.if
-
-B288:
-  store ptr null, ptr %retptr, align 8
-  br label %common.ret
-
-B96.if:
-  %.203.0117 = phi i64 [ %.272, %B98.endif ], [ 0, %B66 ]
-  %.299 = getelementptr double, ptr %arg.weights, i64 %.203.0117
-  %.300 = load double, ptr %.299, align 8
-  %.302 = mul nsw i64 %.203.0117, %arg.n
-  %.304 = getelementptr double, ptr %arg.stages, i64 %.302
-  store ptr null, ptr %.307, align 8
-  %.311 = call i32 @add_scaled.24(ptr nonnull %.307, ptr nonnull %excinfo.1, i64 %arg.n, double %.300, ptr %.304, ptr %arg.pull)
-  switch i32 %.311, label %B98.if [
-    i32 -2, label %B98.endif
-    i32 0, label %B98.endif
-  ]
-
-B98.if:
-  %.319 = icmp sgt i32 %.311, 0
-  %.312 = load ptr, ptr %excinfo.1, align 8
-  %.320 = select i1 %.319, ptr %.312, ptr undef
-  store ptr %.320, ptr %excinfo, align 8
-  br label %common.ret
-
-B98.endif:
-  %.272 = add nuw nsw i64 %.203.0117, 1
-  %exitcond.not = icmp eq i64 %arg.count, %.272
-  br i1 %exitcond.not, label %B214.preheader, label %B96.if
-
-B214.if:
-  %.366.0120 = phi i64 [ %.435, %B214.if ], [ 0, %B214.preheader ]
-  %.435 = add nuw nsw i64 %.366.0120, 1
-  %.461 = getelementptr double, ptr %arg.right, i64 %.366.0120
-  %.462 = load double, ptr %.461, align 8
-  %.464 = getelementptr double, ptr %arg.mass, i64 %.366.0120
-  %.465 = load double, ptr %.464, align 8
-  %.467 = getelementptr double, ptr %arg.pull, i64 %.366.0120
-  %.468 = load double, ptr %.467, align 8
-  %.469 = fmul contract double %.465, %.468
-  %.474 = fdiv contract double %.469, %arg.h
-  %.475 = fadd contract double %.462, %.474
-  store double %.475, ptr %.461, align 8
-  %exitcond123.not = icmp eq i64 %arg.n, %.435
-  br i1 %exitcond123.not, label %B288, label %B214.if
+B34.if:
+  %.37.035 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.035, 1
+  %.134 = getelementptr double, ptr %arg.y, i64 %.37.035
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.x, i64 %.37.035
+  %.138 = load double, ptr %.137, align 8
+  %.140 = fmul contract double %arg.factor, %.138
+  %.141 = fadd contract double %.135, %.140
+  store double %.141, ptr %.134, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @step_error.29(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.tested, ptr noalias %arg.y, ptr noalias %arg.after, ptr noalias %arg.apart, ptr noalias %arg.powers, double %arg.lead, double %arg.tolerance) noinline {
+define internal i32 @step_error.30(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.tested, ptr noalias %arg.y, ptr noalias %arg.after, ptr noalias %arg.apart, ptr noalias %arg.powers, double %arg.lead, double %arg.tolerance) noinline {
 entry:
   %.350 = alloca double, align 8
   store double 0.000000e+00, ptr %.350, align 8
@@ -3472,7 +3513,7 @@ B254:
   %.346 = load double, ptr %.345, align 8
   %.347 = call contract double @llvm.fabs.f64(double %.346)
   store double 0.000000e+00, ptr %.350, align 8
-  %.356 = call i32 @numba.27(ptr nonnull %.350, ptr nonnull %excinfo.1, double %.342, double %.347)
+  %.356 = call i32 @numba.28(ptr nonnull %.350, ptr nonnull %excinfo.1, double %.342, double %.347)
   switch i32 %.356, label %B254.if [
     i32 -2, label %B254.endif
     i32 0, label %B254.endif
@@ -3486,7 +3527,7 @@ B446:
 B474:
   %error.3.1 = phi double [ %.410, %B446 ], [ %.387, %B254.endif ]
   store double 0.000000e+00, ptr %.424, align 8
-  %.430 = call i32 @numba.27(ptr nonnull %.424, ptr nonnull %excinfo.2, double %worst.3.0140, double %error.3.1)
+  %.430 = call i32 @numba.28(ptr nonnull %.424, ptr nonnull %excinfo.2, double %worst.3.0140, double %error.3.1)
   switch i32 %.430, label %B474.if [
     i32 -2, label %B474.endif
     i32 0, label %B474.endif
@@ -3570,7 +3611,7 @@ B540.if:
   %.616 = fmul contract double %arg.tolerance, %.614
   %.620 = fdiv contract double %.605, %.616
   store double 0.000000e+00, ptr %.624, align 8
-  %.630 = call i32 @numba.27(ptr nonnull %.624, ptr nonnull %excinfo.3, double %worst.5.0144, double %.620)
+  %.630 = call i32 @numba.28(ptr nonnull %.624, ptr nonnull %excinfo.3, double %worst.5.0144, double %.620)
   switch i32 %.630, label %B542.endif.if [
     i32 -2, label %B542.endif.endif
     i32 0, label %B542.endif.endif
@@ -3594,6 +3635,5259 @@ B542.endif.endif:
 declare double @llvm.fabs.f64(double)
 
 declare double @llvm.pow.f64(double, double)
+
+define internal i32 @combine.31(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.count, ptr noalias %arg.weights, double %arg.h, ptr noalias %arg.mass, ptr noalias %arg.stages, ptr noalias %arg.right, ptr noalias %arg.pull) noinline {
+entry:
+  %.307 = alloca ptr, align 8
+  store ptr null, ptr %.307, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.29 = icmp eq i64 %arg.count, 0
+  br i1 %.29, label %B16, label %B20
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B16 ], [ 0, %B288 ], [ %.311, %B98.if ]
+  ret i32 %common.ret.op
+
+B16:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B20:
+  %.131113.not = icmp slt i64 %arg.n, 1
+  br i1 %.131113.not, label %B66, label %B50.if.preheader
+
+B50.if.preheader:
+  %0 = shl nuw i64 %arg.n, 3
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.pull, i8 0, i64 %0, i1 false)
+  br label %B66
+
+B66:
+  %storemerge111 = call i64 @llvm.smax.i64(i64 %arg.count, i64 0)
+  %.259116.not = icmp eq i64 %storemerge111, 0
+  br i1 %.259116.not, label %B214.preheader, label %B96.if
+
+B214.preheader:
+  %.422119.not = icmp slt i64 %arg.n, 1
+  br i1 %.422119.not, label %B288, label %B214.if
+
+B288:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B96.if:
+  %.203.0117 = phi i64 [ %.272, %B98.endif ], [ 0, %B66 ]
+  %.299 = getelementptr double, ptr %arg.weights, i64 %.203.0117
+  %.300 = load double, ptr %.299, align 8
+  %.302 = mul nsw i64 %.203.0117, %arg.n
+  %.304 = getelementptr double, ptr %arg.stages, i64 %.302
+  store ptr null, ptr %.307, align 8
+  %.311 = call i32 @add_scaled.29(ptr nonnull %.307, ptr nonnull %excinfo.1, i64 %arg.n, double %.300, ptr %.304, ptr %arg.pull)
+  switch i32 %.311, label %B98.if [
+    i32 -2, label %B98.endif
+    i32 0, label %B98.endif
+  ]
+
+B98.if:
+  %.319 = icmp sgt i32 %.311, 0
+  %.312 = load ptr, ptr %excinfo.1, align 8
+  %.320 = select i1 %.319, ptr %.312, ptr undef
+  store ptr %.320, ptr %excinfo, align 8
+  br label %common.ret
+
+B98.endif:
+  %.272 = add nuw nsw i64 %.203.0117, 1
+  %exitcond.not = icmp eq i64 %arg.count, %.272
+  br i1 %exitcond.not, label %B214.preheader, label %B96.if
+
+B214.if:
+  %.366.0120 = phi i64 [ %.435, %B214.if ], [ 0, %B214.preheader ]
+  %.435 = add nuw nsw i64 %.366.0120, 1
+  %.461 = getelementptr double, ptr %arg.right, i64 %.366.0120
+  %.462 = load double, ptr %.461, align 8
+  %.464 = getelementptr double, ptr %arg.mass, i64 %.366.0120
+  %.465 = load double, ptr %.464, align 8
+  %.467 = getelementptr double, ptr %arg.pull, i64 %.366.0120
+  %.468 = load double, ptr %.467, align 8
+  %.469 = fmul contract double %.465, %.468
+  %.474 = fdiv contract double %.469, %arg.h
+  %.475 = fadd contract double %.462, %.474
+  store double %.475, ptr %.461, align 8
+  %exitcond123.not = icmp eq i64 %arg.n, %.435
+  br i1 %exitcond123.not, label %B288, label %B214.if
+}
+
+define i64 @lu_solve_transposed(i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @lu_solve_transposed.32(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  ret i64 0
+}
+
+define internal i32 @lu_solve_transposed.32(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
+entry:
+  %0 = call i64 @llvm.smax.i64(i64 %arg.blocks, i64 0)
+  %storemerge = shl nuw i64 %0, 1
+  %.117249 = icmp sgt i64 %storemerge, 0
+  br i1 %.117249, label %B40.if.preheader, label %B56
+
+B40.if.preheader:
+  %1 = shl i64 %0, 4
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.x, i8 0, i64 %1, i1 false)
+  br label %B56
+
+B56:
+  %.243252.not = icmp slt i64 %arg.n, 1
+  br i1 %.243252.not, label %B126, label %B86.if
+
+B126:
+  %.379258.not = icmp slt i64 %arg.blocks, 1
+  br i1 %.379258.not, label %B698, label %B158.if
+
+B156.loopexit:
+  %exitcond271.not = icmp eq i64 %arg.blocks, %.392
+  br i1 %exitcond271.not, label %B698, label %B158.if
+
+B698:
+  %.748265.not = icmp slt i64 %arg.blocks, 1
+  br i1 %.748265.not, label %B1090.preheader, label %B738.if
+
+B738.loopexit:
+  %.748 = icmp sgt i64 %.695.0266, 1
+  br i1 %.748, label %B738.if, label %B1090.preheader
+
+B1090.preheader:
+  %.1076268.not = icmp slt i64 %arg.n, 1
+  br i1 %.1076268.not, label %B1130, label %B1090.if
+
+B1130:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B86.if:
+  %.187.0253 = phi i64 [ %.256, %B86.if ], [ 0, %B56 ]
+  %.256 = add nuw nsw i64 %.187.0253, 1
+  %.282 = getelementptr double, ptr %arg.right, i64 %.187.0253
+  %.283 = load double, ptr %.282, align 8
+  %.285 = getelementptr i32, ptr %arg.slots, i64 %.187.0253
+  %.286 = load i32, ptr %.285, align 4
+  %.288 = sext i32 %.286 to i64
+  %.289 = getelementptr double, ptr %arg.x, i64 %.288
+  store double %.283, ptr %.289, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.256
+  br i1 %exitcond.not, label %B126, label %B86.if
+
+B158.if:
+  %.322.0259 = phi i64 [ %.392, %B156.loopexit ], [ 0, %B126 ]
+  %.392 = add nuw nsw i64 %.322.0259, 1
+  %.418 = getelementptr i32, ptr %arg.diagonal, i64 %.322.0259
+  %.419 = load i32, ptr %.418, align 4
+  %.420 = sext i32 %.419 to i64
+  %.423.idx = shl nsw i64 %.420, 5
+  %.423 = getelementptr i8, ptr %arg.lu, i64 %.423.idx
+  %.424 = load double, ptr %.423, align 8
+  %.427.idx = shl i64 %.322.0259, 4
+  %.427 = getelementptr i8, ptr %arg.x, i64 %.427.idx
+  %.428 = load double, ptr %.427, align 8
+  %.429 = fmul contract double %.424, %.428
+  %.432 = getelementptr i8, ptr %.423, i64 16
+  %.433 = load double, ptr %.432, align 8
+  %.437 = getelementptr i8, ptr %.427, i64 8
+  %.438 = load double, ptr %.437, align 8
+  %.439 = fmul contract double %.433, %.438
+  %.440 = fadd contract double %.429, %.439
+  %.446 = getelementptr i8, ptr %.423, i64 8
+  %.447 = load double, ptr %.446, align 8
+  %.452 = fmul contract double %.428, %.447
+  %.455 = getelementptr i8, ptr %.423, i64 24
+  %.456 = load double, ptr %.455, align 8
+  %.462 = fmul contract double %.438, %.456
+  %.463 = fadd contract double %.452, %.462
+  store double %.440, ptr %.427, align 8
+  store double %.463, ptr %.437, align 8
+  %.482 = add nsw i64 %.420, 1
+  %2 = getelementptr i32, ptr %arg.lu_start, i64 %.322.0259
+  %.485 = getelementptr i8, ptr %2, i64 4
+  %.486 = load i32, ptr %.485, align 4
+  %.487 = sext i32 %.486 to i64
+  %.524 = sub nsw i64 %.487, %.482
+  %.567255.not = icmp slt i64 %.524, 1
+  br i1 %.567255.not, label %B156.loopexit, label %B484.if
+
+B484.if:
+  %.514.0257 = phi i64 [ %.576, %B484.if ], [ %.524, %B158.if ]
+  %.511.0256 = phi i64 [ %.580, %B484.if ], [ %.482, %B158.if ]
+  %.576 = add nsw i64 %.514.0257, -1
+  %.580 = add nsw i64 %.511.0256, 1
+  %.607 = getelementptr i32, ptr %arg.lu_columns, i64 %.511.0256
+  %.608 = load i32, ptr %.607, align 4
+  %.609 = sext i32 %.608 to i64
+  %.612.idx = shl nsw i64 %.609, 4
+  %.612 = getelementptr i8, ptr %arg.x, i64 %.612.idx
+  %.613 = load double, ptr %.612, align 8
+  %.615.idx = shl i64 %.511.0256, 5
+  %.615 = getelementptr i8, ptr %arg.lu, i64 %.615.idx
+  %.616 = load double, ptr %.615, align 8
+  %.618 = fmul contract double %.440, %.616
+  %.621 = getelementptr i8, ptr %.615, i64 16
+  %.622 = load double, ptr %.621, align 8
+  %.624 = fmul contract double %.463, %.622
+  %.625 = fadd contract double %.618, %.624
+  %.626 = fsub contract double %.613, %.625
+  store double %.626, ptr %.612, align 8
+  %.632 = getelementptr i8, ptr %.612, i64 8
+  %.633 = load double, ptr %.632, align 8
+  %.636 = getelementptr i8, ptr %.615, i64 8
+  %.637 = load double, ptr %.636, align 8
+  %.639 = fmul contract double %.440, %.637
+  %.642 = getelementptr i8, ptr %.615, i64 24
+  %.643 = load double, ptr %.642, align 8
+  %.645 = fmul contract double %.463, %.643
+  %.646 = fadd contract double %.639, %.645
+  %.647 = fsub contract double %.633, %.646
+  store double %.647, ptr %.632, align 8
+  %.567 = icmp sgt i64 %.514.0257, 1
+  br i1 %.567, label %B484.if, label %B156.loopexit
+
+B738.if:
+  %.692.0267.in = phi i64 [ %.692.0267, %B738.loopexit ], [ %arg.blocks, %B698 ]
+  %.695.0266 = phi i64 [ %.757, %B738.loopexit ], [ %arg.blocks, %B698 ]
+  %.692.0267 = add i64 %.692.0267.in, -1
+  %.757 = add nsw i64 %.695.0266, -1
+  %.788.idx = shl i64 %.692.0267, 4
+  %.788 = getelementptr i8, ptr %arg.x, i64 %.788.idx
+  %.789 = load double, ptr %.788, align 8
+  %.793 = getelementptr i8, ptr %.788, i64 8
+  %.794 = load double, ptr %.793, align 8
+  %.802 = getelementptr i32, ptr %arg.lu_start, i64 %.692.0267
+  %.803 = load i32, ptr %.802, align 4
+  %.805 = getelementptr i32, ptr %arg.diagonal, i64 %.692.0267
+  %.806 = load i32, ptr %.805, align 4
+  %.843 = sub i32 %.806, %.803
+  %.886261.not = icmp slt i32 %.843, 1
+  br i1 %.886261.not, label %B738.loopexit, label %B848.if
+
+B848.if:
+  %.833.0263 = phi i32 [ %.895, %B848.if ], [ %.843, %B738.if ]
+  %.830.0262 = phi i32 [ %.899, %B848.if ], [ %.803, %B738.if ]
+  %.895 = add nsw i32 %.833.0263, -1
+  %.899 = add i32 %.830.0262, 1
+  %3 = sext i32 %.830.0262 to i64
+  %.928 = getelementptr i32, ptr %arg.lu_columns, i64 %3
+  %.929 = load i32, ptr %.928, align 4
+  %.930 = sext i32 %.929 to i64
+  %.933.idx = shl nsw i64 %.930, 4
+  %.933 = getelementptr i8, ptr %arg.x, i64 %.933.idx
+  %.934 = load double, ptr %.933, align 8
+  %.936.idx = shl nsw i64 %3, 5
+  %.936 = getelementptr i8, ptr %arg.lu, i64 %.936.idx
+  %.937 = load double, ptr %.936, align 8
+  %.939 = fmul contract double %.789, %.937
+  %.942 = getelementptr i8, ptr %.936, i64 16
+  %.943 = load double, ptr %.942, align 8
+  %.945 = fmul contract double %.794, %.943
+  %.946 = fadd contract double %.939, %.945
+  %.947 = fsub contract double %.934, %.946
+  store double %.947, ptr %.933, align 8
+  %.953 = getelementptr i8, ptr %.933, i64 8
+  %.954 = load double, ptr %.953, align 8
+  %.957 = getelementptr i8, ptr %.936, i64 8
+  %.958 = load double, ptr %.957, align 8
+  %.960 = fmul contract double %.789, %.958
+  %.963 = getelementptr i8, ptr %.936, i64 24
+  %.964 = load double, ptr %.963, align 8
+  %.966 = fmul contract double %.794, %.964
+  %.967 = fadd contract double %.960, %.966
+  %.968 = fsub contract double %.954, %.967
+  store double %.968, ptr %.953, align 8
+  %.886 = icmp sgt i32 %.833.0263, 1
+  br i1 %.886, label %B848.if, label %B738.loopexit
+
+B1090.if:
+  %.1020.0269 = phi i64 [ %.1089, %B1090.if ], [ 0, %B1090.preheader ]
+  %.1089 = add nuw nsw i64 %.1020.0269, 1
+  %.1115 = getelementptr i32, ptr %arg.slots, i64 %.1020.0269
+  %.1116 = load i32, ptr %.1115, align 4
+  %.1118 = sext i32 %.1116 to i64
+  %.1119 = getelementptr double, ptr %arg.x, i64 %.1118
+  %.1120 = load double, ptr %.1119, align 8
+  %.1122 = getelementptr double, ptr %arg.solution, i64 %.1020.0269
+  store double %.1120, ptr %.1122, align 8
+  %exitcond272.not = icmp eq i64 %arg.n, %.1089
+  br i1 %exitcond272.not, label %B1130, label %B1090.if
+}
+
+define i64 @lu_solve_sides(i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @lu_solve_sides.33(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  ret i64 0
+}
+
+define internal i32 @lu_solve_sides.33(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
+entry:
+  %.691 = alloca ptr, align 8
+  store ptr null, ptr %.691, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.999 = alloca ptr, align 8
+  store ptr null, ptr %.999, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %0 = call i64 @llvm.smax.i64(i64 %arg.blocks, i64 0)
+  %storemerge = shl i64 %0, 4
+  %.118375 = icmp sgt i64 %storemerge, 0
+  br i1 %.118375, label %B56.if.preheader, label %B72
+
+B56.if.preheader:
+  %1 = shl i64 %0, 7
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.x, i8 0, i64 %1, i1 false)
+  br label %B72
+
+B72:
+  %.244380.not = icmp slt i64 %arg.n, 1
+  br i1 %.244380.not, label %B232, label %B102.if
+
+B232:
+  %.512386.not = icmp slt i64 %arg.blocks, 1
+  br i1 %.512386.not, label %B434, label %B262.if
+
+B262.loopexit:
+  %exitcond405.not = icmp eq i64 %arg.blocks, %.525
+  br i1 %exitcond405.not, label %B434, label %B262.if
+
+B434:
+  %.810395.not = icmp slt i64 %arg.blocks, 1
+  br i1 %.810395.not, label %B988.preheader, label %B474.if
+
+B474.loopexit:
+  %.810 = icmp sgt i64 %.757.0396, 1
+  br i1 %.810, label %B474.if, label %B988.preheader
+
+B988.preheader:
+  %.1328400.not = icmp slt i64 %arg.n, 1
+  br i1 %.1328400.not, label %B1118, label %B988.if
+
+B678:
+  %.1030.idx = shl nsw i64 %.853, 5
+  %.1030 = getelementptr i8, ptr %arg.lu, i64 %.1030.idx
+  %.1031 = load double, ptr %.1030, align 8
+  %.1035 = getelementptr i8, ptr %.1030, i64 8
+  %.1036 = load double, ptr %.1035, align 8
+  %.1040 = getelementptr i8, ptr %.1030, i64 16
+  %.1041 = load double, ptr %.1040, align 8
+  %.1047 = getelementptr i8, ptr %.1030, i64 24
+  %.1048 = load double, ptr %.1047, align 8
+  %2 = getelementptr double, ptr %arg.x, i64 %.849
+  %3 = getelementptr i8, ptr %2, i64 64
+  br label %B806.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B1118 ], [ %.1003, %B596.if ], [ %.695, %B350.if ]
+  ret i32 %common.ret.op
+
+B1118:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B102.if:
+  %.188.0381 = phi i64 [ %.257, %B102.if ], [ 0, %B72 ]
+  %4 = shl i64 %.188.0381, 6
+  %scevgep = getelementptr i8, ptr %arg.right, i64 %4
+  %.410 = getelementptr i32, ptr %arg.slots, i64 %.188.0381
+  %.411 = load i32, ptr %.410, align 4
+  %.412 = sext i32 %.411 to i64
+  %.idx374 = shl nsw i64 %.412, 6
+  %5 = getelementptr i8, ptr %arg.x, i64 %.idx374
+  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 8 dereferenceable(64) %5, ptr nonnull align 8 dereferenceable(64) %scevgep, i64 64, i1 false)
+  %.257 = add nuw nsw i64 %.188.0381, 1
+  %exitcond.not = icmp eq i64 %arg.n, %.257
+  br i1 %exitcond.not, label %B232, label %B102.if
+
+B262.if:
+  %.456.0387 = phi i64 [ %.525, %B262.loopexit ], [ 0, %B232 ]
+  %.525 = add nuw nsw i64 %.456.0387, 1
+  %.551 = shl nsw i64 %.456.0387, 4
+  %.556 = getelementptr i32, ptr %arg.lu_start, i64 %.456.0387
+  %.557 = load i32, ptr %.556, align 4
+  %.559 = getelementptr i32, ptr %arg.diagonal, i64 %.456.0387
+  %.560 = load i32, ptr %.559, align 4
+  %.597 = sub i32 %.560, %.557
+  %.640383.not = icmp slt i32 %.597, 1
+  br i1 %.640383.not, label %B262.loopexit, label %B348.if
+
+B348.if:
+  %.587.0385 = phi i32 [ %.649, %B350.endif ], [ %.597, %B262.if ]
+  %.584.0384 = phi i32 [ %.653, %B350.endif ], [ %.557, %B262.if ]
+  %6 = sext i32 %.584.0384 to i64
+  %.680 = shl nsw i64 %6, 2
+  %.683 = getelementptr i32, ptr %arg.lu_columns, i64 %6
+  %.684 = load i32, ptr %.683, align 4
+  %.685 = sext i32 %.684 to i64
+  %.687 = shl nsw i64 %.685, 4
+  store ptr null, ptr %.691, align 8
+  %.695 = call i32 @subtract_product.34(ptr nonnull %.691, ptr nonnull %excinfo.1, ptr %arg.lu, i64 %.680, ptr %arg.x, i64 %.687, i64 %.551)
+  switch i32 %.695, label %B350.if [
+    i32 -2, label %B350.endif
+    i32 0, label %B350.endif
+  ]
+
+B350.if:
+  %.703 = icmp sgt i32 %.695, 0
+  %.696 = load ptr, ptr %excinfo.1, align 8
+  %.704 = select i1 %.703, ptr %.696, ptr undef
+  store ptr %.704, ptr %excinfo, align 8
+  br label %common.ret
+
+B350.endif:
+  %.653 = add i32 %.584.0384, 1
+  %.649 = add nsw i32 %.587.0385, -1
+  %.640 = icmp sgt i32 %.587.0385, 1
+  br i1 %.640, label %B348.if, label %B262.loopexit
+
+B474.if:
+  %.754.0397.in = phi i64 [ %.754.0397, %B474.loopexit ], [ %arg.blocks, %B434 ]
+  %.757.0396 = phi i64 [ %.819, %B474.loopexit ], [ %arg.blocks, %B434 ]
+  %.754.0397 = add i64 %.754.0397.in, -1
+  %.819 = add nsw i64 %.757.0396, -1
+  %.849 = shl nsw i64 %.754.0397, 4
+  %.851 = getelementptr i32, ptr %arg.diagonal, i64 %.754.0397
+  %.852 = load i32, ptr %.851, align 4
+  %.853 = sext i32 %.852 to i64
+  %.865 = add nsw i64 %.853, 1
+  %7 = getelementptr i32, ptr %arg.lu_start, i64 %.754.0397
+  %.868 = getelementptr i8, ptr %7, i64 4
+  %.869 = load i32, ptr %.868, align 4
+  %.870 = sext i32 %.869 to i64
+  %.907 = sub nsw i64 %.870, %.865
+  %.950389.not = icmp slt i64 %.907, 1
+  br i1 %.950389.not, label %B678, label %B594.if
+
+B594.if:
+  %.897.0391 = phi i64 [ %.959, %B596.endif ], [ %.907, %B474.if ]
+  %.894.0390 = phi i64 [ %.963, %B596.endif ], [ %.865, %B474.if ]
+  %.989 = shl nsw i64 %.894.0390, 2
+  %.991 = getelementptr i32, ptr %arg.lu_columns, i64 %.894.0390
+  %.992 = load i32, ptr %.991, align 4
+  %.993 = sext i32 %.992 to i64
+  %.995 = shl nsw i64 %.993, 4
+  store ptr null, ptr %.999, align 8
+  %.1003 = call i32 @subtract_product.34(ptr nonnull %.999, ptr nonnull %excinfo.2, ptr %arg.lu, i64 %.989, ptr %arg.x, i64 %.995, i64 %.849)
+  switch i32 %.1003, label %B596.if [
+    i32 -2, label %B596.endif
+    i32 0, label %B596.endif
+  ]
+
+B596.if:
+  %.1011 = icmp sgt i32 %.1003, 0
+  %.1004 = load ptr, ptr %excinfo.2, align 8
+  %.1012 = select i1 %.1011, ptr %.1004, ptr undef
+  store ptr %.1012, ptr %excinfo, align 8
+  br label %common.ret
+
+B596.endif:
+  %.963 = add nsw i64 %.894.0390, 1
+  %.959 = add nsw i64 %.897.0391, -1
+  %.950 = icmp sgt i64 %.897.0391, 1
+  br i1 %.950, label %B594.if, label %B678
+
+B806.if:
+  %.1092.0392 = phi i64 [ 0, %B678 ], [ %.1161, %B806.if ]
+  %.1161 = add nuw nsw i64 %.1092.0392, 1
+  %.1189 = getelementptr double, ptr %2, i64 %.1092.0392
+  %.1190 = load double, ptr %.1189, align 8
+  %.1195 = getelementptr double, ptr %3, i64 %.1092.0392
+  %.1196 = load double, ptr %.1195, align 8
+  %.1198 = fmul contract double %.1031, %.1190
+  %.1200 = fmul contract double %.1036, %.1196
+  %.1201 = fadd contract double %.1198, %.1200
+  store double %.1201, ptr %.1189, align 8
+  %.1208 = fmul contract double %.1041, %.1190
+  %.1210 = fmul contract double %.1048, %.1196
+  %.1211 = fadd contract double %.1208, %.1210
+  store double %.1211, ptr %.1195, align 8
+  %exitcond406.not = icmp eq i64 %.1161, 8
+  br i1 %exitcond406.not, label %B474.loopexit, label %B806.if
+
+B988.if:
+  %.1272.0401 = phi i64 [ %.1341, %B988.if ], [ 0, %B988.preheader ]
+  %8 = shl i64 %.1272.0401, 6
+  %scevgep407 = getelementptr i8, ptr %arg.solution, i64 %8
+  %.1488 = getelementptr i32, ptr %arg.slots, i64 %.1272.0401
+  %.1489 = load i32, ptr %.1488, align 4
+  %.1490 = sext i32 %.1489 to i64
+  %.idx = shl nsw i64 %.1490, 6
+  %9 = getelementptr i8, ptr %arg.x, i64 %.idx
+  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 8 dereferenceable(64) %scevgep407, ptr nonnull align 8 dereferenceable(64) %9, i64 64, i1 false)
+  %.1341 = add nuw nsw i64 %.1272.0401, 1
+  %exitcond408.not = icmp eq i64 %arg.n, %.1341
+  br i1 %exitcond408.not, label %B1118, label %B988.if
+}
+
+define internal i32 @subtract_product.34(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.lu, i64 %arg.block, ptr noalias %arg.x, i64 %arg.source, i64 %arg.target) {
+entry:
+  %.15 = getelementptr double, ptr %arg.lu, i64 %arg.block
+  %.16 = load double, ptr %.15, align 8
+  %.18 = getelementptr i8, ptr %.15, i64 8
+  %.19 = load double, ptr %.18, align 8
+  %.21 = getelementptr i8, ptr %.15, i64 16
+  %.22 = load double, ptr %.21, align 8
+  %.24 = getelementptr i8, ptr %.15, i64 24
+  %.25 = load double, ptr %.24, align 8
+  %0 = getelementptr double, ptr %arg.x, i64 %arg.source
+  %1 = getelementptr i8, ptr %0, i64 64
+  %2 = getelementptr double, ptr %arg.x, i64 %arg.target
+  %3 = getelementptr i8, ptr %2, i64 64
+  br label %B132.if
+
+B326:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B132.if:
+  %.69.038 = phi i64 [ 0, %entry ], [ %.140, %B132.if ]
+  %.140 = add nuw nsw i64 %.69.038, 1
+  %.168 = getelementptr double, ptr %0, i64 %.69.038
+  %.169 = load double, ptr %.168, align 8
+  %.174 = getelementptr double, ptr %1, i64 %.69.038
+  %.175 = load double, ptr %.174, align 8
+  %.179 = getelementptr double, ptr %2, i64 %.69.038
+  %.180 = load double, ptr %.179, align 8
+  %.182 = fmul contract double %.16, %.169
+  %.184 = fmul contract double %.19, %.175
+  %.185 = fadd contract double %.182, %.184
+  %.186 = fsub contract double %.180, %.185
+  store double %.186, ptr %.179, align 8
+  %.194 = getelementptr double, ptr %3, i64 %.69.038
+  %.195 = load double, ptr %.194, align 8
+  %.197 = fmul contract double %.22, %.169
+  %.199 = fmul contract double %.25, %.175
+  %.200 = fadd contract double %.197, %.199
+  %.201 = fsub contract double %.195, %.200
+  store double %.201, ptr %.194, align 8
+  %exitcond.not = icmp eq i64 %.140, 8
+  br i1 %exitcond.not, label %B326, label %B132.if
+}
+
+define i64 @slopes_at(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @slopes_at.35(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12)
+  ret i64 0
+}
+
+define internal i32 @slopes_at.35(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.drive_weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.18 = alloca ptr, align 8
+  store ptr null, ptr %.18, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.45 = alloca ptr, align 8
+  store ptr null, ptr %.45, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.70 = alloca ptr, align 8
+  store ptr null, ptr %.70, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  store ptr null, ptr %.18, align 8
+  %.22 = call i32 @drive.6(ptr nonnull %.18, ptr nonnull %excinfo.1, ptr %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.22, label %B0.if [
+    i32 -2, label %B0.endif
+    i32 0, label %B0.endif
+  ]
+
+B0.if:
+  %.30 = icmp sgt i32 %.22, 0
+  %.23 = load ptr, ptr %excinfo.1, align 8
+  %.31 = select i1 %.30, ptr %.23, ptr undef
+  store ptr %.31, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif:
+  store ptr null, ptr %.45, align 8
+  %.49 = call i32 @pull_residual.36(ptr nonnull %.45, ptr nonnull %excinfo.2, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  switch i32 %.49, label %B0.endif.if [
+    i32 -2, label %B0.endif.endif
+    i32 0, label %B0.endif.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ %.49, %B0.endif.if ], [ %.22, %B0.if ], [ 0, %B0.endif.endif.endif ], [ %.74, %B0.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B0.endif.if:
+  %.57 = icmp sgt i32 %.49, 0
+  %.50 = load ptr, ptr %excinfo.2, align 8
+  %.58 = select i1 %.57, ptr %.50, ptr undef
+  store ptr %.58, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif:
+  store ptr null, ptr %.70, align 8
+  %.74 = call i32 @drives_bar.37(ptr nonnull %.70, ptr nonnull %excinfo.3, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.drive_weights, ptr %arg.local, ptr %arg.out)
+  switch i32 %.74, label %B0.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif
+  ]
+
+B0.endif.endif.if:
+  %.82 = icmp sgt i32 %.74, 0
+  %.75 = load ptr, ptr %excinfo.3, align 8
+  %.83 = select i1 %.82, ptr %.75, ptr undef
+  store ptr %.83, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+}
+
+define internal i32 @pull_residual.36(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.415 = alloca ptr, align 8
+  store ptr null, ptr %.415, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.38 = getelementptr i8, ptr %arg.layout, i64 32
+  %.39 = load i64, ptr %.38, align 8
+  %.12287.not = icmp slt i64 %.39, 1
+  br i1 %.12287.not, label %B730, label %B58.if
+
+B148:
+  %.175 = getelementptr i8, ptr %2, i64 56
+  %.176 = load i64, ptr %.175, align 8
+  %.183 = getelementptr i8, ptr %2, i64 48
+  %.184 = load i64, ptr %.183, align 8
+  %.186 = getelementptr i32, ptr %arg.idx, i64 %.184
+  %.190 = getelementptr i8, ptr %2, i64 64
+  %.191 = load i64, ptr %.190, align 8
+  %.193 = getelementptr i32, ptr %arg.rows, i64 %.191
+  %.203 = getelementptr i8, ptr %2, i64 8
+  %.204 = load i64, ptr %.203, align 8
+  %.211 = load i64, ptr %2, align 8
+  %.212 = mul nsw i64 %.211, %.204
+  %.29284.not = icmp slt i64 %.212, 1
+  br i1 %.29284.not, label %B731, label %B392.if
+
+B586:
+  %.395 = getelementptr i8, ptr %2, i64 32
+  %.396 = load i64, ptr %.395, align 8
+  %.400 = getelementptr i8, ptr %2, i64 64
+  %.401 = load i64, ptr %.400, align 8
+  %.403 = getelementptr i32, ptr %arg.rows, i64 %.401
+  store ptr null, ptr %.415, align 8
+  %.419 = call i32 @pull.38(ptr nonnull %.415, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 0, i64 %.396, ptr %.403, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  switch i32 %.419, label %B586.if [
+    i32 -2, label %B731
+    i32 0, label %B731
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B730 ], [ %.419, %B586.if ]
+  ret i32 %common.ret.op
+
+B730:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B731:
+  %exitcond90.not = icmp eq i64 %.39, %.135
+  br i1 %exitcond90.not, label %B730, label %B58.if
+
+B58.if:
+  %.63.088 = phi i64 [ %.135, %B731 ], [ 0, %entry ]
+  %.135 = add nuw nsw i64 %.63.088, 1
+  %0 = mul nuw nsw i64 %.63.088, 11
+  %1 = add nuw nsw i64 %0, 8
+  %2 = getelementptr i64, ptr %arg.layout, i64 %1
+  %.168 = getelementptr i8, ptr %2, i64 80
+  %.169 = load i64, ptr %.168, align 8
+  %.170 = icmp eq i64 %.169, -1
+  br i1 %.170, label %B148, label %B586
+
+B392.if:
+  %.236.085 = phi i64 [ %.305, %B392.if ], [ 0, %B148 ]
+  %.305 = add nuw nsw i64 %.236.085, 1
+  %.331 = getelementptr i32, ptr %.186, i64 %.236.085
+  %.332 = load i32, ptr %.331, align 4
+  %.334 = sext i32 %.332 to i64
+  %.335 = getelementptr double, ptr %arg.Y_bar, i64 %.334
+  %.336 = load double, ptr %.335, align 8
+  %.338 = add nsw i64 %.236.085, %.176
+  %.340 = getelementptr double, ptr %arg.numbers, i64 %.338
+  %.341 = load double, ptr %.340, align 8
+  %.343 = getelementptr i32, ptr %.193, i64 %.236.085
+  %.344 = load i32, ptr %.343, align 4
+  %.346 = sext i32 %.344 to i64
+  %.347 = getelementptr double, ptr %arg.weights, i64 %.346
+  %.348 = load double, ptr %.347, align 8
+  %.349 = fmul contract double %.341, %.348
+  %.350 = fadd contract double %.336, %.349
+  store double %.350, ptr %.335, align 8
+  %.358 = getelementptr double, ptr %arg.numbers_bar, i64 %.338
+  %.359 = load double, ptr %.358, align 8
+  %.365 = getelementptr double, ptr %arg.Y, i64 %.334
+  %.366 = load double, ptr %.365, align 8
+  %.374 = fmul contract double %.348, %.366
+  %.375 = fadd contract double %.359, %.374
+  store double %.375, ptr %.358, align 8
+  %exitcond.not = icmp eq i64 %.212, %.305
+  br i1 %exitcond.not, label %B731, label %B392.if
+
+B586.if:
+  %.427 = icmp sgt i32 %.419, 0
+  %.420 = load ptr, ptr %excinfo.1, align 8
+  %.428 = select i1 %.427, ptr %.420, ptr undef
+  store ptr %.428, ptr %excinfo, align 8
+  br label %common.ret
+}
+
+define internal i32 @drives_bar.37(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.198 = alloca ptr, align 8
+  store ptr null, ptr %.198, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.44 = getelementptr i8, ptr %arg.layout, i64 8
+  %.45 = load i64, ptr %.44, align 8
+  %.12737.not = icmp slt i64 %.45, 1
+  br i1 %.12737.not, label %B116, label %B82.if.lr.ph
+
+B82.if.lr.ph:
+  %.39 = load i64, ptr %arg.layout, align 8
+  %0 = getelementptr double, ptr %arg.Y_bar, i64 %.39
+  %1 = shl nuw i64 %.45, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %arg.weights, ptr align 8 %0, i64 %1, i1 false)
+  br label %B116
+
+B116:
+  %.184 = getelementptr double, ptr %arg.weights, i64 %.45
+  store double 0.000000e+00, ptr %.184, align 8
+  store ptr null, ptr %.198, align 8
+  %.202 = call i32 @pull_drive.39(ptr nonnull %.198, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  switch i32 %.202, label %B116.if [
+    i32 -2, label %B116.endif
+    i32 0, label %B116.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ %.202, %B116.if ], [ 0, %B116.endif ]
+  ret i32 %common.ret.op
+
+B116.if:
+  %.210 = icmp sgt i32 %.202, 0
+  %.203 = load ptr, ptr %excinfo.1, align 8
+  %.211 = select i1 %.210, ptr %.203, ptr undef
+  store ptr %.211, ptr %excinfo, align 8
+  br label %common.ret
+
+B116.endif:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+}
+
+define internal i32 @pull_drive.39(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.190 = alloca ptr, align 8
+  store ptr null, ptr %.190, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.41 = getelementptr i8, ptr %arg.layout, i64 40
+  %.42 = load i64, ptr %.41, align 8
+  %.12436.not = icmp slt i64 %.42, 1
+  br i1 %.12436.not, label %B266, label %B56.if.lr.ph
+
+B56.if.lr.ph:
+  %.163 = getelementptr i8, ptr %arg.layout, i64 32
+  br label %B56.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B266 ], [ %.194, %B58.if ]
+  ret i32 %common.ret.op
+
+B266:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B56.if:
+  %.66.037 = phi i64 [ 0, %B56.if.lr.ph ], [ %.137, %B58.endif ]
+  %.164 = load i64, ptr %.163, align 8
+  %.165 = add nsw i64 %.164, %.66.037
+  %.166 = mul nsw i64 %.165, 11
+  %.167 = add nsw i64 %.166, 8
+  %0 = getelementptr i64, ptr %arg.layout, i64 %.166
+  %.171 = getelementptr i8, ptr %0, i64 96
+  %.172 = load i64, ptr %.171, align 8
+  %.175 = getelementptr i8, ptr %0, i64 128
+  %.176 = load i64, ptr %.175, align 8
+  %.178 = getelementptr i32, ptr %arg.rows, i64 %.176
+  store ptr null, ptr %.190, align 8
+  %.194 = call i32 @pull.38(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  switch i32 %.194, label %B58.if [
+    i32 -2, label %B58.endif
+    i32 0, label %B58.endif
+  ]
+
+B58.if:
+  %.202 = icmp sgt i32 %.194, 0
+  %.195 = load ptr, ptr %excinfo.1, align 8
+  %.203 = select i1 %.202, ptr %.195, ptr undef
+  store ptr %.203, ptr %excinfo, align 8
+  br label %common.ret
+
+B58.endif:
+  %.137 = add nuw nsw i64 %.66.037, 1
+  %exitcond.not = icmp eq i64 %.137, %.42
+  br i1 %exitcond.not, label %B266, label %B56.if
+}
+
+define internal i32 @pull.38(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.229 = alloca ptr, align 8
+  store ptr null, ptr %.229, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.263 = alloca ptr, align 8
+  store ptr null, ptr %.263, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.302 = alloca ptr, align 8
+  store ptr null, ptr %.302, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %0 = getelementptr i64, ptr %arg.layout, i64 %arg.table
+  %.45 = getelementptr i8, ptr %0, i64 8
+  %.46 = load i64, ptr %.45, align 8
+  %.47 = mul nsw i64 %.46, %arg.results
+  %.51 = getelementptr i8, ptr %0, i64 24
+  %.52 = load i64, ptr %.51, align 8
+  %.53 = mul i64 %.52, %.46
+  %.63 = getelementptr i8, ptr %0, i64 16
+  %.64 = load i64, ptr %.63, align 8
+  %.65 = mul nsw i64 %.64, %.46
+  %.84 = load i64, ptr %0, align 8
+  %.166102.not = icmp slt i64 %.84, 1
+  br i1 %.166102.not, label %B690, label %B240.if.lr.ph
+
+B240.if.lr.ph:
+  %.72 = getelementptr i8, ptr %0, i64 80
+  %.73 = load i64, ptr %.72, align 8
+  %.207 = getelementptr i8, ptr %0, i64 48
+  %.208 = load i64, ptr %.207, align 8
+  %1 = getelementptr i32, ptr %arg.idx, i64 %.208
+  %.217 = getelementptr i8, ptr %0, i64 56
+  %.218 = load i64, ptr %.217, align 8
+  %.260 = getelementptr double, ptr %arg.local, i64 %.65
+  %.294.idx = shl i64 %.73, 4
+  %.294 = getelementptr i8, ptr %arg.derived, i64 %.294.idx
+  %.40699.not = icmp slt i64 %.53, 1
+  %2 = getelementptr double, ptr %arg.out, i64 %.65
+  br label %B240.if
+
+B240.loopexit:
+  %exitcond111.not = icmp eq i64 %.179, %.84
+  br i1 %exitcond111.not, label %B690, label %B240.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B690 ], [ %.306, %B242.endif.endif.if ], [ %.267, %B242.endif.if ], [ %.233, %B242.if ]
+  ret i32 %common.ret.op
+
+B690:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B240.if:
+  %.108.0103 = phi i64 [ 0, %B240.if.lr.ph ], [ %.179, %B240.loopexit ]
+  %.179 = add nuw nsw i64 %.108.0103, 1
+  %.210 = mul nsw i64 %.108.0103, %.65
+  %.213 = getelementptr i32, ptr %1, i64 %.210
+  %.220 = mul nsw i64 %.108.0103, %.53
+  %.221 = add nsw i64 %.218, %.220
+  store ptr null, ptr %.229, align 8
+  %.233 = call i32 @gather.3(ptr nonnull %.229, ptr nonnull %excinfo.1, i64 %.65, ptr %.213, ptr %arg.Y, ptr %arg.local)
+  switch i32 %.233, label %B242.if [
+    i32 -2, label %B242.endif
+    i32 0, label %B242.endif
+  ]
+
+B242.if:
+  %.241 = icmp sgt i32 %.233, 0
+  %.234 = load ptr, ptr %excinfo.1, align 8
+  %.242 = select i1 %.241, ptr %.234, ptr undef
+  store ptr %.242, ptr %excinfo, align 8
+  br label %common.ret
+
+B242.endif:
+  %.255 = mul nsw i64 %.108.0103, %.47
+  %.257 = getelementptr i32, ptr %arg.places, i64 %.255
+  store ptr null, ptr %.263, align 8
+  %.267 = call i32 @gather.3(ptr nonnull %.263, ptr nonnull %excinfo.2, i64 %.47, ptr %.257, ptr %arg.weights, ptr %.260)
+  switch i32 %.267, label %B242.endif.if [
+    i32 -2, label %B242.endif.endif
+    i32 0, label %B242.endif.endif
+  ]
+
+B242.endif.if:
+  %.275 = icmp sgt i32 %.267, 0
+  %.268 = load ptr, ptr %excinfo.2, align 8
+  %.276 = select i1 %.275, ptr %.268, ptr undef
+  store ptr %.276, ptr %excinfo, align 8
+  br label %common.ret
+
+B242.endif.endif:
+  %.289 = getelementptr double, ptr %arg.numbers, i64 %.221
+  %.295 = load i64, ptr %.294, align 8
+  %.296 = inttoptr i64 %.295 to ptr
+  call void %.296(ptr %arg.local, ptr %.289, ptr %arg.out)
+  store ptr null, ptr %.302, align 8
+  %.306 = call i32 @scatter.2(ptr nonnull %.302, ptr nonnull %excinfo.3, i64 %.65, ptr %.213, ptr %arg.out, ptr %arg.Y_bar)
+  switch i32 %.306, label %B242.endif.endif.if [
+    i32 -2, label %B242.endif.endif.endif
+    i32 0, label %B242.endif.endif.endif
+  ]
+
+B242.endif.endif.if:
+  %.314 = icmp sgt i32 %.306, 0
+  %.307 = load ptr, ptr %excinfo.3, align 8
+  %.315 = select i1 %.314, ptr %.307, ptr undef
+  store ptr %.315, ptr %excinfo, align 8
+  br label %common.ret
+
+B242.endif.endif.endif:
+  br i1 %.40699.not, label %B240.loopexit, label %B626.if.lr.ph
+
+B626.if.lr.ph:
+  %3 = getelementptr double, ptr %arg.numbers_bar, i64 %.221
+  br label %B626.if
+
+B626.if:
+  %.350.0100 = phi i64 [ 0, %B626.if.lr.ph ], [ %.419, %B626.if ]
+  %.419 = add nuw nsw i64 %.350.0100, 1
+  %.447 = getelementptr double, ptr %3, i64 %.350.0100
+  %.448 = load double, ptr %.447, align 8
+  %.452 = getelementptr double, ptr %2, i64 %.350.0100
+  %.453 = load double, ptr %.452, align 8
+  %.454 = fadd contract double %.448, %.453
+  store double %.454, ptr %.447, align 8
+  %exitcond.not = icmp eq i64 %.53, %.419
+  br i1 %exitcond.not, label %B240.loopexit, label %B626.if
+}
+
+define i64 @rates_at(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @rates_at.40(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11)
+  ret i64 0
+}
+
+define internal i32 @rates_at.40(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.20 = alloca ptr, align 8
+  store ptr null, ptr %.20, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.47 = alloca ptr, align 8
+  store ptr null, ptr %.47, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.72 = alloca ptr, align 8
+  store ptr null, ptr %.72, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.17 = load i64, ptr %arg.layout, align 8
+  store ptr null, ptr %.20, align 8
+  %.24 = call i32 @drive.6(ptr nonnull %.20, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.24, label %B0.if [
+    i32 -2, label %B0.endif
+    i32 0, label %B0.endif
+  ]
+
+B0.if:
+  %.32 = icmp sgt i32 %.24, 0
+  %.25 = load ptr, ptr %excinfo.1, align 8
+  %.33 = select i1 %.32, ptr %.25, ptr undef
+  store ptr %.33, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif:
+  %.18 = getelementptr double, ptr %arg.Y_dot, i64 %.17
+  store ptr null, ptr %.47, align 8
+  %.51 = call i32 @push_drive.41(ptr nonnull %.47, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %.18, ptr %arg.local, ptr %arg.out)
+  switch i32 %.51, label %B0.endif.if [
+    i32 -2, label %B0.endif.endif
+    i32 0, label %B0.endif.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ %.51, %B0.endif.if ], [ %.24, %B0.if ], [ 0, %B0.endif.endif.endif ], [ %.76, %B0.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B0.endif.if:
+  %.59 = icmp sgt i32 %.51, 0
+  %.52 = load ptr, ptr %excinfo.2, align 8
+  %.60 = select i1 %.59, ptr %.52, ptr undef
+  store ptr %.60, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif:
+  store ptr null, ptr %.72, align 8
+  %.76 = call i32 @push_residual.42(ptr nonnull %.72, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.r_dot, ptr %arg.local, ptr %arg.out)
+  switch i32 %.76, label %B0.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif
+  ]
+
+B0.endif.endif.if:
+  %.84 = icmp sgt i32 %.76, 0
+  %.77 = load ptr, ptr %excinfo.3, align 8
+  %.85 = select i1 %.84, ptr %.77, ptr undef
+  store ptr %.85, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+}
+
+define internal i32 @push_drive.41(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.319 = alloca ptr, align 8
+  store ptr null, ptr %.319, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.41 = getelementptr i8, ptr %arg.layout, i64 40
+  %.42 = load i64, ptr %.41, align 8
+  %.124126.not = icmp slt i64 %.42, 1
+  br i1 %.124126.not, label %B496, label %B56.if.lr.ph
+
+B56.if.lr.ph:
+  %.163 = getelementptr i8, ptr %arg.layout, i64 32
+  %.482 = getelementptr i8, ptr %arg.layout, i64 8
+  br label %B56.if
+
+B56.loopexit:
+  %exitcond131.not = icmp eq i64 %.137, %.42
+  br i1 %exitcond131.not, label %B496, label %B56.if
+
+B248.loopexit:
+  %exitcond130.not = icmp eq i64 %.282, %.189
+  br i1 %exitcond130.not, label %B56.loopexit, label %B248.if
+
+B456:
+  %.489 = getelementptr double, ptr %arg.out, i64 %.380.0121
+  %.490 = load double, ptr %.489, align 8
+  %.499 = getelementptr double, ptr %arg.rates_dot, i64 %.484
+  store double %.490, ptr %.499, align 8
+  br label %B490
+
+B490:
+  %exitcond.not = icmp eq i64 %.181, %.449
+  br i1 %exitcond.not, label %B248.loopexit, label %B406.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B496 ], [ %.323, %B250.if ]
+  ret i32 %common.ret.op
+
+B496:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B56.if:
+  %.66.0127 = phi i64 [ 0, %B56.if.lr.ph ], [ %.137, %B56.loopexit ]
+  %.137 = add nuw nsw i64 %.66.0127, 1
+  %.164 = load i64, ptr %.163, align 8
+  %.165 = add nsw i64 %.164, %.66.0127
+  %.166 = mul nsw i64 %.165, 11
+  %.167 = add nsw i64 %.166, 8
+  %0 = getelementptr i64, ptr %arg.layout, i64 %.166
+  %.174 = getelementptr i8, ptr %0, i64 96
+  %.175 = load i64, ptr %.174, align 8
+  %.179 = getelementptr i8, ptr %0, i64 72
+  %.180 = load i64, ptr %.179, align 8
+  %.181 = mul i64 %.180, %.175
+  %.188 = getelementptr i64, ptr %arg.layout, i64 %.167
+  %.189 = load i64, ptr %.188, align 8
+  %.269123.not = icmp slt i64 %.189, 1
+  br i1 %.269123.not, label %B56.loopexit, label %B248.if.lr.ph
+
+B248.if.lr.ph:
+  %.346 = getelementptr i8, ptr %0, i64 128
+  %.436120.not = icmp slt i64 %.181, 1
+  br label %B248.if
+
+B248.if:
+  %.213.0124 = phi i64 [ 0, %B248.if.lr.ph ], [ %.282, %B248.loopexit ]
+  %.282 = add nuw nsw i64 %.213.0124, 1
+  store ptr null, ptr %.319, align 8
+  %.323 = call i32 @push.43(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  switch i32 %.323, label %B250.if [
+    i32 -2, label %B250.endif
+    i32 0, label %B250.endif
+  ]
+
+B250.if:
+  %.331 = icmp sgt i32 %.323, 0
+  %.324 = load ptr, ptr %excinfo.1, align 8
+  %.332 = select i1 %.331, ptr %.324, ptr undef
+  store ptr %.332, ptr %excinfo, align 8
+  br label %common.ret
+
+B250.endif:
+  %.347 = load i64, ptr %.346, align 8
+  %.349 = mul nsw i64 %.213.0124, %.181
+  %1 = getelementptr i32, ptr %arg.rows, i64 %.347
+  %.352 = getelementptr i32, ptr %1, i64 %.349
+  br i1 %.436120.not, label %B248.loopexit, label %B406.if.lr.ph
+
+B406.if.lr.ph:
+  %.483 = load i64, ptr %.482, align 8
+  br label %B406.if
+
+B406.if:
+  %.380.0121 = phi i64 [ 0, %B406.if.lr.ph ], [ %.449, %B490 ]
+  %.449 = add nuw nsw i64 %.380.0121, 1
+  %.479 = getelementptr i32, ptr %.352, i64 %.380.0121
+  %.480 = load i32, ptr %.479, align 4
+  %.484 = sext i32 %.480 to i64
+  %.485 = icmp sgt i64 %.483, %.484
+  br i1 %.485, label %B456, label %B490
+}
+
+define internal i32 @push_residual.42(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.657 = alloca ptr, align 8
+  store ptr null, ptr %.657, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.689 = alloca ptr, align 8
+  store ptr null, ptr %.689, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.39 = load i64, ptr %arg.layout, align 8
+  %.122162 = icmp sgt i64 %.39, -1
+  br i1 %.122162, label %B62.if.preheader, label %B78
+
+B62.if.preheader:
+  %storemerge = add nuw i64 %.39, 1
+  %0 = add nuw i64 %.39, 2
+  %smin = call i64 @llvm.smin.i64(i64 %storemerge, i64 1)
+  %1 = sub i64 %0, %smin
+  %2 = shl nuw i64 %1, 3
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.r_dot, i8 0, i64 %2, i1 false)
+  br label %B78
+
+B78:
+  %.169 = getelementptr i8, ptr %arg.layout, i64 32
+  %.170 = load i64, ptr %.169, align 8
+  %.251171.not = icmp slt i64 %.170, 1
+  br i1 %.251171.not, label %B880, label %B132.if
+
+B282:
+  %.314 = getelementptr i8, ptr %5, i64 56
+  %.315 = load i64, ptr %.314, align 8
+  %.319 = getelementptr i8, ptr %5, i64 48
+  %.320 = load i64, ptr %.319, align 8
+  %.322 = getelementptr i32, ptr %arg.idx, i64 %.320
+  %.332 = getelementptr i8, ptr %5, i64 8
+  %.333 = load i64, ptr %.332, align 8
+  %.340 = load i64, ptr %5, align 8
+  %.341 = mul nsw i64 %.340, %.333
+  %.421168.not = icmp slt i64 %.341, 1
+  br i1 %.421168.not, label %B881, label %B466.if
+
+B624:
+  %.513 = getelementptr i8, ptr %5, i64 32
+  %.514 = load i64, ptr %.513, align 8
+  %.518 = getelementptr i8, ptr %5, i64 8
+  %.519 = load i64, ptr %.518, align 8
+  %.520 = mul nsw i64 %.519, %.514
+  %.528 = load i64, ptr %5, align 8
+  %.608165.not = icmp slt i64 %.528, 1
+  br i1 %.608165.not, label %B881, label %B748.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B880 ], [ %.693, %B750.endif.if ], [ %.661, %B750.if ]
+  ret i32 %common.ret.op
+
+B880:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B881:
+  %exitcond179.not = icmp eq i64 %.170, %.264
+  br i1 %exitcond179.not, label %B880, label %B132.if
+
+B132.if:
+  %.194.0172 = phi i64 [ %.264, %B881 ], [ 0, %B78 ]
+  %.264 = add nuw nsw i64 %.194.0172, 1
+  %3 = mul nuw nsw i64 %.194.0172, 11
+  %4 = add nuw nsw i64 %3, 8
+  %5 = getelementptr i64, ptr %arg.layout, i64 %4
+  %.297 = getelementptr i8, ptr %5, i64 64
+  %.298 = load i64, ptr %.297, align 8
+  %.300 = getelementptr i32, ptr %arg.rows, i64 %.298
+  %.307 = getelementptr i8, ptr %5, i64 80
+  %.308 = load i64, ptr %.307, align 8
+  %.309 = icmp eq i64 %.308, -1
+  br i1 %.309, label %B282, label %B624
+
+B466.if:
+  %.365.0169 = phi i64 [ %.434, %B466.if ], [ 0, %B282 ]
+  %.434 = add nuw nsw i64 %.365.0169, 1
+  %.460 = add nsw i64 %.365.0169, %.315
+  %.462 = getelementptr double, ptr %arg.numbers, i64 %.460
+  %.463 = load double, ptr %.462, align 8
+  %.465 = getelementptr i32, ptr %.322, i64 %.365.0169
+  %.466 = load i32, ptr %.465, align 4
+  %.468 = sext i32 %.466 to i64
+  %.469 = getelementptr double, ptr %arg.Y_dot, i64 %.468
+  %.470 = load double, ptr %.469, align 8
+  %.471 = fmul contract double %.463, %.470
+  %.473 = getelementptr i32, ptr %.300, i64 %.365.0169
+  %.474 = load i32, ptr %.473, align 4
+  %.476 = sext i32 %.474 to i64
+  %.477 = getelementptr double, ptr %arg.r_dot, i64 %.476
+  %.478 = load double, ptr %.477, align 8
+  %.482 = getelementptr double, ptr %arg.numbers_dot, i64 %.460
+  %.483 = load double, ptr %.482, align 8
+  %.489 = getelementptr double, ptr %arg.Y, i64 %.468
+  %.490 = load double, ptr %.489, align 8
+  %.491 = fmul contract double %.483, %.490
+  %.492 = fadd contract double %.471, %.491
+  %.493 = fadd contract double %.478, %.492
+  store double %.493, ptr %.477, align 8
+  %exitcond178.not = icmp eq i64 %.341, %.434
+  br i1 %exitcond178.not, label %B881, label %B466.if
+
+B748.if:
+  %.552.0166 = phi i64 [ %.621, %B750.endif.endif ], [ 0, %B624 ]
+  %.621 = add nuw nsw i64 %.552.0166, 1
+  store ptr null, ptr %.657, align 8
+  %.661 = call i32 @push.43(ptr nonnull %.657, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.552.0166, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  switch i32 %.661, label %B750.if [
+    i32 -2, label %B750.endif
+    i32 0, label %B750.endif
+  ]
+
+B750.if:
+  %.669 = icmp sgt i32 %.661, 0
+  %.662 = load ptr, ptr %excinfo.1, align 8
+  %.670 = select i1 %.669, ptr %.662, ptr undef
+  store ptr %.670, ptr %excinfo, align 8
+  br label %common.ret
+
+B750.endif:
+  %.683 = mul nsw i64 %.552.0166, %.520
+  %.685 = getelementptr i32, ptr %.300, i64 %.683
+  store ptr null, ptr %.689, align 8
+  %.693 = call i32 @scatter.2(ptr nonnull %.689, ptr nonnull %excinfo.2, i64 %.520, ptr %.685, ptr %arg.out, ptr %arg.r_dot)
+  switch i32 %.693, label %B750.endif.if [
+    i32 -2, label %B750.endif.endif
+    i32 0, label %B750.endif.endif
+  ]
+
+B750.endif.if:
+  %.701 = icmp sgt i32 %.693, 0
+  %.694 = load ptr, ptr %excinfo.2, align 8
+  %.702 = select i1 %.701, ptr %.694, ptr undef
+  store ptr %.702, ptr %excinfo, align 8
+  br label %common.ret
+
+B750.endif.endif:
+  %exitcond.not = icmp eq i64 %.528, %.621
+  br i1 %exitcond.not, label %B881, label %B748.if
+}
+
+define internal i32 @push.43(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.69 = alloca ptr, align 8
+  store ptr null, ptr %.69, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.98 = alloca ptr, align 8
+  store ptr null, ptr %.98, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %0 = getelementptr i64, ptr %arg.layout, i64 %arg.table
+  %.35 = getelementptr i8, ptr %0, i64 8
+  %.36 = load i64, ptr %.35, align 8
+  %.40 = getelementptr i8, ptr %0, i64 16
+  %.41 = load i64, ptr %.40, align 8
+  %.42 = mul i64 %.41, %.36
+  %.46 = getelementptr i8, ptr %0, i64 24
+  %.47 = load i64, ptr %.46, align 8
+  %.48 = mul nsw i64 %.47, %.36
+  %.52 = getelementptr i8, ptr %0, i64 48
+  %.53 = load i64, ptr %.52, align 8
+  %.54 = mul nsw i64 %.42, %arg.group
+  %1 = getelementptr i32, ptr %arg.idx, i64 %.53
+  %.56 = getelementptr i32, ptr %1, i64 %.54
+  %.60 = getelementptr i8, ptr %0, i64 56
+  %.61 = load i64, ptr %.60, align 8
+  %.62 = mul nsw i64 %.48, %arg.group
+  %.63 = add nsw i64 %.61, %.62
+  store ptr null, ptr %.69, align 8
+  %.73 = call i32 @gather.3(ptr nonnull %.69, ptr nonnull %excinfo.1, i64 %.42, ptr %.56, ptr %arg.Y, ptr %arg.local)
+  switch i32 %.73, label %B0.if [
+    i32 -2, label %B0.endif
+    i32 0, label %B0.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B430 ], [ %.102, %B0.endif.if ], [ %.73, %B0.if ]
+  ret i32 %common.ret.op
+
+B430:
+  %.267 = getelementptr i8, ptr %0, i64 80
+  %.268 = load i64, ptr %.267, align 8
+  %.279 = getelementptr double, ptr %arg.numbers, i64 %.63
+  %.idx = shl i64 %.268, 4
+  %2 = getelementptr i8, ptr %arg.derived, i64 %.idx
+  %.287 = getelementptr i8, ptr %2, i64 16
+  %.288 = load i64, ptr %.287, align 8
+  %.289 = inttoptr i64 %.288 to ptr
+  call void %.289(ptr %arg.local, ptr %.279, ptr %arg.out)
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B0.if:
+  %.81 = icmp sgt i32 %.73, 0
+  %.74 = load ptr, ptr %excinfo.1, align 8
+  %.82 = select i1 %.81, ptr %.74, ptr undef
+  store ptr %.82, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif:
+  %.97 = getelementptr double, ptr %arg.local, i64 %.42
+  store ptr null, ptr %.98, align 8
+  %.102 = call i32 @gather.3(ptr nonnull %.98, ptr nonnull %excinfo.2, i64 %.42, ptr %.56, ptr %arg.Y_dot, ptr %.97)
+  switch i32 %.102, label %B0.endif.if [
+    i32 -2, label %B0.endif.endif
+    i32 0, label %B0.endif.endif
+  ]
+
+B0.endif.if:
+  %.110 = icmp sgt i32 %.102, 0
+  %.103 = load ptr, ptr %excinfo.2, align 8
+  %.111 = select i1 %.110, ptr %.103, ptr undef
+  store ptr %.111, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif:
+  %.20746.not = icmp slt i64 %.48, 1
+  br i1 %.20746.not, label %B430, label %B396.if.lr.ph
+
+B396.if.lr.ph:
+  %.124.idx = shl i64 %.42, 4
+  %.124 = getelementptr i8, ptr %arg.local, i64 %.124.idx
+  %3 = getelementptr double, ptr %arg.numbers_dot, i64 %.63
+  %4 = mul i64 %.47, %.36
+  %5 = shl i64 %4, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %.124, ptr align 8 %3, i64 %5, i1 false)
+  br label %B430
+}
+
+define i64 @reverse(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, ptr %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @reverse.44(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, ptr %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31)
+  ret i64 0
+}
+
+define internal i32 @reverse.44(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, ptr noalias %arg.edges, i64 %arg.edge_count, ptr noalias %arg.weights, ptr noalias %arg.Y, ptr noalias %arg.y_bar, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.ends_bar, ptr noalias %arg.work) noinline {
+entry:
+  %.437 = alloca ptr, align 8
+  store ptr null, ptr %.437, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.754 = alloca i64, align 8
+  store i64 0, ptr %.754, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.911 = alloca double, align 8
+  store double 0.000000e+00, ptr %.911, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.948 = alloca ptr, align 8
+  store ptr null, ptr %.948, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.977 = alloca ptr, align 8
+  store ptr null, ptr %.977, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.1121 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1121, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.1152 = alloca ptr, align 8
+  store ptr null, ptr %.1152, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.1189 = alloca ptr, align 8
+  store ptr null, ptr %.1189, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.1217 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1217, align 8
+  %excinfo.9 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.9, align 8
+  %.1300 = alloca ptr, align 8
+  store ptr null, ptr %.1300, align 8
+  %excinfo.10 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.10, align 8
+  %.1482 = alloca ptr, align 8
+  store ptr null, ptr %.1482, align 8
+  %excinfo.11 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.11, align 8
+  %.1514 = alloca ptr, align 8
+  store ptr null, ptr %.1514, align 8
+  %excinfo.12 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.12, align 8
+  %.1560 = alloca ptr, align 8
+  store ptr null, ptr %.1560, align 8
+  %excinfo.13 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.13, align 8
+  %.1715 = alloca ptr, align 8
+  store ptr null, ptr %.1715, align 8
+  %excinfo.14 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.14, align 8
+  %.1755 = alloca ptr, align 8
+  store ptr null, ptr %.1755, align 8
+  %excinfo.15 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.15, align 8
+  %.1791 = alloca ptr, align 8
+  store ptr null, ptr %.1791, align 8
+  %excinfo.16 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.16, align 8
+  %.1823 = alloca ptr, align 8
+  store ptr null, ptr %.1823, align 8
+  %excinfo.17 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.17, align 8
+  %.1852 = alloca ptr, align 8
+  store ptr null, ptr %.1852, align 8
+  %excinfo.18 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.18, align 8
+  %.2179 = alloca ptr, align 8
+  store ptr null, ptr %.2179, align 8
+  %excinfo.19 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.19, align 8
+  %.2213 = alloca ptr, align 8
+  store ptr null, ptr %.2213, align 8
+  %excinfo.20 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.20, align 8
+  %.2251 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2251, align 8
+  %excinfo.21 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.21, align 8
+  %.2303 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2303, align 8
+  %excinfo.22 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.22, align 8
+  %.2342 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2342, align 8
+  %excinfo.23 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.23, align 8
+  %.2383 = alloca ptr, align 8
+  store ptr null, ptr %.2383, align 8
+  %excinfo.24 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.24, align 8
+  %.3138 = alloca ptr, align 8
+  store ptr null, ptr %.3138, align 8
+  %excinfo.25 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.25, align 8
+  %.3180 = alloca ptr, align 8
+  store ptr null, ptr %.3180, align 8
+  %excinfo.26 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.26, align 8
+  %.3343 = alloca ptr, align 8
+  store ptr null, ptr %.3343, align 8
+  %excinfo.27 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.27, align 8
+  %.3379 = alloca ptr, align 8
+  store ptr null, ptr %.3379, align 8
+  %excinfo.28 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.28, align 8
+  %.3415 = alloca ptr, align 8
+  store ptr null, ptr %.3415, align 8
+  %excinfo.29 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.29, align 8
+  %.3454 = alloca ptr, align 8
+  store ptr null, ptr %.3454, align 8
+  %excinfo.30 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.30, align 8
+  %.3482 = alloca ptr, align 8
+  store ptr null, ptr %.3482, align 8
+  %excinfo.31 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.31, align 8
+  %.98 = load i64, ptr %arg.layout, align 8
+  %.100 = getelementptr i8, ptr %arg.layout, i64 16
+  %.101 = load i64, ptr %.100, align 8
+  %.109 = getelementptr i8, ptr %arg.layout, i64 8
+  %.110 = load i64, ptr %.109, align 8
+  %.114 = getelementptr i8, ptr %arg.layout, i64 24
+  %.115 = load i64, ptr %.114, align 8
+  %.123 = add i64 %.101, 1
+  %.125 = add i64 %.115, %.123
+  %.131 = shl nsw i64 %.98, 3
+  %.132 = getelementptr double, ptr %arg.work, i64 %.131
+  %.141.idx = mul i64 %.98, 136
+  %.141 = getelementptr i8, ptr %arg.work, i64 %.141.idx
+  %.144.idx = mul i64 %.98, 200
+  %.144 = getelementptr i8, ptr %arg.work, i64 %.144.idx
+  %.153.idx = mul i64 %.98, 264
+  %.153 = getelementptr i8, ptr %arg.work, i64 %.153.idx
+  %.idx = mul i64 %.98, 272
+  %0 = getelementptr i8, ptr %arg.work, i64 %.idx
+  %.157 = getelementptr i8, ptr %0, i64 8
+  %.idx650 = mul i64 %.98, 280
+  %1 = getelementptr i8, ptr %arg.work, i64 %.idx650
+  %.161 = getelementptr i8, ptr %1, i64 8
+  %.idx651 = mul i64 %.98, 288
+  %2 = getelementptr i8, ptr %arg.work, i64 %.idx651
+  %.174 = getelementptr i8, ptr %2, i64 8
+  %.idx652 = mul i64 %.98, 296
+  %3 = getelementptr i8, ptr %arg.work, i64 %.idx652
+  %.178 = getelementptr i8, ptr %3, i64 8
+  %.idx653 = mul i64 %.98, 304
+  %4 = getelementptr i8, ptr %arg.work, i64 %.idx653
+  %.188 = getelementptr i8, ptr %4, i64 8
+  %.195.idx = shl i64 %arg.blocks, 5
+  %.195 = getelementptr i8, ptr %.188, i64 %.195.idx
+  %.202.idx = shl i64 %arg.blocks, 4
+  %.202 = getelementptr i8, ptr %.195, i64 %.202.idx
+  %.208 = getelementptr double, ptr %.202, i64 %.101
+  %.214 = getelementptr double, ptr %.208, i64 %.125
+  %.220 = getelementptr double, ptr %.214, i64 %.125
+  %.227 = add nsw i64 %.110, 1
+  %.229 = getelementptr double, ptr %.220, i64 %.227
+  %.238 = getelementptr double, ptr %.229, i64 %.227
+  %.243 = getelementptr i8, ptr %arg.layout, i64 56
+  %.244 = load i64, ptr %.243, align 8
+  %.246 = getelementptr double, ptr %.238, i64 %.244
+  %.336953 = icmp sgt i64 %arg.step_count, 0
+  br i1 %.336953, label %B918.lr.ph, label %B4338
+
+B918.lr.ph:
+  %.280.1956 = add nsw i64 %arg.step_count, -1
+  %.112 = add i64 %.110, %.98
+  %.378 = add nsw i64 %arg.step_count, -1
+  %.382 = add nsw i64 %.98, 3
+  %.464 = getelementptr double, ptr %.132, i64 %.131
+  %.517 = icmp sgt i64 %.98, 0
+  %storemerge654 = select i1 %.517, i64 %.131, i64 0
+  %.559904 = icmp sgt i64 %storemerge654, 0
+  %.1297.idx = mul i64 %.98, 56
+  %.1297 = getelementptr i8, ptr %.141, i64 %.1297.idx
+  %.1325 = getelementptr i8, ptr %arg.method, i64 1344
+  %.1549 = getelementptr double, ptr %arg.Y, i64 %.112
+  %5 = call i64 @llvm.smax.i64(i64 %.112, i64 -1)
+  %storemerge662 = add i64 %5, 1
+  %.1665918 = icmp sgt i64 %.112, -1
+  %.1741 = getelementptr double, ptr %.153, i64 %.98
+  %.1883 = getelementptr double, ptr %arg.Y_bar, i64 %.112
+  %.1984921.not = icmp slt i64 %.98, 1
+  %storemerge657 = call i64 @llvm.smax.i64(i64 %.125, i64 0)
+  %.2498933.not = icmp slt i64 %.125, 1
+  %.2624941.not = icmp slt i64 %arg.entry_count, 1
+  %.3044947.not = icmp slt i64 %.115, 1
+  %.3167 = getelementptr double, ptr %arg.Y, i64 %.112
+  %.3285950 = icmp sgt i64 %.112, -1
+  %.3441 = getelementptr double, ptr %arg.Y_bar, i64 %.112
+  %.3510 = getelementptr i8, ptr %arg.ends_bar, i64 8
+  %6 = shl nuw i64 %storemerge654, 3
+  %7 = add i64 %5, 2
+  %smin = call i64 @llvm.smin.i64(i64 %storemerge662, i64 1)
+  %8 = sub i64 %7, %smin
+  %9 = shl nuw i64 %8, 3
+  %10 = mul i64 %arg.blocks, 48
+  %11 = shl i64 %.101, 4
+  %12 = shl i64 %.115, 3
+  %13 = getelementptr i8, ptr %arg.work, i64 %.idx653
+  %14 = getelementptr i8, ptr %13, i64 %10
+  %15 = getelementptr i8, ptr %14, i64 %11
+  %16 = getelementptr i8, ptr %15, i64 %12
+  %scevgep = getelementptr i8, ptr %16, i64 16
+  %17 = shl nuw i64 %storemerge657, 3
+  %18 = mul i64 %arg.blocks, 48
+  %19 = mul i64 %.101, 24
+  %20 = shl i64 %.115, 4
+  %21 = shl i64 %.110, 3
+  %22 = getelementptr i8, ptr %arg.work, i64 %.idx653
+  %23 = getelementptr i8, ptr %22, i64 %18
+  %24 = getelementptr i8, ptr %23, i64 %19
+  %25 = getelementptr i8, ptr %24, i64 %20
+  %26 = getelementptr i8, ptr %25, i64 %21
+  %scevgep1196 = getelementptr i8, ptr %26, i64 32
+  %27 = add i64 %5, 2
+  %smin1199 = call i64 @llvm.smin.i64(i64 %storemerge662, i64 1)
+  %28 = sub i64 %27, %smin1199
+  %29 = shl nuw i64 %28, 3
+  br label %B918
+
+B918:
+  %.326.sroa.0.0960 = phi i64 [ 0, %B918.lr.ph ], [ %.326.sroa.0.0, %B4334 ]
+  %.280.1959 = phi i64 [ %.280.1956, %B918.lr.ph ], [ %.280.1, %B4334 ]
+  %.277.1958 = phi i64 [ 1, %B918.lr.ph ], [ %.277.1, %B4334 ]
+  %stop.2.0957 = phi i64 [ %arg.edge_count, %B918.lr.ph ], [ %.768, %B4334 ]
+  %.380 = sub nsw i64 %.378, %.326.sroa.0.0960
+  %.383 = mul nsw i64 %.380, %.382
+  %.385 = getelementptr double, ptr %arg.record, i64 %.383
+  %.391 = load double, ptr %.385, align 8
+  %.393 = getelementptr i8, ptr %.385, i64 8
+  %.394 = load double, ptr %.393, align 8
+  %.396 = getelementptr i8, ptr %.385, i64 24
+  store ptr null, ptr %.437, align 8
+  %.441 = call i32 @replay.45(ptr nonnull %.437, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.385, ptr %arg.Y, ptr %arg.work, ptr %.132, ptr %.208, ptr %.220, ptr %.161, ptr %.202, ptr %.153, ptr %.157, ptr %.188, ptr %.195, ptr %.238, ptr %.246)
+  switch i32 %.441, label %B918.if [
+    i32 -2, label %B918.endif
+    i32 0, label %B918.endif
+  ]
+
+B1268:
+  br i1 %.517, label %B1298.if, label %B1326
+
+B1326:
+  store i64 0, ptr %.754, align 8
+  %.758 = call i32 @first_edge_in.46(ptr nonnull %.754, ptr nonnull %excinfo.2, ptr %arg.edges, i64 %stop.2.0957, double %.391)
+  %.768 = load i64, ptr %.754, align 8
+  switch i32 %.758, label %B1326.if [
+    i32 -2, label %B1326.endif
+    i32 0, label %B1326.endif
+  ]
+
+B1706:
+  store ptr null, ptr %.1189, align 8
+  %.1193 = call i32 @dense_rate.47(ptr nonnull %.1189, ptr nonnull %excinfo.8, i64 %.98, ptr %arg.method, double %.925, ptr %.396, ptr %.464, ptr %arg.work, ptr %.153)
+  switch i32 %.1193, label %B1706.if [
+    i32 -2, label %B1706.endif
+    i32 0, label %B1706.endif
+  ]
+
+B1822:
+  %h_bar.6.1.lcssa = phi double [ 0.000000e+00, %B1326.endif ], [ %.1253, %B1706.endif.endif ]
+  %time_bar.4.1.lcssa = phi double [ 0.000000e+00, %B1326.endif ], [ %.1262, %B1706.endif.endif ]
+  store ptr null, ptr %.1300, align 8
+  %.1304 = call i32 @add_scaled.29(ptr nonnull %.1300, ptr nonnull %excinfo.10, i64 %.98, double 1.000000e+00, ptr %arg.y_bar, ptr %.1297)
+  switch i32 %.1304, label %B1822.if [
+    i32 -2, label %B1822.endif
+    i32 0, label %B1822.endif
+  ]
+
+B2356:
+  store ptr null, ptr %.1715, align 8
+  %.1719 = call i32 @copy.27(ptr nonnull %.1715, ptr nonnull %excinfo.14, i64 %.98, ptr %.1463, ptr %.153)
+  switch i32 %.1719, label %B2356.if [
+    i32 -2, label %B2356.endif
+    i32 0, label %B2356.endif
+  ]
+
+B2528:
+  store ptr null, ptr %.1823, align 8
+  %.1827 = call i32 @add_scaled.29(ptr nonnull %.1823, ptr nonnull %excinfo.17, i64 %.98, double 1.000000e+00, ptr %arg.y_bar, ptr %arg.Y_bar)
+  switch i32 %.1827, label %B2528.if [
+    i32 -2, label %B2564
+    i32 0, label %B2564
+  ]
+
+B2564:
+  store ptr null, ptr %.1852, align 8
+  %.1856 = call i32 @add_scaled.29(ptr nonnull %.1852, ptr nonnull %excinfo.18, i64 %.98, double 1.000000e+00, ptr %arg.Y_bar, ptr %.178)
+  switch i32 %.1856, label %B2564.if [
+    i32 -2, label %B2564.endif
+    i32 0, label %B2564.endif
+  ]
+
+B2760:
+  %.2086 = icmp samesign ugt i64 %.1359.0929, 6
+  br i1 %.2086, label %B3096, label %B2790.if.lr.ph
+
+B2790.if.lr.ph:
+  %.idx665 = shl nuw nsw i64 %35, 6
+  %30 = getelementptr i8, ptr %arg.method, i64 %.idx665
+  %31 = getelementptr i8, ptr %30, i64 512
+  br label %B2790.if
+
+B3096:
+  %h_bar.8.2.lcssa = phi double [ %.1887, %B2760 ], [ %.2282, %B2792.endif.endif.endif ]
+  %.2300 = getelementptr double, ptr %arg.work, i64 %.1461
+  store double 0.000000e+00, ptr %.2303, align 8
+  %.2307 = call i32 @dot.48(ptr nonnull %.2303, ptr nonnull %excinfo.22, i64 %.98, ptr %.157, ptr %.2300)
+  switch i32 %.2307, label %B3096.if [
+    i32 -2, label %B3096.endif
+    i32 0, label %B3096.endif
+  ]
+
+B3324:
+  br i1 %.2498933.not, label %B3370, label %B3354.if.preheader
+
+B3354.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %scevgep, i8 0, i64 %17, i1 false)
+  br label %B3370
+
+B3370:
+  br i1 %.2624941.not, label %B3566, label %B3400.if
+
+B3542:
+  %.2637 = add nuw nsw i64 %.2568.0942, 1
+  %.2819 = getelementptr i32, ptr %arg.entry_places, i64 %.2568.0942
+  %.2820 = load i32, ptr %.2819, align 4
+  %.2825 = sext i32 %.2820 to i64
+  %.2826 = getelementptr double, ptr %.214, i64 %.2825
+  store double %.2809, ptr %.2826, align 8
+  %exitcond1195.not = icmp eq i64 %arg.entry_count, %.2637
+  br i1 %exitcond1195.not, label %B3566, label %B3400.if
+
+B3566:
+  %.2837 = load i64, ptr %.109, align 8
+  %.2918944 = icmp sgt i64 %.2837, -1
+  br i1 %.2918944, label %B3624.if.preheader, label %B3640
+
+B3624.if.preheader:
+  %storemerge659 = add nuw i64 %.2837, 1
+  %32 = add nuw i64 %.2837, 2
+  %smin1197 = call i64 @llvm.smin.i64(i64 %storemerge659, i64 1)
+  %33 = sub i64 %32, %smin1197
+  %34 = shl nuw i64 %33, 3
+  call void @llvm.memset.p0.i64(ptr align 8 %scevgep1196, i8 0, i64 %34, i1 false)
+  br label %B3640
+
+B3640:
+  br i1 %.3044947.not, label %B3850, label %B3670.if
+
+B3850:
+  store ptr null, ptr %.3138, align 8
+  %.3142 = call i32 @copy.27(ptr nonnull %.3138, ptr nonnull %excinfo.25, i64 %.98, ptr %.396, ptr %arg.Y)
+  switch i32 %.3142, label %B3850.if [
+    i32 -2, label %B3850.endif
+    i32 0, label %B3850.endif
+  ]
+
+B3990:
+  store ptr null, ptr %.3343, align 8
+  %.3347 = call i32 @pull_drive.49(ptr nonnull %.3343, ptr nonnull %excinfo.27, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.229, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
+  switch i32 %.3347, label %B3990.if [
+    i32 -2, label %B3990.endif
+    i32 0, label %B3990.endif
+  ]
+
+B4246:
+  %.3511 = load double, ptr %.3510, align 8
+  %.3513 = fadd contract double %.2367, %.3511
+  store double %.3513, ptr %.3510, align 8
+  br label %B4278
+
+B4278:
+  %.3521 = icmp eq i64 %.326.sroa.0.0960, %.378
+  br i1 %.3521, label %B4296, label %B4334
+
+B4296:
+  %.3527 = load double, ptr %arg.ends_bar, align 8
+  %.3530 = fsub contract double %.3444, %.2367
+  %.3535 = fadd contract double %.3530, %.3527
+  store double %.3535, ptr %arg.ends_bar, align 8
+  br label %B4334
+
+B4334:
+  %.336 = icmp sgt i64 %.280.1959, 0
+  %.349 = zext i1 %.336 to i64
+  %.277.1 = add i64 %.277.1958, %.349
+  %.345 = sext i1 %.336 to i64
+  %.280.1 = add nsw i64 %.280.1959, %.345
+  %.326.sroa.0.0 = select i1 %.336, i64 %.277.1958, i64 0
+  br i1 %.336, label %B918, label %B4338
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B4338 ], [ %.3486, %B3990.endif.endif.endif.endif.if ], [ %.3458, %B3990.endif.endif.endif.if ], [ %.3419, %B3990.endif.endif.if ], [ %.3383, %B3990.endif.if ], [ %.441, %B918.if ], [ %.3347, %B3990.if ], [ %.758, %B1326.if ], [ %.915, %B1394.if ], [ %.952, %B1394.endif.if ], [ %.3184, %B3850.endif.if ], [ %.981, %B1394.endif.endif.if ], [ %.1125, %B1598.if ], [ %.1156, %B1598.endif.if ], [ %.1193, %B1706.if ], [ %.1221, %B1706.endif.if ], [ %.2307, %B3096.if ], [ %.1304, %B1822.if ], [ %.1486, %B1994.if ], [ %.1518, %B1994.endif.if ], [ %.3142, %B3850.if ], [ %.1564, %B1994.endif.endif.if ], [ %.1719, %B2356.if ], [ %.1759, %B2356.endif.if ], [ %.1795, %B2356.endif.endif.if ], [ %.1827, %B2528.if ], [ %.2387, %B3096.endif.endif.if ], [ %.2346, %B3096.endif.if ], [ %.1856, %B2564.if ], [ %.2183, %B2792.if ], [ %.2217, %B2792.endif.if ], [ %.2255, %B2792.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B4338:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B918.if:
+  %.449 = icmp sgt i32 %.441, 0
+  %.442 = load ptr, ptr %excinfo.1, align 8
+  %.450 = select i1 %.449, ptr %.442, ptr undef
+  store ptr %.450, ptr %excinfo, align 8
+  br label %common.ret
+
+B918.endif:
+  br i1 %.559904, label %B1252.if.preheader, label %B1268
+
+B1252.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %.141, i8 0, i64 %6, i1 false)
+  br label %B1268
+
+B1298.if:
+  %.629.0908 = phi i64 [ %.698, %B1298.if ], [ 0, %B1268 ]
+  %.698 = add nuw nsw i64 %.629.0908, 1
+  %.728 = getelementptr double, ptr %.178, i64 %.629.0908
+  store double 0.000000e+00, ptr %.728, align 8
+  %.731 = getelementptr double, ptr %.174, i64 %.629.0908
+  store double 0.000000e+00, ptr %.731, align 8
+  %exitcond.not = icmp eq i64 %.98, %.698
+  br i1 %exitcond.not, label %B1326, label %B1298.if
+
+B1326.if:
+  %.766 = icmp sgt i32 %.758, 0
+  %.759 = load ptr, ptr %excinfo.2, align 8
+  %.767 = select i1 %.766, ptr %.759, ptr undef
+  store ptr %.767, ptr %excinfo, align 8
+  br label %common.ret
+
+B1326.endif:
+  %.821 = sub i64 %stop.2.0957, %.768
+  %.864912.not = icmp slt i64 %.821, 1
+  br i1 %.864912.not, label %B1822, label %B1392.if
+
+B1392.if:
+  %time_bar.4.1916 = phi double [ %.1262, %B1706.endif.endif ], [ 0.000000e+00, %B1326.endif ]
+  %h_bar.6.1915 = phi double [ %.1253, %B1706.endif.endif ], [ 0.000000e+00, %B1326.endif ]
+  %.811.0914 = phi i64 [ %.873, %B1706.endif.endif ], [ %.821, %B1326.endif ]
+  %.808.0913 = phi i64 [ %.877, %B1706.endif.endif ], [ %.768, %B1326.endif ]
+  %.873 = add nsw i64 %.811.0914, -1
+  %.877 = add i64 %.808.0913, 1
+  %.903 = mul nsw i64 %.808.0913, %.98
+  %.905 = getelementptr double, ptr %arg.weights, i64 %.903
+  %.908 = getelementptr double, ptr %arg.edges, i64 %.808.0913
+  %.909 = load double, ptr %.908, align 8
+  store double 0.000000e+00, ptr %.911, align 8
+  %.915 = call i32 @part_done.50(ptr nonnull %.911, ptr nonnull %excinfo.3, double %.909, ptr nonnull %.385)
+  %.925 = load double, ptr %.911, align 8
+  switch i32 %.915, label %B1394.if [
+    i32 -2, label %B1394.endif
+    i32 0, label %B1394.endif
+  ]
+
+B1394.if:
+  %.923 = icmp sgt i32 %.915, 0
+  %.916 = load ptr, ptr %excinfo.3, align 8
+  %.924 = select i1 %.923, ptr %.916, ptr undef
+  store ptr %.924, ptr %excinfo, align 8
+  br label %common.ret
+
+B1394.endif:
+  %.944 = fsub contract double 1.000000e+00, %.925
+  store ptr null, ptr %.948, align 8
+  %.952 = call i32 @add_scaled.29(ptr nonnull %.948, ptr nonnull %excinfo.4, i64 %.98, double %.944, ptr %.905, ptr %.178)
+  switch i32 %.952, label %B1394.endif.if [
+    i32 -2, label %B1394.endif.endif
+    i32 0, label %B1394.endif.endif
+  ]
+
+B1394.endif.if:
+  %.960 = icmp sgt i32 %.952, 0
+  %.953 = load ptr, ptr %excinfo.4, align 8
+  %.961 = select i1 %.960, ptr %.953, ptr undef
+  store ptr %.961, ptr %excinfo, align 8
+  br label %common.ret
+
+B1394.endif.endif:
+  store ptr null, ptr %.977, align 8
+  %.981 = call i32 @add_scaled.29(ptr nonnull %.977, ptr nonnull %excinfo.5, i64 %.98, double %.925, ptr %.905, ptr %arg.y_bar)
+  switch i32 %.981, label %B1394.endif.endif.if [
+    i32 -2, label %B1596.if.preheader
+    i32 0, label %B1596.if.preheader
+  ]
+
+B1596.if.preheader:
+  br label %B1596.if
+
+B1394.endif.endif.if:
+  %.989 = icmp sgt i32 %.981, 0
+  %.982 = load ptr, ptr %excinfo.5, align 8
+  %.990 = select i1 %.989, ptr %.982, ptr undef
+  store ptr %.990, ptr %excinfo, align 8
+  br label %common.ret
+
+B1596.if:
+  %.1024.0910 = phi i64 [ %.1093, %B1598.endif.endif ], [ 0, %B1596.if.preheader ]
+  %.1093 = add nuw nsw i64 %.1024.0910, 1
+  store double 0.000000e+00, ptr %.1121, align 8
+  %.1125 = call i32 @dense_weight.51(ptr nonnull %.1121, ptr nonnull %excinfo.6, ptr %arg.method, i64 %.1024.0910, double %.925)
+  switch i32 %.1125, label %B1598.if [
+    i32 -2, label %B1598.endif
+    i32 0, label %B1598.endif
+  ]
+
+B1598.if:
+  %.1133 = icmp sgt i32 %.1125, 0
+  %.1126 = load ptr, ptr %excinfo.6, align 8
+  %.1134 = select i1 %.1133, ptr %.1126, ptr undef
+  store ptr %.1134, ptr %excinfo, align 8
+  br label %common.ret
+
+B1598.endif:
+  %.1135 = load double, ptr %.1121, align 8
+  %.1147 = mul nsw i64 %.1024.0910, %.98
+  %.1149 = getelementptr double, ptr %.141, i64 %.1147
+  store ptr null, ptr %.1152, align 8
+  %.1156 = call i32 @add_scaled.29(ptr nonnull %.1152, ptr nonnull %excinfo.7, i64 %.98, double %.1135, ptr %.905, ptr %.1149)
+  switch i32 %.1156, label %B1598.endif.if [
+    i32 -2, label %B1598.endif.endif
+    i32 0, label %B1598.endif.endif
+  ]
+
+B1598.endif.if:
+  %.1164 = icmp sgt i32 %.1156, 0
+  %.1157 = load ptr, ptr %excinfo.7, align 8
+  %.1165 = select i1 %.1164, ptr %.1157, ptr undef
+  store ptr %.1165, ptr %excinfo, align 8
+  br label %common.ret
+
+B1598.endif.endif:
+  %exitcond1190.not = icmp eq i64 %.1093, 8
+  br i1 %exitcond1190.not, label %B1706, label %B1596.if
+
+B1706.if:
+  %.1201 = icmp sgt i32 %.1193, 0
+  %.1194 = load ptr, ptr %excinfo.8, align 8
+  %.1202 = select i1 %.1201, ptr %.1194, ptr undef
+  store ptr %.1202, ptr %excinfo, align 8
+  br label %common.ret
+
+B1706.endif:
+  store double 0.000000e+00, ptr %.1217, align 8
+  %.1221 = call i32 @dot.48(ptr nonnull %.1217, ptr nonnull %excinfo.9, i64 %.98, ptr %.905, ptr %.153)
+  switch i32 %.1221, label %B1706.endif.if [
+    i32 -2, label %B1706.endif.endif
+    i32 0, label %B1706.endif.endif
+  ]
+
+B1706.endif.if:
+  %.1229 = icmp sgt i32 %.1221, 0
+  %.1222 = load ptr, ptr %excinfo.9, align 8
+  %.1230 = select i1 %.1229, ptr %.1222, ptr undef
+  store ptr %.1230, ptr %excinfo, align 8
+  br label %common.ret
+
+B1706.endif.endif:
+  %.1231 = load double, ptr %.1217, align 8
+  %.1244 = fmul contract double %.925, %.1231
+  %.1251 = fdiv contract double %.1244, %.394
+  %.1253 = fsub contract double %h_bar.6.1915, %.1251
+  %.1260 = fdiv contract double %.1231, %.394
+  %.1262 = fsub contract double %time_bar.4.1916, %.1260
+  %.864 = icmp sgt i64 %.811.0914, 1
+  br i1 %.864, label %B1392.if, label %B1822
+
+B1822.if:
+  %.1312 = icmp sgt i32 %.1304, 0
+  %.1305 = load ptr, ptr %excinfo.10, align 8
+  %.1313 = select i1 %.1312, ptr %.1305, ptr undef
+  store ptr %.1313, ptr %excinfo, align 8
+  br label %common.ret
+
+B1822.endif:
+  %.1326 = load double, ptr %.1325, align 8
+  %.1328 = fmul contract double %.394, %.1326
+  %.1332 = fdiv contract double 1.000000e+00, %.1328
+  br label %B1992.if
+
+B1992.if:
+  %time_bar.5.1932 = phi double [ %time_bar.4.1.lcssa, %B1822.endif ], [ %.1898, %B3096.endif.endif.endif ]
+  %h_bar.7.1931 = phi double [ %h_bar.6.1.lcssa, %B1822.endif ], [ %.2367, %B3096.endif.endif.endif ]
+  %.1359.0929 = phi i64 [ 0, %B1822.endif ], [ %.1429, %B3096.endif.endif.endif ]
+  %.1429 = add nuw nsw i64 %.1359.0929, 1
+  %35 = sub nuw nsw i64 7, %.1359.0929
+  %.1461 = mul nsw i64 %35, %.98
+  %.1463 = getelementptr double, ptr %.144, i64 %.1461
+  %.1472 = getelementptr double, ptr %.141, i64 %.1461
+  store ptr null, ptr %.1482, align 8
+  %.1486 = call i32 @lu_solve_transposed.32(ptr nonnull %.1482, ptr nonnull %excinfo.11, i64 %.98, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.202, ptr %.1472, ptr %.1463, ptr %.195)
+  switch i32 %.1486, label %B1994.if [
+    i32 -2, label %B1994.endif
+    i32 0, label %B1994.endif
+  ]
+
+B1994.if:
+  %.1494 = icmp sgt i32 %.1486, 0
+  %.1487 = load ptr, ptr %excinfo.11, align 8
+  %.1495 = select i1 %.1494, ptr %.1487, ptr undef
+  store ptr %.1495, ptr %excinfo, align 8
+  br label %common.ret
+
+B1994.endif:
+  %.1511 = getelementptr double, ptr %.132, i64 %.1461
+  store ptr null, ptr %.1514, align 8
+  %.1518 = call i32 @copy.27(ptr nonnull %.1514, ptr nonnull %excinfo.12, i64 %.98, ptr %.1511, ptr %arg.Y)
+  switch i32 %.1518, label %B1994.endif.if [
+    i32 -2, label %B1994.endif.endif
+    i32 0, label %B1994.endif.endif
+  ]
+
+B1994.endif.if:
+  %.1526 = icmp sgt i32 %.1518, 0
+  %.1519 = load ptr, ptr %excinfo.12, align 8
+  %.1527 = select i1 %.1526, ptr %.1519, ptr undef
+  store ptr %.1527, ptr %excinfo, align 8
+  br label %common.ret
+
+B1994.endif.endif:
+  %36 = getelementptr double, ptr %arg.method, i64 %35
+  %.1541 = getelementptr i8, ptr %36, i64 1024
+  %.1542 = load double, ptr %.1541, align 8
+  %.1544 = fmul contract double %.394, %.1542
+  %.1546 = fadd contract double %.391, %.1544
+  store double %.1546, ptr %.1549, align 8
+  store ptr null, ptr %.1560, align 8
+  %.1564 = call i32 @drive.6(ptr nonnull %.1560, ptr nonnull %excinfo.13, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.238, ptr %.246)
+  switch i32 %.1564, label %B1994.endif.endif.if [
+    i32 -2, label %B1994.endif.endif.endif
+    i32 0, label %B1994.endif.endif.endif
+  ]
+
+B1994.endif.endif.if:
+  %.1572 = icmp sgt i32 %.1564, 0
+  %.1565 = load ptr, ptr %excinfo.13, align 8
+  %.1573 = select i1 %.1572, ptr %.1565, ptr undef
+  store ptr %.1573, ptr %excinfo, align 8
+  br label %common.ret
+
+B1994.endif.endif.endif:
+  br i1 %.1665918, label %B2340.if.preheader, label %B2356
+
+B2340.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.Y_bar, i8 0, i64 %9, i1 false)
+  br label %B2356
+
+B2356.if:
+  %.1727 = icmp sgt i32 %.1719, 0
+  %.1720 = load ptr, ptr %excinfo.14, align 8
+  %.1728 = select i1 %.1727, ptr %.1720, ptr undef
+  store ptr %.1728, ptr %excinfo, align 8
+  br label %common.ret
+
+B2356.endif:
+  store double 0.000000e+00, ptr %.1741, align 8
+  store ptr null, ptr %.1755, align 8
+  %.1759 = call i32 @pull_residual.36(ptr nonnull %.1755, ptr nonnull %excinfo.15, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.153, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
+  switch i32 %.1759, label %B2356.endif.if [
+    i32 -2, label %B2356.endif.endif
+    i32 0, label %B2356.endif.endif
+  ]
+
+B2356.endif.if:
+  %.1767 = icmp sgt i32 %.1759, 0
+  %.1760 = load ptr, ptr %excinfo.15, align 8
+  %.1768 = select i1 %.1767, ptr %.1760, ptr undef
+  store ptr %.1768, ptr %excinfo, align 8
+  br label %common.ret
+
+B2356.endif.endif:
+  store ptr null, ptr %.1791, align 8
+  %.1795 = call i32 @drives_bar.37(ptr nonnull %.1791, ptr nonnull %excinfo.16, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.229, ptr %.238, ptr %.246)
+  switch i32 %.1795, label %B2356.endif.endif.if [
+    i32 -2, label %B2356.endif.endif.endif
+    i32 0, label %B2356.endif.endif.endif
+  ]
+
+B2356.endif.endif.if:
+  %.1803 = icmp sgt i32 %.1795, 0
+  %.1796 = load ptr, ptr %excinfo.16, align 8
+  %.1804 = select i1 %.1803, ptr %.1796, ptr undef
+  store ptr %.1804, ptr %excinfo, align 8
+  br label %common.ret
+
+B2356.endif.endif.endif:
+  %.1817 = icmp eq i64 %.1359.0929, 0
+  br i1 %.1817, label %B2528, label %B2564
+
+B2528.if:
+  %.1835 = icmp sgt i32 %.1827, 0
+  %.1828 = load ptr, ptr %excinfo.17, align 8
+  %.1836 = select i1 %.1835, ptr %.1828, ptr undef
+  store ptr %.1836, ptr %excinfo, align 8
+  br label %common.ret
+
+B2564.if:
+  %.1864 = icmp sgt i32 %.1856, 0
+  %.1857 = load ptr, ptr %excinfo.18, align 8
+  %.1865 = select i1 %.1864, ptr %.1857, ptr undef
+  store ptr %.1865, ptr %excinfo, align 8
+  br label %common.ret
+
+B2564.endif:
+  %.1880 = load double, ptr %.1541, align 8
+  %.1884 = load double, ptr %.1883, align 8
+  %.1885 = fmul contract double %.1880, %.1884
+  %.1887 = fadd contract double %h_bar.7.1931, %.1885
+  %.1898 = fadd contract double %time_bar.5.1932, %.1884
+  br i1 %.1984921.not, label %B2760, label %B2708.if
+
+B2708.if:
+  %.1928.0922 = phi i64 [ %.1997, %B2708.if ], [ 0, %B2564.endif ]
+  %.1997 = add nuw nsw i64 %.1928.0922, 1
+  %.2023 = getelementptr double, ptr %arg.mass, i64 %.1928.0922
+  %.2024 = load double, ptr %.2023, align 8
+  %.2026 = getelementptr double, ptr %.1463, i64 %.1928.0922
+  %.2027 = load double, ptr %.2026, align 8
+  %.2028 = fmul contract double %.2024, %.2027
+  %.2033 = fdiv contract double %.2028, %.394
+  %.2035 = getelementptr double, ptr %.157, i64 %.1928.0922
+  store double %.2033, ptr %.2035, align 8
+  %exitcond1191.not = icmp eq i64 %.98, %.1997
+  br i1 %exitcond1191.not, label %B2760, label %B2708.if
+
+B2790.if:
+  %h_bar.8.2927 = phi double [ %.1887, %B2790.if.lr.ph ], [ %.2282, %B2792.endif.endif.endif ]
+  %.2072.0925 = phi i64 [ 0, %B2790.if.lr.ph ], [ %.2141, %B2792.endif.endif.endif ]
+  %.2141 = add nuw nsw i64 %.2072.0925, 1
+  %.2167 = mul nsw i64 %.2072.0925, %.98
+  %.2169 = getelementptr double, ptr %.141, i64 %.2167
+  %.2175 = getelementptr double, ptr %30, i64 %.2072.0925
+  %.2176 = load double, ptr %.2175, align 8
+  store ptr null, ptr %.2179, align 8
+  %.2183 = call i32 @add_scaled.29(ptr nonnull %.2179, ptr nonnull %excinfo.19, i64 %.98, double %.2176, ptr %arg.Y_bar, ptr %.2169)
+  switch i32 %.2183, label %B2792.if [
+    i32 -2, label %B2792.endif
+    i32 0, label %B2792.endif
+  ]
+
+B2792.if:
+  %.2191 = icmp sgt i32 %.2183, 0
+  %.2184 = load ptr, ptr %excinfo.19, align 8
+  %.2192 = select i1 %.2191, ptr %.2184, ptr undef
+  store ptr %.2192, ptr %excinfo, align 8
+  br label %common.ret
+
+B2792.endif:
+  %.2209 = getelementptr double, ptr %31, i64 %.2072.0925
+  %.2210 = load double, ptr %.2209, align 8
+  store ptr null, ptr %.2213, align 8
+  %.2217 = call i32 @add_scaled.29(ptr nonnull %.2213, ptr nonnull %excinfo.20, i64 %.98, double %.2210, ptr %.157, ptr %.2169)
+  switch i32 %.2217, label %B2792.endif.if [
+    i32 -2, label %B2792.endif.endif
+    i32 0, label %B2792.endif.endif
+  ]
+
+B2792.endif.if:
+  %.2225 = icmp sgt i32 %.2217, 0
+  %.2218 = load ptr, ptr %excinfo.20, align 8
+  %.2226 = select i1 %.2225, ptr %.2218, ptr undef
+  store ptr %.2226, ptr %excinfo, align 8
+  br label %common.ret
+
+B2792.endif.endif:
+  %.2243 = load double, ptr %.2209, align 8
+  %.2248 = getelementptr double, ptr %arg.work, i64 %.2167
+  store double 0.000000e+00, ptr %.2251, align 8
+  %.2255 = call i32 @dot.48(ptr nonnull %.2251, ptr nonnull %excinfo.21, i64 %.98, ptr %.157, ptr %.2248)
+  switch i32 %.2255, label %B2792.endif.endif.if [
+    i32 -2, label %B2792.endif.endif.endif
+    i32 0, label %B2792.endif.endif.endif
+  ]
+
+B2792.endif.endif.if:
+  %.2263 = icmp sgt i32 %.2255, 0
+  %.2256 = load ptr, ptr %excinfo.21, align 8
+  %.2264 = select i1 %.2263, ptr %.2256, ptr undef
+  store ptr %.2264, ptr %excinfo, align 8
+  br label %common.ret
+
+B2792.endif.endif.endif:
+  %.2265 = load double, ptr %.2251, align 8
+  %.2275 = fmul contract double %.2243, %.2265
+  %.2280 = fdiv contract double %.2275, %.394
+  %.2282 = fsub contract double %h_bar.8.2927, %.2280
+  %exitcond1192.not = icmp eq i64 %.2141, %35
+  br i1 %exitcond1192.not, label %B3096, label %B2790.if
+
+B3096.if:
+  %.2315 = icmp sgt i32 %.2307, 0
+  %.2308 = load ptr, ptr %excinfo.22, align 8
+  %.2316 = select i1 %.2315, ptr %.2308, ptr undef
+  store ptr %.2316, ptr %excinfo, align 8
+  br label %common.ret
+
+B3096.endif:
+  %.2317 = load double, ptr %.2303, align 8
+  %.2336 = getelementptr i8, ptr %36, i64 1088
+  %.2337 = load double, ptr %.2336, align 8
+  store double 0.000000e+00, ptr %.2342, align 8
+  %.2346 = call i32 @dot.48(ptr nonnull %.2342, ptr nonnull %excinfo.23, i64 %.98, ptr %.1463, ptr %.161)
+  switch i32 %.2346, label %B3096.endif.if [
+    i32 -2, label %B3096.endif.endif
+    i32 0, label %B3096.endif.endif
+  ]
+
+B3096.endif.if:
+  %.2354 = icmp sgt i32 %.2346, 0
+  %.2347 = load ptr, ptr %excinfo.23, align 8
+  %.2355 = select i1 %.2354, ptr %.2347, ptr undef
+  store ptr %.2355, ptr %excinfo, align 8
+  br label %common.ret
+
+B3096.endif.endif:
+  %.2356 = load double, ptr %.2342, align 8
+  %.2377 = load double, ptr %.2336, align 8
+  %.2379 = fmul contract double %.394, %.2377
+  store ptr null, ptr %.2383, align 8
+  %.2387 = call i32 @add_scaled.29(ptr nonnull %.2383, ptr nonnull %excinfo.24, i64 %.98, double %.2379, ptr %.1463, ptr %.174)
+  switch i32 %.2387, label %B3096.endif.endif.if [
+    i32 -2, label %B3096.endif.endif.endif
+    i32 0, label %B3096.endif.endif.endif
+  ]
+
+B3096.endif.endif.if:
+  %.2395 = icmp sgt i32 %.2387, 0
+  %.2388 = load ptr, ptr %excinfo.24, align 8
+  %.2396 = select i1 %.2395, ptr %.2388, ptr undef
+  store ptr %.2396, ptr %excinfo, align 8
+  br label %common.ret
+
+B3096.endif.endif.endif:
+  %.2328 = fmul contract double %.1332, %.2317
+  %.2330 = fadd contract double %h_bar.8.2.lcssa, %.2328
+  %.2366 = fmul contract double %.2337, %.2356
+  %.2367 = fadd contract double %.2330, %.2366
+  %exitcond1193.not = icmp eq i64 %.1429, 8
+  br i1 %exitcond1193.not, label %B3324, label %B1992.if
+
+B3400.if:
+  %.2568.0942 = phi i64 [ %.2637, %B3542 ], [ 0, %B3370 ]
+  %.2789 = getelementptr i32, ptr %arg.entry_rows, i64 %.2568.0942
+  %.2790 = load i32, ptr %.2789, align 4
+  %.2791 = sext i32 %.2790 to i64
+  %invariant.gep = getelementptr double, ptr %.144, i64 %.2791
+  %.2800 = getelementptr i32, ptr %arg.entry_columns, i64 %.2568.0942
+  %.2801 = load i32, ptr %.2800, align 4
+  %.2802 = sext i32 %.2801 to i64
+  %invariant.gep936 = getelementptr double, ptr %arg.work, i64 %.2802
+  br label %B3448.if
+
+B3448.if:
+  %total.2.2940 = phi double [ 0.000000e+00, %B3400.if ], [ %.2809, %B3448.if ]
+  %.2691.0938 = phi i64 [ 0, %B3400.if ], [ %.2760, %B3448.if ]
+  %.2760 = add nuw nsw i64 %.2691.0938, 1
+  %37 = mul nsw i64 %.2691.0938, %.98
+  %gep = getelementptr double, ptr %invariant.gep, i64 %37
+  %.2795 = load double, ptr %gep, align 8
+  %gep937 = getelementptr double, ptr %invariant.gep936, i64 %37
+  %.2806 = load double, ptr %gep937, align 8
+  %.2807 = fmul contract double %.2795, %.2806
+  %.2809 = fadd contract double %total.2.2940, %.2807
+  %exitcond1194.not = icmp eq i64 %.2760, 8
+  br i1 %exitcond1194.not, label %B3542, label %B3448.if
+
+B3670.if:
+  %.2988.0948 = phi i64 [ %.3057, %B3670.if ], [ 0, %B3640 ]
+  %.3057 = add nuw nsw i64 %.2988.0948, 1
+  %.3083 = getelementptr i32, ptr %arg.drive_rows, i64 %.2988.0948
+  %.3084 = load i32, ptr %.3083, align 4
+  %.3086 = sext i32 %.3084 to i64
+  %.3087 = getelementptr double, ptr %.174, i64 %.3086
+  %.3088 = load double, ptr %.3087, align 8
+  %.3090 = getelementptr i32, ptr %arg.drive_columns, i64 %.2988.0948
+  %.3091 = load i32, ptr %.3090, align 4
+  %.3093 = sext i32 %.3091 to i64
+  %.3094 = getelementptr double, ptr %.220, i64 %.3093
+  %.3095 = load double, ptr %.3094, align 8
+  %.3096 = fmul contract double %.3088, %.3095
+  %.3099 = add nsw i64 %.2988.0948, %.123
+  %.3101 = getelementptr double, ptr %.214, i64 %.3099
+  store double %.3096, ptr %.3101, align 8
+  %.3108 = getelementptr double, ptr %.229, i64 %.3093
+  %.3109 = load double, ptr %.3108, align 8
+  %.3116 = load double, ptr %.3087, align 8
+  %.3121 = getelementptr double, ptr %.208, i64 %.3099
+  %.3122 = load double, ptr %.3121, align 8
+  %.3123 = fmul contract double %.3116, %.3122
+  %.3124 = fadd contract double %.3109, %.3123
+  store double %.3124, ptr %.3108, align 8
+  %exitcond1198.not = icmp eq i64 %.115, %.3057
+  br i1 %exitcond1198.not, label %B3850, label %B3670.if
+
+B3850.if:
+  %.3150 = icmp sgt i32 %.3142, 0
+  %.3143 = load ptr, ptr %excinfo.25, align 8
+  %.3151 = select i1 %.3150, ptr %.3143, ptr undef
+  store ptr %.3151, ptr %excinfo, align 8
+  br label %common.ret
+
+B3850.endif:
+  store double %.391, ptr %.3167, align 8
+  store ptr null, ptr %.3180, align 8
+  %.3184 = call i32 @drive.6(ptr nonnull %.3180, ptr nonnull %excinfo.26, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.238, ptr %.246)
+  switch i32 %.3184, label %B3850.endif.if [
+    i32 -2, label %B3850.endif.endif
+    i32 0, label %B3850.endif.endif
+  ]
+
+B3850.endif.if:
+  %.3192 = icmp sgt i32 %.3184, 0
+  %.3185 = load ptr, ptr %excinfo.26, align 8
+  %.3193 = select i1 %.3192, ptr %.3185, ptr undef
+  store ptr %.3193, ptr %excinfo, align 8
+  br label %common.ret
+
+B3850.endif.endif:
+  br i1 %.3285950, label %B3974.if.preheader, label %B3990
+
+B3974.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.Y_bar, i8 0, i64 %29, i1 false)
+  br label %B3990
+
+B3990.if:
+  %.3355 = icmp sgt i32 %.3347, 0
+  %.3348 = load ptr, ptr %excinfo.27, align 8
+  %.3356 = select i1 %.3355, ptr %.3348, ptr undef
+  store ptr %.3356, ptr %excinfo, align 8
+  br label %common.ret
+
+B3990.endif:
+  store ptr null, ptr %.3379, align 8
+  %.3383 = call i32 @pull_jacobian.52(ptr nonnull %.3379, ptr nonnull %excinfo.28, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.214, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
+  switch i32 %.3383, label %B3990.endif.if [
+    i32 -2, label %B3990.endif.endif
+    i32 0, label %B3990.endif.endif
+  ]
+
+B3990.endif.if:
+  %.3391 = icmp sgt i32 %.3383, 0
+  %.3384 = load ptr, ptr %excinfo.28, align 8
+  %.3392 = select i1 %.3391, ptr %.3384, ptr undef
+  store ptr %.3392, ptr %excinfo, align 8
+  br label %common.ret
+
+B3990.endif.endif:
+  store ptr null, ptr %.3415, align 8
+  %.3419 = call i32 @drives_bar.37(ptr nonnull %.3415, ptr nonnull %excinfo.29, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.229, ptr %.238, ptr %.246)
+  switch i32 %.3419, label %B3990.endif.endif.if [
+    i32 -2, label %B3990.endif.endif.endif
+    i32 0, label %B3990.endif.endif.endif
+  ]
+
+B3990.endif.endif.if:
+  %.3427 = icmp sgt i32 %.3419, 0
+  %.3420 = load ptr, ptr %excinfo.29, align 8
+  %.3428 = select i1 %.3427, ptr %.3420, ptr undef
+  store ptr %.3428, ptr %excinfo, align 8
+  br label %common.ret
+
+B3990.endif.endif.endif:
+  %.3442 = load double, ptr %.3441, align 8
+  %.3444 = fadd contract double %.1898, %.3442
+  store ptr null, ptr %.3454, align 8
+  %.3458 = call i32 @copy.27(ptr nonnull %.3454, ptr nonnull %excinfo.30, i64 %.98, ptr %.178, ptr %arg.y_bar)
+  switch i32 %.3458, label %B3990.endif.endif.endif.if [
+    i32 -2, label %B3990.endif.endif.endif.endif
+    i32 0, label %B3990.endif.endif.endif.endif
+  ]
+
+B3990.endif.endif.endif.if:
+  %.3466 = icmp sgt i32 %.3458, 0
+  %.3459 = load ptr, ptr %excinfo.30, align 8
+  %.3467 = select i1 %.3466, ptr %.3459, ptr undef
+  store ptr %.3467, ptr %excinfo, align 8
+  br label %common.ret
+
+B3990.endif.endif.endif.endif:
+  store ptr null, ptr %.3482, align 8
+  %.3486 = call i32 @add_scaled.29(ptr nonnull %.3482, ptr nonnull %excinfo.31, i64 %.98, double 1.000000e+00, ptr %arg.Y_bar, ptr %arg.y_bar)
+  switch i32 %.3486, label %B3990.endif.endif.endif.endif.if [
+    i32 -2, label %B3990.endif.endif.endif.endif.endif
+    i32 0, label %B3990.endif.endif.endif.endif.endif
+  ]
+
+B3990.endif.endif.endif.endif.if:
+  %.3494 = icmp sgt i32 %.3486, 0
+  %.3487 = load ptr, ptr %excinfo.31, align 8
+  %.3495 = select i1 %.3494, ptr %.3487, ptr undef
+  store ptr %.3495, ptr %excinfo, align 8
+  br label %common.ret
+
+B3990.endif.endif.endif.endif.endif:
+  %.3507 = icmp eq i64 %.326.sroa.0.0960, 0
+  br i1 %.3507, label %B4246, label %B4278
+}
+
+define internal i32 @replay.45(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.step, ptr noalias %arg.Y, ptr noalias %arg.stages, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.row, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.42 = alloca ptr, align 8
+  store ptr null, ptr %.42, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.78 = alloca ptr, align 8
+  store ptr null, ptr %.78, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.103 = alloca i64, align 8
+  store i64 0, ptr %.103, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.128 = alloca ptr, align 8
+  store ptr null, ptr %.128, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.158 = alloca ptr, align 8
+  store ptr null, ptr %.158, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.186 = alloca ptr, align 8
+  store ptr null, ptr %.186, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.35 = load i64, ptr %arg.layout, align 8
+  %.37 = load double, ptr %arg.step, align 8
+  %.38 = getelementptr i8, ptr %arg.step, i64 8
+  %.39 = load double, ptr %.38, align 8
+  %.40 = getelementptr i8, ptr %arg.step, i64 24
+  store ptr null, ptr %.42, align 8
+  %.46 = call i32 @linearise.22(ptr nonnull %.42, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.37, ptr %.40, ptr %arg.Y, ptr %arg.J, ptr %arg.rates, ptr %arg.drift, ptr %arg.local, ptr %arg.out)
+  switch i32 %.46, label %B0.if [
+    i32 -2, label %B0.endif
+    i32 0, label %B0.endif
+  ]
+
+B0.if:
+  %.54 = icmp sgt i32 %.46, 0
+  %.47 = load ptr, ptr %excinfo.1, align 8
+  %.55 = select i1 %.54, ptr %.47, ptr undef
+  store ptr %.55, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif:
+  %.69 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
+  %.70 = load i32, ptr %.69, align 4
+  %.71 = getelementptr i8, ptr %arg.method, i64 1344
+  %.72 = load double, ptr %.71, align 8
+  %.73 = fmul contract double %.39, %.72
+  %.77 = fdiv contract double 1.000000e+00, %.73
+  store ptr null, ptr %.78, align 8
+  %.82 = call i32 @lu_fill.23(ptr nonnull %.78, ptr nonnull %excinfo.2, i64 %.35, i32 %.70, ptr %arg.J, ptr %arg.own, ptr %arg.mass, double %.77, ptr %arg.lu)
+  switch i32 %.82, label %B0.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ %.162, %B0.endif.endif.endif.endif.endif.if ], [ %.46, %B0.if ], [ %.82, %B0.endif.endif.if ], [ %.107, %B0.endif.endif.endif.if ], [ %.132, %B0.endif.endif.endif.endif.if ], [ 0, %B0.endif.endif.endif.endif.endif.endif.endif ], [ %.190, %B0.endif.endif.endif.endif.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B0.endif.endif.if:
+  %.90 = icmp sgt i32 %.82, 0
+  %.83 = load ptr, ptr %excinfo.2, align 8
+  %.91 = select i1 %.90, ptr %.83, ptr undef
+  store ptr %.91, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif:
+  store i64 0, ptr %.103, align 8
+  %.107 = call i32 @lu_factor.17(ptr nonnull %.103, ptr nonnull %excinfo.3, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.row)
+  switch i32 %.107, label %B0.endif.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif.endif
+  ]
+
+B0.endif.endif.endif.if:
+  %.115 = icmp sgt i32 %.107, 0
+  %.108 = load ptr, ptr %excinfo.3, align 8
+  %.116 = select i1 %.115, ptr %.108, ptr undef
+  store ptr %.116, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif.endif:
+  store ptr null, ptr %.128, align 8
+  %.132 = call i32 @solve_stages.53(ptr nonnull %.128, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.37, double %.39, ptr %.40, ptr %arg.Y, ptr %arg.drift, ptr %arg.lu, ptr %arg.stages, ptr %arg.places, i64 %.35, ptr %arg.right, ptr %arg.after, ptr %arg.x, ptr %arg.local, ptr %arg.out)
+  switch i32 %.132, label %B0.endif.endif.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif.endif.endif
+  ]
+
+B0.endif.endif.endif.endif.if:
+  %.140 = icmp sgt i32 %.132, 0
+  %.133 = load ptr, ptr %excinfo.4, align 8
+  %.141 = select i1 %.140, ptr %.133, ptr undef
+  store ptr %.141, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif.endif.endif:
+  %.153.idx = shl i64 %.35, 6
+  %.153 = getelementptr i8, ptr %arg.places, i64 %.153.idx
+  %.156 = mul nsw i64 %.35, 7
+  %.157 = getelementptr double, ptr %arg.places, i64 %.156
+  store ptr null, ptr %.158, align 8
+  %.162 = call i32 @copy.27(ptr nonnull %.158, ptr nonnull %excinfo.5, i64 %.35, ptr %.157, ptr %.153)
+  switch i32 %.162, label %B0.endif.endif.endif.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif.endif.endif.endif
+  ]
+
+B0.endif.endif.endif.endif.endif.if:
+  %.170 = icmp sgt i32 %.162, 0
+  %.163 = load ptr, ptr %excinfo.5, align 8
+  %.171 = select i1 %.170, ptr %.163, ptr undef
+  store ptr %.171, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif.endif.endif.endif:
+  %.185 = getelementptr double, ptr %arg.stages, i64 %.156
+  store ptr null, ptr %.186, align 8
+  %.190 = call i32 @add_scaled.29(ptr nonnull %.186, ptr nonnull %excinfo.6, i64 %.35, double 1.000000e+00, ptr %.185, ptr %.153)
+  switch i32 %.190, label %B0.endif.endif.endif.endif.endif.endif.if [
+    i32 -2, label %B0.endif.endif.endif.endif.endif.endif.endif
+    i32 0, label %B0.endif.endif.endif.endif.endif.endif.endif
+  ]
+
+B0.endif.endif.endif.endif.endif.endif.if:
+  %.198 = icmp sgt i32 %.190, 0
+  %.191 = load ptr, ptr %excinfo.6, align 8
+  %.199 = select i1 %.198, ptr %.191, ptr undef
+  store ptr %.199, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif.endif.endif.endif.endif:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+}
+
+define internal i32 @first_edge_in.46(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.edges, i64 %arg.stop, double %arg.time) noinline {
+entry:
+  %.19 = icmp sgt i64 %arg.stop, 0
+  br i1 %.19, label %B20, label %B114
+
+B20:
+  %0 = getelementptr double, ptr %arg.edges, i64 %arg.stop
+  %.33 = getelementptr i8, ptr %0, i64 -8
+  %.34 = load double, ptr %.33, align 8
+  %.36 = fmul contract double %arg.time, 0x3FF0000000000005
+  %.37 = fcmp contract ogt double %.34, %.36
+  br i1 %.37, label %B56, label %B114
+
+B56:
+  %first.2.0 = phi i64 [ %.43, %B78 ], [ %arg.stop, %B20 ]
+  %.53 = icmp sgt i64 %first.2.0, 1
+  br i1 %.53, label %B78, label %B114
+
+B78:
+  %.43 = add nsw i64 %first.2.0, -1
+  %1 = getelementptr double, ptr %arg.edges, i64 %first.2.0
+  %.66 = getelementptr i8, ptr %1, i64 -16
+  %.67 = load double, ptr %.66, align 8
+  %.70 = fcmp contract ogt double %.67, %.36
+  br i1 %.70, label %B56, label %B114
+
+B114:
+  %first.3.1 = phi i64 [ %arg.stop, %B20 ], [ %arg.stop, %entry ], [ %.43, %B78 ], [ 0, %B56 ]
+  store i64 %first.3.1, ptr %retptr, align 8
+  ret i32 0
+}
+
+define internal i32 @part_done.50(ptr noalias %retptr, ptr noalias %excinfo, double %arg.edge, ptr noalias %arg.step) noinline {
+entry:
+  %.20 = alloca double, align 8
+  store double 0.000000e+00, ptr %.20, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.7 = load double, ptr %arg.step, align 8
+  %.8 = fsub contract double %arg.edge, %.7
+  %.9 = getelementptr i8, ptr %arg.step, i64 16
+  %.10 = load double, ptr %.9, align 8
+  %.13 = fsub contract double %.10, %.7
+  %.17 = fdiv contract double %.8, %.13
+  store double 0.000000e+00, ptr %.20, align 8
+  %.26 = call i32 @numba.21(ptr nonnull %.20, ptr nonnull %excinfo.1, double %.17, double 1.000000e+00)
+  switch i32 %.26, label %B0.endif.if [
+    i32 -2, label %B0.endif.endif
+    i32 0, label %B0.endif.endif
+  ]
+
+B0.endif.if:
+  %.34 = icmp sgt i32 %.26, 0
+  %.27 = load ptr, ptr %excinfo.1, align 8
+  %.35 = select i1 %.34, ptr %.27, ptr undef
+  store ptr %.35, ptr %excinfo, align 8
+  br label %common.ret
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B0.endif.endif ], [ %.26, %B0.endif.if ]
+  ret i32 %common.ret.op
+
+B0.endif.endif:
+  %.36 = load double, ptr %.20, align 8
+  store double %.36, ptr %retptr, align 8
+  br label %common.ret
+}
+
+define internal i32 @dense_weight.51(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.method, i64 %arg.j, double %arg.theta) noinline {
+entry:
+  %0 = getelementptr double, ptr %arg.method, i64 %arg.j
+  %.9 = getelementptr i8, ptr %0, i64 1216
+  %.10 = load double, ptr %.9, align 8
+  %.14 = getelementptr i8, ptr %0, i64 1280
+  %.15 = load double, ptr %.14, align 8
+  %.16 = fmul contract double %arg.theta, %.15
+  %.17 = fadd contract double %.10, %.16
+  %.19 = fsub contract double 1.000000e+00, %arg.theta
+  %.20 = fmul contract double %arg.theta, %.19
+  %.22 = getelementptr i8, ptr %0, i64 1152
+  %.23 = load double, ptr %.22, align 8
+  %.24 = fmul contract double %arg.theta, %.17
+  %.25 = fadd contract double %.23, %.24
+  %.26 = fmul contract double %.20, %.25
+  store double %.26, ptr %retptr, align 8
+  ret i32 0
+}
+
+define internal i32 @dense_rate.47(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.method, double %arg.theta, ptr noalias %arg.y, ptr noalias %arg.end, ptr noalias %arg.stages, ptr noalias %arg.rate) noinline {
+entry:
+  %.327 = alloca ptr, align 8
+  store ptr null, ptr %.327, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.10772.not = icmp slt i64 %arg.n, 1
+  br i1 %.10772.not, label %B120.preheader, label %B34.if
+
+B120.preheader:
+  %.304 = fmul contract double %arg.theta, 2.000000e+00
+  %.306 = fsub contract double 1.000000e+00, %.304
+  %.310 = fsub contract double 1.000000e+00, %arg.theta
+  %.312 = fmul contract double %arg.theta, %.310
+  br label %B120.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B422 ], [ %.331, %B122.if ]
+  ret i32 %common.ret.op
+
+B422:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B34.if:
+  %.49.073 = phi i64 [ %.120, %B34.if ], [ 0, %entry ]
+  %.120 = add nuw nsw i64 %.49.073, 1
+  %.146 = getelementptr double, ptr %arg.end, i64 %.49.073
+  %.147 = load double, ptr %.146, align 8
+  %.149 = getelementptr double, ptr %arg.y, i64 %.49.073
+  %.150 = load double, ptr %.149, align 8
+  %.151 = fsub contract double %.147, %.150
+  %.153 = getelementptr double, ptr %arg.rate, i64 %.49.073
+  store double %.151, ptr %.153, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.120
+  br i1 %exitcond.not, label %B120.preheader, label %B34.if
+
+B120.if:
+  %.187.075 = phi i64 [ 0, %B120.preheader ], [ %.256, %B122.endif ]
+  %0 = getelementptr double, ptr %arg.method, i64 %.187.075
+  %.283 = getelementptr i8, ptr %0, i64 1152
+  %.284 = load double, ptr %.283, align 8
+  %.288 = getelementptr i8, ptr %0, i64 1216
+  %.289 = load double, ptr %.288, align 8
+  %.294 = getelementptr i8, ptr %0, i64 1280
+  %.295 = load double, ptr %.294, align 8
+  %.297 = fmul contract double %arg.theta, %.295
+  %.298 = fadd contract double %.289, %.297
+  %.300 = fmul contract double %arg.theta, %.298
+  %.301 = fadd contract double %.284, %.300
+  %.307 = fmul contract double %.306, %.301
+  %.316 = fmul contract double %.304, %.295
+  %.317 = fadd contract double %.289, %.316
+  %.318 = fmul contract double %.312, %.317
+  %.319 = fadd contract double %.318, %.307
+  %.322 = mul nsw i64 %.187.075, %arg.n
+  %.324 = getelementptr double, ptr %arg.stages, i64 %.322
+  store ptr null, ptr %.327, align 8
+  %.331 = call i32 @add_scaled.29(ptr nonnull %.327, ptr nonnull %excinfo.1, i64 %arg.n, double %.319, ptr %.324, ptr %arg.rate)
+  switch i32 %.331, label %B122.if [
+    i32 -2, label %B122.endif
+    i32 0, label %B122.endif
+  ]
+
+B122.if:
+  %.339 = icmp sgt i32 %.331, 0
+  %.332 = load ptr, ptr %excinfo.1, align 8
+  %.340 = select i1 %.339, ptr %.332, ptr undef
+  store ptr %.340, ptr %excinfo, align 8
+  br label %common.ret
+
+B122.endif:
+  %.256 = add nuw nsw i64 %.187.075, 1
+  %exitcond78.not = icmp eq i64 %.256, 8
+  br i1 %exitcond78.not, label %B422, label %B120.if
+}
+
+define internal i32 @dot.48(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
+entry:
+  %.9534.not = icmp slt i64 %arg.n, 1
+  br i1 %.9534.not, label %B84, label %B38.if
+
+B84:
+  %total.2.0.lcssa = phi double [ 0.000000e+00, %entry ], [ %.141, %B38.if ]
+  store double %total.2.0.lcssa, ptr %retptr, align 8
+  ret i32 0
+
+B38.if:
+  %total.2.037 = phi double [ %.141, %B38.if ], [ 0.000000e+00, %entry ]
+  %.37.035 = phi i64 [ %.108, %B38.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.035, 1
+  %.134 = getelementptr double, ptr %arg.x, i64 %.37.035
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.y, i64 %.37.035
+  %.138 = load double, ptr %.137, align 8
+  %.139 = fmul contract double %.135, %.138
+  %.141 = fadd contract double %total.2.037, %.139
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B84, label %B38.if
+}
+
+define internal i32 @pull_drive.49(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.190 = alloca ptr, align 8
+  store ptr null, ptr %.190, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.41 = getelementptr i8, ptr %arg.layout, i64 40
+  %.42 = load i64, ptr %.41, align 8
+  %.12436.not = icmp slt i64 %.42, 1
+  br i1 %.12436.not, label %B266, label %B56.if.lr.ph
+
+B56.if.lr.ph:
+  %.163 = getelementptr i8, ptr %arg.layout, i64 32
+  br label %B56.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B266 ], [ %.194, %B58.if ]
+  ret i32 %common.ret.op
+
+B266:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B56.if:
+  %.66.037 = phi i64 [ 0, %B56.if.lr.ph ], [ %.137, %B58.endif ]
+  %.164 = load i64, ptr %.163, align 8
+  %.165 = add nsw i64 %.164, %.66.037
+  %.166 = mul nsw i64 %.165, 11
+  %.167 = add nsw i64 %.166, 8
+  %0 = getelementptr i64, ptr %arg.layout, i64 %.166
+  %.171 = getelementptr i8, ptr %0, i64 96
+  %.172 = load i64, ptr %.171, align 8
+  %.175 = getelementptr i8, ptr %0, i64 128
+  %.176 = load i64, ptr %.175, align 8
+  %.178 = getelementptr i32, ptr %arg.rows, i64 %.176
+  store ptr null, ptr %.190, align 8
+  %.194 = call i32 @pull.54(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  switch i32 %.194, label %B58.if [
+    i32 -2, label %B58.endif
+    i32 0, label %B58.endif
+  ]
+
+B58.if:
+  %.202 = icmp sgt i32 %.194, 0
+  %.195 = load ptr, ptr %excinfo.1, align 8
+  %.203 = select i1 %.202, ptr %.195, ptr undef
+  store ptr %.203, ptr %excinfo, align 8
+  br label %common.ret
+
+B58.endif:
+  %.137 = add nuw nsw i64 %.66.037, 1
+  %exitcond.not = icmp eq i64 %.137, %.42
+  br i1 %exitcond.not, label %B266, label %B56.if
+}
+
+define internal i32 @pull_jacobian.52(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.363 = alloca ptr, align 8
+  store ptr null, ptr %.363, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.38 = getelementptr i8, ptr %arg.layout, i64 32
+  %.39 = load i64, ptr %.38, align 8
+  %.12182.not = icmp slt i64 %.39, 1
+  br i1 %.12182.not, label %B508, label %B56.if
+
+B206:
+  %.184 = getelementptr i8, ptr %2, i64 56
+  %.185 = load i64, ptr %.184, align 8
+  %.187 = getelementptr double, ptr %arg.numbers_bar, i64 %.185
+  %.194 = getelementptr i8, ptr %2, i64 8
+  %.195 = load i64, ptr %.194, align 8
+  %.202 = load i64, ptr %2, align 8
+  %.203 = mul nsw i64 %.202, %.195
+  %.28379.not = icmp slt i64 %.203, 1
+  br i1 %.28379.not, label %B509, label %B358.if
+
+B422:
+  %.349 = getelementptr i8, ptr %2, i64 40
+  %.350 = load i64, ptr %.349, align 8
+  store ptr null, ptr %.363, align 8
+  %.367 = call i32 @pull.54(ptr nonnull %.363, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 1, i64 %.350, ptr %.170, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  switch i32 %.367, label %B422.if [
+    i32 -2, label %B509
+    i32 0, label %B509
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B508 ], [ %.367, %B422.if ]
+  ret i32 %common.ret.op
+
+B508:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B509:
+  %exitcond85.not = icmp eq i64 %.39, %.134
+  br i1 %exitcond85.not, label %B508, label %B56.if
+
+B56.if:
+  %.63.083 = phi i64 [ %.134, %B509 ], [ 0, %entry ]
+  %.134 = add nuw nsw i64 %.63.083, 1
+  %0 = mul nuw nsw i64 %.63.083, 11
+  %1 = add nuw nsw i64 %0, 8
+  %2 = getelementptr i64, ptr %arg.layout, i64 %1
+  %.167 = getelementptr i8, ptr %2, i64 72
+  %.168 = load i64, ptr %.167, align 8
+  %.170 = getelementptr i32, ptr %arg.pos, i64 %.168
+  %.177 = getelementptr i8, ptr %2, i64 80
+  %.178 = load i64, ptr %.177, align 8
+  %.179 = icmp eq i64 %.178, -1
+  br i1 %.179, label %B206, label %B422
+
+B358.if:
+  %.227.080 = phi i64 [ %.296, %B358.if ], [ 0, %B206 ]
+  %.296 = add nuw nsw i64 %.227.080, 1
+  %.322 = getelementptr double, ptr %.187, i64 %.227.080
+  %.323 = load double, ptr %.322, align 8
+  %.325 = getelementptr i32, ptr %.170, i64 %.227.080
+  %.326 = load i32, ptr %.325, align 4
+  %.328 = sext i32 %.326 to i64
+  %.329 = getelementptr double, ptr %arg.weights, i64 %.328
+  %.330 = load double, ptr %.329, align 8
+  %.331 = fadd contract double %.323, %.330
+  store double %.331, ptr %.322, align 8
+  %exitcond.not = icmp eq i64 %.203, %.296
+  br i1 %exitcond.not, label %B509, label %B358.if
+
+B422.if:
+  %.375 = icmp sgt i32 %.367, 0
+  %.368 = load ptr, ptr %excinfo.1, align 8
+  %.376 = select i1 %.375, ptr %.368, ptr undef
+  store ptr %.376, ptr %excinfo, align 8
+  br label %common.ret
+}
+
+define internal i32 @pull.54(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.229 = alloca ptr, align 8
+  store ptr null, ptr %.229, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.263 = alloca ptr, align 8
+  store ptr null, ptr %.263, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.302 = alloca ptr, align 8
+  store ptr null, ptr %.302, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %0 = getelementptr i64, ptr %arg.layout, i64 %arg.table
+  %.45 = getelementptr i8, ptr %0, i64 8
+  %.46 = load i64, ptr %.45, align 8
+  %.47 = mul nsw i64 %.46, %arg.results
+  %.51 = getelementptr i8, ptr %0, i64 24
+  %.52 = load i64, ptr %.51, align 8
+  %.53 = mul i64 %.52, %.46
+  %.63 = getelementptr i8, ptr %0, i64 16
+  %.64 = load i64, ptr %.63, align 8
+  %.65 = mul nsw i64 %.64, %.46
+  %.84 = load i64, ptr %0, align 8
+  %.166102.not = icmp slt i64 %.84, 1
+  br i1 %.166102.not, label %B690, label %B240.if.lr.ph
+
+B240.if.lr.ph:
+  %.72 = getelementptr i8, ptr %0, i64 80
+  %.73 = load i64, ptr %.72, align 8
+  %.207 = getelementptr i8, ptr %0, i64 48
+  %.208 = load i64, ptr %.207, align 8
+  %1 = getelementptr i32, ptr %arg.idx, i64 %.208
+  %.217 = getelementptr i8, ptr %0, i64 56
+  %.218 = load i64, ptr %.217, align 8
+  %.260 = getelementptr double, ptr %arg.local, i64 %.65
+  %.idx = shl i64 %.73, 4
+  %2 = getelementptr i8, ptr %arg.derived, i64 %.idx
+  %.294 = getelementptr i8, ptr %2, i64 8
+  %.40699.not = icmp slt i64 %.53, 1
+  %3 = getelementptr double, ptr %arg.out, i64 %.65
+  br label %B240.if
+
+B240.loopexit:
+  %exitcond111.not = icmp eq i64 %.179, %.84
+  br i1 %exitcond111.not, label %B690, label %B240.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B690 ], [ %.306, %B242.endif.endif.if ], [ %.267, %B242.endif.if ], [ %.233, %B242.if ]
+  ret i32 %common.ret.op
+
+B690:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B240.if:
+  %.108.0103 = phi i64 [ 0, %B240.if.lr.ph ], [ %.179, %B240.loopexit ]
+  %.179 = add nuw nsw i64 %.108.0103, 1
+  %.210 = mul nsw i64 %.108.0103, %.65
+  %.213 = getelementptr i32, ptr %1, i64 %.210
+  %.220 = mul nsw i64 %.108.0103, %.53
+  %.221 = add nsw i64 %.218, %.220
+  store ptr null, ptr %.229, align 8
+  %.233 = call i32 @gather.3(ptr nonnull %.229, ptr nonnull %excinfo.1, i64 %.65, ptr %.213, ptr %arg.Y, ptr %arg.local)
+  switch i32 %.233, label %B242.if [
+    i32 -2, label %B242.endif
+    i32 0, label %B242.endif
+  ]
+
+B242.if:
+  %.241 = icmp sgt i32 %.233, 0
+  %.234 = load ptr, ptr %excinfo.1, align 8
+  %.242 = select i1 %.241, ptr %.234, ptr undef
+  store ptr %.242, ptr %excinfo, align 8
+  br label %common.ret
+
+B242.endif:
+  %.255 = mul nsw i64 %.108.0103, %.47
+  %.257 = getelementptr i32, ptr %arg.places, i64 %.255
+  store ptr null, ptr %.263, align 8
+  %.267 = call i32 @gather.3(ptr nonnull %.263, ptr nonnull %excinfo.2, i64 %.47, ptr %.257, ptr %arg.weights, ptr %.260)
+  switch i32 %.267, label %B242.endif.if [
+    i32 -2, label %B242.endif.endif
+    i32 0, label %B242.endif.endif
+  ]
+
+B242.endif.if:
+  %.275 = icmp sgt i32 %.267, 0
+  %.268 = load ptr, ptr %excinfo.2, align 8
+  %.276 = select i1 %.275, ptr %.268, ptr undef
+  store ptr %.276, ptr %excinfo, align 8
+  br label %common.ret
+
+B242.endif.endif:
+  %.289 = getelementptr double, ptr %arg.numbers, i64 %.221
+  %.295 = load i64, ptr %.294, align 8
+  %.296 = inttoptr i64 %.295 to ptr
+  call void %.296(ptr %arg.local, ptr %.289, ptr %arg.out)
+  store ptr null, ptr %.302, align 8
+  %.306 = call i32 @scatter.2(ptr nonnull %.302, ptr nonnull %excinfo.3, i64 %.65, ptr %.213, ptr %arg.out, ptr %arg.Y_bar)
+  switch i32 %.306, label %B242.endif.endif.if [
+    i32 -2, label %B242.endif.endif.endif
+    i32 0, label %B242.endif.endif.endif
+  ]
+
+B242.endif.endif.if:
+  %.314 = icmp sgt i32 %.306, 0
+  %.307 = load ptr, ptr %excinfo.3, align 8
+  %.315 = select i1 %.314, ptr %.307, ptr undef
+  store ptr %.315, ptr %excinfo, align 8
+  br label %common.ret
+
+B242.endif.endif.endif:
+  br i1 %.40699.not, label %B240.loopexit, label %B626.if.lr.ph
+
+B626.if.lr.ph:
+  %4 = getelementptr double, ptr %arg.numbers_bar, i64 %.221
+  br label %B626.if
+
+B626.if:
+  %.350.0100 = phi i64 [ 0, %B626.if.lr.ph ], [ %.419, %B626.if ]
+  %.419 = add nuw nsw i64 %.350.0100, 1
+  %.447 = getelementptr double, ptr %4, i64 %.350.0100
+  %.448 = load double, ptr %.447, align 8
+  %.452 = getelementptr double, ptr %3, i64 %.350.0100
+  %.453 = load double, ptr %.452, align 8
+  %.454 = fadd contract double %.448, %.453
+  store double %.454, ptr %.447, align 8
+  %exitcond.not = icmp eq i64 %.53, %.419
+  br i1 %exitcond.not, label %B240.loopexit, label %B626.if
+}
+
+define internal i32 @solve_stages.53(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.226 = alloca ptr, align 8
+  store ptr null, ptr %.226, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.381 = alloca ptr, align 8
+  store ptr null, ptr %.381, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.423 = alloca ptr, align 8
+  store ptr null, ptr %.423, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.457 = alloca ptr, align 8
+  store ptr null, ptr %.457, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.486 = alloca ptr, align 8
+  store ptr null, ptr %.486, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.538 = alloca ptr, align 8
+  store ptr null, ptr %.538, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.572 = alloca ptr, align 8
+  store ptr null, ptr %.572, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.609 = alloca ptr, align 8
+  store ptr null, ptr %.609, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.651 = alloca ptr, align 8
+  store ptr null, ptr %.651, align 8
+  %excinfo.9 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.9, align 8
+  %.697 = alloca ptr, align 8
+  store ptr null, ptr %.697, align 8
+  %excinfo.10 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.10, align 8
+  %.84 = load i64, ptr %arg.layout, align 8
+  %.412.not = icmp eq i64 %arg.stride, 0
+  %.522 = getelementptr i8, ptr %arg.layout, i64 8
+  %0 = getelementptr double, ptr %arg.Y, i64 %.84
+  br label %B72.if
+
+B136:
+  store ptr null, ptr %.226, align 8
+  %.230 = call i32 @copy.27(ptr nonnull %.226, ptr nonnull %excinfo.1, i64 %.84, ptr %arg.y, ptr %.215)
+  switch i32 %.230, label %B136.if [
+    i32 -2, label %B136.endif
+    i32 0, label %B136.endif
+  ]
+
+B302:
+  br i1 %.412.not, label %B388, label %B314
+
+B314:
+  %.416 = add nsw i64 %.111.0126, -1
+  %.418 = mul nsw i64 %.416, %arg.stride
+  %.420 = getelementptr double, ptr %arg.place_, i64 %.418
+  store ptr null, ptr %.423, align 8
+  %.427 = call i32 @copy.27(ptr nonnull %.423, ptr nonnull %excinfo.3, i64 %.84, ptr %.420, ptr %.215)
+  switch i32 %.427, label %B314.if [
+    i32 -2, label %B388
+    i32 0, label %B388
+  ]
+
+B388:
+  %.450 = add nsw i64 %.111.0126, -1
+  %.452 = mul nsw i64 %.450, %.84
+  %.454 = getelementptr double, ptr %arg.stages, i64 %.452
+  store ptr null, ptr %.457, align 8
+  %.461 = call i32 @add_scaled.29(ptr nonnull %.457, ptr nonnull %excinfo.4, i64 %.84, double 1.000000e+00, ptr %.454, ptr %.215)
+  switch i32 %.461, label %B388.if [
+    i32 -2, label %B464
+    i32 0, label %B464
+  ]
+
+B464:
+  store ptr null, ptr %.486, align 8
+  %.490 = call i32 @copy.27(ptr nonnull %.486, ptr nonnull %excinfo.5, i64 %.84, ptr %.215, ptr %arg.Y)
+  switch i32 %.490, label %B464.if [
+    i32 -2, label %B464.endif
+    i32 0, label %B464.endif
+  ]
+
+B810:
+  store ptr null, ptr %.651, align 8
+  %.655 = call i32 @add_scaled.29(ptr nonnull %.651, ptr nonnull %excinfo.9, i64 %.84, double %.639, ptr %arg.drift, ptr %arg.right)
+  switch i32 %.655, label %B810.if [
+    i32 -2, label %B846
+    i32 0, label %B846
+  ]
+
+B846:
+  %.682 = mul nsw i64 %.111.0126, %.84
+  %.686 = getelementptr double, ptr %arg.stages, i64 %.682
+  store ptr null, ptr %.697, align 8
+  %.701 = call i32 @lu_solve.19(ptr nonnull %.697, ptr nonnull %excinfo.10, i64 %.84, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.right, ptr %.686, ptr %arg.x)
+  switch i32 %.701, label %B846.if [
+    i32 -2, label %B846.endif
+    i32 0, label %B846.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B936 ], [ %.701, %B846.if ], [ %.655, %B810.if ], [ %.613, %B464.endif.endif.endif.if ], [ %.230, %B136.if ], [ %.385, %B202.if ], [ %.427, %B314.if ], [ %.461, %B388.if ], [ %.490, %B464.if ], [ %.542, %B464.endif.if ], [ %.576, %B464.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B936:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B72.if:
+  %.111.0126 = phi i64 [ 0, %entry ], [ %.183, %B846.endif ]
+  %.183 = add nuw nsw i64 %.111.0126, 1
+  %.213 = mul nsw i64 %.111.0126, %arg.stride
+  %.215 = getelementptr double, ptr %arg.place_, i64 %.213
+  %.220 = icmp samesign ult i64 %.111.0126, 6
+  br i1 %.220, label %B136, label %B302
+
+B136.if:
+  %.238 = icmp sgt i32 %.230, 0
+  %.231 = load ptr, ptr %excinfo.1, align 8
+  %.239 = select i1 %.238, ptr %.231, ptr undef
+  store ptr %.239, ptr %excinfo, align 8
+  br label %common.ret
+
+B136.endif:
+  %.330123.not = icmp eq i64 %.111.0126, 0
+  br i1 %.330123.not, label %B464, label %B200.if.lr.ph
+
+B200.if.lr.ph:
+  %.idx107 = shl nuw nsw i64 %.111.0126, 6
+  %1 = getelementptr i8, ptr %arg.method, i64 %.idx107
+  br label %B200.if
+
+B200.if:
+  %.274.0124 = phi i64 [ 0, %B200.if.lr.ph ], [ %.343, %B202.endif ]
+  %.373 = getelementptr double, ptr %1, i64 %.274.0124
+  %.374 = load double, ptr %.373, align 8
+  %.376 = mul nsw i64 %.274.0124, %.84
+  %.378 = getelementptr double, ptr %arg.stages, i64 %.376
+  store ptr null, ptr %.381, align 8
+  %.385 = call i32 @add_scaled.29(ptr nonnull %.381, ptr nonnull %excinfo.2, i64 %.84, double %.374, ptr %.378, ptr %.215)
+  switch i32 %.385, label %B202.if [
+    i32 -2, label %B202.endif
+    i32 0, label %B202.endif
+  ]
+
+B202.if:
+  %.393 = icmp sgt i32 %.385, 0
+  %.386 = load ptr, ptr %excinfo.2, align 8
+  %.394 = select i1 %.393, ptr %.386, ptr undef
+  store ptr %.394, ptr %excinfo, align 8
+  br label %common.ret
+
+B202.endif:
+  %.343 = add nuw nsw i64 %.274.0124, 1
+  %exitcond.not = icmp eq i64 %.343, %.111.0126
+  br i1 %exitcond.not, label %B464, label %B200.if
+
+B314.if:
+  %.435 = icmp sgt i32 %.427, 0
+  %.428 = load ptr, ptr %excinfo.3, align 8
+  %.436 = select i1 %.435, ptr %.428, ptr undef
+  store ptr %.436, ptr %excinfo, align 8
+  br label %common.ret
+
+B388.if:
+  %.469 = icmp sgt i32 %.461, 0
+  %.462 = load ptr, ptr %excinfo.4, align 8
+  %.470 = select i1 %.469, ptr %.462, ptr undef
+  store ptr %.470, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.if:
+  %.498 = icmp sgt i32 %.490, 0
+  %.491 = load ptr, ptr %excinfo.5, align 8
+  %.499 = select i1 %.498, ptr %.491, ptr undef
+  store ptr %.499, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.endif:
+  %2 = getelementptr double, ptr %arg.method, i64 %.111.0126
+  %.515 = getelementptr i8, ptr %2, i64 1024
+  %.516 = load double, ptr %.515, align 8
+  %.518 = fmul contract double %arg.h, %.516
+  %.520 = fadd contract double %arg.time, %.518
+  %.523 = load i64, ptr %.522, align 8
+  %.527 = getelementptr double, ptr %0, i64 %.523
+  store double %.520, ptr %.527, align 8
+  store ptr null, ptr %.538, align 8
+  %.542 = call i32 @drive.6(ptr nonnull %.538, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.542, label %B464.endif.if [
+    i32 -2, label %B464.endif.endif
+    i32 0, label %B464.endif.endif
+  ]
+
+B464.endif.if:
+  %.550 = icmp sgt i32 %.542, 0
+  %.543 = load ptr, ptr %excinfo.6, align 8
+  %.551 = select i1 %.550, ptr %.543, ptr undef
+  store ptr %.551, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.endif.endif:
+  store ptr null, ptr %.572, align 8
+  %.576 = call i32 @residual.0(ptr nonnull %.572, ptr nonnull %excinfo.7, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.right, ptr %arg.local, ptr %arg.out)
+  switch i32 %.576, label %B464.endif.endif.if [
+    i32 -2, label %B464.endif.endif.endif
+    i32 0, label %B464.endif.endif.endif
+  ]
+
+B464.endif.endif.if:
+  %.584 = icmp sgt i32 %.576, 0
+  %.577 = load ptr, ptr %excinfo.7, align 8
+  %.585 = select i1 %.584, ptr %.577, ptr undef
+  store ptr %.585, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.endif.endif.endif:
+  %.idx = shl i64 %.111.0126, 6
+  %3 = getelementptr i8, ptr %arg.method, i64 %.idx
+  %.601 = getelementptr i8, ptr %3, i64 512
+  store ptr null, ptr %.609, align 8
+  %.613 = call i32 @combine.31(ptr nonnull %.609, ptr nonnull %excinfo.8, i64 %.84, i64 %.111.0126, ptr %.601, double %arg.h, ptr %arg.mass, ptr %arg.stages, ptr %arg.right, ptr %arg.after)
+  switch i32 %.613, label %B464.endif.endif.endif.if [
+    i32 -2, label %B464.endif.endif.endif.endif
+    i32 0, label %B464.endif.endif.endif.endif
+  ]
+
+B464.endif.endif.endif.if:
+  %.621 = icmp sgt i32 %.613, 0
+  %.614 = load ptr, ptr %excinfo.8, align 8
+  %.622 = select i1 %.621, ptr %.614, ptr undef
+  store ptr %.622, ptr %excinfo, align 8
+  br label %common.ret
+
+B464.endif.endif.endif.endif:
+  %.636 = getelementptr i8, ptr %2, i64 1088
+  %.637 = load double, ptr %.636, align 8
+  %.639 = fmul contract double %arg.h, %.637
+  %.644 = fcmp contract une double %.639, 0.000000e+00
+  br i1 %.644, label %B810, label %B846
+
+B810.if:
+  %.663 = icmp sgt i32 %.655, 0
+  %.656 = load ptr, ptr %excinfo.9, align 8
+  %.664 = select i1 %.663, ptr %.656, ptr undef
+  store ptr %.664, ptr %excinfo, align 8
+  br label %common.ret
+
+B846.if:
+  %.709 = icmp sgt i32 %.701, 0
+  %.702 = load ptr, ptr %excinfo.10, align 8
+  %.710 = select i1 %.709, ptr %.702, ptr undef
+  store ptr %.710, ptr %excinfo, align 8
+  br label %common.ret
+
+B846.endif:
+  %exitcond149.not = icmp eq i64 %.183, 8
+  br i1 %exitcond149.not, label %B936, label %B72.if
+}
+
+define i64 @forward(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, i64 %a29, ptr %a30, i64 %a31, ptr %a32, ptr %a33, ptr %a34) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @forward.55(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, i64 %a29, ptr %a30, i64 %a31, ptr %a32, ptr %a33, ptr %a34)
+  ret i64 0
+}
+
+define internal i32 @forward.55(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.directions, ptr noalias %arg.Y, ptr noalias %arg.y_dot, ptr noalias %arg.Y_dot, i64 %arg.Y_length, ptr noalias %arg.numbers_dot, i64 %arg.numbers_length, ptr noalias %arg.ends_dot, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+entry:
+  %.240 = alloca i64, align 8
+  store i64 0, ptr %.240, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.444 = alloca i64, align 8
+  store i64 0, ptr %.444, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.472 = alloca ptr, align 8
+  store ptr null, ptr %.472, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.683 = alloca ptr, align 8
+  store ptr null, ptr %.683, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.723 = alloca ptr, align 8
+  store ptr null, ptr %.723, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.761 = alloca ptr, align 8
+  store ptr null, ptr %.761, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.1188 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1188, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.1230 = alloca ptr, align 8
+  store ptr null, ptr %.1230, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.1266 = alloca ptr, align 8
+  store ptr null, ptr %.1266, align 8
+  %excinfo.9 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.9, align 8
+  %.1302 = alloca ptr, align 8
+  store ptr null, ptr %.1302, align 8
+  %excinfo.10 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.10, align 8
+  %.1784 = alloca ptr, align 8
+  store ptr null, ptr %.1784, align 8
+  %excinfo.11 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.11, align 8
+  %.1830 = alloca ptr, align 8
+  store ptr null, ptr %.1830, align 8
+  %excinfo.12 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.12, align 8
+  %.1864 = alloca ptr, align 8
+  store ptr null, ptr %.1864, align 8
+  %excinfo.13 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.13, align 8
+  %.2152 = alloca ptr, align 8
+  store ptr null, ptr %.2152, align 8
+  %excinfo.14 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.14, align 8
+  %.2186 = alloca ptr, align 8
+  store ptr null, ptr %.2186, align 8
+  %excinfo.15 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.15, align 8
+  %.2215 = alloca ptr, align 8
+  store ptr null, ptr %.2215, align 8
+  %excinfo.16 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.16, align 8
+  %.2506 = alloca ptr, align 8
+  store ptr null, ptr %.2506, align 8
+  %excinfo.17 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.17, align 8
+  %.2546 = alloca ptr, align 8
+  store ptr null, ptr %.2546, align 8
+  %excinfo.18 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.18, align 8
+  %.2720 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2720, align 8
+  %excinfo.19 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.19, align 8
+  %.2749 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2749, align 8
+  %excinfo.20 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.20, align 8
+  %.2799 = alloca ptr, align 8
+  store ptr null, ptr %.2799, align 8
+  %excinfo.21 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.21, align 8
+  %.2964 = alloca i64, align 8
+  store i64 0, ptr %.2964, align 8
+  %excinfo.22 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.22, align 8
+  %.3004 = alloca ptr, align 8
+  store ptr null, ptr %.3004, align 8
+  %excinfo.23 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.23, align 8
+  %.3207 = alloca ptr, align 8
+  store ptr null, ptr %.3207, align 8
+  %excinfo.24 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.24, align 8
+  %.3372 = alloca ptr, align 8
+  store ptr null, ptr %.3372, align 8
+  %excinfo.25 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.25, align 8
+  %.3419 = alloca ptr, align 8
+  store ptr null, ptr %.3419, align 8
+  %excinfo.26 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.26, align 8
+  %.3539 = alloca ptr, align 8
+  store ptr null, ptr %.3539, align 8
+  %excinfo.27 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.27, align 8
+  %.3694 = alloca double, align 8
+  store double 0.000000e+00, ptr %.3694, align 8
+  %excinfo.28 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.28, align 8
+  %.3732 = alloca ptr, align 8
+  store ptr null, ptr %.3732, align 8
+  %excinfo.29 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.29, align 8
+  %.4016 = alloca double, align 8
+  store double 0.000000e+00, ptr %.4016, align 8
+  %excinfo.30 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.30, align 8
+  %.4049 = alloca ptr, align 8
+  store ptr null, ptr %.4049, align 8
+  %excinfo.31 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.31, align 8
+  %.4205 = alloca double, align 8
+  store double 0.000000e+00, ptr %.4205, align 8
+  %excinfo.32 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.32, align 8
+  %.4232 = alloca double, align 8
+  store double 0.000000e+00, ptr %.4232, align 8
+  %excinfo.33 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.33, align 8
+  %.4451 = alloca ptr, align 8
+  store ptr null, ptr %.4451, align 8
+  %excinfo.34 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.34, align 8
+  %.109 = load i64, ptr %arg.layout, align 8
+  %.111 = getelementptr i8, ptr %arg.layout, i64 16
+  %.112 = load i64, ptr %.111, align 8
+  %.120 = getelementptr i8, ptr %arg.layout, i64 8
+  %.121 = load i64, ptr %.120, align 8
+  %.123 = add nsw i64 %.121, %.109
+  %.125 = getelementptr i8, ptr %arg.layout, i64 24
+  %.126 = load i64, ptr %.125, align 8
+  %.134 = add nsw i64 %.112, 1
+  %.136 = add nsw i64 %.126, %.134
+  %.139 = shl nsw i64 %.109, 3
+  %.140 = getelementptr double, ptr %arg.work, i64 %.139
+  %.149.idx = mul i64 %.109, 136
+  %.149 = getelementptr i8, ptr %arg.work, i64 %.149.idx
+  %.idx = mul i64 %.109, 144
+  %0 = getelementptr i8, ptr %arg.work, i64 %.idx
+  %.153 = getelementptr i8, ptr %0, i64 8
+  %.idx902 = mul i64 %.109, 152
+  %1 = getelementptr i8, ptr %arg.work, i64 %.idx902
+  %.157 = getelementptr i8, ptr %1, i64 8
+  %.idx903 = mul i64 %.109, 160
+  %2 = getelementptr i8, ptr %arg.work, i64 %.idx903
+  %.170 = getelementptr i8, ptr %2, i64 8
+  %.177.idx = shl i64 %arg.blocks, 5
+  %.177 = getelementptr i8, ptr %.170, i64 %.177.idx
+  %.184.idx = shl i64 %arg.blocks, 4
+  %.184 = getelementptr i8, ptr %.177, i64 %.184.idx
+  %.190 = getelementptr double, ptr %.184, i64 %.112
+  %.195 = getelementptr double, ptr %.190, i64 %.136
+  %.200 = getelementptr double, ptr %.195, i64 %.136
+  %.207 = add nsw i64 %.121, 1
+  %.209 = getelementptr double, ptr %.200, i64 %.207
+  %.218 = getelementptr double, ptr %.209, i64 %.207
+  %.223 = getelementptr i8, ptr %arg.layout, i64 56
+  %.224 = load i64, ptr %.223, align 8
+  %.226 = getelementptr double, ptr %.218, i64 %.224
+  %.234 = getelementptr double, ptr %.226, i64 %.224
+  store i64 0, ptr %.240, align 8
+  %.244 = call i32 @moving_groups.56(ptr nonnull %.240, ptr nonnull %excinfo.1, ptr nonnull %arg.layout)
+  switch i32 %.244, label %B0.if [
+    i32 -2, label %B0.endif
+    i32 0, label %B0.endif
+  ]
+
+B1370:
+  %.5851187 = icmp sgt i64 %arg.step_count, 0
+  br i1 %.5851187, label %B1408.lr.ph, label %B5720
+
+B1408.lr.ph:
+  %.531.11190 = add nsw i64 %arg.step_count, -1
+  %.627 = add nsw i64 %.109, 3
+  %.708 = getelementptr i8, ptr %arg.method, i64 1344
+  %.750 = getelementptr double, ptr %arg.Y, i64 %.123
+  %.824 = icmp sgt i64 %.109, 0
+  %storemerge906 = select i1 %.824, i64 %.139, i64 0
+  %.8661122 = icmp sgt i64 %storemerge906, 0
+  %.9931138.not = icmp slt i64 %arg.directions, 1
+  %storemerge924 = call i64 @llvm.smax.i64(i64 %.109, i64 0)
+  %.14101130.not = icmp slt i64 %arg.entry_count, 1
+  %.15461135.not = icmp slt i64 %.126, 1
+  %.19681141.not = icmp slt i64 %.109, 1
+  %.23201147 = icmp sgt i64 %storemerge906, 0
+  %.2492 = shl i64 %.109, 6
+  %.26561163.not = icmp slt i64 %arg.directions, 1
+  %.31131160.not = icmp slt i64 %.109, 1
+  %.33131166.not = icmp slt i64 %.126, 1
+  %3 = getelementptr double, ptr %.190, i64 %.134
+  %.3537.idx = mul i64 %.109, 448
+  %.3537 = getelementptr i8, ptr %.269, i64 %.3537.idx
+  %.3725 = getelementptr double, ptr %.140, i64 %.139
+  %.38371171 = icmp sgt i64 %storemerge906, 0
+  %.4044 = shl i64 %.109, 6
+  %.41581181.not = icmp slt i64 %arg.directions, 1
+  %.43601178.not = icmp slt i64 %.109, 1
+  %4 = mul i64 %.254, %arg.directions
+  %5 = shl i64 %4, 3
+  %6 = mul i64 %.109, 800
+  %7 = mul i64 %arg.blocks, 48
+  %8 = mul i64 %.112, 24
+  %9 = add i64 %.126, %.121
+  %10 = add i64 %9, %.224
+  %11 = shl i64 %10, 4
+  %12 = getelementptr i8, ptr %arg.work, i64 %5
+  %13 = getelementptr i8, ptr %12, i64 %6
+  %14 = getelementptr i8, ptr %13, i64 %7
+  %15 = getelementptr i8, ptr %14, i64 %8
+  %16 = getelementptr i8, ptr %15, i64 %11
+  %scevgep = getelementptr i8, ptr %16, i64 40
+  %17 = shl nuw i64 %storemerge906, 3
+  %18 = shl nuw i64 %storemerge924, 3
+  %19 = add i64 %arg.edge_count, -1
+  br label %B1408
+
+B1408:
+  %.575.sroa.0.01194 = phi i64 [ 0, %B1408.lr.ph ], [ %.575.sroa.0.0, %B5662.endif ]
+  %.531.11193 = phi i64 [ %.531.11190, %B1408.lr.ph ], [ %.531.1, %B5662.endif ]
+  %.528.11192 = phi i64 [ 1, %B1408.lr.ph ], [ %.528.1, %B5662.endif ]
+  %start.2.01191 = phi i64 [ 0, %B1408.lr.ph ], [ %stop.3.2, %B5662.endif ]
+  %.629 = mul nsw i64 %.575.sroa.0.01194, %.627
+  %.631 = getelementptr double, ptr %arg.record, i64 %.629
+  %.637 = load double, ptr %.631, align 8
+  %.639 = getelementptr i8, ptr %.631, i64 8
+  %.640 = load double, ptr %.639, align 8
+  %.642 = getelementptr i8, ptr %.631, i64 24
+  store ptr null, ptr %.683, align 8
+  %.687 = call i32 @replay.45(ptr nonnull %.683, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.631, ptr %arg.Y, ptr %arg.work, ptr %.140, ptr %.190, ptr %.200, ptr %.157, ptr %.184, ptr %.149, ptr %.153, ptr %.170, ptr %.177, ptr %.218, ptr %.226)
+  switch i32 %.687, label %B1408.if [
+    i32 -2, label %B1408.endif
+    i32 0, label %B1408.endif
+  ]
+
+B1844.preheader:
+  br i1 %.9931138.not, label %B2614.if.preheader, label %B1846.if
+
+B2614.if.preheader:
+  br label %B2614.if
+
+B1844.loopexit:
+  %exitcond1419.not = icmp eq i64 %arg.directions, %.1006
+  br i1 %exitcond1419.not, label %B2614.if.preheader, label %B1846.if
+
+B2006:
+  %.1186.idx = shl i64 %.936.01139, 4
+  %.1186 = getelementptr i8, ptr %arg.ends_dot, i64 %.1186.idx
+  store double 0.000000e+00, ptr %.1188, align 8
+  %.1192 = call i32 @begin_rate.57(ptr nonnull %.1188, ptr nonnull %excinfo.7, i64 %.575.sroa.0.01194, ptr %.1186)
+  switch i32 %.1192, label %B2006.if [
+    i32 -2, label %B2006.endif
+    i32 0, label %B2006.endif
+  ]
+
+B2352:
+  %invariant.gep1133 = getelementptr double, ptr %.288, i64 %.936.01139
+  br i1 %.15461135.not, label %B1844.loopexit, label %B2382.if
+
+B2942:
+  %.20941144.not = icmp eq i64 %.1662.01169, 0
+  br i1 %.20941144.not, label %B3096, label %B2972.if.lr.ph
+
+B2972.if.lr.ph:
+  %.idx923 = shl i64 %.1662.01169, 6
+  %20 = getelementptr i8, ptr %arg.method, i64 %.idx923
+  %21 = getelementptr i8, ptr %20, i64 512
+  br label %B2972.if
+
+B3096:
+  store ptr null, ptr %.2186, align 8
+  %.2190 = call i32 @add_scaled.29(ptr nonnull %.2186, ptr nonnull %excinfo.15, i64 %.109, double %.715, ptr %.1764, ptr %.153)
+  switch i32 %.2190, label %B3096.if [
+    i32 -2, label %B3096.endif
+    i32 0, label %B3096.endif
+  ]
+
+B3298.preheader:
+  %.24531150.not = icmp eq i64 %.1662.01169, 0
+  br i1 %.24531150.not, label %B3548.preheader, label %B3298.if.lr.ph
+
+B3298.if.lr.ph:
+  %.idx930 = shl i64 %.1662.01169, 6
+  %22 = getelementptr i8, ptr %arg.method, i64 %.idx930
+  %23 = getelementptr i8, ptr %22, i64 512
+  br label %B3298.if
+
+B3548.preheader:
+  br i1 %.26561163.not, label %B4282, label %B3550.if
+
+B3968:
+  store i64 0, ptr %.2964, align 8
+  %.2968 = call i32 @moving_groups.56(ptr nonnull %.2964, ptr nonnull %excinfo.22, ptr nonnull %arg.layout)
+  switch i32 %.2968, label %B3968.if [
+    i32 -2, label %B3968.endif
+    i32 0, label %B3968.endif
+  ]
+
+B4278:
+  %exitcond1425.not = icmp eq i64 %arg.directions, %.2669
+  br i1 %exitcond1425.not, label %B4282, label %B3550.if
+
+B4282:
+  store ptr null, ptr %.3207, align 8
+  %.3211 = call i32 @multiply_sides.58(ptr nonnull %.3207, ptr nonnull %excinfo.24, i64 %arg.entry_count, ptr %arg.entry_rows, ptr %arg.entry_columns, ptr %arg.entry_places, ptr %.190, ptr %.308, ptr %.1764, ptr %.274, ptr %.284)
+  switch i32 %.3211, label %B4282.if [
+    i32 -2, label %B4282.endif
+    i32 0, label %B4282.endif
+  ]
+
+B4546:
+  %.3409.idx = shl i64 %.1762, 6
+  %.3409 = getelementptr i8, ptr %.269, i64 %.3409.idx
+  store ptr null, ptr %.3419, align 8
+  %.3423 = call i32 @lu_solve_sides.33(ptr nonnull %.3419, ptr nonnull %excinfo.26, i64 %.109, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.184, ptr %.284, ptr %.3409, ptr %.315)
+  switch i32 %.3423, label %B4546.if [
+    i32 -2, label %B4546.endif
+    i32 0, label %B4546.endif
+  ]
+
+B4648:
+  %.3462 = icmp slt i64 %start.2.01191, %arg.edge_count
+  br i1 %.3462, label %B4664, label %B4770
+
+B4664:
+  %.3473 = getelementptr double, ptr %arg.edges, i64 %start.2.01191
+  %.3474 = load double, ptr %.3473, align 8
+  %.3478 = getelementptr i8, ptr %.631, i64 16
+  %.3479 = load double, ptr %.3478, align 8
+  %.3480 = fmul contract double %.3479, 0x3FF0000000000005
+  %.3481 = fcmp contract ugt double %.3474, %.3480
+  br i1 %.3481, label %B4770, label %B4706
+
+B4706:
+  %stop.2.1 = phi i64 [ %.3487, %B4728 ], [ %start.2.01191, %B4664 ]
+  %exitcond1428.not = icmp eq i64 %stop.2.1, %19
+  br i1 %exitcond1428.not, label %B4770, label %B4728
+
+B4728:
+  %.3487 = add nsw i64 %stop.2.1, 1
+  %.3508 = getelementptr double, ptr %arg.edges, i64 %.3487
+  %.3509 = load double, ptr %.3508, align 8
+  %.3516 = fcmp contract ugt double %.3509, %.3480
+  br i1 %.3516, label %B4770, label %B4706
+
+B4770:
+  %stop.3.2 = phi i64 [ %start.2.01191, %B4664 ], [ %start.2.01191, %B4648 ], [ %arg.edge_count, %B4706 ], [ %.3487, %B4728 ]
+  store ptr null, ptr %.3539, align 8
+  %.3543 = call i32 @add_scaled.29(ptr nonnull %.3539, ptr nonnull %excinfo.27, i64 %.139, double 1.000000e+00, ptr %.3537, ptr %.274)
+  switch i32 %.3543, label %B4770.if [
+    i32 -2, label %B4770.endif
+    i32 0, label %B4770.endif
+  ]
+
+B4920.loopexit:
+  %.3647 = icmp sgt i64 %.3593.01186, 1
+  br i1 %.3647, label %B4922.if, label %B5662
+
+B5378.preheader:
+  br i1 %.41581181.not, label %B4920.loopexit, label %B5378.if
+
+B5378.loopexit:
+  %exitcond1432.not = icmp eq i64 %arg.directions, %.4171
+  br i1 %exitcond1432.not, label %B4920.loopexit, label %B5378.if
+
+B5662:
+  store ptr null, ptr %.4451, align 8
+  %.4455 = call i32 @copy.27(ptr nonnull %.4451, ptr nonnull %excinfo.34, i64 %.139, ptr %.274, ptr %arg.y_dot)
+  switch i32 %.4455, label %B5662.if [
+    i32 -2, label %B5662.endif
+    i32 0, label %B5662.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B5720 ], [ %.4236, %B5380.endif.if ], [ %.4455, %B5662.if ], [ %.244, %B0.if ], [ %.448, %B1238.if ], [ %.3376, %B4360.if ], [ %.476, %B1238.endif.if ], [ %.687, %B1408.if ], [ %.727, %B1408.endif.endif.if ], [ %.4209, %B5380.if ], [ %.4053, %B5208.endif.if ], [ %.2803, %B3552.endif.endif.if ], [ %.765, %B1408.endif.endif.endif.if ], [ %.1192, %B2006.if ], [ %.1234, %B2006.endif.if ], [ %.1270, %B2006.endif.endif.if ], [ %.4020, %B5208.if ], [ %.3736, %B4924.endif.if ], [ %.2968, %B3968.if ], [ %.1306, %B2006.endif.endif.endif.if ], [ %.1788, %B2616.if ], [ %.1834, %B2616.endif.if ], [ %.3211, %B4282.if ], [ %.3698, %B4924.if ], [ %.1868, %B2616.endif.endif.if ], [ %.2156, %B2974.endif.if ], [ %.2190, %B3096.if ], [ %.3543, %B4770.if ], [ %.3008, %B3968.endif.if ], [ %.2219, %B3096.endif.if ], [ %.2510, %B3300.if ], [ %.3423, %B4546.if ], [ %.2550, %B3300.endif.endif.if ], [ %.2724, %B3552.if ], [ %.2753, %B3552.endif.if ]
+  ret i32 %common.ret.op
+
+B5720:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B0.if:
+  %.252 = icmp sgt i32 %.244, 0
+  %.245 = load ptr, ptr %excinfo.1, align 8
+  %.253 = select i1 %.252, ptr %.245, ptr undef
+  store ptr %.253, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif:
+  %.254 = load i64, ptr %.240, align 8
+  %.267 = mul nsw i64 %.254, %arg.directions
+  %.269 = getelementptr double, ptr %.234, i64 %.267
+  %.274.idx = shl i64 %.109, 9
+  %.274 = getelementptr i8, ptr %.269, i64 %.274.idx
+  %.284.idx = mul i64 %.109, 576
+  %.284 = getelementptr i8, ptr %.269, i64 %.284.idx
+  %.288.idx = mul i64 %.109, 640
+  %.288 = getelementptr i8, ptr %.269, i64 %.288.idx
+  %.298.idx = mul i64 %.109, 704
+  %.298 = getelementptr i8, ptr %.269, i64 %.298.idx
+  %.304 = load i64, ptr %.120, align 8
+  %.idx904 = shl i64 %.304, 6
+  %24 = getelementptr i8, ptr %.298, i64 %.idx904
+  %.308 = getelementptr i8, ptr %24, i64 64
+  %.315.idx = shl i64 %arg.entry_count, 6
+  %.315 = getelementptr i8, ptr %.308, i64 %.315.idx
+  %.3991119.not = icmp slt i64 %arg.directions, 1
+  br i1 %.3991119.not, label %B1370, label %B1236.if
+
+B1236.if:
+  %.343.01120 = phi i64 [ %.412, %B1238.endif.endif ], [ 0, %B0.endif ]
+  %.412 = add nuw nsw i64 %.343.01120, 1
+  store i64 0, ptr %.444, align 8
+  %.448 = call i32 @moving_groups.56(ptr nonnull %.444, ptr nonnull %excinfo.2, ptr nonnull %arg.layout)
+  switch i32 %.448, label %B1238.if [
+    i32 -2, label %B1238.endif
+    i32 0, label %B1238.endif
+  ]
+
+B1238.if:
+  %.456 = icmp sgt i32 %.448, 0
+  %.449 = load ptr, ptr %excinfo.2, align 8
+  %.457 = select i1 %.456, ptr %.449, ptr undef
+  store ptr %.457, ptr %excinfo, align 8
+  br label %common.ret
+
+B1238.endif:
+  %.458 = load i64, ptr %.444, align 8
+  %.439 = mul nsw i64 %.343.01120, %arg.numbers_length
+  %.441 = getelementptr double, ptr %arg.numbers_dot, i64 %.439
+  %.468 = mul nsw i64 %.458, %.343.01120
+  %.470 = getelementptr double, ptr %.234, i64 %.468
+  store ptr null, ptr %.472, align 8
+  %.476 = call i32 @mark_moving.59(ptr nonnull %.472, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %.441, ptr %.470)
+  switch i32 %.476, label %B1238.endif.if [
+    i32 -2, label %B1238.endif.endif
+    i32 0, label %B1238.endif.endif
+  ]
+
+B1238.endif.if:
+  %.484 = icmp sgt i32 %.476, 0
+  %.477 = load ptr, ptr %excinfo.3, align 8
+  %.485 = select i1 %.484, ptr %.477, ptr undef
+  store ptr %.485, ptr %excinfo, align 8
+  br label %common.ret
+
+B1238.endif.endif:
+  %exitcond.not = icmp eq i64 %arg.directions, %.412
+  br i1 %exitcond.not, label %B1370, label %B1236.if
+
+B1408.if:
+  %.695 = icmp sgt i32 %.687, 0
+  %.688 = load ptr, ptr %excinfo.4, align 8
+  %.696 = select i1 %.695, ptr %.688, ptr undef
+  store ptr %.696, ptr %excinfo, align 8
+  br label %common.ret
+
+B1408.endif:
+  %.709 = load double, ptr %.708, align 8
+  %.711 = fmul contract double %.640, %.709
+  %.715 = fdiv contract double 1.000000e+00, %.711
+  store ptr null, ptr %.723, align 8
+  %.727 = call i32 @copy.27(ptr nonnull %.723, ptr nonnull %excinfo.5, i64 %.109, ptr %.642, ptr %arg.Y)
+  switch i32 %.727, label %B1408.endif.endif.if [
+    i32 -2, label %B1408.endif.endif.endif
+    i32 0, label %B1408.endif.endif.endif
+  ]
+
+B1408.endif.endif.if:
+  %.735 = icmp sgt i32 %.727, 0
+  %.728 = load ptr, ptr %excinfo.5, align 8
+  %.736 = select i1 %.735, ptr %.728, ptr undef
+  store ptr %.736, ptr %excinfo, align 8
+  br label %common.ret
+
+B1408.endif.endif.endif:
+  store double %.637, ptr %.750, align 8
+  store ptr null, ptr %.761, align 8
+  %.765 = call i32 @drive.6(ptr nonnull %.761, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.218, ptr %.226)
+  switch i32 %.765, label %B1408.endif.endif.endif.if [
+    i32 -2, label %B1408.endif.endif.endif.endif
+    i32 0, label %B1408.endif.endif.endif.endif
+  ]
+
+B1408.endif.endif.endif.if:
+  %.773 = icmp sgt i32 %.765, 0
+  %.766 = load ptr, ptr %excinfo.6, align 8
+  %.774 = select i1 %.773, ptr %.766, ptr undef
+  store ptr %.774, ptr %excinfo, align 8
+  br label %common.ret
+
+B1408.endif.endif.endif.endif:
+  br i1 %.8661122, label %B1798.if.preheader, label %B1844.preheader
+
+B1798.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %scevgep, i8 0, i64 %17, i1 false)
+  br label %B1844.preheader
+
+B1846.if:
+  %.936.01139 = phi i64 [ %.1006, %B1844.loopexit ], [ 0, %B1844.preheader ]
+  %.1006 = add nuw nsw i64 %.936.01139, 1
+  %.1036 = mul nsw i64 %.936.01139, %arg.Y_length
+  %.1038 = getelementptr double, ptr %arg.Y_dot, i64 %.1036
+  %.1041 = mul nsw i64 %.936.01139, %arg.numbers_length
+  %.1043 = getelementptr double, ptr %arg.numbers_dot, i64 %.1041
+  %invariant.gep = getelementptr double, ptr %arg.y_dot, i64 %.936.01139
+  br i1 %.824, label %B1956.if, label %B2006
+
+B1956.if:
+  %.1074.01126 = phi i64 [ %.1143, %B1956.if ], [ 0, %B1846.if ]
+  %.1143 = add nuw nsw i64 %.1074.01126, 1
+  %.idx929 = shl i64 %.1074.01126, 6
+  %gep = getelementptr i8, ptr %invariant.gep, i64 %.idx929
+  %.1173 = load double, ptr %gep, align 8
+  %.1175 = getelementptr double, ptr %.1038, i64 %.1074.01126
+  store double %.1173, ptr %.1175, align 8
+  %exitcond1416.not = icmp eq i64 %.109, %.1143
+  br i1 %exitcond1416.not, label %B2006, label %B1956.if
+
+B2006.if:
+  %.1200 = icmp sgt i32 %.1192, 0
+  %.1193 = load ptr, ptr %excinfo.7, align 8
+  %.1201 = select i1 %.1200, ptr %.1193, ptr undef
+  store ptr %.1201, ptr %excinfo, align 8
+  br label %common.ret
+
+B2006.endif:
+  %.1202 = load double, ptr %.1188, align 8
+  %.1214 = getelementptr double, ptr %.1038, i64 %.123
+  store double %.1202, ptr %.1214, align 8
+  %.1219 = getelementptr double, ptr %.1038, i64 %.109
+  store ptr null, ptr %.1230, align 8
+  %.1234 = call i32 @push_drive.41(ptr nonnull %.1230, ptr nonnull %excinfo.8, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.1038, ptr %.1043, ptr %.1219, ptr %.218, ptr %.226)
+  switch i32 %.1234, label %B2006.endif.if [
+    i32 -2, label %B2006.endif.endif
+    i32 0, label %B2006.endif.endif
+  ]
+
+B2006.endif.if:
+  %.1242 = icmp sgt i32 %.1234, 0
+  %.1235 = load ptr, ptr %excinfo.8, align 8
+  %.1243 = select i1 %.1242, ptr %.1235, ptr undef
+  store ptr %.1243, ptr %excinfo, align 8
+  br label %common.ret
+
+B2006.endif.endif:
+  store ptr null, ptr %.1266, align 8
+  %.1270 = call i32 @push_drive.60(ptr nonnull %.1266, ptr nonnull %excinfo.9, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.1038, ptr %.1043, ptr %.209, ptr %.218, ptr %.226)
+  switch i32 %.1270, label %B2006.endif.endif.if [
+    i32 -2, label %B2006.endif.endif.endif
+    i32 0, label %B2006.endif.endif.endif
+  ]
+
+B2006.endif.endif.if:
+  %.1278 = icmp sgt i32 %.1270, 0
+  %.1271 = load ptr, ptr %excinfo.9, align 8
+  %.1279 = select i1 %.1278, ptr %.1271, ptr undef
+  store ptr %.1279, ptr %excinfo, align 8
+  br label %common.ret
+
+B2006.endif.endif.endif:
+  store ptr null, ptr %.1302, align 8
+  %.1306 = call i32 @push_jacobian.61(ptr nonnull %.1302, ptr nonnull %excinfo.10, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.1038, ptr %.1043, ptr %.195, ptr %.218, ptr %.226)
+  switch i32 %.1306, label %B2006.endif.endif.endif.if [
+    i32 -2, label %B2006.endif.endif.endif.endif
+    i32 0, label %B2006.endif.endif.endif.endif
+  ]
+
+B2006.endif.endif.endif.if:
+  %.1314 = icmp sgt i32 %.1306, 0
+  %.1307 = load ptr, ptr %excinfo.10, align 8
+  %.1315 = select i1 %.1314, ptr %.1307, ptr undef
+  store ptr %.1315, ptr %excinfo, align 8
+  br label %common.ret
+
+B2006.endif.endif.endif.endif:
+  %invariant.gep1128 = getelementptr double, ptr %.308, i64 %.936.01139
+  br i1 %.14101130.not, label %B2352, label %B2290.if
+
+B2290.if:
+  %.1354.01131 = phi i64 [ %.1423, %B2290.if ], [ 0, %B2006.endif.endif.endif.endif ]
+  %.1423 = add nuw nsw i64 %.1354.01131, 1
+  %.1449 = getelementptr i32, ptr %arg.entry_places, i64 %.1354.01131
+  %.1450 = load i32, ptr %.1449, align 4
+  %.1452 = sext i32 %.1450 to i64
+  %.1453 = getelementptr double, ptr %.195, i64 %.1452
+  %.1454 = load double, ptr %.1453, align 8
+  %.idx928 = shl i64 %.1354.01131, 6
+  %gep1129 = getelementptr i8, ptr %invariant.gep1128, i64 %.idx928
+  store double %.1454, ptr %gep1129, align 8
+  %exitcond1417.not = icmp eq i64 %arg.entry_count, %.1423
+  br i1 %exitcond1417.not, label %B2352, label %B2290.if
+
+B2382.if:
+  %.1490.01136 = phi i64 [ %.1559, %B2382.if ], [ 0, %B2352 ]
+  %.1559 = add nuw nsw i64 %.1490.01136, 1
+  %.1585 = getelementptr i32, ptr %arg.drive_rows, i64 %.1490.01136
+  %.1586 = load i32, ptr %.1585, align 4
+  %.1587 = sext i32 %.1586 to i64
+  %.idx927 = shl nsw i64 %.1587, 6
+  %gep1134 = getelementptr i8, ptr %invariant.gep1133, i64 %.idx927
+  %.1593 = load double, ptr %gep1134, align 8
+  %.1596 = add nsw i64 %.1490.01136, %.134
+  %.1598 = getelementptr double, ptr %.195, i64 %.1596
+  %.1599 = load double, ptr %.1598, align 8
+  %.1601 = getelementptr i32, ptr %arg.drive_columns, i64 %.1490.01136
+  %.1602 = load i32, ptr %.1601, align 4
+  %.1604 = sext i32 %.1602 to i64
+  %.1605 = getelementptr double, ptr %.200, i64 %.1604
+  %.1606 = load double, ptr %.1605, align 8
+  %.1607 = fmul contract double %.1599, %.1606
+  %.1612 = getelementptr double, ptr %.190, i64 %.1596
+  %.1613 = load double, ptr %.1612, align 8
+  %.1619 = getelementptr double, ptr %.209, i64 %.1604
+  %.1620 = load double, ptr %.1619, align 8
+  %.1621 = fmul contract double %.1613, %.1620
+  %.1622 = fadd contract double %.1607, %.1621
+  %.1623 = fadd contract double %.1593, %.1622
+  store double %.1623, ptr %gep1134, align 8
+  %exitcond1418.not = icmp eq i64 %.126, %.1559
+  br i1 %exitcond1418.not, label %B1844.loopexit, label %B2382.if
+
+B2614.if:
+  %.1662.01169 = phi i64 [ %.1732, %B4546.endif ], [ 0, %B2614.if.preheader ]
+  %.1732 = add nuw nsw i64 %.1662.01169, 1
+  %.1762 = mul nsw i64 %.1662.01169, %.109
+  %.1764 = getelementptr double, ptr %arg.work, i64 %.1762
+  %25 = getelementptr double, ptr %arg.method, i64 %.1662.01169
+  %.1768 = getelementptr i8, ptr %25, i64 1088
+  %.1769 = load double, ptr %.1768, align 8
+  %.1781 = getelementptr double, ptr %.140, i64 %.1762
+  store ptr null, ptr %.1784, align 8
+  %.1788 = call i32 @copy.27(ptr nonnull %.1784, ptr nonnull %excinfo.11, i64 %.109, ptr %.1781, ptr %arg.Y)
+  switch i32 %.1788, label %B2616.if [
+    i32 -2, label %B2616.endif
+    i32 0, label %B2616.endif
+  ]
+
+B2616.if:
+  %.1796 = icmp sgt i32 %.1788, 0
+  %.1789 = load ptr, ptr %excinfo.11, align 8
+  %.1797 = select i1 %.1796, ptr %.1789, ptr undef
+  store ptr %.1797, ptr %excinfo, align 8
+  br label %common.ret
+
+B2616.endif:
+  %.1811 = getelementptr i8, ptr %25, i64 1024
+  %.1812 = load double, ptr %.1811, align 8
+  %.1814 = fmul contract double %.640, %.1812
+  %.1816 = fadd contract double %.637, %.1814
+  store double %.1816, ptr %.750, align 8
+  store ptr null, ptr %.1830, align 8
+  %.1834 = call i32 @drive.6(ptr nonnull %.1830, ptr nonnull %excinfo.12, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.218, ptr %.226)
+  switch i32 %.1834, label %B2616.endif.if [
+    i32 -2, label %B2616.endif.endif
+    i32 0, label %B2616.endif.endif
+  ]
+
+B2616.endif.if:
+  %.1842 = icmp sgt i32 %.1834, 0
+  %.1835 = load ptr, ptr %excinfo.12, align 8
+  %.1843 = select i1 %.1842, ptr %.1835, ptr undef
+  store ptr %.1843, ptr %excinfo, align 8
+  br label %common.ret
+
+B2616.endif.endif:
+  store ptr null, ptr %.1864, align 8
+  %.1868 = call i32 @jacobian.4(ptr nonnull %.1864, ptr nonnull %excinfo.13, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.190, ptr %.218, ptr %.226)
+  switch i32 %.1868, label %B2616.endif.endif.if [
+    i32 -2, label %B2616.endif.endif.endif
+    i32 0, label %B2616.endif.endif.endif
+  ]
+
+B2616.endif.endif.if:
+  %.1876 = icmp sgt i32 %.1868, 0
+  %.1869 = load ptr, ptr %excinfo.13, align 8
+  %.1877 = select i1 %.1876, ptr %.1869, ptr undef
+  store ptr %.1877, ptr %excinfo, align 8
+  br label %common.ret
+
+B2616.endif.endif.endif:
+  br i1 %.19681141.not, label %B2942, label %B2926.if.preheader
+
+B2926.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %.153, i8 0, i64 %18, i1 false)
+  br label %B2942
+
+B2972.if:
+  %.2038.01145 = phi i64 [ 0, %B2972.if.lr.ph ], [ %.2107, %B2974.endif.endif ]
+  %.2138 = getelementptr double, ptr %21, i64 %.2038.01145
+  %.2139 = load double, ptr %.2138, align 8
+  %.2140 = fneg contract double %.2139
+  %.2145 = fdiv contract double %.2140, %.640
+  %.2147 = mul nsw i64 %.2038.01145, %.109
+  %.2149 = getelementptr double, ptr %arg.work, i64 %.2147
+  store ptr null, ptr %.2152, align 8
+  %.2156 = call i32 @add_scaled.29(ptr nonnull %.2152, ptr nonnull %excinfo.14, i64 %.109, double %.2145, ptr %.2149, ptr %.153)
+  switch i32 %.2156, label %B2974.endif.if [
+    i32 -2, label %B2974.endif.endif
+    i32 0, label %B2974.endif.endif
+  ]
+
+B2974.endif.if:
+  %.2164 = icmp sgt i32 %.2156, 0
+  %.2157 = load ptr, ptr %excinfo.14, align 8
+  %.2165 = select i1 %.2164, ptr %.2157, ptr undef
+  store ptr %.2165, ptr %excinfo, align 8
+  br label %common.ret
+
+B2974.endif.endif:
+  %.2107 = add nuw nsw i64 %.2038.01145, 1
+  %exitcond1420.not = icmp eq i64 %.2107, %.1662.01169
+  br i1 %exitcond1420.not, label %B3096, label %B2972.if
+
+B3096.if:
+  %.2198 = icmp sgt i32 %.2190, 0
+  %.2191 = load ptr, ptr %excinfo.15, align 8
+  %.2199 = select i1 %.2198, ptr %.2191, ptr undef
+  store ptr %.2199, ptr %excinfo, align 8
+  br label %common.ret
+
+B3096.endif:
+  store ptr null, ptr %.2215, align 8
+  %.2219 = call i32 @copy.27(ptr nonnull %.2215, ptr nonnull %excinfo.16, i64 %.139, ptr %arg.y_dot, ptr %.274)
+  switch i32 %.2219, label %B3096.endif.if [
+    i32 -2, label %B3096.endif.endif
+    i32 0, label %B3096.endif.endif
+  ]
+
+B3096.endif.if:
+  %.2227 = icmp sgt i32 %.2219, 0
+  %.2220 = load ptr, ptr %excinfo.16, align 8
+  %.2228 = select i1 %.2227, ptr %.2220, ptr undef
+  store ptr %.2228, ptr %excinfo, align 8
+  br label %common.ret
+
+B3096.endif.endif:
+  br i1 %.23201147, label %B3228.if.lr.ph, label %B3298.preheader
+
+B3228.if.lr.ph:
+  %.2360 = fmul contract double %.640, %.1769
+  br label %B3228.if
+
+B3228.if:
+  %.2264.01148 = phi i64 [ 0, %B3228.if.lr.ph ], [ %.2333, %B3228.if ]
+  %.2333 = add nuw nsw i64 %.2264.01148, 1
+  %.2362 = getelementptr double, ptr %.288, i64 %.2264.01148
+  %.2363 = load double, ptr %.2362, align 8
+  %.2364 = fmul contract double %.2360, %.2363
+  %.2366 = getelementptr double, ptr %.284, i64 %.2264.01148
+  store double %.2364, ptr %.2366, align 8
+  %exitcond1421.not = icmp eq i64 %.2333, %storemerge906
+  br i1 %exitcond1421.not, label %B3298.preheader, label %B3228.if
+
+B3298.if:
+  %.2397.01151 = phi i64 [ 0, %B3298.if.lr.ph ], [ %.2466, %B3300.endif.endif.endif ]
+  %.2466 = add nuw nsw i64 %.2397.01151, 1
+  %.2495.idx = mul i64 %.2492, %.2397.01151
+  %.2495 = getelementptr i8, ptr %.269, i64 %.2495.idx
+  %.2503 = getelementptr double, ptr %22, i64 %.2397.01151
+  %.2504 = load double, ptr %.2503, align 8
+  store ptr null, ptr %.2506, align 8
+  %.2510 = call i32 @add_scaled.29(ptr nonnull %.2506, ptr nonnull %excinfo.17, i64 %.139, double %.2504, ptr %.2495, ptr %.274)
+  switch i32 %.2510, label %B3300.if [
+    i32 -2, label %B3300.endif
+    i32 0, label %B3300.endif
+  ]
+
+B3300.if:
+  %.2518 = icmp sgt i32 %.2510, 0
+  %.2511 = load ptr, ptr %excinfo.17, align 8
+  %.2519 = select i1 %.2518, ptr %.2511, ptr undef
+  store ptr %.2519, ptr %excinfo, align 8
+  br label %common.ret
+
+B3300.endif:
+  %.2536 = getelementptr double, ptr %23, i64 %.2397.01151
+  %.2537 = load double, ptr %.2536, align 8
+  %.2542 = fdiv contract double %.2537, %.640
+  store ptr null, ptr %.2546, align 8
+  %.2550 = call i32 @add_masses.62(ptr nonnull %.2546, ptr nonnull %excinfo.18, i64 %.109, ptr %arg.mass, double %.2542, ptr %.2495, ptr %.284)
+  switch i32 %.2550, label %B3300.endif.endif.if [
+    i32 -2, label %B3300.endif.endif.endif
+    i32 0, label %B3300.endif.endif.endif
+  ]
+
+B3300.endif.endif.if:
+  %.2558 = icmp sgt i32 %.2550, 0
+  %.2551 = load ptr, ptr %excinfo.18, align 8
+  %.2559 = select i1 %.2558, ptr %.2551, ptr undef
+  store ptr %.2559, ptr %excinfo, align 8
+  br label %common.ret
+
+B3300.endif.endif.endif:
+  %exitcond1422.not = icmp eq i64 %.2466, %.1662.01169
+  br i1 %exitcond1422.not, label %B3548.preheader, label %B3298.if
+
+B3550.if:
+  %.2599.01164 = phi i64 [ %.2669, %B4278 ], [ 0, %B3548.preheader ]
+  %.2669 = add nuw nsw i64 %.2599.01164, 1
+  %.2699 = mul nsw i64 %.2599.01164, %arg.Y_length
+  %.2701 = getelementptr double, ptr %arg.Y_dot, i64 %.2699
+  %.2704 = mul nsw i64 %.2599.01164, %arg.numbers_length
+  %.2706 = getelementptr double, ptr %arg.numbers_dot, i64 %.2704
+  %.2716.idx = shl i64 %.2599.01164, 4
+  %.2716 = getelementptr i8, ptr %arg.ends_dot, i64 %.2716.idx
+  store double 0.000000e+00, ptr %.2720, align 8
+  %.2724 = call i32 @size_rate.63(ptr nonnull %.2720, ptr nonnull %excinfo.19, i64 %.575.sroa.0.01194, i64 %arg.step_count, ptr %.2716)
+  %.2734 = load double, ptr %.2720, align 8
+  switch i32 %.2724, label %B3552.if [
+    i32 -2, label %B3552.endif
+    i32 0, label %B3552.endif
+  ]
+
+B3552.if:
+  %.2732 = icmp sgt i32 %.2724, 0
+  %.2725 = load ptr, ptr %excinfo.19, align 8
+  %.2733 = select i1 %.2732, ptr %.2725, ptr undef
+  store ptr %.2733, ptr %excinfo, align 8
+  br label %common.ret
+
+B3552.endif:
+  store double 0.000000e+00, ptr %.2749, align 8
+  %.2753 = call i32 @begin_rate.57(ptr nonnull %.2749, ptr nonnull %excinfo.20, i64 %.575.sroa.0.01194, ptr %.2716)
+  switch i32 %.2753, label %B3552.endif.if [
+    i32 -2, label %B3552.endif.endif
+    i32 0, label %B3552.endif.endif
+  ]
+
+B3552.endif.if:
+  %.2761 = icmp sgt i32 %.2753, 0
+  %.2754 = load ptr, ptr %excinfo.20, align 8
+  %.2762 = select i1 %.2761, ptr %.2754, ptr undef
+  store ptr %.2762, ptr %excinfo, align 8
+  br label %common.ret
+
+B3552.endif.endif:
+  %.2763 = load double, ptr %.2749, align 8
+  %.2777 = load double, ptr %.1811, align 8
+  %.2779 = fmul contract double %.2734, %.2777
+  %.2780 = fadd contract double %.2763, %.2779
+  %.2783 = getelementptr double, ptr %.2701, i64 %.123
+  store double %.2780, ptr %.2783, align 8
+  %.2788 = getelementptr double, ptr %.2701, i64 %.109
+  store ptr null, ptr %.2799, align 8
+  %.2803 = call i32 @push_drive.41(ptr nonnull %.2799, ptr nonnull %excinfo.21, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.2701, ptr %.2706, ptr %.2788, ptr %.218, ptr %.226)
+  switch i32 %.2803, label %B3552.endif.endif.if [
+    i32 -2, label %B3552.endif.endif.endif
+    i32 0, label %B3552.endif.endif.endif
+  ]
+
+B3552.endif.endif.if:
+  %.2811 = icmp sgt i32 %.2803, 0
+  %.2804 = load ptr, ptr %excinfo.21, align 8
+  %.2812 = select i1 %.2811, ptr %.2804, ptr undef
+  store ptr %.2812, ptr %excinfo, align 8
+  br label %common.ret
+
+B3552.endif.endif.endif:
+  %.2825 = load i64, ptr %.120, align 8
+  %invariant.gep1153 = getelementptr double, ptr %.298, i64 %.2599.01164
+  %.29051155.not = icmp slt i64 %.2825, 1
+  br i1 %.29051155.not, label %B3968, label %B3912.if
+
+B3912.if:
+  %.2849.01156 = phi i64 [ %.2918, %B3912.if ], [ 0, %B3552.endif.endif.endif ]
+  %.2918 = add nuw nsw i64 %.2849.01156, 1
+  %.2946 = getelementptr double, ptr %.2788, i64 %.2849.01156
+  %.2947 = load double, ptr %.2946, align 8
+  %.idx922 = shl i64 %.2849.01156, 6
+  %gep1154 = getelementptr i8, ptr %invariant.gep1153, i64 %.idx922
+  store double %.2947, ptr %gep1154, align 8
+  %exitcond1423.not = icmp eq i64 %.2825, %.2918
+  br i1 %exitcond1423.not, label %B3968, label %B3912.if
+
+B3968.if:
+  %.2976 = icmp sgt i32 %.2968, 0
+  %.2969 = load ptr, ptr %excinfo.22, align 8
+  %.2977 = select i1 %.2976, ptr %.2969, ptr undef
+  store ptr %.2977, ptr %excinfo, align 8
+  br label %common.ret
+
+B3968.endif:
+  %.2978 = load i64, ptr %.2964, align 8
+  %.2989 = mul nsw i64 %.2978, %.2599.01164
+  %.2991 = getelementptr double, ptr %.234, i64 %.2989
+  %.2994 = getelementptr double, ptr %.284, i64 %.2599.01164
+  store ptr null, ptr %.3004, align 8
+  %.3008 = call i32 @push_numbers.64(ptr nonnull %.3004, ptr nonnull %excinfo.23, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.2706, ptr %.2991, ptr %.2994, ptr %.218, ptr %.226)
+  switch i32 %.3008, label %B3968.endif.if [
+    i32 -2, label %B3968.endif.endif
+    i32 0, label %B3968.endif.endif
+  ]
+
+B3968.endif.if:
+  %.3016 = icmp sgt i32 %.3008, 0
+  %.3009 = load ptr, ptr %excinfo.23, align 8
+  %.3017 = select i1 %.3016, ptr %.3009, ptr undef
+  store ptr %.3017, ptr %excinfo, align 8
+  br label %common.ret
+
+B3968.endif.endif:
+  %.3031 = fcmp contract une double %.2734, 0.000000e+00
+  br i1 %.3031, label %B4148.preheader, label %B4278
+
+B4148.preheader:
+  %invariant.gep1158 = getelementptr double, ptr %.284, i64 %.2599.01164
+  br i1 %.31131160.not, label %B4278, label %B4148.if
+
+B4148.if:
+  %.3057.01161 = phi i64 [ %.3126, %B4148.if ], [ 0, %B4148.preheader ]
+  %.3126 = add nuw nsw i64 %.3057.01161, 1
+  %.3152 = getelementptr double, ptr %arg.mass, i64 %.3057.01161
+  %.3153 = load double, ptr %.3152, align 8
+  %.3158 = fdiv contract double %.3153, %.640
+  %.3160 = getelementptr double, ptr %.153, i64 %.3057.01161
+  %.3161 = load double, ptr %.3160, align 8
+  %.3162 = fmul contract double %.3158, %.3161
+  %.3164 = getelementptr double, ptr %.157, i64 %.3057.01161
+  %.3165 = load double, ptr %.3164, align 8
+  %.3167 = fmul contract double %.1769, %.3165
+  %.3168 = fadd contract double %.3162, %.3167
+  %.idx921 = shl i64 %.3057.01161, 6
+  %gep1159 = getelementptr i8, ptr %invariant.gep1158, i64 %.idx921
+  %.3174 = load double, ptr %gep1159, align 8
+  %.3176 = fmul contract double %.2734, %.3168
+  %.3177 = fadd contract double %.3174, %.3176
+  store double %.3177, ptr %gep1159, align 8
+  %exitcond1424.not = icmp eq i64 %.109, %.3126
+  br i1 %exitcond1424.not, label %B4278, label %B4148.if
+
+B4282.if:
+  %.3219 = icmp sgt i32 %.3211, 0
+  %.3212 = load ptr, ptr %excinfo.24, align 8
+  %.3220 = select i1 %.3219, ptr %.3212, ptr undef
+  store ptr %.3220, ptr %excinfo, align 8
+  br label %common.ret
+
+B4282.endif:
+  br i1 %.33131166.not, label %B4546, label %B4358.if
+
+B4358.if:
+  %.3257.01167 = phi i64 [ %.3326, %B4360.endif ], [ 0, %B4282.endif ]
+  %.3356 = getelementptr double, ptr %3, i64 %.3257.01167
+  %.3357 = load double, ptr %.3356, align 8
+  %.3359 = getelementptr i32, ptr %arg.drive_columns, i64 %.3257.01167
+  %.3360 = load i32, ptr %.3359, align 4
+  %.3361 = sext i32 %.3360 to i64
+  %.3364.idx = shl nsw i64 %.3361, 6
+  %.3364 = getelementptr i8, ptr %.298, i64 %.3364.idx
+  %.3366 = getelementptr i32, ptr %arg.drive_rows, i64 %.3257.01167
+  %.3367 = load i32, ptr %.3366, align 4
+  %.3368 = sext i32 %.3367 to i64
+  %.3371.idx = shl nsw i64 %.3368, 6
+  %.3371 = getelementptr i8, ptr %.284, i64 %.3371.idx
+  store ptr null, ptr %.3372, align 8
+  %.3376 = call i32 @add_scaled.65(ptr nonnull %.3372, ptr nonnull %excinfo.25, i64 8, double %.3357, ptr %.3364, ptr %.3371)
+  switch i32 %.3376, label %B4360.if [
+    i32 -2, label %B4360.endif
+    i32 0, label %B4360.endif
+  ]
+
+B4360.if:
+  %.3384 = icmp sgt i32 %.3376, 0
+  %.3377 = load ptr, ptr %excinfo.25, align 8
+  %.3385 = select i1 %.3384, ptr %.3377, ptr undef
+  store ptr %.3385, ptr %excinfo, align 8
+  br label %common.ret
+
+B4360.endif:
+  %.3326 = add nuw nsw i64 %.3257.01167, 1
+  %exitcond1426.not = icmp eq i64 %.126, %.3326
+  br i1 %exitcond1426.not, label %B4546, label %B4358.if
+
+B4546.if:
+  %.3431 = icmp sgt i32 %.3423, 0
+  %.3424 = load ptr, ptr %excinfo.26, align 8
+  %.3432 = select i1 %.3431, ptr %.3424, ptr undef
+  store ptr %.3432, ptr %excinfo, align 8
+  br label %common.ret
+
+B4546.endif:
+  %exitcond1427.not = icmp eq i64 %.1732, 8
+  br i1 %exitcond1427.not, label %B4648, label %B2614.if
+
+B4770.if:
+  %.3551 = icmp sgt i32 %.3543, 0
+  %.3544 = load ptr, ptr %excinfo.27, align 8
+  %.3552 = select i1 %.3551, ptr %.3544, ptr undef
+  store ptr %.3552, ptr %excinfo, align 8
+  br label %common.ret
+
+B4770.endif:
+  %.3603 = sub i64 %stop.3.2, %start.2.01191
+  %.36471184.not = icmp slt i64 %.3603, 1
+  br i1 %.36471184.not, label %B5662, label %B4922.if
+
+B4922.if:
+  %.3593.01186 = phi i64 [ %.3656, %B4920.loopexit ], [ %.3603, %B4770.endif ]
+  %.3590.01185 = phi i64 [ %.3660, %B4920.loopexit ], [ %start.2.01191, %B4770.endif ]
+  %.3656 = add nsw i64 %.3593.01186, -1
+  %.3660 = add i64 %.3590.01185, 1
+  %.3691 = getelementptr double, ptr %arg.edges, i64 %.3590.01185
+  %.3692 = load double, ptr %.3691, align 8
+  store double 0.000000e+00, ptr %.3694, align 8
+  %.3698 = call i32 @part_done.50(ptr nonnull %.3694, ptr nonnull %excinfo.28, double %.3692, ptr nonnull %.631)
+  %.3708 = load double, ptr %.3694, align 8
+  switch i32 %.3698, label %B4924.if [
+    i32 -2, label %B4924.endif
+    i32 0, label %B4924.endif
+  ]
+
+B4924.if:
+  %.3706 = icmp sgt i32 %.3698, 0
+  %.3699 = load ptr, ptr %excinfo.28, align 8
+  %.3707 = select i1 %.3706, ptr %.3699, ptr undef
+  store ptr %.3707, ptr %excinfo, align 8
+  br label %common.ret
+
+B4924.endif:
+  store ptr null, ptr %.3732, align 8
+  %.3736 = call i32 @dense_rate.47(ptr nonnull %.3732, ptr nonnull %excinfo.29, i64 %.109, ptr %arg.method, double %.3708, ptr %.642, ptr %.3725, ptr %arg.work, ptr %.149)
+  switch i32 %.3736, label %B4924.endif.if [
+    i32 -2, label %B4924.endif.endif
+    i32 0, label %B4924.endif.endif
+  ]
+
+B4924.endif.if:
+  %.3744 = icmp sgt i32 %.3736, 0
+  %.3737 = load ptr, ptr %excinfo.29, align 8
+  %.3745 = select i1 %.3744, ptr %.3737, ptr undef
+  store ptr %.3745, ptr %excinfo, align 8
+  br label %common.ret
+
+B4924.endif.endif:
+  br i1 %.38371171, label %B5102.if.lr.ph, label %B5206.if.preheader
+
+B5102.if.lr.ph:
+  %.3877 = fsub contract double 1.000000e+00, %.3708
+  br label %B5102.if
+
+B5102.if:
+  %.3781.01172 = phi i64 [ 0, %B5102.if.lr.ph ], [ %.3850, %B5102.if ]
+  %.3850 = add nuw nsw i64 %.3781.01172, 1
+  %.3879 = getelementptr double, ptr %arg.y_dot, i64 %.3781.01172
+  %.3880 = load double, ptr %.3879, align 8
+  %.3881 = fmul contract double %.3877, %.3880
+  %.3883 = getelementptr double, ptr %.274, i64 %.3781.01172
+  %.3884 = load double, ptr %.3883, align 8
+  %.3886 = fmul contract double %.3708, %.3884
+  %.3887 = fadd contract double %.3881, %.3886
+  %.3889 = getelementptr double, ptr %.284, i64 %.3781.01172
+  store double %.3887, ptr %.3889, align 8
+  %exitcond1429.not = icmp eq i64 %.3850, %storemerge906
+  br i1 %exitcond1429.not, label %B5206.if.preheader, label %B5102.if
+
+B5206.if.preheader:
+  br label %B5206.if
+
+B5206.if:
+  %.3919.01174 = phi i64 [ %.3988, %B5208.endif.endif ], [ 0, %B5206.if.preheader ]
+  %.3988 = add nuw nsw i64 %.3919.01174, 1
+  store double 0.000000e+00, ptr %.4016, align 8
+  %.4020 = call i32 @dense_weight.51(ptr nonnull %.4016, ptr nonnull %excinfo.30, ptr %arg.method, i64 %.3919.01174, double %.3708)
+  switch i32 %.4020, label %B5208.if [
+    i32 -2, label %B5208.endif
+    i32 0, label %B5208.endif
+  ]
+
+B5208.if:
+  %.4028 = icmp sgt i32 %.4020, 0
+  %.4021 = load ptr, ptr %excinfo.30, align 8
+  %.4029 = select i1 %.4028, ptr %.4021, ptr undef
+  store ptr %.4029, ptr %excinfo, align 8
+  br label %common.ret
+
+B5208.endif:
+  %.4030 = load double, ptr %.4016, align 8
+  %.4047.idx = mul i64 %.4044, %.3919.01174
+  %.4047 = getelementptr i8, ptr %.269, i64 %.4047.idx
+  store ptr null, ptr %.4049, align 8
+  %.4053 = call i32 @add_scaled.29(ptr nonnull %.4049, ptr nonnull %excinfo.31, i64 %.139, double %.4030, ptr %.4047, ptr %.284)
+  switch i32 %.4053, label %B5208.endif.if [
+    i32 -2, label %B5208.endif.endif
+    i32 0, label %B5208.endif.endif
+  ]
+
+B5208.endif.if:
+  %.4061 = icmp sgt i32 %.4053, 0
+  %.4054 = load ptr, ptr %excinfo.31, align 8
+  %.4062 = select i1 %.4061, ptr %.4054, ptr undef
+  store ptr %.4062, ptr %excinfo, align 8
+  br label %common.ret
+
+B5208.endif.endif:
+  %exitcond1430.not = icmp eq i64 %.3988, 8
+  br i1 %exitcond1430.not, label %B5378.preheader, label %B5206.if
+
+B5378.if:
+  %.4102.01182 = phi i64 [ %.4171, %B5378.loopexit ], [ 0, %B5378.preheader ]
+  %.4171 = add nuw nsw i64 %.4102.01182, 1
+  %.4202.idx = shl i64 %.4102.01182, 4
+  %.4202 = getelementptr i8, ptr %arg.ends_dot, i64 %.4202.idx
+  store double 0.000000e+00, ptr %.4205, align 8
+  %.4209 = call i32 @begin_rate.57(ptr nonnull %.4205, ptr nonnull %excinfo.32, i64 %.575.sroa.0.01194, ptr %.4202)
+  %.4219 = load double, ptr %.4205, align 8
+  switch i32 %.4209, label %B5380.if [
+    i32 -2, label %B5380.endif
+    i32 0, label %B5380.endif
+  ]
+
+B5380.if:
+  %.4217 = icmp sgt i32 %.4209, 0
+  %.4210 = load ptr, ptr %excinfo.32, align 8
+  %.4218 = select i1 %.4217, ptr %.4210, ptr undef
+  store ptr %.4218, ptr %excinfo, align 8
+  br label %common.ret
+
+B5380.endif:
+  store double 0.000000e+00, ptr %.4232, align 8
+  %.4236 = call i32 @size_rate.63(ptr nonnull %.4232, ptr nonnull %excinfo.33, i64 %.575.sroa.0.01194, i64 %arg.step_count, ptr %.4202)
+  switch i32 %.4236, label %B5380.endif.if [
+    i32 -2, label %B5380.endif.endif
+    i32 0, label %B5380.endif.endif
+  ]
+
+B5380.endif.if:
+  %.4244 = icmp sgt i32 %.4236, 0
+  %.4237 = load ptr, ptr %excinfo.33, align 8
+  %.4245 = select i1 %.4244, ptr %.4237, ptr undef
+  store ptr %.4245, ptr %excinfo, align 8
+  br label %common.ret
+
+B5380.endif.endif:
+  %.4246 = load double, ptr %.4232, align 8
+  %.4257 = fmul contract double %.3708, %.4246
+  %.4258 = fadd contract double %.4219, %.4257
+  %.4259 = fneg contract double %.4258
+  %.4264 = fdiv contract double %.4259, %.640
+  %.4270 = mul nsw i64 %.4102.01182, %arg.edge_count
+  %.4272 = add nsw i64 %.4270, %.3590.01185
+  %.4274 = mul nsw i64 %.4272, %.109
+  %.4276 = getelementptr double, ptr %arg.outputs, i64 %.4274
+  %invariant.gep1176 = getelementptr double, ptr %.284, i64 %.4102.01182
+  br i1 %.43601178.not, label %B5378.loopexit, label %B5582.if
+
+B5582.if:
+  %.4304.01179 = phi i64 [ %.4373, %B5582.if ], [ 0, %B5380.endif.endif ]
+  %.4373 = add nuw nsw i64 %.4304.01179, 1
+  %.idx912 = shl i64 %.4304.01179, 6
+  %gep1177 = getelementptr i8, ptr %invariant.gep1176, i64 %.idx912
+  %.4403 = load double, ptr %gep1177, align 8
+  %.4405 = getelementptr double, ptr %.149, i64 %.4304.01179
+  %.4406 = load double, ptr %.4405, align 8
+  %.4408 = fmul contract double %.4264, %.4406
+  %.4409 = fadd contract double %.4403, %.4408
+  %.4411 = getelementptr double, ptr %.4276, i64 %.4304.01179
+  store double %.4409, ptr %.4411, align 8
+  %exitcond1431.not = icmp eq i64 %.109, %.4373
+  br i1 %exitcond1431.not, label %B5378.loopexit, label %B5582.if
+
+B5662.if:
+  %.4463 = icmp sgt i32 %.4455, 0
+  %.4456 = load ptr, ptr %excinfo.34, align 8
+  %.4464 = select i1 %.4463, ptr %.4456, ptr undef
+  store ptr %.4464, ptr %excinfo, align 8
+  br label %common.ret
+
+B5662.endif:
+  %.585 = icmp sgt i64 %.531.11193, 0
+  %.598 = zext i1 %.585 to i64
+  %.528.1 = add i64 %.528.11192, %.598
+  %.594 = sext i1 %.585 to i64
+  %.531.1 = add nsw i64 %.531.11193, %.594
+  %.575.sroa.0.0 = select i1 %.585, i64 %.528.11192, i64 0
+  br i1 %.585, label %B1408, label %B5720
+}
+
+define internal i32 @moving_groups.56(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout) noinline {
+entry:
+  %.11 = getelementptr i8, ptr %arg.layout, i64 32
+  %.12 = load i64, ptr %.11, align 8
+  %.9447.not = icmp slt i64 %.12, 1
+  br i1 %.9447.not, label %B190, label %B60.if
+
+B150:
+  %0 = getelementptr i8, ptr %1, i64 64
+  %.154 = load i64, ptr %0, align 8
+  %.156 = add nsw i64 %.154, %count.2.050
+  br label %B188
+
+B188:
+  %count.3.1 = phi i64 [ %.156, %B150 ], [ %count.2.050, %B60.if ]
+  %exitcond.not = icmp eq i64 %.12, %.107
+  br i1 %exitcond.not, label %B190, label %B60.if
+
+B190:
+  %count.2.0.lcssa = phi i64 [ 0, %entry ], [ %count.3.1, %B188 ]
+  store i64 %count.2.0.lcssa, ptr %retptr, align 8
+  ret i32 0
+
+B60.if:
+  %count.2.050 = phi i64 [ %count.3.1, %B188 ], [ 0, %entry ]
+  %.36.048 = phi i64 [ %.107, %B188 ], [ 0, %entry ]
+  %.107 = add nuw nsw i64 %.36.048, 1
+  %.idx = mul i64 %.36.048, 88
+  %1 = getelementptr i8, ptr %arg.layout, i64 %.idx
+  %.144 = getelementptr i8, ptr %1, i64 144
+  %.145 = load i64, ptr %.144, align 8
+  %.146.not = icmp eq i64 %.145, -1
+  br i1 %.146.not, label %B188, label %B150
+}
+
+define internal i32 @begin_rate.57(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, ptr noalias %arg.ends) noinline {
+entry:
+  %.8 = icmp eq i64 %arg.step, 0
+  br i1 %.8, label %B16, label %B34
+
+B16:
+  %.12 = load double, ptr %arg.ends, align 8
+  br label %B34
+
+B34:
+  %"$phi34.0.2.0" = phi double [ %.12, %B16 ], [ 0.000000e+00, %entry ]
+  store double %"$phi34.0.2.0", ptr %retptr, align 8
+  ret i32 0
+}
+
+define internal i32 @size_rate.63(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, i64 %arg.count, ptr noalias %arg.ends) noinline {
+entry:
+  %.31 = alloca double, align 8
+  store double 0.000000e+00, ptr %.31, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.11 = add nsw i64 %arg.count, -1
+  %.13 = icmp eq i64 %arg.step, %.11
+  br i1 %.13, label %B22, label %B40
+
+B22:
+  %.16 = getelementptr i8, ptr %arg.ends, i64 8
+  %.17 = load double, ptr %.16, align 8
+  br label %B40
+
+B40:
+  %"$phi40.0.2.0" = phi double [ %.17, %B22 ], [ 0.000000e+00, %entry ]
+  store double 0.000000e+00, ptr %.31, align 8
+  %.35 = call i32 @begin_rate.57(ptr nonnull %.31, ptr nonnull %excinfo.1, i64 %arg.step, ptr %arg.ends)
+  switch i32 %.35, label %B40.if [
+    i32 -2, label %B40.endif
+    i32 0, label %B40.endif
+  ]
+
+B40.if:
+  %.43 = icmp sgt i32 %.35, 0
+  %.36 = load ptr, ptr %excinfo.1, align 8
+  %.44 = select i1 %.43, ptr %.36, ptr undef
+  store ptr %.44, ptr %excinfo, align 8
+  br label %common.ret
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B40.endif ], [ %.35, %B40.if ]
+  ret i32 %common.ret.op
+
+B40.endif:
+  %.45 = load double, ptr %.31, align 8
+  %.61 = fsub contract double %"$phi40.0.2.0", %.45
+  store double %.61, ptr %retptr, align 8
+  br label %common.ret
+}
+
+define internal i32 @multiply_sides.58(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.rows, ptr noalias %arg.columns, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.entries_dot, ptr noalias %arg.stage, ptr noalias %arg.place_dot, ptr noalias %arg.sides) noinline {
+entry:
+  %.11082.not = icmp slt i64 %arg.count, 1
+  br i1 %.11082.not, label %B314, label %B34.if
+
+B34.loopexit:
+  %.123 = add nuw nsw i64 %.52.083, 1
+  %exitcond85.not = icmp eq i64 %arg.count, %.123
+  br i1 %exitcond85.not, label %B314, label %B34.if
+
+B314:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.52.083 = phi i64 [ %.123, %B34.loopexit ], [ 0, %entry ]
+  %.153 = getelementptr i32, ptr %arg.rows, i64 %.52.083
+  %.154 = load i32, ptr %.153, align 4
+  %.155 = sext i32 %.154 to i64
+  %.159 = getelementptr i32, ptr %arg.columns, i64 %.52.083
+  %.160 = load i32, ptr %.159, align 4
+  %.161 = sext i32 %.160 to i64
+  %.171 = getelementptr i32, ptr %arg.places, i64 %.52.083
+  %.172 = load i32, ptr %.171, align 4
+  %.174 = sext i32 %.172 to i64
+  %.175 = getelementptr double, ptr %arg.J, i64 %.174
+  %.176 = load double, ptr %.175, align 8
+  %.183 = getelementptr double, ptr %arg.stage, i64 %.161
+  %.184 = load double, ptr %.183, align 8
+  %.idx = shl nsw i64 %.155, 6
+  %0 = getelementptr i8, ptr %arg.sides, i64 %.idx
+  %.idx78 = shl nsw i64 %.161, 6
+  %1 = getelementptr i8, ptr %arg.place_dot, i64 %.idx78
+  %.idx79 = shl i64 %.52.083, 6
+  %2 = getelementptr i8, ptr %arg.entries_dot, i64 %.idx79
+  br label %B198.if
+
+B198.if:
+  %.214.080 = phi i64 [ 0, %B34.if ], [ %.283, %B198.if ]
+  %.283 = add nuw nsw i64 %.214.080, 1
+  %.311 = getelementptr double, ptr %0, i64 %.214.080
+  %.312 = load double, ptr %.311, align 8
+  %.316 = getelementptr double, ptr %1, i64 %.214.080
+  %.317 = load double, ptr %.316, align 8
+  %.319 = fmul contract double %.176, %.317
+  %.324 = getelementptr double, ptr %2, i64 %.214.080
+  %.325 = load double, ptr %.324, align 8
+  %.327 = fmul contract double %.184, %.325
+  %.328 = fadd contract double %.319, %.327
+  %.329 = fadd contract double %.312, %.328
+  store double %.329, ptr %.311, align 8
+  %exitcond.not = icmp eq i64 %.283, 8
+  br i1 %exitcond.not, label %B34.loopexit, label %B198.if
+}
+
+define internal i32 @add_scaled.65(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
+entry:
+  br label %B34.if
+
+B90:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.034 = phi i64 [ 0, %entry ], [ %.108, %B34.if ]
+  %.108 = add nuw nsw i64 %.37.034, 1
+  %.134 = getelementptr double, ptr %arg.y, i64 %.37.034
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.x, i64 %.37.034
+  %.138 = load double, ptr %.137, align 8
+  %.140 = fmul contract double %arg.factor, %.138
+  %.141 = fadd contract double %.135, %.140
+  store double %.141, ptr %.134, align 8
+  %exitcond.not = icmp eq i64 %.108, 8
+  br i1 %exitcond.not, label %B90, label %B34.if
+}
+
+define internal i32 @mark_moving.59(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving) noinline {
+entry:
+  %.17 = getelementptr i8, ptr %arg.layout, i64 32
+  %.18 = load i64, ptr %.17, align 8
+  %.100138.not = icmp slt i64 %.18, 1
+  br i1 %.100138.not, label %B424, label %B60.if
+
+B152:
+  %0 = getelementptr i8, ptr %2, i64 64
+  %.168 = getelementptr i8, ptr %2, i64 88
+  %.169 = load i64, ptr %.168, align 8
+  %.173 = getelementptr i8, ptr %2, i64 72
+  %.174 = load i64, ptr %.173, align 8
+  %.175 = mul i64 %.174, %.169
+  %.183 = load i64, ptr %0, align 8
+  %.263134.not = icmp slt i64 %.183, 1
+  br i1 %.263134.not, label %B425, label %B276.if.lr.ph
+
+B276.if.lr.ph:
+  %.304 = getelementptr i8, ptr %2, i64 120
+  %.305 = load i64, ptr %.304, align 8
+  %.396131.not = icmp slt i64 %.175, 1
+  %1 = getelementptr double, ptr %arg.numbers_dot, i64 %.305
+  br label %B276.if
+
+B398:
+  store double 1.000000e+00, ptr %.314, align 8
+  br label %B408
+
+B408:
+  %exitcond.not = icmp eq i64 %.175, %.409
+  br i1 %exitcond.not, label %B410, label %B364.if
+
+B410:
+  %.454 = add nsw i64 %at.2.1137, 1
+  %exitcond142.not = icmp eq i64 %.276, %.183
+  br i1 %exitcond142.not, label %B425, label %B276.if
+
+B424:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B425:
+  %at.4.1 = phi i64 [ %at.3.0141, %B60.if ], [ %at.3.0141, %B152 ], [ %.454, %B410 ]
+  %exitcond143.not = icmp eq i64 %.18, %.113
+  br i1 %exitcond143.not, label %B424, label %B60.if
+
+B60.if:
+  %at.3.0141 = phi i64 [ %at.4.1, %B425 ], [ 0, %entry ]
+  %.42.0139 = phi i64 [ %.113, %B425 ], [ 0, %entry ]
+  %.113 = add nuw nsw i64 %.42.0139, 1
+  %.idx = mul i64 %.42.0139, 88
+  %2 = getelementptr i8, ptr %arg.layout, i64 %.idx
+  %.146 = getelementptr i8, ptr %2, i64 144
+  %.147 = load i64, ptr %.146, align 8
+  %.148 = icmp eq i64 %.147, -1
+  br i1 %.148, label %B425, label %B152
+
+B276.if:
+  %at.2.1137 = phi i64 [ %at.3.0141, %B276.if.lr.ph ], [ %.454, %B410 ]
+  %.207.0135 = phi i64 [ 0, %B276.if.lr.ph ], [ %.276, %B410 ]
+  %.276 = add nuw nsw i64 %.207.0135, 1
+  %.314 = getelementptr double, ptr %arg.moving, i64 %at.2.1137
+  store double 0.000000e+00, ptr %.314, align 8
+  br i1 %.396131.not, label %B410, label %B364.if.lr.ph
+
+B364.if.lr.ph:
+  %3 = mul nuw nsw i64 %.207.0135, %.175
+  %4 = getelementptr double, ptr %1, i64 %3
+  br label %B364.if
+
+B364.if:
+  %.340.0132 = phi i64 [ 0, %B364.if.lr.ph ], [ %.409, %B408 ]
+  %.409 = add nuw nsw i64 %.340.0132, 1
+  %.437 = getelementptr double, ptr %4, i64 %.340.0132
+  %.438 = load double, ptr %.437, align 8
+  %.439 = fcmp contract une double %.438, 0.000000e+00
+  br i1 %.439, label %B398, label %B408
+}
+
+define internal i32 @push_drive.60(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.319 = alloca ptr, align 8
+  store ptr null, ptr %.319, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.41 = getelementptr i8, ptr %arg.layout, i64 40
+  %.42 = load i64, ptr %.41, align 8
+  %.124126.not = icmp slt i64 %.42, 1
+  br i1 %.124126.not, label %B496, label %B56.if.lr.ph
+
+B56.if.lr.ph:
+  %.163 = getelementptr i8, ptr %arg.layout, i64 32
+  %.482 = getelementptr i8, ptr %arg.layout, i64 8
+  br label %B56.if
+
+B56.loopexit:
+  %exitcond131.not = icmp eq i64 %.137, %.42
+  br i1 %exitcond131.not, label %B496, label %B56.if
+
+B248.loopexit:
+  %exitcond130.not = icmp eq i64 %.282, %.189
+  br i1 %exitcond130.not, label %B56.loopexit, label %B248.if
+
+B456:
+  %.489 = getelementptr double, ptr %arg.out, i64 %.380.0121
+  %.490 = load double, ptr %.489, align 8
+  %.499 = getelementptr double, ptr %arg.rates_dot, i64 %.484
+  store double %.490, ptr %.499, align 8
+  br label %B490
+
+B490:
+  %exitcond.not = icmp eq i64 %.181, %.449
+  br i1 %exitcond.not, label %B248.loopexit, label %B406.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B496 ], [ %.323, %B250.if ]
+  ret i32 %common.ret.op
+
+B496:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B56.if:
+  %.66.0127 = phi i64 [ 0, %B56.if.lr.ph ], [ %.137, %B56.loopexit ]
+  %.137 = add nuw nsw i64 %.66.0127, 1
+  %.164 = load i64, ptr %.163, align 8
+  %.165 = add nsw i64 %.164, %.66.0127
+  %.166 = mul nsw i64 %.165, 11
+  %.167 = add nsw i64 %.166, 8
+  %0 = getelementptr i64, ptr %arg.layout, i64 %.166
+  %.174 = getelementptr i8, ptr %0, i64 96
+  %.175 = load i64, ptr %.174, align 8
+  %.179 = getelementptr i8, ptr %0, i64 72
+  %.180 = load i64, ptr %.179, align 8
+  %.181 = mul i64 %.180, %.175
+  %.188 = getelementptr i64, ptr %arg.layout, i64 %.167
+  %.189 = load i64, ptr %.188, align 8
+  %.269123.not = icmp slt i64 %.189, 1
+  br i1 %.269123.not, label %B56.loopexit, label %B248.if.lr.ph
+
+B248.if.lr.ph:
+  %.346 = getelementptr i8, ptr %0, i64 128
+  %.436120.not = icmp slt i64 %.181, 1
+  br label %B248.if
+
+B248.if:
+  %.213.0124 = phi i64 [ 0, %B248.if.lr.ph ], [ %.282, %B248.loopexit ]
+  %.282 = add nuw nsw i64 %.213.0124, 1
+  store ptr null, ptr %.319, align 8
+  %.323 = call i32 @push.66(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  switch i32 %.323, label %B250.if [
+    i32 -2, label %B250.endif
+    i32 0, label %B250.endif
+  ]
+
+B250.if:
+  %.331 = icmp sgt i32 %.323, 0
+  %.324 = load ptr, ptr %excinfo.1, align 8
+  %.332 = select i1 %.331, ptr %.324, ptr undef
+  store ptr %.332, ptr %excinfo, align 8
+  br label %common.ret
+
+B250.endif:
+  %.347 = load i64, ptr %.346, align 8
+  %.349 = mul nsw i64 %.213.0124, %.181
+  %1 = getelementptr i32, ptr %arg.rows, i64 %.347
+  %.352 = getelementptr i32, ptr %1, i64 %.349
+  br i1 %.436120.not, label %B248.loopexit, label %B406.if.lr.ph
+
+B406.if.lr.ph:
+  %.483 = load i64, ptr %.482, align 8
+  br label %B406.if
+
+B406.if:
+  %.380.0121 = phi i64 [ 0, %B406.if.lr.ph ], [ %.449, %B490 ]
+  %.449 = add nuw nsw i64 %.380.0121, 1
+  %.479 = getelementptr i32, ptr %.352, i64 %.380.0121
+  %.480 = load i32, ptr %.479, align 4
+  %.484 = sext i32 %.480 to i64
+  %.485 = icmp sgt i64 %.483, %.484
+  br i1 %.485, label %B456, label %B490
+}
+
+define internal i32 @push_jacobian.61(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.J_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.350 = alloca ptr, align 8
+  store ptr null, ptr %.350, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.510 = alloca ptr, align 8
+  store ptr null, ptr %.510, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.542 = alloca ptr, align 8
+  store ptr null, ptr %.542, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.38 = getelementptr i8, ptr %arg.layout, i64 16
+  %.39 = load i64, ptr %.38, align 8
+  %.40 = add nsw i64 %.39, 1
+  %.42 = getelementptr i8, ptr %arg.layout, i64 24
+  %.43 = load i64, ptr %.42, align 8
+  %.44 = add nsw i64 %.40, %.43
+  %.126123.not = icmp slt i64 %.44, 1
+  br i1 %.126123.not, label %B106, label %B90.if.preheader
+
+B90.if.preheader:
+  %0 = shl nuw i64 %.44, 3
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.J_dot, i8 0, i64 %0, i1 false)
+  br label %B106
+
+B106:
+  %.173 = getelementptr i8, ptr %arg.layout, i64 32
+  %.174 = load i64, ptr %.173, align 8
+  %.255129.not = icmp slt i64 %.174, 1
+  br i1 %.255129.not, label %B698, label %B160.if
+
+B376:
+  %.332 = getelementptr i8, ptr %3, i64 56
+  %.333 = load i64, ptr %.332, align 8
+  %.335 = getelementptr double, ptr %arg.numbers_dot, i64 %.333
+  %.343 = load i64, ptr %3, align 8
+  %.345 = mul nsw i64 %.343, %.318
+  store ptr null, ptr %.350, align 8
+  %.354 = call i32 @scatter.2(ptr nonnull %.350, ptr nonnull %excinfo.1, i64 %.345, ptr %.304, ptr %.335, ptr %arg.J_dot)
+  switch i32 %.354, label %B376.if [
+    i32 -2, label %B699
+    i32 0, label %B699
+  ]
+
+B508:
+  %.381 = load i64, ptr %3, align 8
+  %.461126.not = icmp slt i64 %.381, 1
+  br i1 %.461126.not, label %B699, label %B566.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B698 ], [ %.546, %B568.endif.if ], [ %.354, %B376.if ], [ %.514, %B568.if ]
+  ret i32 %common.ret.op
+
+B698:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B699:
+  %exitcond135.not = icmp eq i64 %.174, %.268
+  br i1 %exitcond135.not, label %B698, label %B160.if
+
+B160.if:
+  %.198.0130 = phi i64 [ %.268, %B699 ], [ 0, %B106 ]
+  %.268 = add nuw nsw i64 %.198.0130, 1
+  %1 = mul nuw nsw i64 %.198.0130, 11
+  %2 = add nuw nsw i64 %1, 8
+  %3 = getelementptr i64, ptr %arg.layout, i64 %2
+  %.301 = getelementptr i8, ptr %3, i64 72
+  %.302 = load i64, ptr %.301, align 8
+  %.304 = getelementptr i32, ptr %arg.pos, i64 %.302
+  %.311 = getelementptr i8, ptr %3, i64 40
+  %.312 = load i64, ptr %.311, align 8
+  %.316 = getelementptr i8, ptr %3, i64 8
+  %.317 = load i64, ptr %.316, align 8
+  %.318 = mul nsw i64 %.317, %.312
+  %.325 = getelementptr i8, ptr %3, i64 80
+  %.326 = load i64, ptr %.325, align 8
+  %.327 = icmp eq i64 %.326, -1
+  br i1 %.327, label %B376, label %B508
+
+B376.if:
+  %.362 = icmp sgt i32 %.354, 0
+  %.355 = load ptr, ptr %excinfo.1, align 8
+  %.363 = select i1 %.362, ptr %.355, ptr undef
+  store ptr %.363, ptr %excinfo, align 8
+  br label %common.ret
+
+B566.if:
+  %.405.0127 = phi i64 [ %.474, %B568.endif.endif ], [ 0, %B508 ]
+  %.474 = add nuw nsw i64 %.405.0127, 1
+  store ptr null, ptr %.510, align 8
+  %.514 = call i32 @push.66(ptr nonnull %.510, ptr nonnull %excinfo.2, ptr %arg.layout, i64 %2, i64 1, i64 %.405.0127, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  switch i32 %.514, label %B568.if [
+    i32 -2, label %B568.endif
+    i32 0, label %B568.endif
+  ]
+
+B568.if:
+  %.522 = icmp sgt i32 %.514, 0
+  %.515 = load ptr, ptr %excinfo.2, align 8
+  %.523 = select i1 %.522, ptr %.515, ptr undef
+  store ptr %.523, ptr %excinfo, align 8
+  br label %common.ret
+
+B568.endif:
+  %.536 = mul nsw i64 %.405.0127, %.318
+  %.538 = getelementptr i32, ptr %.304, i64 %.536
+  store ptr null, ptr %.542, align 8
+  %.546 = call i32 @scatter.2(ptr nonnull %.542, ptr nonnull %excinfo.3, i64 %.318, ptr %.538, ptr %arg.out, ptr %arg.J_dot)
+  switch i32 %.546, label %B568.endif.if [
+    i32 -2, label %B568.endif.endif
+    i32 0, label %B568.endif.endif
+  ]
+
+B568.endif.if:
+  %.554 = icmp sgt i32 %.546, 0
+  %.547 = load ptr, ptr %excinfo.3, align 8
+  %.555 = select i1 %.554, ptr %.547, ptr undef
+  store ptr %.555, ptr %excinfo, align 8
+  br label %common.ret
+
+B568.endif.endif:
+  %exitcond.not = icmp eq i64 %.381, %.474
+  br i1 %exitcond.not, label %B699, label %B566.if
+}
+
+define internal i32 @add_masses.62(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.mass, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
+entry:
+  %.9874.not = icmp slt i64 %arg.n, 1
+  br i1 %.9874.not, label %B202, label %B34.if
+
+B34.loopexit:
+  %.111 = add nuw nsw i64 %.40.075, 1
+  %exitcond77.not = icmp eq i64 %arg.n, %.111
+  br i1 %exitcond77.not, label %B202, label %B34.if
+
+B202:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.40.075 = phi i64 [ %.111, %B34.loopexit ], [ 0, %entry ]
+  %.141 = getelementptr double, ptr %arg.mass, i64 %.40.075
+  %.142 = load double, ptr %.141, align 8
+  %.144 = fmul contract double %arg.factor, %.142
+  %.266 = shl nsw i64 %.40.075, 3
+  br label %B100.if
+
+B100.if:
+  %.171.072 = phi i64 [ 0, %B34.if ], [ %.240, %B100.if ]
+  %.240 = add nuw nsw i64 %.171.072, 1
+  %.267 = add nuw nsw i64 %.171.072, %.266
+  %.269 = getelementptr double, ptr %arg.y, i64 %.267
+  %.270 = load double, ptr %.269, align 8
+  %.275 = getelementptr double, ptr %arg.x, i64 %.267
+  %.276 = load double, ptr %.275, align 8
+  %.278 = fmul contract double %.144, %.276
+  %.279 = fadd contract double %.270, %.278
+  store double %.279, ptr %.269, align 8
+  %exitcond.not = icmp eq i64 %.240, 8
+  br i1 %exitcond.not, label %B34.loopexit, label %B100.if
+}
+
+define internal i32 @push_numbers.64(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.596 = alloca ptr, align 8
+  store ptr null, ptr %.596, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.41 = getelementptr i8, ptr %arg.layout, i64 32
+  %.42 = load i64, ptr %.41, align 8
+  %.125302.not = icmp slt i64 %.42, 1
+  br i1 %.125302.not, label %B1404, label %B62.if
+
+B276:
+  %.204 = getelementptr i8, ptr %12, i64 112
+  %.205 = load i64, ptr %.204, align 8
+  %.207 = getelementptr i32, ptr %arg.idx, i64 %.205
+  %.217 = load i64, ptr %13, align 8
+  %.219 = mul nsw i64 %.217, %.179
+  %.301299.not = icmp slt i64 %.219, 1
+  br i1 %.301299.not, label %B1405, label %B400.if.lr.ph
+
+B400.if.lr.ph:
+  %0 = getelementptr double, ptr %arg.numbers_dot, i64 %.190
+  br label %B400.if
+
+B434:
+  %.352 = getelementptr i32, ptr %.174, i64 %.245.0300
+  %.353 = load i32, ptr %.352, align 4
+  %.356 = load i64, ptr %arg.layout, align 8
+  %.357 = sext i32 %.353 to i64
+  %.358 = icmp sgt i64 %.356, %.357
+  br i1 %.358, label %B480, label %B588
+
+B480:
+  %.367.idx = shl nsw i64 %.357, 6
+  %.367 = getelementptr i8, ptr %arg.r_dot, i64 %.367.idx
+  %.368 = load double, ptr %.367, align 8
+  %.377 = getelementptr i32, ptr %.207, i64 %.245.0300
+  %.378 = load i32, ptr %.377, align 4
+  %.382 = sext i32 %.378 to i64
+  %.383 = getelementptr double, ptr %arg.Y, i64 %.382
+  %.384 = load double, ptr %.383, align 8
+  %.385 = fmul contract double %.347, %.384
+  %.386 = fadd contract double %.368, %.385
+  store double %.386, ptr %.367, align 8
+  br label %B588
+
+B588:
+  %exitcond308.not = icmp eq i64 %.314, %.219
+  br i1 %exitcond308.not, label %B1405, label %B400.if
+
+B594:
+  %.420 = getelementptr i8, ptr %12, i64 80
+  %.421 = load i64, ptr %.420, align 8
+  %.423 = mul i64 %.421, %.179
+  %.427 = getelementptr i8, ptr %12, i64 88
+  %.428 = load i64, ptr %.427, align 8
+  %.430 = mul i64 %.428, %.179
+  %.440 = getelementptr i8, ptr %12, i64 96
+  %.441 = load i64, ptr %.440, align 8
+  %.443 = mul i64 %.441, %.179
+  %.453 = load i64, ptr %13, align 8
+  %.534295.not = icmp slt i64 %.453, 1
+  br i1 %.534295.not, label %B1405, label %B768.if.lr.ph
+
+B768.if.lr.ph:
+  %.585 = getelementptr i8, ptr %12, i64 112
+  %.622 = getelementptr double, ptr %arg.local, i64 %.423
+  %storemerge278 = call i64 @llvm.smax.i64(i64 %.423, i64 0)
+  %.706286.not = icmp slt i64 %.423, 1
+  %storemerge279 = call i64 @llvm.smax.i64(i64 %.430, i64 0)
+  %.832289.not = icmp slt i64 %.430, 1
+  %1 = getelementptr double, ptr %.622, i64 %.423
+  %2 = getelementptr double, ptr %arg.numbers, i64 %.190
+  %.idx = shl i64 %.198, 4
+  %3 = getelementptr i8, ptr %arg.derived, i64 %.idx
+  %.908 = getelementptr i8, ptr %3, i64 16
+  %.1002292.not = icmp slt i64 %.443, 1
+  %4 = shl nuw i64 %storemerge278, 3
+  %5 = shl i64 %.190, 3
+  %6 = shl i64 %.428, 3
+  %7 = mul i64 %6, %.179
+  %8 = shl nuw i64 %storemerge279, 3
+  %9 = add i64 %at.3.0305, %.453
+  %10 = getelementptr i8, ptr %arg.numbers_dot, i64 %5
+  br label %B768.if
+
+B798:
+  %.586 = load i64, ptr %.585, align 8
+  %.589 = mul nsw i64 %.477.0296, %.423
+  %11 = getelementptr i32, ptr %arg.idx, i64 %.586
+  %.592 = getelementptr i32, ptr %11, i64 %.589
+  store ptr null, ptr %.596, align 8
+  %.600 = call i32 @gather.3(ptr nonnull %.596, ptr nonnull %excinfo.1, i64 %.423, ptr %.592, ptr %arg.Y, ptr %arg.local)
+  switch i32 %.600, label %B798.if [
+    i32 -2, label %B798.endif
+    i32 0, label %B798.endif
+  ]
+
+B980:
+  br i1 %.832289.not, label %B1062, label %B1010.if.lr.ph
+
+B1010.if.lr.ph:
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %1, ptr align 8 %scevgep, i64 %8, i1 false)
+  br label %B1062
+
+B1062:
+  %.900 = mul nsw i64 %.477.0296, %.430
+  %.904 = getelementptr double, ptr %2, i64 %.900
+  %.909 = load i64, ptr %.908, align 8
+  %.910 = inttoptr i64 %.909 to ptr
+  call void %.910(ptr %arg.local, ptr %.904, ptr %arg.out)
+  %.914 = mul nsw i64 %.477.0296, %.443
+  %.918 = getelementptr i32, ptr %.174, i64 %.914
+  br i1 %.1002292.not, label %B1386, label %B1262.if.lr.ph
+
+B1262.if.lr.ph:
+  %.1049 = load i64, ptr %arg.layout, align 8
+  br label %B1262.if
+
+B1312:
+  %.1060.idx = shl nsw i64 %.1050, 6
+  %.1060 = getelementptr i8, ptr %arg.r_dot, i64 %.1060.idx
+  %.1061 = load double, ptr %.1060, align 8
+  %.1064 = getelementptr double, ptr %arg.out, i64 %.946.0293
+  %.1065 = load double, ptr %.1064, align 8
+  %.1068 = fadd contract double %.1061, %.1065
+  store double %.1068, ptr %.1060, align 8
+  br label %B1384
+
+B1384:
+  %exitcond.not = icmp eq i64 %.443, %.1015
+  br i1 %exitcond.not, label %B1386, label %B1262.if
+
+B1386:
+  %.1085 = add nsw i64 %at.2.1298, 1
+  %exitcond307.not = icmp eq i64 %.547, %.453
+  br i1 %exitcond307.not, label %B1405, label %B768.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B1404 ], [ %.600, %B798.if ]
+  ret i32 %common.ret.op
+
+B1404:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B1405:
+  %at.4.1 = phi i64 [ %at.3.0305, %B276 ], [ %at.3.0305, %B588 ], [ %at.3.0305, %B594 ], [ %9, %B1386 ]
+  %exitcond309.not = icmp eq i64 %.42, %.138
+  br i1 %exitcond309.not, label %B1404, label %B62.if
+
+B62.if:
+  %at.3.0305 = phi i64 [ %at.4.1, %B1405 ], [ 0, %entry ]
+  %.66.0303 = phi i64 [ %.138, %B1405 ], [ 0, %entry ]
+  %.138 = add nuw nsw i64 %.66.0303, 1
+  %.idx283 = mul i64 %.66.0303, 88
+  %12 = getelementptr i8, ptr %arg.layout, i64 %.idx283
+  %13 = getelementptr i8, ptr %12, i64 64
+  %.171 = getelementptr i8, ptr %12, i64 128
+  %.172 = load i64, ptr %.171, align 8
+  %.174 = getelementptr i32, ptr %arg.rows, i64 %.172
+  %.178 = getelementptr i8, ptr %12, i64 72
+  %.179 = load i64, ptr %.178, align 8
+  %.189 = getelementptr i8, ptr %12, i64 120
+  %.190 = load i64, ptr %.189, align 8
+  %.197 = getelementptr i8, ptr %12, i64 144
+  %.198 = load i64, ptr %.197, align 8
+  %.199 = icmp eq i64 %.198, -1
+  br i1 %.199, label %B276, label %B594
+
+B400.if:
+  %.245.0300 = phi i64 [ 0, %B400.if.lr.ph ], [ %.314, %B588 ]
+  %.314 = add nuw nsw i64 %.245.0300, 1
+  %.346 = getelementptr double, ptr %0, i64 %.245.0300
+  %.347 = load double, ptr %.346, align 8
+  %.348 = fcmp contract une double %.347, 0.000000e+00
+  br i1 %.348, label %B434, label %B588
+
+B768.if:
+  %at.2.1298 = phi i64 [ %at.3.0305, %B768.if.lr.ph ], [ %.1085, %B1386 ]
+  %.477.0296 = phi i64 [ 0, %B768.if.lr.ph ], [ %.547, %B1386 ]
+  %14 = mul i64 %7, %.477.0296
+  %scevgep = getelementptr i8, ptr %10, i64 %14
+  %.547 = add nuw nsw i64 %.477.0296, 1
+  %.577 = getelementptr double, ptr %arg.moving, i64 %at.2.1298
+  %.578 = load double, ptr %.577, align 8
+  %.579 = fcmp contract une double %.578, 0.000000e+00
+  br i1 %.579, label %B798, label %B1386
+
+B798.if:
+  %.608 = icmp sgt i32 %.600, 0
+  %.601 = load ptr, ptr %excinfo.1, align 8
+  %.609 = select i1 %.608, ptr %.601, ptr undef
+  store ptr %.609, ptr %excinfo, align 8
+  br label %common.ret
+
+B798.endif:
+  br i1 %.706286.not, label %B980, label %B964.if.preheader
+
+B964.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %.622, i8 0, i64 %4, i1 false)
+  br label %B980
+
+B1262.if:
+  %.946.0293 = phi i64 [ 0, %B1262.if.lr.ph ], [ %.1015, %B1384 ]
+  %.1015 = add nuw nsw i64 %.946.0293, 1
+  %.1045 = getelementptr i32, ptr %.918, i64 %.946.0293
+  %.1046 = load i32, ptr %.1045, align 4
+  %.1050 = sext i32 %.1046 to i64
+  %.1051 = icmp sgt i64 %.1049, %.1050
+  br i1 %.1051, label %B1312, label %B1384
+}
+
+define internal i32 @push.66(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.69 = alloca ptr, align 8
+  store ptr null, ptr %.69, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.98 = alloca ptr, align 8
+  store ptr null, ptr %.98, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %0 = getelementptr i64, ptr %arg.layout, i64 %arg.table
+  %.35 = getelementptr i8, ptr %0, i64 8
+  %.36 = load i64, ptr %.35, align 8
+  %.40 = getelementptr i8, ptr %0, i64 16
+  %.41 = load i64, ptr %.40, align 8
+  %.42 = mul i64 %.41, %.36
+  %.46 = getelementptr i8, ptr %0, i64 24
+  %.47 = load i64, ptr %.46, align 8
+  %.48 = mul nsw i64 %.47, %.36
+  %.52 = getelementptr i8, ptr %0, i64 48
+  %.53 = load i64, ptr %.52, align 8
+  %.54 = mul nsw i64 %.42, %arg.group
+  %1 = getelementptr i32, ptr %arg.idx, i64 %.53
+  %.56 = getelementptr i32, ptr %1, i64 %.54
+  %.60 = getelementptr i8, ptr %0, i64 56
+  %.61 = load i64, ptr %.60, align 8
+  %.62 = mul nsw i64 %.48, %arg.group
+  %.63 = add nsw i64 %.61, %.62
+  store ptr null, ptr %.69, align 8
+  %.73 = call i32 @gather.3(ptr nonnull %.69, ptr nonnull %excinfo.1, i64 %.42, ptr %.56, ptr %arg.Y, ptr %arg.local)
+  switch i32 %.73, label %B0.if [
+    i32 -2, label %B0.endif
+    i32 0, label %B0.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B430 ], [ %.102, %B0.endif.if ], [ %.73, %B0.if ]
+  ret i32 %common.ret.op
+
+B430:
+  %.267 = getelementptr i8, ptr %0, i64 80
+  %.268 = load i64, ptr %.267, align 8
+  %.279 = getelementptr double, ptr %arg.numbers, i64 %.63
+  %.idx = shl i64 %.268, 4
+  %2 = getelementptr i8, ptr %arg.derived, i64 %.idx
+  %.287 = getelementptr i8, ptr %2, i64 24
+  %.288 = load i64, ptr %.287, align 8
+  %.289 = inttoptr i64 %.288 to ptr
+  call void %.289(ptr %arg.local, ptr %.279, ptr %arg.out)
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B0.if:
+  %.81 = icmp sgt i32 %.73, 0
+  %.74 = load ptr, ptr %excinfo.1, align 8
+  %.82 = select i1 %.81, ptr %.74, ptr undef
+  store ptr %.82, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif:
+  %.97 = getelementptr double, ptr %arg.local, i64 %.42
+  store ptr null, ptr %.98, align 8
+  %.102 = call i32 @gather.3(ptr nonnull %.98, ptr nonnull %excinfo.2, i64 %.42, ptr %.56, ptr %arg.Y_dot, ptr %.97)
+  switch i32 %.102, label %B0.endif.if [
+    i32 -2, label %B0.endif.endif
+    i32 0, label %B0.endif.endif
+  ]
+
+B0.endif.if:
+  %.110 = icmp sgt i32 %.102, 0
+  %.103 = load ptr, ptr %excinfo.2, align 8
+  %.111 = select i1 %.110, ptr %.103, ptr undef
+  store ptr %.111, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif:
+  %.20746.not = icmp slt i64 %.48, 1
+  br i1 %.20746.not, label %B430, label %B396.if.lr.ph
+
+B396.if.lr.ph:
+  %.124.idx = shl i64 %.42, 4
+  %.124 = getelementptr i8, ptr %arg.local, i64 %.124.idx
+  %3 = getelementptr double, ptr %arg.numbers_dot, i64 %.63
+  %4 = mul i64 %.47, %.36
+  %5 = shl i64 %4, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %.124, ptr align 8 %3, i64 %5, i1 false)
+  br label %B430
+}
 
 declare i64 @llvm.smin.i64(i64, i64)
 

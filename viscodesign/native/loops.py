@@ -21,19 +21,24 @@ import numpy as np
 from viscodesign._version import __version__
 from viscodesign.native.code_cache import cached
 from viscodesign.native.machine import load, object_code, this_machine
-from viscodesign.native.source import elimination, factors, steps, sums
+from viscodesign.native.source import elimination, factors, replay, slopes, steps, sums
 from viscodesign.native.source.primitives import PythonKernel
 
 Kernel = int | PythonKernel
 """An address of machine code, or the same in Python for the loops in Python."""
 
-SOURCES = (sums, elimination, factors, steps)
+SOURCES = (sums, elimination, factors, steps, slopes, replay)
 IR_FILE = Path(__file__).parent / "loops.ll"
 OPTIMISE, GENERATE = 3, 3
 """Levels of passes and of code generation."""
 
 _KERNELS = ("counts", "counts")
 _LU = ("places", "places", "places", "reals")
+_RECORDED = (
+    *(*_KERNELS, "counts", "places", "places", "places", "reals", "places", "places"),
+    *("count", *["places"] * 5, "count", *["places"] * 3),
+    *("reals", "reals", "reals", "count", "reals", "count", "reals"),
+)
 SIGNATURES: dict[str, tuple[str, ...]] = {
     "residual": (*_KERNELS, "places", "places", *["reals"] * 5),
     "jacobian": (*_KERNELS, "places", "places", *["reals"] * 5),
@@ -49,7 +54,16 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
         *(*_KERNELS, "places", "places", "places", "reals", "places", "places"),
         *("count", *["places"] * 5),
         *("reals", "count", "reals", "reals", "reals", "reals", "count", "count"),
-        *("reals", "reals", "reals", "counts", "reals", "reals"),
+        *("reals", "reals", "reals", "counts", "reals", "count", "reals", "reals"),
+    ),
+    "lu_solve_transposed": ("count", "places", "count", *_LU, *["reals"] * 3),
+    "lu_solve_sides": ("count", "places", "count", *_LU, *["reals"] * 3),
+    "slopes_at": (*_KERNELS, "counts", "places", "places", *["reals"] * 8),
+    "rates_at": (*_KERNELS, "counts", "places", "places", *["reals"] * 7),
+    "reverse": (*_RECORDED, *["reals"] * 6),
+    "forward": (
+        *(*_RECORDED[:-1], "count", "reals", "reals", "reals", "count", "reals", "count"),
+        *["reals"] * 3,
     ),
 }
 """Arguments of the loops: numbers, or arrays without any gaps."""
@@ -98,7 +112,7 @@ class PythonLoops(Loops):
     """The twin: slow, and independent of llvmlite."""
 
     def __init__(self) -> None:
-        self._functions: dict[str, Callable[..., int | None]] = {
+        self._functions: dict[str, Callable[..., Any]] = {
             name: vars(module)[name] for module in SOURCES for name in functions_of(module)
         }
 

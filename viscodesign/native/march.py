@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 
 import numpy as np
 
 from viscodesign.native import rodas
 from viscodesign.native.loops import DTYPES
-from viscodesign.native.source.sums import ENTRIES
+from viscodesign.native.source.steps import RECORD_HEAD, RECORDED
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly
 
@@ -73,6 +73,20 @@ class MarchState:
     jacobians: int = 0
 
 
+@dataclass
+class StepRecord:
+    """Steps that were taken, one row each: begin, size and end [s], unknowns at the beginning."""
+
+    chunk: int = 256
+    """Steps for which there is room in one call of a march."""
+    chunks: list[np.ndarray] = field(default_factory=list)
+
+    @property
+    def rows(self) -> np.ndarray:
+        """All of them (steps, RECORD_HEAD + n)."""
+        return np.concatenate(self.chunks)
+
+
 def march(
     assembly: Assembly,
     lu: SparseLU,
@@ -82,13 +96,15 @@ def march(
     edges: np.ndarray,
     settings: MarchSettings,
     max_steps: int,
+    record: StepRecord | None = None,
 ) -> tuple[MarchStatus, np.ndarray]:
     """March from state.time to edges[-1]; returns unknowns (m, n) at the edges that it passed.
 
     ``mass`` (n,): 0 for algebraic rows; ``rest``: coefficients of the inputs and constants, the
     end of Y; ``edges`` (ne,): rising times after the start [s], the last one ends the stretch;
     ``max_steps``: tried in this call, accepted or not. Edges before state.edge were passed by an
-    earlier call. Steps are those of `rodas`, with dense output at edges within them.
+    earlier call. Steps are those of `rodas`, with dense output at edges within them. ``record``: to
+    be added to; a call that fills its room ends like one that took all its steps.
     """
     n = assembly.unknowns
     Y = np.concatenate([np.zeros(n + assembly.drives + 1), rest])
@@ -99,25 +115,29 @@ def march(
     ])  # fmt: skip
     clock = np.array([state.time, state.size, state.before])
     counts = np.array(
-        [state.edge, state.steps, state.rejected, state.residuals, state.jacobians],
+        [state.edge, state.steps, state.rejected, state.residuals, state.jacobians, 0],
         dtype=DTYPES["counts"],
     )
     y = np.array(state.y, dtype=float)
     outputs = np.empty((len(edges) - state.edge, n))
-    layout = assembly.layout.copy()
-    layout[ENTRIES] = lu.count
+    layout = lu.layout_of(assembly.layout)
+    room = np.empty((0 if record is None else record.chunk, RECORD_HEAD + n))
     status = assembly.loops(
         "march",
         *(layout, assembly.kernels, assembly.idx, assembly.rows, lu.entries_of(assembly.pos)),
         *(assembly.all_numbers, assembly.drive_rows, assembly.drive_columns),
         *(lu.blocks, lu.own, lu.slots, lu.lu_start, lu.lu_columns, lu.diagonal),
         *(mass, len(settings.powers), settings.powers, METHOD, numbers, edges, len(edges)),
-        *(max_steps, y, Y, clock, counts, outputs.reshape(-1), np.empty(work_size(assembly, lu))),
+        *(max_steps, y, Y, clock, counts, outputs.reshape(-1)),
+        *(-1 if record is None else record.chunk, room.reshape(-1)),
+        np.empty(work_size(assembly, lu)),
     )
+    if record is not None:
+        record.chunks.append(room[: counts[RECORDED]])
     passed = int(counts[0]) - state.edge
     state.y = y
     state.time, state.size, state.before = clock.tolist()
-    state.edge, state.steps, state.rejected, state.residuals, state.jacobians = counts.tolist()
+    state.edge, state.steps, state.rejected, state.residuals, state.jacobians, _ = counts.tolist()
     return MarchStatus(status), outputs[:passed]
 
 

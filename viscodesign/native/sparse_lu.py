@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from viscodesign.native.loops import DTYPES, Loops, native_loops
+from viscodesign.native.source.sums import ENTRIES
 
 PLACES = DTYPES["places"]
 FIRST_GUESS = 3
@@ -61,6 +62,12 @@ class SparseLU:
         every = np.concatenate([self.place, beyond]).astype(PLACES)
         return np.take(every, pos)
 
+    def layout_of(self, layout: np.ndarray) -> np.ndarray:
+        """The layout of an assembly whose entries are those of the factors."""
+        own = layout.copy()
+        own[ENTRIES] = self.count
+        return own
+
     def factor(self, entries: np.ndarray, mass: np.ndarray, scale: float) -> np.ndarray:
         """Factors of diag(mass) scale - J for J's entries (nnz,).
 
@@ -80,12 +87,19 @@ class SparseLU:
 
     def solve(self, factors: np.ndarray, right: np.ndarray) -> np.ndarray:
         """Solution (n,) for a right side (n,)."""
+        return self._solved("lu_solve", factors, right)
+
+    def solve_transposed(self, factors: np.ndarray, right: np.ndarray) -> np.ndarray:
+        """Solution (n,) for a right side (n,) and the transposed matrix."""
+        return self._solved("lu_solve_transposed", factors, right)
+
+    def _solved(self, loop: str, factors: np.ndarray, right: np.ndarray) -> np.ndarray:
         if len(factors) != self.count or len(right) != self.size:
             raise ValueError("needs the factors of this pattern and one right side")
         solution, work = np.empty(self.size), np.empty(2 * self.blocks)
         pattern = (self.lu_start, self.lu_columns, self.diagonal)
         given = (self.size, self.slots, self.blocks)
-        self.loops("lu_solve", *given, *pattern, factors, right, solution, work)
+        self.loops(loop, *given, *pattern, factors, right, solution, work)
         return solution
 
     def _slots(self, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:

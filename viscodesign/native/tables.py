@@ -113,8 +113,12 @@ class Assembly:
         self._number_shapes = [table.numbers.shape for table in tables]
         self._numbers_at = numbers_at
         fields = []
+        self.groups_with_kernels = sum(t.idx.shape[0] for t in elements if t.residual is not None)
+        """Calls of kernels that one sum over all elements makes."""
         self.width = 1
         """Numbers that one call of a kernel takes or gives at most."""
+        self.width_of_slopes = 1
+        """The same of its derivatives."""
         for k, table in enumerate(tables):
             groups, locals_, lanes = table.idx.shape
             own, values, slopes = (
@@ -122,6 +126,8 @@ class Assembly:
                 for array in (table.numbers, targets[k], derivatives[k])
             )
             self.width = max(self.width, lanes * max(locals_, values, slopes))
+            most = max(values, slopes, locals_ + own)
+            self.width_of_slopes = max(self.width_of_slopes, lanes * (locals_ + most))
             pos = pos_at[k] if k < len(elements) else 0
             counts = (groups, lanes, locals_, own, values, slopes)
             kernel = LINEAR if pairs[k][0] is None else 2 * called.index(pairs[k])
@@ -129,7 +135,9 @@ class Assembly:
                 raise ValueError("terms without a kernel have one of everything")
             fields += [*counts, idx_at[k], numbers_at[k], rows_at[k], pos, kernel]
         head = (unknowns, drives, entries, len(self.drive_rows), len(elements), len(sources))
-        self.layout = np.array([*head, self.width, 0, *fields], dtype=DTYPES["counts"])
+        self.layout = np.array(
+            [*head, self.width, self.width_of_slopes, *fields], dtype=DTYPES["counts"]
+        )
 
     def copy(self) -> Assembly:
         """An assembly with numbers of its own; all else is shared."""

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 
+SIDE = 8
+"""Right sides that are solved for at once."""
+
 
 def lu_fill(n, count, J, own, mass, scale, lu):
     """Set lu (4 count,) to diag(mass) scale - J, for J in the places of the factors.
@@ -99,3 +102,63 @@ def lu_solve(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, soluti
         x[2 * i + 1] = lu[d + 2] * first + lu[d + 3] * second
     for i in range(n):
         solution[i] = x[slots[i]]
+
+
+def lu_solve_transposed(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, solution, x):
+    """The same for the transposed matrix."""
+    for i in range(2 * blocks):
+        x[i] = 0.0
+    for i in range(n):
+        x[slots[i]] = right[i]
+    for i in range(blocks):
+        d = 4 * diagonal[i]
+        first = lu[d] * x[2 * i] + lu[d + 2] * x[2 * i + 1]
+        second = lu[d + 1] * x[2 * i] + lu[d + 3] * x[2 * i + 1]
+        x[2 * i] = first
+        x[2 * i + 1] = second
+        for p in range(diagonal[i] + 1, lu_start[i + 1]):
+            e, c = 4 * p, 2 * lu_columns[p]
+            x[c] -= lu[e] * first + lu[e + 2] * second
+            x[c + 1] -= lu[e + 1] * first + lu[e + 3] * second
+    for i in range(blocks - 1, -1, -1):
+        first, second = x[2 * i], x[2 * i + 1]
+        for p in range(lu_start[i], diagonal[i]):
+            e, c = 4 * p, 2 * lu_columns[p]
+            x[c] -= lu[e] * first + lu[e + 2] * second
+            x[c + 1] -= lu[e + 1] * first + lu[e + 3] * second
+    for i in range(n):
+        solution[i] = x[slots[i]]
+
+
+def lu_solve_sides(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, solution, x):
+    """The same as `lu_solve` for SIDE right sides, (n, SIDE); ``x`` (2 blocks, SIDE)."""
+    for i in range(2 * blocks * SIDE):
+        x[i] = 0.0
+    for i in range(n):
+        for d in range(SIDE):
+            x[slots[i] * SIDE + d] = right[i * SIDE + d]
+    for i in range(blocks):
+        at = 2 * i * SIDE
+        for p in range(lu_start[i], diagonal[i]):
+            subtract_product(lu, 4 * p, x, 2 * lu_columns[p] * SIDE, at)
+    for i in range(blocks - 1, -1, -1):
+        at, d = 2 * i * SIDE, 4 * diagonal[i]
+        for p in range(diagonal[i] + 1, lu_start[i + 1]):
+            subtract_product(lu, 4 * p, x, 2 * lu_columns[p] * SIDE, at)
+        a, b, c, f = lu[d], lu[d + 1], lu[d + 2], lu[d + 3]
+        for k in range(SIDE):
+            first, second = x[at + k], x[at + SIDE + k]
+            x[at + k] = a * first + b * second
+            x[at + SIDE + k] = c * first + f * second
+    for i in range(n):
+        for d in range(SIDE):
+            solution[i * SIDE + d] = x[slots[i] * SIDE + d]
+
+
+def subtract_product(lu, block, x, source, target):
+    """Subtract a block times a pair of rows of x from another pair."""
+    a, b, c, f = lu[block], lu[block + 1], lu[block + 2], lu[block + 3]
+    for k in range(SIDE):
+        first, second = x[source + k], x[source + SIDE + k]
+        x[target + k] -= a * first + b * second
+        x[target + SIDE + k] -= c * first + f * second

@@ -27,7 +27,9 @@ C_AT, NODES_AT, SLOPES_AT, DENSE_AT, GAMMA_AT, ORDER_AT = 64, 128, 136, 144, 168
     TOLERANCE, MOTION_TIME, LARGEST, SMALLEST, SAFETY, MAX_FACTOR, MIN_FACTOR, MEMORY,
 ) = 0, 1, 2, 3, 4, 5, 6, 7  # fmt: skip
 TIME, SIZE, BEFORE = 0, 1, 2
-EDGE, STEPS, REJECTED, RESIDUALS, JACOBIANS = 0, 1, 2, 3, 4
+EDGE, STEPS, REJECTED, RESIDUALS, JACOBIANS, RECORDED = 0, 1, 2, 3, 4, 5
+RECORD_HEAD = 3
+"""Numbers in front of the unknowns in a record of a step."""
 FINISHED, STEP_LIMIT, STEP_TOO_SMALL = 0, 1, 2
 
 
@@ -35,16 +37,17 @@ def march(
     layout, kernels, idx, rows, pos, numbers, drive_rows, drive_columns,
     blocks, own, slots, lu_start, lu_columns, diagonal,
     mass, tested, powers, method, settings, edges, edge_count, max_steps,
-    y, Y, state, counts, outputs, work,
+    y, Y, state, counts, outputs, most_recorded, record, work,
 ):  # fmt: skip
     """Take steps from state[TIME] to the last edge; see `march.march`.
 
     ``pos`` and layout[ENTRIES] are those of the factors; ``tested``: unknowns in front of the
-    integrals; ``outputs`` (edges from counts[EDGE] on, n); ``work``: see `march.work_size`.
+    integrals; ``outputs`` (edges from counts[EDGE] on, n); ``record`` (most_recorded,
+    RECORD_HEAD + n): begin, size, end and first unknowns of the steps taken, where
+    ``most_recorded`` is not negative; then no more are taken. ``work``: see `march.work_size`.
     Returns how it ended.
     """
     n, entries = layout[UNKNOWNS], layout[ENTRIES]
-    clock = n + layout[DRIVES]
     stages = part(work, 0)
     place_, right, after = part(work, 8 * n), part(work, 9 * n), part(work, 10 * n + 1)
     drift, row = part(work, 11 * n + 1), part(work, 12 * n + 1)
@@ -56,8 +59,11 @@ def march(
     out = part(local, layout[WIDTH])
     last = edges[edge_count - 1]
     first_edge = counts[EDGE]
+    recorded = 0
     fresh = False
     for _ in range(max_steps):
+        if recorded == most_recorded:
+            return STEP_LIMIT
         time, size = state[TIME], state[SIZE]
         remaining = last - time
         final = size >= remaining * (1 - 1e-9)
@@ -67,15 +73,10 @@ def march(
         elif size > remaining / 2:
             h = min(size, remaining / 2)
         if not fresh:
-            copy(n, y, Y)
-            Y[clock] = time
-            drive(layout, kernels, idx, rows, numbers, Y, local, out)
-            jacobian(layout, kernels, idx, pos, numbers, Y, J, local, out)
-            drive_rates(layout, kernels, idx, rows, numbers, Y, rates, local, out)
-            for i in range(n):
-                drift[i] = 0.0
-            for k in range(layout[DRIVE_ENTRIES]):
-                drift[drive_rows[k]] += J[entries + 1 + k] * rates[drive_columns[k]]
+            linearise(
+                layout, kernels, idx, rows, pos, numbers, drive_rows, drive_columns,
+                time, y, Y, J, rates, drift, local, out,
+            )  # fmt: skip
             counts[JACOBIANS] += 1
             fresh = True
         scale = 1.0 / (h * method[GAMMA_AT])
@@ -84,23 +85,11 @@ def march(
         counts[STEPS] += 1
         error = math.inf
         if singular == 0:
-            for i in range(STAGES):
-                if i <= SHARED:
-                    copy(n, y, place_)
-                    for j in range(i):
-                        add_scaled(n, method[8 * i + j], part(stages, j * n), place_)
-                else:
-                    add_scaled(n, 1.0, part(stages, (i - 1) * n), place_)
-                copy(n, place_, Y)
-                Y[clock] = time + method[NODES_AT + i] * h
-                drive(layout, kernels, idx, rows, numbers, Y, local, out)
-                residual(layout, kernels, idx, rows, numbers, Y, right, local, out)
-                combine(n, i, part(method, C_AT + 8 * i), h, mass, stages, right, after)
-                slope = h * method[SLOPES_AT + i]
-                if slope != 0.0:
-                    add_scaled(n, slope, drift, right)
-                stage = part(stages, i * n)
-                lu_solve(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, stage, x)
+            solve_stages(
+                layout, kernels, idx, rows, numbers, blocks, slots, lu_start, lu_columns, diagonal,
+                mass, method, time, h, y, Y, drift, lu, stages, place_, 0, right, after, x, local,
+                out,
+            )  # fmt: skip
             counts[RESIDUALS] += STAGES
             apart = part(stages, (STAGES - 1) * n)
             copy(n, place_, after)
@@ -127,6 +116,12 @@ def march(
             )  # fmt: skip
             counts[EDGE] = stop
         factor = step_factor(error, state[BEFORE], method[ORDER_AT], settings)
+        if most_recorded > 0:
+            entry = part(record, recorded * (n + RECORD_HEAD))
+            entry[0], entry[1], entry[2] = time, h, until
+            copy(n, y, part(entry, RECORD_HEAD))
+            recorded += 1
+            counts[RECORDED] = recorded
         copy(n, after, y)
         state[TIME] = until
         if final:
@@ -136,6 +131,51 @@ def march(
         state[BEFORE] = max(error, 1e-4)
         fresh = False
     return STEP_LIMIT
+
+
+def linearise(
+    layout, kernels, idx, rows, pos, numbers, drive_rows, drive_columns,
+    time, y, Y, J, rates, drift, local, out,
+):  # fmt: skip
+    """Set Y, the Jacobian J, the rates of the drives and their part of the residual's rate."""
+    n, entries = layout[UNKNOWNS], layout[ENTRIES]
+    copy(n, y, Y)
+    Y[n + layout[DRIVES]] = time
+    drive(layout, kernels, idx, rows, numbers, Y, local, out)
+    jacobian(layout, kernels, idx, pos, numbers, Y, J, local, out)
+    drive_rates(layout, kernels, idx, rows, numbers, Y, rates, local, out)
+    for i in range(n):
+        drift[i] = 0.0
+    for k in range(layout[DRIVE_ENTRIES]):
+        drift[drive_rows[k]] += J[entries + 1 + k] * rates[drive_columns[k]]
+
+
+def solve_stages(
+    layout, kernels, idx, rows, numbers, blocks, slots, lu_start, lu_columns, diagonal,
+    mass, method, time, h, y, Y, drift, lu, stages, place_, stride, right, after, x, local, out,
+):  # fmt: skip
+    """Stages (STAGES, n) of a step, and places at which they are taken, ``stride`` apart."""
+    n = layout[UNKNOWNS]
+    for i in range(STAGES):
+        here = part(place_, i * stride)
+        if i <= SHARED:
+            copy(n, y, here)
+            for j in range(i):
+                add_scaled(n, method[8 * i + j], part(stages, j * n), here)
+        else:
+            if stride != 0:
+                copy(n, part(place_, (i - 1) * stride), here)
+            add_scaled(n, 1.0, part(stages, (i - 1) * n), here)
+        copy(n, here, Y)
+        Y[n + layout[DRIVES]] = time + method[NODES_AT + i] * h
+        drive(layout, kernels, idx, rows, numbers, Y, local, out)
+        residual(layout, kernels, idx, rows, numbers, Y, right, local, out)
+        combine(n, i, part(method, C_AT + 8 * i), h, mass, stages, right, after)
+        slope = h * method[SLOPES_AT + i]
+        if slope != 0.0:
+            add_scaled(n, slope, drift, right)
+        stage = part(stages, i * n)
+        lu_solve(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, stage, x)
 
 
 def combine(n, count, weights, h, mass, stages, right, pull):

@@ -9,8 +9,10 @@ from __future__ import annotations
 from viscodesign.native.source.primitives import call_kernel, part
 
 HEADER = 8
-UNKNOWNS, DRIVES, ENTRIES, DRIVE_ENTRIES, ELEMENTS, SOURCES, WIDTH = 0, 1, 2, 3, 4, 5, 6
-"""Counts at the head of ``layout``; WIDTH is the longest array of a kernel."""
+UNKNOWNS, DRIVES, ENTRIES, DRIVE_ENTRIES, ELEMENTS, SOURCES = 0, 1, 2, 3, 4, 5
+WIDTH, WIDTH_OF_SLOPES = 6, 7
+"""Counts at the head of ``layout``; the last are the longest arrays of a kernel and of its
+derivatives."""
 FIELDS = 11
 GROUPS, LANES, LOCALS, NUMBERS, VALUES, DERIVATIVES = 0, 1, 2, 3, 4, 5
 """Counts of a table: groups, lanes, and what one element has."""

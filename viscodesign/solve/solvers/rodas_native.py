@@ -12,6 +12,7 @@ from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
+from viscodesign.solve.statics import Start
 
 LARGEST_RESIDUAL = 1e-6
 """Of linear equations with right sides of one; beyond, they count as not solved."""
@@ -48,7 +49,7 @@ class NativeSteps(StretchSteps):
         super().__init__(problem, tolerance)
         local = self._local = _local_equations(problem)
         self._compiled = local.compiled
-        self._assembly = self._compiled.bound(problem.numbers())
+        self.assembly = self._compiled.bound(problem.numbers())
         sums = local.sums
         self._powers = np.concatenate([self.powers(), np.full(sums, np.inf)])
         after = problem.unknowns + sums
@@ -72,19 +73,9 @@ class NativeSteps(StretchSteps):
             time=float(edges[0]),
             size=self.first_size(size, stretch),
         )
-        settings = MarchSettings(
-            tolerance=self.tolerance,
-            motion_time=self.problem.equations.motion_time,
-            powers=self._powers,
-            largest=self.largest_size(stretch),
-            smallest=CONTROL.min_step * schedule.edges[-1],
-            safety=CONTROL.safety,
-            max_factor=CONTROL.max_factor,
-            min_factor=CONTROL.min_factor,
-            memory=CONTROL.memory,
-        )
+        settings = self.settings(float(stretch), float(schedule.edges[-1]))
         status, found = march(
-            self._assembly,
+            self.assembly,
             self._compiled.lu,
             self._local.form.balances.mass,
             np.append(piece, 1.0),
@@ -105,15 +96,35 @@ class NativeSteps(StretchSteps):
         lacks_pivots = not limit and self._lacks_pivots(state, piece)
         return Reached(columns, None, failure, state.time, lacks_pivots)
 
+    def settings(self, stretch: float, duration: float) -> MarchSettings:
+        """What steers the steps of a stretch of so many seconds in a run of so many."""
+        return MarchSettings(
+            tolerance=self.tolerance,
+            motion_time=self.problem.equations.motion_time,
+            powers=self._powers,
+            largest=self.largest_size(stretch),
+            smallest=CONTROL.min_step * duration,
+            safety=CONTROL.safety,
+            max_factor=CONTROL.max_factor,
+            min_factor=CONTROL.min_factor,
+            memory=CONTROL.memory,
+        )
+
+    def unknowns_at(self, start: Start, time: float, piece: np.ndarray) -> np.ndarray:
+        """Unknowns of the native equations (n,), integrals zero."""
+        integrals = np.zeros(self.problem.equations.integrals)
+        y = np.concatenate([start.states, start.algebraics, integrals])
+        return self._with_sums(y, time, piece)
+
     def _lacks_pivots(self, state: MarchState, piece: np.ndarray) -> bool:
         """Whether the next step's linear equations cannot be solved in the order chosen for them.
 
         A force along a straight rod leaves no more than round-off where some pivots should be.
         """
-        time = [*np.zeros(self._assembly.drives), state.time]
+        time = [*np.zeros(self.assembly.drives), state.time]
         Y = np.concatenate([state.y, time, piece, [1.0]])
-        self._assembly.drive(Y)
-        J = self._assembly.jacobian(Y)
+        self.assembly.drive(Y)
+        J = self.assembly.jacobian(Y)
         lu, mass = self._compiled.lu, self._local.form.balances.mass
         scale, right = 1.0 / (rodas.GAMMA * state.size), np.ones(len(state.y))
         try:
