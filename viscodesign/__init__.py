@@ -5,8 +5,9 @@
     trajectory.frame()
 
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
-follows its motion, `accuracy` measures what accuracy costs in time, `plan` turns its pressures
-into a pump's motion. Nothing here prints.
+follows its motion, `compile` makes a function of its numbers with derivatives, `accuracy`
+measures what accuracy costs in time, `plan` turns its pressures into a pump's motion. Nothing
+here prints.
 """
 
 from __future__ import annotations
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from viscodesign.checks.check import Check as Check
     from viscodesign.checks.check import check as check
     from viscodesign.checks.classify import classify as classify
+    from viscodesign.compiled.function import Batch as Batch
+    from viscodesign.compiled.function import CompiledFunction as CompiledFunction
+    from viscodesign.compiled.function import compile as compile
     from viscodesign.loading import load as load
     from viscodesign.pump.planning.plan import plan as plan
     from viscodesign.pump.planning.result import PumpPlan as PumpPlan
@@ -32,14 +36,17 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "AccuracyStudy": ".results.accuracy_study",
+    "Batch": ".compiled.function",
     "Check": ".checks.check",
     "Classification": ".results.findings",
+    "CompiledFunction": ".compiled.function",
     "PumpPlan": ".pump.planning.result",
     "Scene": ".scene.scene",
     "Trajectory": ".results.trajectory",
     "accuracy": ".studies.accuracy",
     "check": ".checks.check",
     "classify": ".checks.classify",
+    "compile": ".compiled.function",
     "load": ".loading",
     "plan": ".pump.planning.plan",
     "simulate": ".simulation.simulate",

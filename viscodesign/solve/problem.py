@@ -228,12 +228,26 @@ def mapped(problem: Problem, function: ca.Function, rows: Sequence[np.ndarray]) 
     """A function of rows of arguments, each (m, n); of its results what is not zero by structure,
     column by column (m, n).
     """
-    count = len(rows[0])
     many = problem.equations.mapped(function, BLOCK_ROWS)
-    given = [_in_blocks(np.asarray(row, dtype=float)) for row in rows]
-    found = [np.zeros((len(given[0]), function.nnz_out(k))) for k in range(function.n_out())]
-    for begin in range(0, count, BLOCK_ROWS):
-        block = slice(begin, begin + BLOCK_ROWS)
+    sizes = [function.nnz_out(k) for k in range(function.n_out())]
+    return evaluate_rows(many, rows, sizes)
+
+
+def evaluate_rows(
+    many: ca.Function,
+    rows: Sequence[np.ndarray],
+    sizes: Sequence[int],
+    at_once: int | None = None,
+) -> list[np.ndarray]:
+    """A function that takes so many rows at once, of arguments (m, n) each; results (m, size).
+
+    ``at_once``: BLOCK_ROWS unless told otherwise.
+    """
+    count, length = len(rows[0]), at_once or BLOCK_ROWS
+    given = [_in_blocks(np.asarray(row, dtype=float), length) for row in rows]
+    found = [np.zeros((len(given[0]), size)) for size in sizes]
+    for begin in range(0, count, length):
+        block = slice(begin, begin + length)
         Bound(many, [values[block] for values in given], [values[block] for values in found])()
     return [values[:count] for values in found]
 
@@ -247,9 +261,9 @@ def whole_blocks(count: int) -> int:
     return -(-count // BLOCK_ROWS) * BLOCK_ROWS
 
 
-def _in_blocks(rows: np.ndarray) -> np.ndarray:
+def _in_blocks(rows: np.ndarray, length: int) -> np.ndarray:
     """Rows (m, ...), contiguous, the last one repeated up to whole blocks."""
-    more = np.repeat(rows[-1:], whole_blocks(len(rows)) - len(rows), axis=0)
+    more = np.repeat(rows[-1:], -len(rows) % length, axis=0)
     return np.ascontiguousarray(np.concatenate([rows, more]))
 
 

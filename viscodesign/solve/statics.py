@@ -36,7 +36,12 @@ class Start:
 
 
 def equilibrium(problem: Problem, time: float, piece: np.ndarray) -> Start:
-    """Static equilibrium with the inlets held at their pressures at ``time``.
+    """Where a run starts in the static equilibrium; see `static_equilibrium`."""
+    return from_statics(problem, static_equilibrium(problem, time, piece), time, piece)
+
+
+def static_equilibrium(problem: Problem, time: float, piece: np.ndarray) -> np.ndarray:
+    """Static unknowns (ny,) in equilibrium, with the inlets held at their pressures at ``time``.
 
     The unloaded shape is known in closed form; loads are then raised step by step.
     Raises `SolveError` with the load reached where no equilibrium is found, or where that
@@ -57,10 +62,9 @@ def equilibrium(problem: Problem, time: float, piece: np.ndarray) -> Start:
     try:
         statics = equations.statics
         accept = branch_acceptance(statics, problem.static_stability)
-        y = continuation(family, guess, accept, problem.step_geometry(statics))
+        return continuation(family, guess, accept, problem.step_geometry(statics))
     except NewtonError as failure:
         raise no_equilibrium(problem, failure, time) from failure
-    return from_statics(problem, y, time, piece)
 
 
 def from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarray) -> Start:

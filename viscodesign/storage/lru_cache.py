@@ -26,14 +26,28 @@ class LruCache(Generic[Made]):
         self._lendable: OrderedDict[Hashable, list[Made]] = OrderedDict()
 
     def get(self, key: Hashable, make: Callable[[], Made]) -> Made:
-        """The result for this key, made if missing."""
+        """The result for this key, made if missing, by one thread at a time."""
         with ONE_AT_A_TIME:
             if key not in self._kept:
-                self._kept[key] = make()
-                if len(self._kept) > self.most:
-                    self._kept.popitem(last=False)
+                return self.keep(key, make())
             self._kept.move_to_end(key)
             return self._kept[key]
+
+    def found(self, key: Hashable) -> Made | None:
+        """The result for this key; None if it is missing."""
+        with ONE_AT_A_TIME:
+            if key in self._kept:
+                self._kept.move_to_end(key)
+            return self._kept.get(key)
+
+    def keep(self, key: Hashable, made: Made) -> Made:
+        """Keep a result, and return it."""
+        with ONE_AT_A_TIME:
+            self._kept[key] = made
+            self._kept.move_to_end(key)
+            if len(self._kept) > self.most:
+                self._kept.popitem(last=False)
+            return made
 
     @contextmanager
     def lend(self, key: Hashable, make: Callable[[], Made]) -> Iterator[Made]:

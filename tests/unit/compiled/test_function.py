@@ -1,0 +1,152 @@
+"""A scene compiled to a function: values, derivatives, batches, refusals."""
+
+from __future__ import annotations
+
+import pickle
+import threading
+
+import numpy as np
+import pytest
+
+from tests.scenes import leg
+from viscodesign import compile, simulate
+from viscodesign.compiled.function import CompiledFunction
+from viscodesign.errors import SolveError, SpecError
+from viscodesign.native.machine import SWITCH
+from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.results.channels import trajectory_columns
+
+SHORT = "run={duration: 1 s, output_interval: 20 ms}"
+FREE = ("network.tube_radius", "actuator.youngs_modulus", "input.drop", "input.fall_time")
+TIP = ("tip_x_m", "tip_z_m")
+ROUND_OFF = 1e-9
+"""Of the actuator's length; the start is found from another guess."""
+
+
+@pytest.fixture(scope="module")
+def function() -> CompiledFunction:
+    return compile(leg(SHORT), FREE, [*TIP, "pressure_L1_pa", "loop_area_m2", "column_lag_s"])
+
+
+def test_values_are_those_of_a_simulation(function: CompiledFunction) -> None:
+    names, columns = trajectory_columns(simulate(leg(SHORT), verify=False))
+    found = function()
+    for name in (*TIP, "pressure_L1_pa"):
+        wanted = columns[:, names.index(name)]
+        assert found[name] == pytest.approx(wanted, abs=ROUND_OFF * np.max(np.abs(wanted)))
+    metrics = simulate(leg(SHORT), verify=False).metrics
+    assert found["loop_area_m2"] == pytest.approx(metrics["loop_area_m2"], rel=1e-6)
+
+
+def test_other_values_are_those_of_the_changed_scene(function: CompiledFunction) -> None:
+    values = function.values * [1.1, 0.9, 1.05, 1.2]
+    scene = leg(SHORT, *(f"{k}={v!r}" for k, v in zip(FREE, values.tolist(), strict=True)))
+    names, columns = trajectory_columns(simulate(scene, verify=False))
+    found = function(dict(zip(FREE, values.tolist(), strict=True)))
+    for name in TIP:
+        # Scalings and the longest step stay as they were.
+        assert found[name] == pytest.approx(columns[:, names.index(name)], abs=0.002 * 0.109)
+
+
+def test_the_gradient_is_the_jacobian_weighted(function: CompiledFunction) -> None:
+    chance, values = np.random.default_rng(3), function.values * 1.02
+    weights = {
+        "tip_x_m": chance.standard_normal(len(function.times)),
+        "pressure_L1_pa": 1e-5 * chance.standard_normal(len(function.times)),
+        "loop_area_m2": 300.0,
+        "column_lag_s": 0.5,
+    }
+    slopes = function.jacobian(values)
+    wanted = sum(np.asarray(weights[name]) @ slopes[name] if name.endswith(("x_m", "pa"))
+                 else weights[name] * slopes[name] for name in weights)  # fmt: skip
+    assert function.vjp(values, weights) == pytest.approx(wanted, rel=1e-8)
+
+
+def test_slopes_by_keys_are_those_of_differences() -> None:
+    tight = compile(leg(SHORT), FREE, ["tip_x_m"], tolerance=1e-9)
+    slopes, values = tight.jacobian()["tip_x_m"], tight.values
+    for k, value in enumerate(values):
+        change = np.zeros(len(values))
+        change[k] = 1e-3 * value
+        near, far = (
+            tight(values + n * change)["tip_x_m"] - tight(values - n * change)["tip_x_m"]
+            for n in (1, 2)
+        )
+        largest = np.max(np.abs(slopes[:, k]))
+        wanted = (8 * near - far) / (12 * change[k])
+        assert slopes[:, k] == pytest.approx(wanted, abs=1e-5 * largest)
+
+
+def test_equilibria_have_derivatives() -> None:
+    still = compile(leg(config="steady_left_auto"), ["actuator.youngs_modulus"], TIP)
+    slopes, value = still.jacobian(), still.values
+    for name in TIP:
+        apart = still(value * 1.0001)[name] - still(value * 0.9999)[name]
+        assert slopes[name][:, 0] == pytest.approx(apart / (2e-4 * value), rel=1e-5)
+    weights = {name: np.ones(len(still.times)) for name in TIP}
+    wanted = sum(np.sum(slopes[name], axis=0) for name in TIP)
+    assert still.vjp(None, weights) == pytest.approx(wanted, rel=1e-9)
+
+
+def test_a_batch_names_rows_that_fail(function: CompiledFunction) -> None:
+    values = function.values
+    batch = function.batch([values, -values, values * 1.01], workers=2)
+    assert [status == "complete" for status in batch.status] == [True, False, True]
+    assert "network.tube_radius" in batch.status[1]
+    assert np.all(np.isnan(batch["tip_x_m"][1]))
+    assert np.isnan(batch["loop_area_m2"][1])
+    assert np.array_equal(batch["tip_x_m"][0], function(values)["tip_x_m"])
+
+
+def test_threads_and_copies_give_the_same_bits(function: CompiledFunction) -> None:
+    rows = [function.values * (1 + 0.01 * k) for k in range(6)]
+    wanted = [function(row)["tip_x_m"] for row in rows]
+    copy = pickle.loads(pickle.dumps(function))
+    found: dict[int, np.ndarray] = {}
+
+    def run(k: int) -> None:
+        found[k] = (copy if k % 2 else function)(rows[k])["tip_x_m"]
+
+    threads = [threading.Thread(target=run, args=(k,)) for k in range(len(rows))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(found[k], own) for k, own in enumerate(wanted))
+
+
+def test_effects_are_weighed_again() -> None:
+    scene = leg(SHORT, "input.drop=10 kPa", config="leg_16_straight_air_auto")
+    gentle = compile(scene, ["input.drop", "network.tube_radius"], TIP)
+    assert gentle.judge().suits
+    assert {v.name for v in gentle.judge().verdicts} > gentle.effects
+    wild = gentle.judge([141.3e3, 1e-3])
+    assert wild.missing or wild.unneeded
+    assert not set(wild.missing) & gentle.effects
+
+
+def test_wrong_words_are_told(function: CompiledFunction) -> None:
+    with pytest.raises(SpecError, match=r"tip_y_m.*did you mean 'tip_[xz]_m'"):
+        compile(leg(SHORT), FREE, ["tip_y_m"])
+    with pytest.raises(SpecError, match="name at least one"):
+        compile(leg(SHORT), FREE, [])
+    with pytest.raises(SpecError, match=r"tube_radii.*did you mean"):
+        function({"network.tube_radii": 1e-3})
+    with pytest.raises(SpecError, match="expected 4 values"):
+        function([1.0])
+    with pytest.raises(SpecError, match="weights"):
+        function.vjp(None, {"tip_x_m": np.ones(3)})
+
+
+def test_a_failing_solution_raises() -> None:
+    with pytest.raises(SolveError, match="limit of steps"):
+        compile(leg("run.max_steps=100"), ["input.fall_time"], TIP)
+
+
+def test_without_native_code_values_stay(monkeypatch: pytest.MonkeyPatch) -> None:
+    wanted = compile(leg(SHORT), FREE, TIP)()
+    monkeypatch.setenv(SWITCH, "off")
+    formulas = compile(leg(SHORT), FREE, TIP)
+    assert formulas()["tip_x_m"] == pytest.approx(wanted["tip_x_m"], abs=1e-6)
+    with pytest.raises(NativeUnavailable, match="derivatives of a motion need native code"):
+        formulas.jacobian()

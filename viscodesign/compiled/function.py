@@ -1,0 +1,293 @@
+"""A scene as a function of free numbers, with derivatives: `compile`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+
+from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
+from viscodesign.compiled.integrated import IntegratedMotion
+from viscodesign.compiled.outputs import ChosenOutputs
+from viscodesign.compiled.reading import Members
+from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
+from viscodesign.compiled.solution import MotionFunction
+from viscodesign.effects.select import Selection, select_effects
+from viscodesign.errors import SpecError, ViscodesignError, did_you_mean
+from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.results.findings import Verdict
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.build_problem import Settings, build, suggest_settings
+from viscodesign.solve.transient import suitable_solver
+from viscodesign.storage.lru_cache import LruCache
+
+Values = Sequence[float] | np.ndarray | Mapping[str, float]
+Outputs = dict[str, Any]
+"""Each output's array over the output times (T,), or its number."""
+KEPT_SOLUTIONS = 4
+"""Latest solutions that a function keeps: a value and its derivatives share one."""
+
+
+class SolvedOutputs(Protocol):
+    """What a motion solved."""
+
+    @property
+    def columns(self) -> np.ndarray:
+        """(T, columns)"""
+
+    @property
+    def steps(self) -> int:
+        """Steps taken."""
+
+
+class DifferentiableMotion(Protocol):
+    """Columns of a run as a function of the numbers of its problem."""
+
+    times: np.ndarray
+
+    def solve(self, numbers: ProblemNumbers) -> Any: ...
+
+    def pull_back(
+        self, solved: Any, numbers: ProblemNumbers, weights: np.ndarray
+    ) -> ProblemNumbers: ...
+
+    def push_forward(
+        self, solved: Any, numbers: ProblemNumbers, dots: ProblemNumbers
+    ) -> np.ndarray: ...
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Outputs of many rows of values."""
+
+    outputs: Outputs
+    """Each output with one more axis in front, the rows; NaN where a row failed."""
+    status: list[str]
+    """Of every row: "complete", or why it failed."""
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return np.asarray(self.outputs[name])
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """How the effects that a function holds fixed suit other values."""
+
+    verdicts: tuple[Verdict, ...]
+    """On every effect, for these values."""
+    missing: tuple[str, ...]
+    """Effects that these values call for and the function leaves out."""
+    unneeded: tuple[str, ...]
+    """Effects that the function includes and these values do not call for."""
+
+    @property
+    def suits(self) -> bool:
+        """Whether no effect is missing."""
+        return not self.missing
+
+
+@dataclass(frozen=True)
+class _Solved:
+    """One solution and its numbers."""
+
+    numbers: ProblemNumbers
+    solution: SolvedOutputs
+
+
+class CompiledFunction:
+    """Outputs of a scene as a function of free numbers [SI], with derivatives.
+
+    Effects, mesh, tolerance and output times are those of the scene that it was made of. Safe in
+    threads, and picklable: a copy compiles the same scene again.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        free: Sequence[str],
+        outputs: Sequence[str],
+        tolerance: float | None = None,
+    ) -> None:
+        self._made_of = (scene, free, outputs, tolerance)
+        quantities = SceneQuantities(scene)
+        refuse_beyond_numbers(quantities)
+        self._selection = select_effects(quantities)
+        refuse_unsolvable(quantities, self._selection.active)
+        settings = suggest_settings(quantities, self._selection.effects)
+        if tolerance is not None:
+            settings = replace(settings, tolerance=tolerance)
+        self._numbers = SceneNumbers(quantities, self._selection, settings, free)
+        own = self._numbers.at(self._numbers.values)
+        self._motion, self._chosen = _motion(quantities, self._selection, settings, outputs, own)
+        self._kept: LruCache[_Solved] = LruCache(KEPT_SOLUTIONS)
+
+    def __reduce__(self) -> tuple[Callable[..., CompiledFunction], tuple[Any, ...]]:
+        return CompiledFunction, self._made_of
+
+    def __repr__(self) -> str:
+        name = self._made_of[0].name
+        return f"<viscodesign function of {len(self.names)} numbers of {name}>"
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Keys of the free numbers, one each, in order."""
+        return self._numbers.names
+
+    @property
+    def values(self) -> np.ndarray:
+        """(f,) The scene's own numbers [SI]."""
+        return self._numbers.values.copy()
+
+    @property
+    def times(self) -> np.ndarray:
+        """(T,) output times [s]."""
+        return self._motion.times.copy()
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the outputs."""
+        return self._chosen.names
+
+    @property
+    def effects(self) -> frozenset[str]:
+        """Names of the effects that are included."""
+        return self._selection.active
+
+    # -- values and derivatives ---------------------------------------------------
+
+    def __call__(self, values: Values | None = None) -> Outputs:
+        """Every output at values (f,), by default the scene's own.
+
+        Raises `SpecError` for values that are out of range, `SolveError` where the solution fails.
+        """
+        solved = self._solved(values)
+        return self._chosen.read(solved.solution.columns)
+
+    def jacobian(self, values: Values | None = None) -> Outputs:
+        """Derivatives of every output (T, f) or (f,), by the free numbers."""
+        solved = self._solved(values)
+        given = self._array(values)
+        slopes = self._numbers.jacobian_at(given)
+        dots = ProblemNumbers(*(np.moveaxis(part, -1, 0) for part in slopes))
+        rates = self._motion.push_forward(solved.solution, solved.numbers, dots)
+        return self._chosen.push_forward(solved.solution.columns, rates)
+
+    def vjp(self, values: Values | None, weights: Mapping[str, Any]) -> np.ndarray:
+        """Gradient (f,) of the sum of weights times outputs, by one adjoint solution.
+
+        ``weights``: of some or all outputs, shaped like them.
+        """
+        solved = self._solved(values)
+        columns = self._chosen.pull_back(solved.solution.columns, weights)
+        bars = self._motion.pull_back(solved.solution, solved.numbers, columns)
+        slopes = self._numbers.jacobian_at(self._array(values))
+        parts = [
+            np.tensordot(bar, slope, axes=bar.ndim) for bar, slope in zip(bars, slopes, strict=True)
+        ]
+        return np.asarray(sum(parts))
+
+    def batch(self, rows: np.ndarray | Sequence[Values], workers: int = 1) -> Batch:
+        """Outputs of many rows of values, in so many threads.
+
+        A row that is out of range or whose solution fails is NaN, and `Batch.status` says why.
+        """
+        with ThreadPoolExecutor(max(workers, 1)) as pool:
+            found = list(pool.map(self._row, rows))
+        blank = self._chosen.blank()
+        outputs = {
+            name: np.array([(own or blank)[name] for own, _ in found]) for name in self.outputs
+        }
+        return Batch(outputs, [status for _, status in found])
+
+    def _row(self, values: Values) -> tuple[Outputs | None, str]:
+        try:
+            solved = self._solve(self._array(values))
+        except ViscodesignError as error:
+            return None, str(error)
+        return self._chosen.read(solved.solution.columns), "complete"
+
+    # -- what else can be asked -----------------------------------------------------
+
+    def scene(self, values: Values | None = None) -> Scene:
+        """The scene with these values. Raises `SpecError` where they make no valid spec."""
+        return self._numbers.scene(self._array(values))
+
+    def judge(self, values: Values | None = None) -> Judgement:
+        """Weigh all effects again for these values."""
+        selection = select_effects(SceneQuantities(self.scene(values)))
+        return Judgement(
+            selection.verdicts,
+            tuple(sorted(selection.active - self.effects)),
+            tuple(sorted(self.effects - selection.active)),
+        )
+
+    # -- solutions ------------------------------------------------------------------
+
+    def _solved(self, values: Values | None) -> _Solved:
+        given = self._array(values)
+        found = self._kept.found(given.tobytes())
+        return self._kept.keep(given.tobytes(), self._solve(given)) if found is None else found
+
+    def _solve(self, given: np.ndarray) -> _Solved:
+        self._numbers.check(given)
+        numbers = self._numbers.at(given)
+        return _Solved(numbers, self._motion.solve(numbers))
+
+    def _array(self, values: Values | None) -> np.ndarray:
+        """Values in order (f,)."""
+        if values is None:
+            return self.values
+        if isinstance(values, Mapping):
+            unknown = [name for name in values if name not in self.names]
+            if unknown:
+                hint = did_you_mean(unknown[0], self.names)
+                raise SpecError.plain(f"{unknown[0]}: no free number of this function{hint}")
+            own = dict(zip(self.names, self._numbers.values, strict=True))
+            values = [float({**own, **values}[name]) for name in self.names]
+        return np.array(values, dtype=float)
+
+
+def compile(
+    scene: Scene,
+    free: Sequence[str],
+    outputs: Sequence[str],
+    *,
+    tolerance: float | None = None,
+) -> CompiledFunction:
+    """The outputs of a scene as a function of free numbers, in native code where that can be had.
+
+    ``free``: keys of the spec, such as ``network.tube_radius``; ``network.tubes[*].length`` is one
+    number a tube. ``outputs``: columns of `trajectory.csv`, and names of metrics. The function is
+    solved at the scene's accuracy, as `simulate(scene, verify=False)` does; ``tolerance`` is that
+    of the steps, where it is not to follow from the accuracy.
+
+    Raises `SpecError` for keys that cannot be free and for outputs that do not exist.
+    """
+    return CompiledFunction(scene, free, outputs, tolerance)
+
+
+def _motion(
+    quantities: SceneQuantities,
+    selection: Selection,
+    settings: Settings,
+    outputs: Sequence[str],
+    numbers: ProblemNumbers,
+) -> tuple[DifferentiableMotion, ChosenOutputs]:
+    """How the columns are solved for, and how outputs are read from them."""
+    problem = build(quantities, selection.effects, settings)
+    members, steady = Members.of(quantities), quantities.scene.run.start == "equilibrium"
+    chosen = ChosenOutputs(problem, members, outputs, quantities.scene.period)
+    columns, tolerance = chosen.columns, settings.tolerance
+    if problem.equations.states.count:
+        with suppress(NativeUnavailable):
+            own = MotionFunction(problem, tolerance, members, columns, steady=steady)
+            own.solve(numbers)  # the elimination in its order may find no pivots
+            return own, chosen
+    solver = suitable_solver(problem, settings.solver, settings.is_free)
+    integrated = IntegratedMotion(problem, tolerance, solver, members, columns, steady=steady)
+    return integrated, chosen

@@ -1,0 +1,149 @@
+"""The same function by the solvers of `simulate`: for equations that native steps do not take.
+
+Derivatives are there where the equations are algebraic; their solutions at different times have
+nothing to do with each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.compiled.problem_at import problem_at, reading_rows, stretch_of
+from viscodesign.compiled.reading import Members, Reading
+from viscodesign.compiled.row_functions import RowFunction
+from viscodesign.compiled.scene_numbers import ProblemNumbers
+from viscodesign.errors import SolveError
+from viscodesign.model import formulas as of
+from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.statics import Start, equilibrium, rest
+from viscodesign.solve.transient import integrate
+
+SX = ca.SX
+
+
+@dataclass(frozen=True)
+class SolvedColumns:
+    """A solved run, and what its derivatives need."""
+
+    rows: list[np.ndarray]
+    """Arguments of the reading at the output times."""
+    columns: np.ndarray
+    """(T, columns): what was asked for."""
+    steps: int
+
+
+class IntegratedMotion:
+    """Columns (T, columns) at the output times as a function of the numbers of a problem."""
+
+    def __init__(
+        self,
+        problem: Problem,
+        tolerance: float,
+        solver: str,
+        members: Members,
+        columns: Sequence[str],
+        *,
+        steady: bool,
+    ) -> None:
+        self._problem, self._tolerance, self._solver = problem, tolerance, solver
+        self._steady = steady
+        self.times = problem.schedule.edges[problem.schedule.outputs]
+        """(T,) output times [s]."""
+        self._reading = Reading(problem, members, columns)
+        if not problem.equations.states.count:
+            self._differentiate()
+
+    def _differentiate(self) -> None:
+        """Prepare the algebraic equations for `pull_back` and `push_forward`."""
+        equations = self._problem.equations
+        z, time = SX.sym("z", equations.algebraics.count), SX.sym("time")
+        piece = SX.sym("piece", len(self._problem.schedule.initial_piece))
+        parameters = SX.sym("parameters", len(equations.parameter_values))
+        sealed, *_ = equations.compiled(of.quantities).call([parameters])
+        given = [SX(0, 1), z, time, piece, SX(1), sealed, parameters]
+        alg, slopes = equations.algebraic_function.call(given)
+        arguments = [z, time, piece, parameters]
+        self._residual = RowFunction("constraints", arguments, alg, shared=1)
+        self._slopes = RowFunction("slopes", arguments, ca.vec(ca.densify(slopes)), shared=1)
+
+    def solve(self, numbers: ProblemNumbers) -> SolvedColumns:
+        """Solve the run. Raises `SolveError` where that fails on the way."""
+        problem = problem_at(self._problem, self.times, numbers)
+        begin = equilibrium if self._steady else _rest
+        start = begin(problem, 0.0, numbers.initial_piece)
+        found = integrate(problem, start, self._tolerance, solver=self._solver)
+        if found.interrupted:
+            raise KeyboardInterrupt
+        if found.failure is not None:
+            raise found.failure
+        columns = np.concatenate([found.states, found.algebraics])[:, problem.schedule.outputs]
+        rows = reading_rows(problem, self.times, numbers, columns.T)
+        return SolvedColumns(rows, self._reading(*rows), found.work.steps)
+
+    def pull_back(
+        self, solved: SolvedColumns, numbers: ProblemNumbers, weights: np.ndarray
+    ) -> ProblemNumbers:
+        """Slopes of weights (T, columns) times the columns by all numbers."""
+        self._refuse_moving()
+        _, z_bar, _, piece_bar, parameters = self._reading.pull_back(solved.rows, weights)
+        rows = solved.rows[1:]
+        passed = -_solved(self._jacobians(rows), z_bar, transposed=True)
+        _, _, more_piece, more = self._residual.pull_back(rows, passed)
+        pieces = np.zeros_like(numbers.pieces)
+        np.add.at(pieces, stretch_of(self.times, numbers), piece_bar + more_piece)
+        still = np.zeros_like(numbers.initial_piece), np.zeros_like(numbers.stops)
+        return ProblemNumbers(parameters + more, pieces, *still)
+
+    def push_forward(
+        self, solved: SolvedColumns, numbers: ProblemNumbers, dots: ProblemNumbers
+    ) -> np.ndarray:
+        """Rates (d, T, columns) along d directions, the first axis of all ``dots``."""
+        self._refuse_moving()
+        rows, stretches = solved.rows[1:], stretch_of(self.times, numbers)
+        jacobians = self._jacobians(rows)
+        still = np.zeros((len(self.times), 0)), np.zeros((len(self.times), 1))
+        found = []
+        for pieces, parameters in zip(dots.pieces, dots.parameters, strict=True):
+            given = [still[1], pieces[stretches], parameters]
+            defect = self._residual.push_forward(rows, [np.zeros_like(rows[0]), *given])
+            moved = -_solved(jacobians, defect, transposed=False)
+            found.append(self._reading.push_forward(solved.rows, [still[0], moved, *given]))
+        return np.array(found)
+
+    def _jacobians(self, rows: Sequence[np.ndarray]) -> np.ndarray:
+        """(T, nz, nz) of the constraints."""
+        count = rows[0].shape[1]
+        return self._slopes(*rows).reshape(len(rows[0]), count, count).transpose(0, 2, 1)
+
+    def _refuse_moving(self) -> None:
+        if self._problem.equations.states.count:
+            raise NativeUnavailable(
+                "derivatives of a motion need native code, which is switched off, missing, or does "
+                "not take these equations"
+            )
+
+
+def _rest(problem: Problem, _: float, piece: np.ndarray) -> Start:
+    return rest(problem, piece)
+
+
+def _solved(jacobians: np.ndarray, right: np.ndarray, *, transposed: bool) -> np.ndarray:
+    """Solutions (T, nz) for right sides (T, nz)."""
+    if not right.size:
+        return right
+    given = jacobians.transpose(0, 2, 1) if transposed else jacobians
+    try:
+        return np.linalg.solve(given, right[:, :, None])[:, :, 0]
+    except np.linalg.LinAlgError as error:
+        raise SolveError(
+            "the equilibria have no derivatives: their equations are singular at an output time",
+            quantity="equilibrium",
+            where="rod",
+            time_s=0.0,
+            remedy="Move the pressures or the loads a little.",
+        ) from error

@@ -1,0 +1,107 @@
+"""What a compiled function gives: columns over time, and metrics of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from viscodesign.compiled.reading import Members, places_of
+from viscodesign.errors import Fault, SpecError, not_among
+from viscodesign.results.metrics import (
+    METRIC_NAMES,
+    MetricInputs,
+    metric_gradients,
+    metric_values,
+)
+from viscodesign.solve.problem import Problem
+
+TIP_COLUMNS = ("tip_x_m", "tip_z_m")
+
+
+class ChosenOutputs:
+    """Outputs by name, read from columns (T, c), and their derivatives.
+
+    ``period``: of all inputs [s], the loop of metrics; None where they have none.
+    Raises `SpecError` for names that are neither a column nor a metric.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        members: Members,
+        names: Sequence[str],
+        period: float | None,
+    ) -> None:
+        self.names = (names,) if isinstance(names, str) else tuple(names)
+        known = [*places_of(problem, members), *METRIC_NAMES]
+        faults = [Fault(not_among(name, known), "outputs") for name in self.names]
+        faults = [f for f, name in zip(faults, self.names, strict=True) if name not in known]
+        if faults or not self.names:
+            raise SpecError(faults or [Fault("name at least one, such as tip_x_m", "outputs")])
+        self._bellows = members.bellows
+        self._period = period
+        self._times = problem.schedule.edges[problem.schedule.outputs]
+        self._metrics = [name for name in self.names if name in METRIC_NAMES]
+        own = [name for name in self.names if name not in METRIC_NAMES]
+        pressures = [f"pressure_{name}_pa" for name in self._bellows]
+        needed = [*TIP_COLUMNS, *pressures] if self._metrics else []
+        self.columns = list(dict.fromkeys([*own, *needed]))
+        """Columns that all outputs are read from."""
+        self._place = {name: k for k, name in enumerate(self.columns)}
+        self._tip = [self._place[name] for name in TIP_COLUMNS] if needed else []
+        self._pressures = [self._place[name] for name in pressures] if needed else []
+
+    def read(self, columns: np.ndarray) -> dict[str, Any]:
+        """Outputs from columns (T, c)."""
+        found = metric_values(self._inputs(columns), self._metrics) if self._metrics else {}
+        return {
+            name: found[name] if name in found else columns[:, self._place[name]]
+            for name in self.names
+        }
+
+    def push_forward(self, columns: np.ndarray, rates: np.ndarray) -> dict[str, Any]:
+        """Rates (T, d) or (d,) of the outputs for those of the columns (d, T, c)."""
+        moved = np.moveaxis(rates, 0, -1)
+        found: dict[str, Any] = {}
+        if self._metrics:
+            tip, pressures = moved[:, self._tip], moved[:, self._pressures]
+            gradients = metric_gradients(self._inputs(columns), self._metrics)
+            found = {name: own.along(tip, pressures) for name, own in gradients.items()}
+        return {
+            name: found[name] if name in found else moved[:, self._place[name]]
+            for name in self.names
+        }
+
+    def pull_back(self, columns: np.ndarray, weights: Mapping[str, Any]) -> np.ndarray:
+        """Weights (T, c) of the columns for those of some outputs."""
+        found = np.zeros_like(columns)
+        unknown = [name for name in weights if name not in self.names]
+        if unknown:
+            raise SpecError([Fault(not_among(unknown[0], self.names), "weights")])
+        for name, weight in weights.items():
+            given = np.asarray(weight, dtype=float)
+            shape = () if name in METRIC_NAMES else (len(self._times),)
+            if given.shape != shape:
+                raise SpecError.plain(
+                    f"weights: {name} needs an array of shape {shape}; got {given.shape}"
+                )
+            if name not in METRIC_NAMES:
+                found[:, self._place[name]] += given
+                continue
+            (gradient,) = metric_gradients(self._inputs(columns), [name]).values()
+            found[:, self._tip] += given * gradient.tip
+            found[:, self._pressures] += given * gradient.pressure
+        return found
+
+    def blank(self) -> dict[str, Any]:
+        """Outputs of a run that failed."""
+        return {
+            name: np.nan if name in METRIC_NAMES else np.full(len(self._times), np.nan)
+            for name in self.names
+        }
+
+    def _inputs(self, columns: np.ndarray) -> MetricInputs:
+        tip, pressures = columns[:, self._tip], columns[:, self._pressures]
+        return MetricInputs.of(self._times, tip, pressures, self._bellows, self._period)

@@ -1,0 +1,250 @@
+"""Where a run starts, as a function of a scene's numbers with derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.compiled.reading import parameter_names
+from viscodesign.compiled.row_functions import RowFunction
+from viscodesign.errors import SolveError, SpecError
+from viscodesign.model import formulas as of
+from viscodesign.model.equations import LEADING_QUANTITIES, Equations
+from viscodesign.model.network_equations import BELLOW_AMOUNTS, BELLOW_PRESSURES
+from viscodesign.model.rod_equations import RodForm
+from viscodesign.model.unknowns import Block, Unknowns
+from viscodesign.solve.branch_following import branch_acceptance
+from viscodesign.solve.problem import Problem
+from viscodesign.solve.statics import Start, rest, static_equilibrium
+
+SX = ca.SX
+CONVERGED = 1e-12
+"""Correction of an equilibrium, in sizes of its unknowns, at which it counts as found."""
+MAX_CORRECTIONS = 8
+"""Undamped ones, before the loads are raised step by step instead."""
+
+
+@dataclass(frozen=True)
+class FoundStart:
+    """Where a run starts, and the unknowns that it follows from."""
+
+    start: Start
+    unknowns: np.ndarray
+    """(nu,) of the implicit equations."""
+
+
+class StartFunction:
+    """States and algebraic unknowns (nx + nz,) at t = 0 by the first inlet coefficients and the
+    parameters.
+
+    They follow from unknowns u of implicit equations: the static ones of an equilibrium, or what
+    a straight rod at rest displaces.
+    """
+
+    def __init__(self, problem: Problem, *, steady: bool) -> None:
+        self._steady = steady
+        equations = problem.equations
+        piece = SX.sym("piece", len(problem.schedule.initial_piece))
+        parameters = SX.sym("parameters", len(equations.parameter_values))
+        make = _steady_formulas if steady else _rest_formulas
+        unknowns, residual, start = make(problem, piece, parameters)
+        arguments = (unknowns, piece, parameters)
+        self._residual = RowFunction("residual", arguments, residual, at_once=1)
+        self._start = RowFunction("start", arguments, start, at_once=1)
+        slopes = ca.jacobian(residual, unknowns)
+        self._pattern = slopes.sparsity()
+        self._slopes = RowFunction(
+            "slopes", arguments, ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:])), at_once=1
+        )
+        piece_now = problem.schedule.initial_piece
+        self._near = static_equilibrium(problem, 0.0, piece_now) if steady else None
+
+    def __call__(self, problem: Problem) -> FoundStart:
+        """Raises `SolveError` where there is none."""
+        piece = problem.schedule.initial_piece
+        if self._near is not None:
+            unknowns = self._nearby(problem, self._near)
+            if unknowns is None:
+                unknowns = static_equilibrium(problem, 0.0, piece)
+            rows = self._rows(problem, unknowns)
+            states = problem.equations.states.count
+            return FoundStart(Start(*np.split(self._start(*rows)[0], [states])), unknowns)
+        start = rest(problem, piece)
+        return FoundStart(start, _rest_unknowns(problem, start))
+
+    def _nearby(self, problem: Problem, near: np.ndarray) -> np.ndarray | None:
+        """The equilibrium on the same branch as one of other numbers; None if it is too far."""
+        if any(b.traits.is_multivalued for b in problem.equations.statics.blocks.values()):
+            return None
+        y = near
+        for _ in range(MAX_CORRECTIONS):
+            rows = self._rows(problem, y)
+            try:
+                step = np.linalg.solve(self._jacobian(rows), self._residual(*rows)[0])
+            except np.linalg.LinAlgError:
+                return None
+            y = y - step
+            size = float(np.max(np.abs(step), initial=0.0))
+            if size <= CONVERGED:
+                return y if self._is_accepted(problem, near, y) else None
+            if not size < np.inf:
+                return None
+        return None
+
+    def _is_accepted(self, problem: Problem, near: np.ndarray, found: np.ndarray) -> bool:
+        """Whether an equilibrium is stable, and near another."""
+        accept = branch_acceptance(problem.equations.statics, problem.static_stability)
+        entries = self._slopes(*self._rows(problem, found))[0]
+        return accept((near,), found, ca.DM(self._pattern, entries))
+
+    def _jacobian(self, rows: list[np.ndarray]) -> np.ndarray:
+        """(nu, nu) of the implicit equations."""
+        found = np.zeros(self._pattern.shape)
+        found[tuple(self._pattern.get_triplet())] = self._slopes(*rows)[0]
+        return found
+
+    def pull_back(
+        self, problem: Problem, found: FoundStart, weights: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Slopes of weights (nx + nz,) times the start, by first coefficients and parameters."""
+        rows = self._rows(problem, found.unknowns)
+        own, piece, parameters = self._start.pull_back(rows, weights[None])
+        passed = self._solve(rows, own[0], transposed=True)
+        _, more_piece, more = self._residual.pull_back(rows, -passed[None])
+        return (piece + more_piece)[0], (parameters + more)[0]
+
+    def push_forward(
+        self, problem: Problem, found: FoundStart, piece: np.ndarray, parameters: np.ndarray
+    ) -> np.ndarray:
+        """Rates (d, nx + nz) of the start for rates (d, ...) of both."""
+        count = len(parameters)
+        rows = [np.repeat(row, count, axis=0) for row in self._rows(problem, found.unknowns)]
+        still = np.zeros((count, len(found.unknowns)))
+        defect = self._residual.push_forward(rows, [still, piece, parameters])
+        own = -self._solve(self._rows(problem, found.unknowns), defect.T).T
+        return self._start.push_forward(rows, [own, piece, parameters])
+
+    def _rows(self, problem: Problem, unknowns: np.ndarray) -> list[np.ndarray]:
+        parameters = problem.equations.parameter_values
+        return [unknowns[None], problem.schedule.initial_piece[None], parameters[None]]
+
+    def _solve(
+        self, rows: list[np.ndarray], right: np.ndarray, *, transposed: bool = False
+    ) -> np.ndarray:
+        if not right.size:
+            return right
+        slopes = self._jacobian(rows)
+        try:
+            return np.linalg.solve(slopes.T if transposed else slopes, right)
+        except np.linalg.LinAlgError as error:
+            raise SolveError(
+                "the start of the run has no derivatives: its equations are singular",
+                quantity="equilibrium",
+                where="rod",
+                time_s=0.0,
+                remedy="Move the first pressures or the loads a little.",
+            ) from error
+
+
+def _steady_formulas(problem: Problem, piece: SX, parameters: SX) -> tuple[SX, SX, SX]:
+    """Unknowns, their equations, and the start that follows from them."""
+    equations = problem.equations
+    y = SX.sym("y", equations.statics.count)
+    residual, states, algebraics = _from_static_unknowns(equations, y, piece, parameters)
+    return y, residual, ca.vertcat(*states.values(), *algebraics.values())
+
+
+def _rest_formulas(problem: Problem, piece: SX, parameters: SX) -> tuple[SX, SX, SX]:
+    """The same for a straight rod at rest with all pressures at the baseline.
+
+    What a rod displaces that is held straight under pressure, and its internal unknowns, follow
+    from the algebraic equations.
+    """
+    equations = problem.equations
+    y = _resting_unknowns(problem, parameters)
+    _, states, algebraics = _from_static_unknowns(equations, y, piece, parameters)
+    free = _solved_at_rest(problem)
+    symbols = {name: SX.sym(name, equations_block(equations, name).count) for name in free}
+    states = {name: symbols.get(name, value) for name, value in states.items()}
+    algebraics = {name: symbols.get(name, value) for name, value in algebraics.items()}
+    x, z = ca.vertcat(*states.values()), ca.vertcat(*algebraics.values())
+    sealed, *_ = equations.compiled(of.quantities).call([parameters])
+    alg, _ = equations.algebraic_function.call([x, z, SX(0), piece, SX(1), sealed, parameters])
+    rows = [alg[equations.algebraics.blocks[row].span] for row in free.values()]
+    return ca.vertcat(SX(0, 1), *symbols.values()), ca.vertcat(SX(0, 1), *rows), ca.vertcat(x, z)
+
+
+def equations_block(equations: Equations, name: str) -> Block:
+    """A block of states or of algebraic unknowns."""
+    return (equations.states.blocks | equations.algebraics.blocks)[name]
+
+
+def _solved_at_rest(problem: Problem) -> dict[str, str]:
+    """Blocks of the start that algebraic equations determine, and whose rows these are."""
+    equations = problem.equations
+    if equations.rod_form is RodForm.ARCS or BELLOW_AMOUNTS not in equations.states.blocks:
+        return {}
+    blocks = equations.algebraics.blocks
+    internal = [name for name, block in blocks.items() if block.traits.is_internal]
+    return {BELLOW_AMOUNTS: BELLOW_PRESSURES, **{name: name for name in internal}}
+
+
+def _rest_unknowns(problem: Problem, start: Start) -> np.ndarray:
+    """Values of the unknowns of `_rest_formulas` in a start."""
+    equations = problem.equations
+    parts = [np.zeros(0)]
+    for name in _solved_at_rest(problem):
+        own = start.states if name in equations.states.blocks else start.algebraics
+        parts.append(own[equations_block(equations, name).span])
+    return np.concatenate(parts)
+
+
+def _resting_unknowns(problem: Problem, parameters: SX) -> SX:
+    """Static unknowns of a straight rod with all pressures at the baseline."""
+    equations, body = problem.equations, problem.body
+    quantities = equations.compiled(of.quantities).call([parameters])
+    sizes = quantities[-len(equations.statics.blocks) :]
+    baseline = parameters[parameter_names(equations).index("gauge_pressure")]
+    parts = [SX(0, 1)]
+    for block, size in zip(equations.statics.blocks.values(), sizes, strict=True):
+        if block.traits.is_multivalued or equations.rod_form is RodForm.STATIC:
+            raise SpecError.plain(
+                "run.start: rest has no derivatives here: the start of a rod without inertia and "
+                "of bellows that snap is found step by step; use run.start: equilibrium"
+            )
+        if block.traits.is_pressure:
+            parts.append(ca.repmat(baseline, block.count, 1) / size)
+        elif block.traits.identifies_branch:
+            straight = np.zeros(body.sections), np.ones(body.sections)
+            parts.append(SX(problem.rod.unloaded_coordinates(*straight)))
+        else:
+            parts.append(SX.zeros(block.count))
+    return ca.vertcat(*parts)
+
+
+def _from_static_unknowns(
+    equations: Equations, y: SX, piece: SX, parameters: SX
+) -> tuple[SX, dict[str, SX], dict[str, SX]]:
+    """The static residual, and blocks of states and algebraic unknowns with all rates zero."""
+    sealed, *_ = quantities = equations.compiled(of.quantities).call([parameters])
+    residual, _, amounts, *_ = equations.static_function.call(
+        [y, SX(0), piece, SX(1), sealed, parameters]
+    )
+    sizes = iter(quantities[LEADING_QUANTITIES:])
+
+    def spread(unknowns: Unknowns) -> dict[str, SX]:
+        parts, used = {}, 0
+        for name, block in unknowns.blocks.items():
+            size = next(sizes)
+            if block.traits.is_amount:
+                parts[name] = amounts[used : used + block.count] / size
+                used += block.count
+            elif name in equations.statics.blocks:
+                parts[name] = y[equations.statics.blocks[name].span]
+            else:
+                parts[name] = SX.zeros(block.count)
+        return parts
+
+    return residual, spread(equations.states), spread(equations.algebraics)
