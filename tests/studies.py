@@ -4,13 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from viscodesign.results.accuracy_study import (
-    AccuracyStudy,
-    Model,
-    Point,
-    Reference,
-    with_dominated,
-)
+from viscodesign.results.accuracy_points import Model, Point, Reference, with_dominated
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 LENGTH = 0.1
 MODELS = (

@@ -36,7 +36,6 @@ class EnergyTolerances:
 
 
 TOLERANCES = EnergyTolerances()
-
 INLET_VALUES = ("inlet_pressure", "pushed")
 """Outputs that jump where an input does."""
 

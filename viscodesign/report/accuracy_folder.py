@@ -7,7 +7,8 @@ from pathlib import Path
 
 from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import STUDY_FILES
-from viscodesign.results.accuracy_study import POINT_COLUMNS, AccuracyStudy
+from viscodesign.results.accuracy_points import POINT_COLUMNS
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 
 def write_study(

@@ -6,10 +6,15 @@ line prints it, and a script reads it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
+from viscodesign.results.accuracy_points import (
+    POINT_COLUMNS,
+    Model,
+    Point,
+    Reference,
+)
 from viscodesign.results.findings import json_ready
 
 if TYPE_CHECKING:
@@ -17,96 +22,6 @@ if TYPE_CHECKING:
 
 STATED_ERRORS = (1e-2, 1e-3, 1e-4)
 """Tip errors, in actuator lengths, whose cost every study states."""
-POINT_COLUMNS = (
-    "model", "edges", "tolerance", "solver", "solve_s", "build_s", "tip_error_m",
-    "tip_error_rel", "dominated",
-)  # fmt: skip
-"""Of `accuracy.csv`; `edges` are those of one section."""
-
-
-@dataclass(frozen=True)
-class Model:
-    """A set of effects under a name."""
-
-    name: str
-    """`auto`: the effects that the spec selects; `everything`: all that it allows;
-    I to IV: the form of a quadrant, on top of `auto`."""
-    effects: tuple[str, ...]
-    also: tuple[str, ...] = ()
-    """Other names of the same set of effects."""
-    is_distributed: bool = False
-    """Whether pressures differ along the network."""
-    is_inertial: bool = False
-    """Whether the rod resists acceleration."""
-
-    @property
-    def words(self) -> str:
-        """The kind of model in words."""
-        pressure = "distributed" if self.is_distributed else "uniform"
-        return f"{pressure}, {'inertial' if self.is_inertial else 'quasi-static'}"
-
-    @property
-    def title(self) -> str:
-        """Name and kind."""
-        return f"{self.name} ({self.words})"
-
-
-@dataclass(frozen=True)
-class Point:
-    """One setting, what it costs, and how wrong its tip is."""
-
-    model: str
-    edges: int
-    """Per section."""
-    tolerance: float
-    solver: str
-    solve_s: float
-    """Wall time of solving, the shortest of several where it is short [s]."""
-    build_s: float
-    """Wall time of building the equations and the integrator for the first time [s]."""
-    tip_error_m: float
-    """Largest distance from the reference's tip over the output times [m]."""
-    tip_error_rel: float
-    """The same in actuator lengths."""
-    is_bound: bool = False
-    """Whether the error is an upper bound: the reference is not accurate enough to say more."""
-    is_exact_in_space: bool = False
-    """Whether the rod is a chain of exact arcs, which has no mesh."""
-    is_stepless: bool = False
-    """Whether every output time is solved independently, without solver and tolerance."""
-    steps: int = 0
-    """Time steps, independent of the speed of the machine."""
-    dominated: bool = False
-    """Whether another point is both cheaper and more accurate."""
-
-    @property
-    def setting(self) -> str:
-        """Solver, edges and tolerance in words."""
-        edges = f"{self.edges} edge{'s' * (self.edges != 1)} per section"
-        mesh = "exact arcs" if self.is_exact_in_space else edges
-        if self.is_stepless:
-            return f"no time steps, {mesh}"
-        return f"{self.solver}, {mesh}, tolerance {tolerance_words(self.tolerance)}"
-
-
-@dataclass(frozen=True)
-class Reference:
-    """The solution that errors are measured against."""
-
-    effects: tuple[str, ...]
-    edges: int
-    """Per section."""
-    tolerance: float
-    solver: str
-    solve_s: float
-    convergence_m: float
-    """Largest distance of its tip from that of the next coarser solution [m]."""
-    convergence_rel: float
-    """The same in actuator lengths."""
-    smallest_error_m: float
-    """Smallest error that it resolves [m]; smaller ones are stated as bounds."""
-    is_converged: bool
-    """Whether that is well below the smallest error whose cost the study states."""
 
 
 @dataclass(frozen=True)
@@ -239,33 +154,3 @@ def _reference_document(found: Reference) -> dict[str, Any]:
 
 def _point_document(point: Point | None) -> dict[str, Any] | None:
     return None if point is None else asdict(point)
-
-
-def with_dominated(points: Iterable[Point]) -> tuple[Point, ...]:
-    """The points, marked where another one is faster and no less accurate.
-
-    Of two with the same time the more accurate one wins, of two with the same error the
-    faster one; of two equal ones the first.
-    """
-    given = list(points)
-    order = sorted(range(len(given)), key=lambda k: (given[k].solve_s, given[k].tip_error_m, k))
-    best, beaten = float("inf"), set[int]()
-    for k in order:
-        if given[k].tip_error_m >= best:
-            beaten.add(k)
-        best = min(best, given[k].tip_error_m)
-    return tuple(replace(point, dominated=k in beaten) for k, point in enumerate(given))
-
-
-def tolerance_words(tolerance: float) -> str:
-    """A tolerance in short form: 1e-3, 1.25e-4."""
-    digits, _, exponent = f"{tolerance:.2e}".partition("e")
-    return f"{float(digits):g}e{int(exponent)}"
-
-
-def spread(front: Sequence[Point], most: int) -> list[Point]:
-    """At most ``most`` points of a front, evenly spaced in its order, with both ends."""
-    if len(front) <= most:
-        return list(front)
-    last = len(front) - 1
-    return [front[round(k * last / (most - 1))] for k in range(most)]

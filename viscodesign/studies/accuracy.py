@@ -11,7 +11,8 @@ from viscodesign.effects.select import Selection, select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.model.rod import MINIMUM_EDGES
-from viscodesign.results.accuracy_study import AccuracyStudy, Model, Point, with_dominated
+from viscodesign.results.accuracy_points import Model, Point, with_dominated
+from viscodesign.results.accuracy_study import AccuracyStudy
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.solve_once import Progress

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from viscodesign.errors import SolveError, ViscodesignError
-from viscodesign.results.accuracy_study import Model, Point, tolerance_words
+from viscodesign.results.accuracy_points import Model, Point, tolerance_words
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run, tip_difference
 from viscodesign.solve.transient import solver_catalogue

@@ -5,7 +5,7 @@ from __future__ import annotations
 from viscodesign.effects.base import Trait
 from viscodesign.effects.catalogue import names_with, traits_of
 from viscodesign.effects.select import Selection
-from viscodesign.results.accuracy_study import Model
+from viscodesign.results.accuracy_points import Model
 
 PRESSURE, INERTIA = Trait.DISTRIBUTED_PRESSURE, Trait.ROD_INERTIA
 FORMS: dict[str, frozenset[Trait]] = {

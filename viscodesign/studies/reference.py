@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from viscodesign.errors import SolveError, ViscodesignError
-from viscodesign.results.accuracy_study import Reference
+from viscodesign.results.accuracy_points import Reference
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run, tip_difference
 from viscodesign.solve.transient import solver_catalogue

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.studies import POINTS, made_study, point
-from viscodesign.results.accuracy_study import (
+from viscodesign.results.accuracy_points import (
     POINT_COLUMNS,
     spread,
     tolerance_words,

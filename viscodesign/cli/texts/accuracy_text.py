@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from viscodesign.cli.texts.layout import number, table, wrap
-from viscodesign.results.accuracy_study import AccuracyStudy, Point, tolerance_words
+from viscodesign.results.accuracy_points import Point, tolerance_words
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 MOST_NOTES = 5
 NOTABLE_TIME_SHARE = 0.1

@@ -19,9 +19,7 @@ from viscodesign.pump.play.ticks import Ticks
 
 CATCH_UP = 1.5
 """A late stream goes along its path this many times as fast as planned, until it is in time."""
-
 SETTLE_TIME = 2.0  # for the last of a following error to go, at the end of a profile [s]
-
 SETTLED_READINGS = 2  # in succession, that show the plungers at the end of their path
 
 

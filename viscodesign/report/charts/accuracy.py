@@ -11,7 +11,8 @@ from viscodesign.report.charts.accuracy_key import PointMarks, draw_key
 from viscodesign.report.charts.accuracy_labels import draw_labels, write_note
 from viscodesign.report.layout.label_placement import Box
 from viscodesign.report.layout.style import ACCENT, FAINT, TITLE_ROOM, axes_at, picture, shown
-from viscodesign.results.accuracy_study import AccuracyStudy, Point
+from viscodesign.results.accuracy_points import Point
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

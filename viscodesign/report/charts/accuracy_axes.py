@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter
 
-from viscodesign.results.accuracy_study import AccuracyStudy, Point
+from viscodesign.results.accuracy_points import Point
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 from matplotlib.lines import Line2D
 
 from viscodesign.report.layout.style import GREY, INK
-from viscodesign.results.accuracy_study import AccuracyStudy, Model, Point
+from viscodesign.results.accuracy_points import Model, Point
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from viscodesign.report.charts.accuracy_axes import Window, percent_words, time_words
 from viscodesign.report.layout.label_placement import Box, place_labels, text_box
 from viscodesign.report.layout.style import ACCENT, GREY, INK
-from viscodesign.results.accuracy_study import AccuracyStudy, Point, spread, tolerance_words
+from viscodesign.results.accuracy_points import Point, spread, tolerance_words
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

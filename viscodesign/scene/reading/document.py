@@ -16,21 +16,23 @@ at once, so it is not used.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import yaml
 
 from viscodesign.errors import Fault, SpecError
+from viscodesign.scene.reading.yaml_events import (
+    MAX_DEPTH,
+    TOO_DEEP,
+    event_lists,
+    line_of,
+    nesting,
+    plain_value,
+)
 from viscodesign.scene.spec_part import KeyPath
 
-MAX_DEPTH = 32
 MAX_NODES = 400_000
-TOO_DEEP = f"nested too deeply, more than {MAX_DEPTH} levels"
-
-_INTEGER = re.compile(r"[-+]?[0-9]+")
-_NUMBER = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
 
 
 @dataclass
@@ -70,7 +72,7 @@ def read_document(text: bytes, file: str) -> Document:
         decoded = text.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise SpecError([Fault("not UTF-8 text; expected a YAML file", file=file)]) from error
-    documents = _documents(decoded, file)
+    documents = event_lists(decoded, file)
     if len(documents) > 1:
         raise SpecError([Fault(f"contains {len(documents)} documents; expected one", file=file)])
     if not documents or getattr(documents[0][0], "value", None) == "":
@@ -89,7 +91,7 @@ def parse_value(text: str, source: str) -> Any:
     """The value of an override, read like a YAML value; ``source`` names it in faults."""
     document = Document(source)
     try:
-        documents = _documents(text or "''", source)
+        documents = event_lists(text or "''", source)
         if len(documents) > 1:
             document.faults.append(Fault("expected a single YAML value", file=source))
         data = _Builder(document, documents[0]).value((), 0) if documents else None
@@ -100,73 +102,6 @@ def parse_value(text: str, source: str) -> Any:
     if document.faults:
         raise SpecError([replace(fault, line=None) for fault in document.faults])
     return data
-
-
-def plain_value(text: str) -> Any:
-    """The value of an unquoted word: null, true, false, a number, or itself."""
-    if text in ("", "~", "null", "Null", "NULL"):
-        return None
-    if text.lower() in ("true", "false"):
-        return text.lower() == "true"
-    if _INTEGER.fullmatch(text):
-        return int(text) if len(text) < 100 else float(text)
-    if _NUMBER.fullmatch(text):
-        return float(text)
-    return text
-
-
-def _documents(text: str, file: str) -> list[list[yaml.Event]]:
-    """The events of each document of a file, without its start and end."""
-    documents: list[list[yaml.Event]] = []
-    anchors: dict[str, int] = {}
-    depth = 0
-    try:
-        for event in yaml.parse(text, Loader=yaml.CSafeLoader):
-            if isinstance(event, yaml.DocumentStartEvent):
-                documents.append([])
-                anchors.clear()
-            elif isinstance(event, (yaml.NodeEvent, yaml.CollectionEndEvent)):
-                documents[-1].append(event)
-                depth += _nesting(event)
-                problem = TOO_DEEP if depth > MAX_DEPTH else _anchor_problem(event, anchors)
-                if problem:
-                    raise SpecError([Fault(problem, file=file, line=_line(event))])
-    except yaml.YAMLError as error:
-        raise SpecError([_syntax_fault(error, file)]) from error
-    return documents
-
-
-def _nesting(event: yaml.Event) -> int:
-    """By how many levels an event deepens the nesting."""
-    return isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-
-
-def _anchor_problem(event: yaml.Event, anchors: dict[str, int]) -> str:
-    """The problem of an event's anchor or alias; ``anchors`` are those defined so far."""
-    name = getattr(event, "anchor", None)
-    if name is None:
-        return ""
-    if isinstance(event, yaml.AliasEvent):
-        return "" if name in anchors else f"not YAML: undefined alias '{name}'"
-    if name in anchors:
-        return f"not YAML: duplicate anchor '{name}', first defined on line {anchors[name]}"
-    anchors[name] = _line(event)
-    return ""
-
-
-def _syntax_fault(error: yaml.YAMLError, file: str) -> Fault:
-    mark = getattr(error, "problem_mark", None)
-    line = mark.line + 1 if mark else None
-    problem = getattr(error, "problem", None) or "invalid syntax"
-    if isinstance(error, yaml.reader.ReaderError):
-        problem = "contains bytes that are not text"
-    if "nesting depth" in problem:  # the parser's own limit, from PyYAML 6.0.4 on
-        return Fault(TOO_DEEP, file=file, line=line)
-    return Fault(f"not YAML: {problem}", file=file, line=line)
-
-
-def _line(event: yaml.Event) -> int:
-    return event.start_mark.line + 1 if event.start_mark else 0
 
 
 class _Builder:
@@ -217,7 +152,7 @@ class _Builder:
                 self._refuse(event, (*path, key), problem)
                 self._skip()
             else:
-                lines[key] = self.document.lines[(*path, key)] = _line(event)
+                lines[key] = self.document.lines[(*path, key)] = line_of(event)
                 data[key] = self.value((*path, key), depth + 1)
         return data
 
@@ -233,7 +168,7 @@ class _Builder:
         items: list[Any] = []
         while not self._collection_ends():
             inner = (*path, str(len(items)))
-            self.document.lines[inner] = _line(self.events[self.next])
+            self.document.lines[inner] = line_of(self.events[self.next])
             items.append(self.value(inner, depth + 1))
         return items
 
@@ -252,12 +187,12 @@ class _Builder:
 
     def _skip(self) -> None:
         """Move behind the next value, or key."""
-        depth = _nesting(self.events[self.next])
+        depth = nesting(self.events[self.next])
         self.next += 1
         while depth:
-            depth += _nesting(self.events[self.next])
+            depth += nesting(self.events[self.next])
             self.next += 1
 
     def _refuse(self, event: yaml.Event, path: KeyPath, problem: str) -> None:
-        fault = Fault(problem, ".".join(path), self.document.file, _line(event))
+        fault = Fault(problem, ".".join(path), self.document.file, line_of(event))
         self.document.faults.append(fault)

@@ -9,8 +9,8 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from viscodesign.scene.effects_choice import OTHERS, EffectsChoice
-from viscodesign.scene.reading.document import plain_value
 from viscodesign.scene.reading.field_lookup import quantity_of
+from viscodesign.scene.reading.yaml_events import plain_value
 from viscodesign.scene.scene import Scene
 
 

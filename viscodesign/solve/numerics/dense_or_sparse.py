@@ -12,7 +12,6 @@ Matrix = Any
 """A dense array, or a sparse matrix of SciPy."""
 
 Solve = Callable[[np.ndarray], np.ndarray]
-
 MAX_DENSE = 200
 """Unknowns up to which matrices are factored densely."""
 

@@ -18,7 +18,8 @@ from viscodesign.report.charts.accuracy_axes import percent_words, time_words
 from viscodesign.report.charts.accuracy_key import COLOURS
 from viscodesign.report.charts.accuracy_labels import MOST_LABELS
 from viscodesign.report.layout.style import ACCENT
-from viscodesign.results.accuracy_study import AccuracyStudy, Model
+from viscodesign.results.accuracy_points import Model
+from viscodesign.results.accuracy_study import AccuracyStudy
 
 Drawn = Callable[[AccuracyStudy], Figure]
 
