@@ -15,7 +15,6 @@ Record = dict[str, Any]
 LARGE = 0.1
 """Fraction of the requested accuracy from which an estimate is compared with the measurement."""
 FACTOR = 3.0
-CLAIMS = {"within": 0.95, "median": 1 / 3, "estimates": 0.80}
 
 
 def write_report(path: Path) -> None:
