@@ -12,72 +12,15 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.compiled.conditions import Known, Tape
 from viscodesign.scene.inputs.base import periods_to_cover
 
 SX = ca.SX
-
-DECIDED_REL_TOL = 1e-11
-"""Relative difference of two numbers up to which a decision between them may go either way."""
-
-
-@dataclass(frozen=True)
-class Condition:
-    """What a decision takes for granted."""
-
-    gap: SX
-    """Difference of two numbers: not negative where it holds, or zero."""
-    scale: SX
-    """Size of the two."""
-    is_equality: bool
-    place: str
-
-    @property
-    def margin(self) -> SX:
-        """Not negative where it holds, to rounding error."""
-        rounding = DECIDED_REL_TOL * self.scale
-        return rounding - ca.fabs(self.gap) if self.is_equality else self.gap + rounding
-
-
-@dataclass
-class Tape:
-    """The conditions of one trace."""
-
-    place: str = ""
-    """What is being traced, in words; where a trace fails, it tells what failed."""
-    conditions: list[Condition] = field(default_factory=list)
-    constants: list[SX] = field(default_factory=list)
-    """Formulas of traced numbers that somebody tried to copy: see `Traced.__reduce_ex__`."""
-    is_paused: bool = False
-    """Whether decisions are not noted."""
-
-    def numbers(self, names: Sequence[str], values: Sequence[float]) -> tuple[SX, list[Traced]]:
-        """Free numbers: their symbols (f,), and the same as traced numbers."""
-        symbols = [SX.sym(name) for name in names]
-        traced = [Traced(v, s, self) for v, s in zip(values, symbols, strict=True)]
-        return ca.vertcat(*symbols), traced
-
-    def note_order(self, less: SX, more: SX) -> None:
-        """Two numbers whose order something was decided by."""
-        self._note(more - less, ca.fabs(less) + ca.fabs(more), False)
-
-    def note_equal(self, one: SX, other: SX) -> None:
-        """Two numbers whose equality something was decided by."""
-        if not ca.is_equal(one, other, EQUAL_DEPTH):
-            self._note(one - other, ca.fabs(one) + ca.fabs(other), True)
-
-    def _note(self, gap: SX, scale: SX, is_equality: bool) -> None:
-        if not gap.is_constant() and not self.is_paused:
-            self.conditions.append(Condition(gap, scale, is_equality, self.place))
-
-
-EQUAL_DEPTH = 20
-"""Operations up to which two formulas are compared."""
 
 
 class Traced:
@@ -222,8 +165,8 @@ class Traced:
 
     def __floor__(self) -> int:
         found = math.floor(self.value)
-        self.tape.note_order(SX(found), self.formula)
-        self.tape.note_order(self.formula, SX(found + 1))
+        self.tape.note_order(known(found), known(self))
+        self.tape.note_order(known(self), known(found + 1))
         return found
 
     def _ordered(self, compare: Callable[[float, float], bool], other: Any) -> bool:
@@ -231,7 +174,7 @@ class Traced:
             return NotImplemented  # type: ignore[no-any-return]  # element by element
         self._refuse_formulas(other)
         found = compare(self.value, value_of(other))
-        ends = self.formula, formula_of(other)
+        ends = known(self), known(other)
         is_less = found == (compare in (operator.lt, operator.le))
         self.tape.note_order(*(ends if is_less else ends[::-1]))
         return found
@@ -243,11 +186,11 @@ class Traced:
             self._refuse_formulas(other, isinstance(other, SX))
             return False
         found = bool(self.value == value_of(other))
-        one, two = self.formula, formula_of(other)
+        ends = known(self), known(other)
         if found:
-            self.tape.note_equal(one, two)
+            self.tape.note_equal(*ends)
         else:
-            self.tape.note_order(*((one, two) if self.value < value_of(other) else (two, one)))
+            self.tape.note_order(*(ends if self.value < value_of(other) else ends[::-1]))
         return found
 
     @staticmethod
@@ -268,6 +211,15 @@ _EXTREMES: dict[Any, Any] = {
 def _(ratio: Traced) -> int:
     """No condition: what is made of the periods is compared with the end of the run."""
     return periods_to_cover(ratio.value)
+
+
+def free_numbers(
+    names: Sequence[str], values: Sequence[float] | np.ndarray, tape: Tape
+) -> tuple[SX, list[Traced]]:
+    """Free numbers: their symbols (f,), and the same as traced numbers."""
+    symbols = [SX.sym(name) for name in names]
+    traced = [Traced(float(v), s, tape) for v, s in zip(values, symbols, strict=True)]
+    return ca.vertcat(*symbols), traced
 
 
 def _is_number(given: Any) -> bool:
@@ -291,6 +243,13 @@ def value_of(number: Any) -> float:
 def formula_of(number: Any) -> SX:
     """The formula of a number, traced or not."""
     return number.formula if isinstance(number, Traced) else SX(float(number))
+
+
+def known(number: Any) -> Known:
+    """A number, traced or not, with its value and its formula."""
+    if isinstance(number, Traced):
+        return Known(number.value, number.formula)
+    return Known(float(number))
 
 
 def matrix_of(numbers: np.ndarray) -> SX:

@@ -55,7 +55,7 @@ class TipLoad(Effect):
     def join(self, system: System) -> None:
         if self.payload:
             system.rod.add_tip_mass(system.parameter("payload", self.payload))
-        if self.force_x or self.force_z:
+        if abs(self.force_x) + abs(self.force_z):
             x = system.parameter("tip_force.x", self.force_x)
             z = system.parameter("tip_force.z", self.force_z)
             tip = system.rod.tip

@@ -1,0 +1,166 @@
+"""The code that makes a problem's numbers, run once on numbers that carry formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import casadi as ca
+import numpy as np
+from pydantic import BaseModel
+from pydantic_core import PydanticCustomError
+
+from viscodesign.compiled.conditions import Tape
+from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.compiled.scene_fields import parts_in
+from viscodesign.compiled.traced import formula_of, free_numbers, matrix_of
+from viscodesign.effects.base import Effect
+from viscodesign.errors import Fault, SpecError
+from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.model.chain import Chain
+from viscodesign.model.formulation import settle
+from viscodesign.model.rod import Body
+from viscodesign.model.structure import structure_of
+from viscodesign.model.system import System
+from viscodesign.model.unknowns import Sizes
+from viscodesign.scene.spec_part import faults_of
+from viscodesign.simulation.build_problem import (
+    Settings,
+    assemble,
+    pieces_between,
+    resolvable_body,
+    sizes_of,
+    stops_of,
+)
+
+SX = ca.SX
+
+UNTRACEABLE = (TypeError, AttributeError, NotImplementedError)
+"""What formulas raise that need plain numbers."""
+INPUT, SCENE = "the input", "the scene"
+"""What is traced, in words."""
+LAWS = "a law of the fluid or of the bellows' walls"
+
+
+@dataclass(frozen=True)
+class FrozenParts:
+    """What a scene's free numbers do not change."""
+
+    effects: list[type[Effect]]
+    edges_per_section: int
+    capped_stiffness: float | None
+    """Of the axis, where the scene's own cannot be told from infinite [N]."""
+    sizes: Sizes
+
+    @classmethod
+    def of(
+        cls, quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings
+    ) -> FrozenParts:
+        """Those of a scene."""
+        stiffness = resolvable_body(quantities).extension_stiffness
+        return cls(
+            [type(effect) for effect in effects],
+            settings.edges_per_section,
+            None if stiffness == quantities.body.extension_stiffness else stiffness,
+            sizes_of(quantities),
+        )
+
+    def body_of(self, quantities: SceneQuantities) -> Body:
+        """The body of a scene with other numbers, as the equations have it."""
+        if self.capped_stiffness is None:
+            return quantities.body
+        return replace(quantities.body, extension_stiffness=self.capped_stiffness)
+
+
+class ProblemTrace:
+    """All numbers of a problem as formulas in the free numbers, valid near some values.
+
+    Raises `SpecError` for values that a part of the spec refuses, and for free numbers that the
+    equations hold as constants; one of `UNTRACEABLE` where a formula needs plain numbers.
+    """
+
+    def __init__(self, keys: FreeKeys, values: np.ndarray, frozen: FrozenParts, tape: Tape) -> None:
+        self.tape = tape
+        self.symbols, traced = free_numbers(keys.names, values, tape)
+        tape.place = SCENE
+        scene = keys.placed(traced)
+        _validate_again(scene, keys.scene, ())
+        system = self._system(SceneQuantities(scene), frozen)
+        tape.place = LAWS
+        settle(system, frozen.sizes)
+        self.structure = self._structure(system)
+        """Equal for traces of the same equations."""
+        numbers = system.numbers()
+        self.parameter_names = tuple(numbers)
+        self.parameters = ca.vertcat(*map(formula_of, numbers.values()))
+        tape.place = INPUT
+        stops = stops_of(scene)
+        pieces, initial = pieces_between(scene, stops)
+        self.stops, self.pieces = matrix_of(stops), matrix_of(pieces)
+        self.initial_piece = matrix_of(initial)
+
+    def _system(self, quantities: SceneQuantities, frozen: FrozenParts) -> System:
+        effects = (self._effect(kind, quantities) for kind in frozen.effects)
+        rod = Chain(quantities.body, frozen.edges_per_section)
+        return assemble(quantities, effects, rod, frozen.body_of(quantities))
+
+    def _effect(self, kind: type[Effect], quantities: SceneQuantities) -> Effect:
+        self.tape.place = f"the effect {kind.name}"  # until the next one joins
+        return kind.of(quantities)
+
+    def _structure(self, system: System) -> object:
+        self.tape.is_paused = True
+        found = structure_of(system)
+        self.tape.is_paused = False
+        if self.tape.constants:
+            held = {symbol.name() for symbol in ca.symvar(ca.vertcat(*self.tape.constants))}
+            raise SpecError([constant_fault(name, LAWS) for name in sorted(held)])
+        return found
+
+
+def traced(keys: FreeKeys, values: np.ndarray, frozen: FrozenParts) -> ProblemTrace:
+    """The numbers traced; raises `SpecError` with all keys that some formula needs as constants."""
+    tape = Tape()
+    try:
+        return ProblemTrace(keys, values, frozen, tape)
+    except UNTRACEABLE as error:
+        if len(keys.given) == 1:
+            raise SpecError([constant_fault(keys.given[0], tape.place)]) from error
+    faults, half = [], len(keys.given) // 2
+    for given in (keys.given[:half], keys.given[half:]):
+        own = FreeKeys(keys.scene, given)
+        try:
+            traced(own, own.values, frozen)
+        except SpecError as error:
+            faults += error.faults
+    raise SpecError(faults or [Fault("cannot be free together", ", ".join(keys.given))])
+
+
+def constant_fault(key: str, place: str) -> Fault:
+    """That a number stands in formulas as a constant."""
+    return Fault(f"cannot be free: {place} holds its value as a constant", key)
+
+
+def _validate_again(part: BaseModel, base: BaseModel, path: tuple[str, ...]) -> None:
+    """Run the checks of every changed part, so that what they take for granted is noted.
+
+    Those of the whole scene, between its parts, ask a library for the fluid and are left out.
+    """
+    for name, found in type(part).model_fields.items():
+        pairs = zip(parts_in(getattr(part, name)), parts_in(getattr(base, name)), strict=False)
+        for (key, inner), (_, former) in pairs:
+            if inner is not former:
+                place = (*path, found.alias or name, *key)
+                _run_checks(inner, place)
+                _validate_again(inner, former, place)
+
+
+def _run_checks(part: BaseModel, path: tuple[str, ...]) -> None:
+    """The checks of a part that look at several of its keys together."""
+    for check in type(part).__pydantic_decorators__.model_validators.values():
+        if check.info.mode == "after":
+            try:
+                check.func(part)
+            except PydanticCustomError as error:
+                faults = [Fault(f.message, ".".join((*path, *f.path))) for f in faults_of(error)]
+                raise SpecError(faults) from None

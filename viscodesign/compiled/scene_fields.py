@@ -1,0 +1,152 @@
+"""The fields of a scene that hold numbers, read and replaced by their places."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, get_args, get_origin
+
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from viscodesign.compiled.free_number import Bounds
+from viscodesign.scene.network import TubeChange
+from viscodesign.scene.reading.field_lookup import quantity_of
+from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import KeyPath
+from viscodesign.units import QuantityKind
+
+
+@dataclass(frozen=True)
+class NumberField:
+    """A place in a scene that holds a number, or could."""
+
+    path: KeyPath
+    value: float | None
+    unit: str
+    bounds: Bounds
+
+
+@dataclass(frozen=True)
+class TableField:
+    """A place in a scene that holds rows of numbers, or a list of them."""
+
+    path: KeyPath
+    count: int
+    columns: tuple[str, ...]
+    """Named by what they hold; of a list a single one, without a name."""
+
+    def entry(self, row: int, column: str) -> KeyPath:
+        """Where a number of it stands."""
+        own = (str(self.columns.index(column)),) if column else ()
+        return (*self.path, str(row), *own)
+
+
+def number_fields(part: BaseModel, path: KeyPath = ()) -> Iterator[NumberField]:
+    """Every number of a part of a scene."""
+    for place, value, found in _fields(part, path):
+        kind, kinds = quantity_of(found), _column_kinds(found)
+        if kind is not None:
+            yield NumberField(place, value, kind.unit, Bounds.of(found.metadata))
+        for k, row in enumerate(value or () if kinds else ()):
+            entries = row if isinstance(row, tuple) else (row,)
+            for c, (kind, entry) in enumerate(zip(kinds, entries, strict=True)):
+                own = (str(c),) if isinstance(row, tuple) else ()
+                yield NumberField((*place, str(k), *own), entry, kind.unit, Bounds())
+        for key, inner in parts_in(value):
+            yield from number_fields(inner, (*place, *key))
+
+
+def table_fields(part: BaseModel, path: KeyPath = ()) -> Iterator[TableField]:
+    """Every table and every list of numbers of a part of a scene."""
+    for place, value, found in _fields(part, path):
+        kinds = _column_kinds(found)
+        if kinds and value:
+            names = tuple(kind.name.replace(" ", "_") for kind in kinds)
+            yield TableField(place, len(value), names if isinstance(value[0], tuple) else ("",))
+        for key, inner in parts_in(value):
+            yield from table_fields(inner, (*place, *key))
+
+
+def _fields(part: BaseModel, path: KeyPath) -> Iterator[tuple[KeyPath, Any, FieldInfo]]:
+    for name, found in type(part).model_fields.items():
+        yield (*path, found.alias or name), getattr(part, name), found
+
+
+def parts_in(value: Any) -> list[tuple[KeyPath, BaseModel]]:
+    """The parts of a spec that a field's value holds, and their keys below it."""
+    if isinstance(value, BaseModel):
+        return [((), value)]
+    if isinstance(value, dict):
+        return [((k,), v) for k, v in value.items() if isinstance(v, BaseModel)]
+    if isinstance(value, tuple):
+        return [((str(k),), v) for k, v in enumerate(value) if isinstance(v, BaseModel)]
+    return []
+
+
+def _column_kinds(found: FieldInfo) -> Sequence[QuantityKind]:
+    """Kinds of the columns of a field that is a tuple of rows or of numbers; else none."""
+    for outer in (found.annotation, *get_args(found.annotation)):
+        if get_origin(outer) is not tuple or not get_args(outer):
+            continue
+        inner = get_args(outer)[0]
+        columns = get_args(inner) if get_origin(inner) is tuple else (inner,)
+        notes = [note for column in columns for note in get_args(column)[1:]]
+        return [note for note in notes if isinstance(note, QuantityKind)]
+    return ()
+
+
+def value_at(value: Any, path: KeyPath) -> Any:
+    """What stands at a place of a scene; raises `LookupError` where nothing does."""
+    for part in path:
+        if isinstance(value, BaseModel):
+            value = getattr(value, _field_name(value, part))
+        elif isinstance(value, dict):
+            value = value[part]
+        elif isinstance(value, tuple) and part.isdigit():
+            value = value[int(part)]
+        else:
+            raise LookupError(part)
+    return value
+
+
+def is_given(scene: Scene, path: KeyPath) -> bool:
+    """Whether a scene has a value at a place."""
+    try:
+        return value_at(scene, path) is not None
+    except LookupError:
+        return False
+
+
+def _field_name(part: BaseModel, key: str) -> str:
+    """The field of a key."""
+    fields = type(part).model_fields.items()
+    found = next((name for name, field in fields if (field.alias or name) == key), None)
+    if found is None:
+        raise LookupError(key)
+    return found
+
+
+def replaced(value: Any, tree: Any) -> Any:
+    """A part of a scene with what a tree of keys holds in their places; nothing is validated."""
+    if not isinstance(tree, dict):
+        return tree
+    if isinstance(value, BaseModel):
+        names = {_field_name(value, key): below for key, below in tree.items()}
+        return copied(value, {n: replaced(getattr(value, n), below) for n, below in names.items()})
+    if isinstance(value, tuple):
+        entries = list(value)
+        for key, below in tree.items():
+            entries[int(key)] = replaced(entries[int(key)], below)
+        return tuple(entries)
+    # Of all mappings only that of changed tubes lets a key be new.
+    changes = {k: replaced(value.get(k, TubeChange()), below) for k, below in tree.items()}
+    return {**value, **changes}
+
+
+def copied(part: BaseModel, changes: dict[str, Any]) -> Any:
+    """A copy that is not validated, without what was derived from its former values."""
+    copy = part.model_copy(update=changes)
+    for derived in set(vars(copy)) - set(type(part).model_fields):
+        del vars(copy)[derived]
+    return copy
