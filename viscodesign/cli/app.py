@@ -6,23 +6,14 @@ command that runs, so that `--help` answers at once.
 
 from __future__ import annotations
 
+import importlib
+from collections.abc import Sequence
 from typing import Annotated
 
 import typer
 
 from viscodesign._version import __version__
-from viscodesign.cli import accuracy, check, classify, effects, init, schema, simulate
 from viscodesign.cli.options import Debug
-from viscodesign.cli.pump import pump
-
-app = typer.Typer(
-    name="viscodesign",
-    add_completion=False,
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-)
 
 
 def _print_version(wanted: bool) -> None:
@@ -31,13 +22,6 @@ def _print_version(wanted: bool) -> None:
         raise typer.Exit
 
 
-@app.callback(
-    epilog="""\b
-Example:
-  viscodesign init leg.yaml
-  viscodesign check leg.yaml
-  viscodesign simulate leg.yaml -o runs/leg"""
-)
 def viscodesign(
     _version: Annotated[
         bool,
@@ -55,18 +39,37 @@ def viscodesign(
     """
 
 
-COMMANDS = {
-    "init": init,
-    "check": check,
-    "classify": classify,
-    "simulate": simulate,
-    "accuracy": accuracy,
-    "effects": effects,
-    "schema": schema,
-}
+EXAMPLE = """\b
+Example:
+  viscodesign init leg.yaml
+  viscodesign check leg.yaml
+  viscodesign simulate leg.yaml -o runs/leg"""
+COMMANDS = ("init", "check", "classify", "simulate", "accuracy", "effects", "schema")
 """In the order of `--help`; every module has a `command` and an `EXAMPLE`."""
+PUMP = "pump"
 
-for _name, _module in COMMANDS.items():
-    app.command(_name, epilog=_module.EXAMPLE)(_module.command)
 
-app.add_typer(pump)
+def app_for(words: Sequence[str]) -> typer.Typer:
+    """All commands; or only one, where a command line begins with its name."""
+    first = words[0] if words else ""
+    return app_with([first] if first in COMMANDS else [*COMMANDS, PUMP])
+
+
+def app_with(names: Sequence[str]) -> typer.Typer:
+    """These commands: those that are not needed take longer to set up than a small scene."""
+    app = typer.Typer(
+        name="viscodesign",
+        add_completion=False,
+        no_args_is_help=True,
+        rich_markup_mode=None,
+        pretty_exceptions_enable=False,
+        context_settings={"help_option_names": ["-h", "--help"]},
+    )
+    app.callback(epilog=EXAMPLE)(viscodesign)
+    for name in names:
+        module = importlib.import_module(f"viscodesign.cli.{name}")
+        if name == PUMP:
+            app.add_typer(module.pump)
+        else:
+            app.command(name, epilog=module.EXAMPLE)(module.command)
+    return app

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import time as clock
@@ -13,11 +14,22 @@ from viscodesign.errors import ViscodesignError
 
 INTERNAL_ERROR = 1
 INTERRUPTED = 130
+COLLECTED_AFTER = 200_000
+"""Objects after which Python looks for cycles: what imports and a spec make stays anyway, and
+looking through it again and again takes a tenth of a short command."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command line (by default the process's own) and return its exit code."""
-    words = list(sys.argv[1:] if arguments is None else arguments)
+    if arguments is not None:
+        return _answer(list(arguments))
+    gc.set_threshold(COLLECTED_AFTER)
+    status = _answer(sys.argv[1:])
+    gc.freeze()  # or Python would look for cycles among everything once more before it ends
+    return status
+
+
+def _answer(words: list[str]) -> int:
     debug = _asks_for_debug(words)
     _replace_closed_streams()
     try:
@@ -52,10 +64,10 @@ def _run(words: list[str]) -> int:
     began = clock.perf_counter()
     from typer.main import get_command
 
-    from viscodesign.cli.app import app
+    from viscodesign.cli.app import app_for
 
     try:
-        get_command(app)(args=words, prog_name="viscodesign", obj=began)
+        get_command(app_for(words))(args=words, prog_name="viscodesign", obj=began)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else INTERNAL_ERROR
     return 0

@@ -61,6 +61,7 @@ def command(
     from viscodesign.cli.texts.ablation_text import ablation_lines
     from viscodesign.cli.texts.run_text import summary_lines
     from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.layout.undocumented import import_undocumented
     from viscodesign.report.run_folder import write_timed
 
     scene = load(spec, overrides or ())
@@ -71,6 +72,8 @@ def command(
         trajectory = solve(
             scene, verify=not no_verify, prove=prove, progress=advance, scratch=folder
         )
+    if not no_plots:
+        import_undocumented()
     written = write_timed(
         trajectory.with_time(load_s=load_s), folder, plots=not no_plots, force=force
     )

@@ -8,9 +8,10 @@ import sys
 import pytest
 from typer.testing import CliRunner
 
-from viscodesign.cli.app import COMMANDS, app
+from viscodesign.cli.app import COMMANDS, app_for
 from viscodesign.cli.pump import pump
 
+app = app_for([])
 PUMP = sorted(command.name or "" for command in pump.registered_commands)
 MOVING = ("calibrate", "stream", "upload")
 HEAVY = ("numpy", "pydantic", "casadi", "scipy", "matplotlib", "pandas", "pint", "rich", "yaml")
@@ -23,6 +24,15 @@ def test_help_has_an_example(name: str) -> None:
     assert "Example" in result.stdout
     assert f"\n    viscodesign {name}" in result.stdout
     assert all(len(line) <= 80 for line in result.stdout.splitlines())
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_a_command_is_set_up_alone(name: str) -> None:
+    alone = app_for([name, "--help"])
+    assert [command.name for command in alone.registered_commands] == [name]
+    assert not alone.registered_groups
+    pages = [CliRunner().invoke(one, [name, "--help"]).stdout for one in (alone, app)]
+    assert pages[0] == pages[1]
 
 
 def test_the_front_page_names_every_command_in_full() -> None:

@@ -83,3 +83,18 @@ def test_closed_outputs_do_not_stop_a_run(closed: str, tmp_path: Path) -> None:
     done = subprocess.run(["sh", "-c", command], cwd=ROOT, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")
     assert (tmp_path / "run" / "summary.json").exists()
+
+
+HEAVY = ("scipy", "pandas", "pint", "matplotlib")
+
+
+def test_a_verified_run_without_pictures_imports_nothing_heavy(tmp_path: Path) -> None:
+    program = (
+        "import sys; from viscodesign.cli.main import main\n"
+        "spec, folder = sys.argv[1:]\n"
+        "status = main(['simulate', spec, '-o', folder, '-q', '--no-plots'])\n"
+        f"print(status, [name for name in {HEAVY!r} if name in sys.modules])"
+    )
+    call = [sys.executable, "-c", program, str(CONFIGS / "leg_16_straight_air.yaml"), str(tmp_path)]
+    done = subprocess.run(call, capture_output=True, text=True, check=True)
+    assert done.stdout == "0 []\n"
