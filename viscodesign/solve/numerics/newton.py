@@ -40,9 +40,9 @@ CONTROL = NewtonControl()
 class LinearSolverLimits:
     """Up to how many unknowns a direct solver is the fastest (measured)."""
 
-    csparse_lu: int = 60
-    """Before SuperLU is called: equal at 60; 20 ms against 1 ms at 386, where the factors of
-    CSparse have filled up."""
+    csparse_lu: int = 120
+    """Before SuperLU is called: equal at 80, 0.6 ms slower at 144, 20 ms against 1 ms at 386, where
+    the factors of CSparse have filled up. Importing SciPy for it takes 130 ms of every process."""
     integrator_lu: int = 200
     """For an integrator's LU against QR: 6 ms against 0.3 ms at 577, 335 ms against 1.4 ms at
     2305."""
