@@ -6,29 +6,34 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
 
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
+from viscodesign.compiled.held_inlets import ControlState, HeldInlets, Inlets
 from viscodesign.compiled.integrated import IntegratedMotion
 from viscodesign.compiled.outputs import ChosenOutputs
 from viscodesign.compiled.reading import Members
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
 from viscodesign.compiled.solution import MotionFunction
-from viscodesign.effects.select import Selection, select_effects
+from viscodesign.effects.select import select_effects
 from viscodesign.errors import SpecError, ViscodesignError, did_you_mean
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.results.findings import Verdict
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import Settings, build, suggest_settings
+from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import suitable_solver
 from viscodesign.storage.lru_cache import LruCache
 
 Values = Sequence[float] | np.ndarray | Mapping[str, float]
 Outputs = dict[str, Any]
 """Each output's array over the output times (T,), or its number."""
+PERIOD_CHANGE = 1e-5
+"""Of a number of an input, for a difference of periods."""
 KEPT_SOLUTIONS = 4
 """Latest solutions that a function keeps: a value and its derivatives share one."""
 
@@ -95,8 +100,11 @@ class Judgement:
 class _Solved:
     """One solution and its numbers."""
 
+    values: np.ndarray
     numbers: ProblemNumbers
     solution: SolvedOutputs
+    period: float | None
+    """Of all inputs [s], where metrics need it."""
 
 
 class CompiledFunction:
@@ -122,8 +130,10 @@ class CompiledFunction:
         if tolerance is not None:
             settings = replace(settings, tolerance=tolerance)
         self._numbers = SceneNumbers(quantities, self._selection, settings, free)
+        problem = build(quantities, self._selection.effects, settings)
+        self._built = quantities, self._selection.effects, settings, problem
         own = self._numbers.at(self._numbers.values)
-        self._motion, self._chosen = _motion(quantities, self._selection, settings, outputs, own)
+        self._motion, self._chosen = _motion(quantities, problem, settings, outputs, own)
         self._kept: LruCache[_Solved] = LruCache(KEPT_SOLUTIONS)
 
     def __reduce__(self) -> tuple[Callable[..., CompiledFunction], tuple[Any, ...]]:
@@ -166,16 +176,16 @@ class CompiledFunction:
         Raises `SpecError` for values that are out of range, `SolveError` where the solution fails.
         """
         solved = self._solved(values)
-        return self._chosen.read(solved.solution.columns)
+        return self._chosen.read(solved.solution.columns, solved.period)
 
     def jacobian(self, values: Values | None = None) -> Outputs:
         """Derivatives of every output (T, f) or (f,), by the free numbers."""
         solved = self._solved(values)
-        given = self._array(values)
-        slopes = self._numbers.jacobian_at(given)
+        slopes = self._numbers.jacobian_at(solved.values)
         dots = ProblemNumbers(*(np.moveaxis(part, -1, 0) for part in slopes))
         rates = self._motion.push_forward(solved.solution, solved.numbers, dots)
-        return self._chosen.push_forward(solved.solution.columns, rates)
+        columns, period_rates = solved.solution.columns, self._period_slopes(solved)
+        return self._chosen.push_forward(columns, solved.period, rates, period_rates)
 
     def vjp(self, values: Values | None, weights: Mapping[str, Any]) -> np.ndarray:
         """Gradient (f,) of the sum of weights times outputs, by one adjoint solution.
@@ -183,13 +193,15 @@ class CompiledFunction:
         ``weights``: of some or all outputs, shaped like them.
         """
         solved = self._solved(values)
-        columns = self._chosen.pull_back(solved.solution.columns, weights)
+        columns, period_weight = self._chosen.pull_back(
+            solved.solution.columns, solved.period, weights
+        )
         bars = self._motion.pull_back(solved.solution, solved.numbers, columns)
-        slopes = self._numbers.jacobian_at(self._array(values))
+        slopes = self._numbers.jacobian_at(solved.values)
         parts = [
             np.tensordot(bar, slope, axes=bar.ndim) for bar, slope in zip(bars, slopes, strict=True)
         ]
-        return np.asarray(sum(parts))
+        return np.asarray(sum(parts) + period_weight * self._period_slopes(solved))
 
     def batch(self, rows: np.ndarray | Sequence[Values], workers: int = 1) -> Batch:
         """Outputs of many rows of values, in so many threads.
@@ -209,7 +221,7 @@ class CompiledFunction:
             solved = self._solve(self._array(values))
         except ViscodesignError as error:
             return None, str(error)
-        return self._chosen.read(solved.solution.columns), "complete"
+        return self._chosen.read(solved.solution.columns, solved.period), "complete"
 
     # -- what else can be asked -----------------------------------------------------
 
@@ -226,6 +238,27 @@ class CompiledFunction:
             tuple(sorted(self.effects - selection.active)),
         )
 
+    def begin(self, values: Values | None = None, inlets: Inlets = 0.0) -> ControlState:
+        """The equilibrium with the inlets held, at which a control loop may start.
+
+        ``inlets``: as for `step`. Raises `SolveError` where there is none.
+        """
+        given = self._array(values)
+        self._numbers.check(given)
+        return self._held.begin(self._numbers.at(given).parameters, inlets)
+
+    def step(self, state: ControlState, dt: float, inlets: Inlets) -> ControlState:
+        """The state one interval of ``dt`` [s] later, with the inlets held over it.
+
+        ``inlets``: pressure above the baseline [Pa] by inlet, or the volume that a plunger has
+        pushed out [m3]; a number alone for the only inlet. Raises `SolveError` where it fails.
+        """
+        return self._held.step(state, dt, inlets)
+
+    @cached_property
+    def _held(self) -> HeldInlets:
+        return HeldInlets(*self._built)
+
     # -- solutions ------------------------------------------------------------------
 
     def _solved(self, values: Values | None) -> _Solved:
@@ -236,7 +269,24 @@ class CompiledFunction:
     def _solve(self, given: np.ndarray) -> _Solved:
         self._numbers.check(given)
         numbers = self._numbers.at(given)
-        return _Solved(numbers, self._motion.solve(numbers))
+        return _Solved(given, numbers, self._motion.solve(numbers), self._period(given))
+
+    def _period(self, given: np.ndarray) -> float | None:
+        """The period of all inputs [s], if any metric may need it."""
+        return (
+            self._numbers.keys.placed(given.tolist()).period if self._chosen.has_metrics else None
+        )
+
+    def _period_slopes(self, solved: _Solved) -> np.ndarray:
+        """(f,) of the period, by differences: a period is a sum or an inverse of few numbers."""
+        slopes = np.zeros(len(self.names))
+        for k, name in enumerate(self.names if solved.period else ()):
+            if name.startswith("input"):
+                change = np.zeros(len(slopes))
+                change[k] = PERIOD_CHANGE * (abs(solved.values[k]) or 1.0)
+                ends = [self._period(solved.values + s * change) or np.nan for s in (1, -1)]
+                slopes[k] = (ends[0] - ends[1]) / (2 * change[k])
+        return slopes
 
     def _array(self, values: Values | None) -> np.ndarray:
         """Values in order (f,)."""
@@ -273,15 +323,14 @@ def compile(
 
 def _motion(
     quantities: SceneQuantities,
-    selection: Selection,
+    problem: Problem,
     settings: Settings,
     outputs: Sequence[str],
     numbers: ProblemNumbers,
 ) -> tuple[DifferentiableMotion, ChosenOutputs]:
     """How the columns are solved for, and how outputs are read from them."""
-    problem = build(quantities, selection.effects, settings)
     members, steady = Members.of(quantities), quantities.scene.run.start == "equilibrium"
-    chosen = ChosenOutputs(problem, members, outputs, quantities.scene.period)
+    chosen = ChosenOutputs(problem, members, outputs)
     columns, tolerance = chosen.columns, settings.tolerance
     if problem.equations.states.count:
         with suppress(NativeUnavailable):

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from viscodesign.compiled.endings import Endings
 from viscodesign.compiled.problem_at import problem_at, reading_rows, stretch_of
 from viscodesign.compiled.reading import Members, Reading
 from viscodesign.compiled.row_functions import RowFunction
@@ -55,6 +56,7 @@ class IntegratedMotion:
         self.times = problem.schedule.edges[problem.schedule.outputs]
         """(T,) output times [s]."""
         self._reading = Reading(problem, members, columns)
+        self._endings = Endings(problem)
         if not problem.equations.states.count:
             self._differentiate()
 
@@ -68,8 +70,8 @@ class IntegratedMotion:
         given = [SX(0, 1), z, time, piece, SX(1), sealed, parameters]
         alg, slopes = equations.algebraic_function.call(given)
         arguments = [z, time, piece, parameters]
-        self._residual = RowFunction("constraints", arguments, alg, shared=1)
-        self._slopes = RowFunction("slopes", arguments, ca.vec(ca.densify(slopes)), shared=1)
+        self._residual = RowFunction(arguments, alg, shared=1)
+        self._slopes = RowFunction(arguments, ca.vec(ca.densify(slopes)), shared=1)
 
     def solve(self, numbers: ProblemNumbers) -> SolvedColumns:
         """Solve the run. Raises `SolveError` where that fails on the way."""
@@ -83,6 +85,7 @@ class IntegratedMotion:
             raise found.failure
         columns = np.concatenate([found.states, found.algebraics])[:, problem.schedule.outputs]
         rows = reading_rows(problem, self.times, numbers, columns.T)
+        self._endings.check(problem, self.times, rows)
         return SolvedColumns(rows, self._reading(*rows), found.work.steps)
 
     def pull_back(

@@ -23,8 +23,8 @@ TIP_COLUMNS = ("tip_x_m", "tip_z_m")
 class ChosenOutputs:
     """Outputs by name, read from columns (T, c), and their derivatives.
 
-    ``period``: of all inputs [s], the loop of metrics; None where they have none.
-    Raises `SpecError` for names that are neither a column nor a metric.
+    Metrics also depend on the ``period`` of all inputs [s], None where they have none: the last one
+    is their loop. Raises `SpecError` for names that are neither a column nor a metric.
     """
 
     def __init__(
@@ -32,7 +32,6 @@ class ChosenOutputs:
         problem: Problem,
         members: Members,
         names: Sequence[str],
-        period: float | None,
     ) -> None:
         self.names = (names,) if isinstance(names, str) else tuple(names)
         known = [*places_of(problem, members), *METRIC_NAMES]
@@ -41,8 +40,8 @@ class ChosenOutputs:
         if faults or not self.names:
             raise SpecError(faults or [Fault("name at least one, such as tip_x_m", "outputs")])
         self._bellows = members.bellows
-        self._period = period
         self._times = problem.schedule.edges[problem.schedule.outputs]
+        self.has_metrics = any(name in METRIC_NAMES for name in self.names)
         self._metrics = [name for name in self.names if name in METRIC_NAMES]
         own = [name for name in self.names if name not in METRIC_NAMES]
         pressures = [f"pressure_{name}_pa" for name in self._bellows]
@@ -53,30 +52,35 @@ class ChosenOutputs:
         self._tip = [self._place[name] for name in TIP_COLUMNS] if needed else []
         self._pressures = [self._place[name] for name in pressures] if needed else []
 
-    def read(self, columns: np.ndarray) -> dict[str, Any]:
+    def read(self, columns: np.ndarray, period: float | None) -> dict[str, Any]:
         """Outputs from columns (T, c)."""
-        found = metric_values(self._inputs(columns), self._metrics) if self._metrics else {}
+        own = self._metrics
+        found = metric_values(self._inputs(columns, period), own) if own else {}
         return {
             name: found[name] if name in found else columns[:, self._place[name]]
             for name in self.names
         }
 
-    def push_forward(self, columns: np.ndarray, rates: np.ndarray) -> dict[str, Any]:
-        """Rates (T, d) or (d,) of the outputs for those of the columns (d, T, c)."""
+    def push_forward(
+        self, columns: np.ndarray, period: float | None, rates: np.ndarray, period_rates: np.ndarray
+    ) -> dict[str, Any]:
+        """Rates (T, d) or (d,) of the outputs for those of columns (d, T, c) and period (d,)."""
         moved = np.moveaxis(rates, 0, -1)
         found: dict[str, Any] = {}
         if self._metrics:
             tip, pressures = moved[:, self._tip], moved[:, self._pressures]
-            gradients = metric_gradients(self._inputs(columns), self._metrics)
-            found = {name: own.along(tip, pressures) for name, own in gradients.items()}
+            gradients = metric_gradients(self._inputs(columns, period), self._metrics)
+            found = {n: own.along(tip, pressures, period_rates) for n, own in gradients.items()}
         return {
             name: found[name] if name in found else moved[:, self._place[name]]
             for name in self.names
         }
 
-    def pull_back(self, columns: np.ndarray, weights: Mapping[str, Any]) -> np.ndarray:
-        """Weights (T, c) of the columns for those of some outputs."""
-        found = np.zeros_like(columns)
+    def pull_back(
+        self, columns: np.ndarray, period: float | None, weights: Mapping[str, Any]
+    ) -> tuple[np.ndarray, float]:
+        """Weights (T, c) of the columns, and that of the period, for those of some outputs."""
+        found, period_weight = np.zeros_like(columns), 0.0
         unknown = [name for name in weights if name not in self.names]
         if unknown:
             raise SpecError([Fault(not_among(unknown[0], self.names), "weights")])
@@ -90,10 +94,11 @@ class ChosenOutputs:
             if name not in METRIC_NAMES:
                 found[:, self._place[name]] += given
                 continue
-            (gradient,) = metric_gradients(self._inputs(columns), [name]).values()
+            (gradient,) = metric_gradients(self._inputs(columns, period), [name]).values()
             found[:, self._tip] += given * gradient.tip
             found[:, self._pressures] += given * gradient.pressure
-        return found
+            period_weight += float(given) * gradient.period
+        return found, period_weight
 
     def blank(self) -> dict[str, Any]:
         """Outputs of a run that failed."""
@@ -102,6 +107,6 @@ class ChosenOutputs:
             for name in self.names
         }
 
-    def _inputs(self, columns: np.ndarray) -> MetricInputs:
+    def _inputs(self, columns: np.ndarray, period: float | None) -> MetricInputs:
         tip, pressures = columns[:, self._tip], columns[:, self._pressures]
-        return MetricInputs.of(self._times, tip, pressures, self._bellows, self._period)
+        return MetricInputs.of(self._times, tip, pressures, self._bellows, period)

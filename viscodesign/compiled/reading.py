@@ -42,7 +42,7 @@ class Reading:
         own = _in_order(problem, named, parameters)
         places = places_of(problem, members)
         result = ca.vertcat(SX(0, 1), *(own[places[c][0]][places[c][1]] for c in columns))
-        self._function = RowFunction("reading", [x, z, time, piece, parameters], result, shared=1)
+        self._function = RowFunction([x, z, time, piece, parameters], result, shared=1)
 
     def __call__(self, *rows: np.ndarray) -> np.ndarray:
         """Columns (T, columns) of the rows of all arguments."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -21,7 +22,6 @@ class RowFunction:
 
     def __init__(
         self,
-        name: str,
         arguments: Sequence[SX],
         result: SX,
         *,
@@ -30,20 +30,32 @@ class RowFunction:
     ) -> None:
         self._shared, self._at_once = shared, at_once
         self._sizes = [int(argument.numel()) for argument in arguments]
+        self._formulas = list(arguments), ca.densify(result)
         self.size = int(result.numel())
         """Entries of the result."""
-        given = list(arguments)
+
+    @cached_property
+    def _value(self) -> ca.Function:
+        given, result = self._formulas
+        return ca.Function("value", given, [ca.cse(result)]).map(self._at_once)
+
+    @cached_property
+    def _back(self) -> ca.Function:
+        """Slopes of the weighted result by all arguments."""
+        given, result = self._formulas
+        weights = SX.sym("weights", self.size)
+        slopes = ca.jtimes(result, ca.vertcat(*given), weights, True)
+        found = [ca.cse(ca.densify(slopes))]
+        return ca.Function("back", [*given, weights], found).map(self._at_once)
+
+    @cached_property
+    def _along(self) -> ca.Function:
+        """Rates of the result for those of all arguments."""
+        given, result = self._formulas
         whole = ca.vertcat(*given)
-        weights, rates = SX.sym("weights", self.size), SX.sym("rates", whole.numel())
-        result = ca.densify(result)
-        back = ca.jtimes(result, whole, weights, True)
-        along = ca.jtimes(result, whole, rates)
-        functions = (
-            ca.Function(name, given, [result]),
-            ca.Function("back", [*given, weights], [ca.cse(ca.densify(back))]),
-            ca.Function("along", [*given, rates], [ca.cse(ca.densify(along))]),
-        )
-        self._value, self._back, self._along = (f.map(at_once) for f in functions)
+        rates = SX.sym("rates", whole.numel())
+        found = [ca.cse(ca.densify(ca.jtimes(result, whole, rates)))]
+        return ca.Function("along", [*given, rates], found).map(self._at_once)
 
     def __call__(self, *arguments: np.ndarray) -> np.ndarray:
         """Results (m, size)."""

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
+from viscodesign.compiled.endings import Endings
 from viscodesign.compiled.problem_at import ROUND_OFF, problem_at, reading_rows, stretch_of
 from viscodesign.compiled.reading import Members, Reading
 from viscodesign.compiled.row_functions import RowFunction
@@ -31,7 +32,7 @@ from viscodesign.native.tables import Assembly
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.rodas_native import NativeSteps
-from viscodesign.solve.statics import Start, consistent
+from viscodesign.solve.statics import Instant, Start, consistent
 
 SX = ca.SX
 CONSISTENT = 1e-12
@@ -49,6 +50,20 @@ class SolvedStretch:
     march: Stretch
     outputs: slice
     """Which of the output times lie behind its beginning and up to its end."""
+
+
+@dataclass(frozen=True)
+class TakenStretch:
+    """What going over one smooth stretch gives."""
+
+    begin: Consistency
+    march: Stretch
+    columns: np.ndarray
+    """(edges, n)"""
+    end: Start
+    size: float
+    """First step that suits what follows [s]."""
+    steps: int
 
 
 @dataclass(frozen=True)
@@ -90,11 +105,12 @@ class MotionFunction:
         NativeSteps(problem, tolerance)
         self._start = StartFunction(problem, steady=steady)
         self._reading = Reading(problem, members, columns)
+        self._endings = Endings(problem)
         local = self._local
         parameters = SX.sym("parameters", len(problem.equations.parameter_values))
         sealed, *_ = problem.equations.compiled(of.quantities).call([parameters])
         (numbers,) = local.form.numbers.call([ca.vertcat(1, sealed, parameters)])
-        self._numbers = RowFunction("numbers", [parameters], numbers, at_once=1)
+        self._numbers = RowFunction([parameters], numbers, at_once=1)
 
     @property
     def _local(self) -> LocalEquations:
@@ -116,28 +132,55 @@ class MotionFunction:
         here, size, taken = found.start, None, 0
         stretches, columns = [], []
         for k, outputs in enumerate(self._outputs_between(numbers.stops)):
-            piece, time = numbers.pieces[k], float(numbers.stops[k])
-            begin = self._begin(problem, steps, here, time, piece, numbers if k else None)
-            if k == 0 and len(self.times) and self.times[0] <= 0.0:
-                columns.append(begin.Y[None, : problem.unknowns])
             edges = self._edges(numbers.stops, k, outputs)
-            record = StepRecord()
-            state = MarchState(
-                y=begin.Y[: steps.assembly.unknowns].copy(),
-                time=time,
-                size=steps.first_size(size, edges[-1] - time),
-            )
-            rest = np.append(piece, 1.0)
-            found_columns = self._march(problem, steps, state, rest, edges, record, taken)
-            taken += state.steps
-            count = outputs.stop - outputs.start
-            columns.append(found_columns[:count, : problem.unknowns])
-            stretches.append(SolvedStretch(begin, Stretch(rest, edges, record.rows), outputs))
-            states, unknowns = problem.equations.states.count, problem.unknowns
-            here, size = Start(state.y[:states], state.y[states:unknowns]), state.size
+            before = (float(numbers.stops[k]), numbers.pieces[k - 1]) if k else None
+            own = (float(numbers.stops[k]), numbers.pieces[k])
+            part = self.advance(steps, here, own, edges, size, before=before, taken=taken)
+            if k == 0 and len(self.times) and self.times[0] <= 0.0:
+                columns.append(part.begin.Y[None, : problem.unknowns])
+            columns.append(part.columns[: outputs.stop - outputs.start, : problem.unknowns])
+            stretches.append(SolvedStretch(part.begin, part.march, outputs))
+            here, size, taken = part.end, part.size, taken + part.steps
         rows = reading_rows(problem, self.times, numbers, np.concatenate(columns))
+        self._endings.check(problem, self.times, rows)
         read = self._reading(*rows)
         return SolvedMotion(problem, steps.assembly, found, stretches, rows, read, taken)
+
+    def begin(self, steps: NativeSteps, numbers: ProblemNumbers) -> np.ndarray:
+        """Consistent unknowns (n,) at the start of a run."""
+        here = self._start(steps.problem).start
+        begins = (float(numbers.stops[0]), numbers.pieces[0])
+        return self._begin(steps, here, begins, None).Y[: steps.assembly.unknowns]
+
+    def advance(
+        self,
+        steps: NativeSteps,
+        here: Start,
+        begins: Instant,
+        edges: np.ndarray,
+        size: float | None,
+        *,
+        before: Instant | None = None,
+        taken: int = 0,
+    ) -> TakenStretch:
+        """Go over one smooth stretch from a state, to the last of its edges.
+
+        ``begins``: when, and its coefficients; ``size``: of the first step [s]; ``before``: the
+        same instant with the coefficients of the stretch before; ``taken``: steps so far.
+        """
+        (time, piece), problem = begins, steps.problem
+        begin = self._begin(steps, here, begins, before)
+        state = MarchState(
+            y=begin.Y[: steps.assembly.unknowns].copy(),
+            time=time,
+            size=steps.first_size(size, edges[-1] - time),
+        )
+        record, rest = StepRecord(), np.append(piece, 1.0)
+        columns = self._march(problem, steps, state, rest, edges, record, taken)
+        states, unknowns = problem.equations.states.count, problem.unknowns
+        end = Start(state.y[:states], state.y[states:unknowns])
+        march = Stretch(rest, edges, record.rows)
+        return TakenStretch(begin, march, columns, end, state.size, state.steps)
 
     def _outputs_between(self, stops: np.ndarray) -> list[slice]:
         """Which output times each stretch has; that at t = 0 belongs to none."""
@@ -153,17 +196,15 @@ class MotionFunction:
 
     def _begin(
         self,
-        problem: Problem,
         steps: NativeSteps,
         here: Start,
-        time: float,
-        piece: np.ndarray,
-        before: ProblemNumbers | None,
+        begins: Instant,
+        before: Instant | None,
     ) -> Consistency:
         """Consistent unknowns at the beginning of a stretch."""
+        (time, piece), problem = begins, steps.problem
         if problem.equations.rod_form is RodForm.STATIC and before is not None:
-            k = int(np.searchsorted(before.stops, time))
-            here = consistent(problem, here, time, piece, (time, before.pieces[k - 1]))
+            here = consistent(problem, here, time, piece, before)
         y, before_size = steps.unknowns_at(here, time, piece), np.inf
         for _ in range(MAX_CORRECTIONS):
             try:

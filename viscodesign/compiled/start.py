@@ -51,12 +51,12 @@ class StartFunction:
         make = _steady_formulas if steady else _rest_formulas
         unknowns, residual, start = make(problem, piece, parameters)
         arguments = (unknowns, piece, parameters)
-        self._residual = RowFunction("residual", arguments, residual, at_once=1)
-        self._start = RowFunction("start", arguments, start, at_once=1)
+        self._residual = RowFunction(arguments, residual, at_once=1)
+        self._start = RowFunction(arguments, start, at_once=1)
         slopes = ca.jacobian(residual, unknowns)
         self._pattern = slopes.sparsity()
         self._slopes = RowFunction(
-            "slopes", arguments, ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:])), at_once=1
+            arguments, ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:])), at_once=1
         )
         piece_now = problem.schedule.initial_piece
         self._near = static_equilibrium(problem, 0.0, piece_now) if steady else None

@@ -59,7 +59,7 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
     scene = quantities.scene
     rod = Chain(quantities.body, settings.edges_per_section)
     system = assemble(quantities, effects, rod, resolvable_body(quantities))
-    system.wide = _wide_tubes(quantities)
+    system.wide = wide_tubes(quantities)
     equations = formulate(system, sizes_of(quantities))
     return Problem(
         equations=equations,
@@ -77,15 +77,23 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
 
 
 def assemble(
-    quantities: SceneQuantities, effects: Iterable[Effect], rod: RodDiscretisation, body: Body
+    quantities: SceneQuantities,
+    effects: Iterable[Effect],
+    rod: RodDiscretisation,
+    body: Body,
+    *,
+    held: bool = False,
 ) -> System:
-    """The system of a scene with every effect's terms; ``body``: with the stiffness to use."""
+    """The system of a scene with every effect's terms; ``body``: with the stiffness to use.
+
+    ``held``: with one number at each inlet in place of its input.
+    """
     scene = quantities.scene
     system = System(
         quantities.graph,
         body,
         quantities.bellow,
-        {name: _source(scene, name) for name in scene.inputs},
+        {name: _source(scene, name, held) for name in scene.inputs},
         scene.gauge_pressure,
         scene.ambient_pressure,
         rod,
@@ -112,7 +120,7 @@ MOST_RESIST = 0.75
 """Part of the tubes that bound the flow through the others."""
 
 
-def _wide_tubes(quantities: SceneQuantities) -> frozenset[str]:
+def wide_tubes(quantities: SceneQuantities) -> frozenset[str]:
     """Tubes whose flow the input's swing, or the other tubes, bound far more than they do."""
     if not quantities.resistances:
         return frozenset()
@@ -153,7 +161,7 @@ def _remedies(quantities: SceneQuantities) -> Remedies:
     return found
 
 
-def _source(scene: Scene, name: str) -> InletSource:
+def _source(scene: Scene, name: str, held: bool) -> InletSource:
     source, syringe = scene.inputs[name], None
     if isinstance(source, SyringeInput):
         fluid = scene.fluid
@@ -161,7 +169,14 @@ def _source(scene: Scene, name: str) -> InletSource:
         # Beside a gas it is the same gas, and part of the full volume.
         cushion = 0.0 if fluid.is_gas else source.cushion
         syringe = SyringeParameters(source.full_volume, modulus, exponent, cushion)
+    if held:
+        return InletSource(_held, 1, syringe)
     return InletSource(partial(_value, type(source)), source.coefficients, syringe)
+
+
+def _held(_: ca.SX, piece: ca.SX) -> ca.SX:
+    """Value of an inlet that is held."""
+    return piece[0]
 
 
 def _value(kind: type[Input], time: ca.SX, piece: ca.SX) -> ca.SX:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -77,6 +78,17 @@ def test_slopes_by_keys_are_those_of_differences() -> None:
         assert slopes[:, k] == pytest.approx(wanted, abs=1e-5 * largest)
 
 
+def test_metrics_follow_the_period_of_the_input() -> None:
+    wave = "input={kind: sine, amplitude: 20 kPa, frequency: 1.1}"
+    scene = leg("run={duration: 2 s, output_interval: 20 ms}", wave)
+    loop = compile(scene, ["input.frequency"], ["loop_area_m2", "column_lag_s"], tolerance=1e-8)
+    slopes, value = loop.jacobian(), loop.values
+    for name in loop.outputs:
+        near, far = (loop(value + n * 1e-4)[name] - loop(value - n * 1e-4)[name] for n in (1, 2))
+        assert slopes[name] == pytest.approx([(8 * near - far) / 12e-4], rel=1e-4)
+        assert loop.vjp(None, {name: 1.0}) == pytest.approx(slopes[name], rel=1e-8)
+
+
 def test_equilibria_have_derivatives() -> None:
     still = compile(leg(config="steady_left_auto"), ["actuator.youngs_modulus"], TIP)
     slopes, value = still.jacobian(), still.values
@@ -113,6 +125,35 @@ def test_threads_and_copies_give_the_same_bits(function: CompiledFunction) -> No
     for thread in threads:
         thread.join()
     assert all(np.array_equal(found[k], own) for k, own in enumerate(wanted))
+
+
+def test_a_control_loop_goes_the_way_of_a_table(tmp_path: Path) -> None:
+    pressures = [10e3 + 2e3 * k for k in range(10)]
+    rows = [(0.05 * (k + late), p) for k, p in enumerate(pressures) for late in (0, 1)]
+    table = tmp_path / "steps.csv"
+    table.write_text("time_s,pressure_pa\n" + "".join(f"{t},{p}\n" for t, p in rows))
+    run = "run={duration: 0.5 s, output_interval: 50 ms}"
+    steps = leg(run, f"input={{kind: table, file: {table}}}", "accuracy=0.01 %")
+    wanted = simulate(steps, verify=False).tip
+    loop = compile(steps, ["network.tube_radius"], TIP)
+    state = loop.begin(inlets=pressures[0])
+    assert state.outputs["tip_z_m"] == pytest.approx(wanted[0, 1], abs=1e-9)
+    for k, pressure in enumerate(pressures):
+        state = loop.step(state, 0.05, pressure)
+        assert state.time == pytest.approx(0.05 * (k + 1))
+        assert state.outputs["tip_x_m"] == pytest.approx(wanted[k + 1, 0], abs=1e-5 * 0.109)
+        assert state.outputs["inlet_pressure_pa"] == pytest.approx(pressure)
+    with pytest.raises(SpecError, match=r"did you mean 'inlet'"):
+        loop.step(state, 0.05, {"inlett": 1e3})
+    with pytest.raises(SpecError, match="dt: must be a positive number"):
+        loop.step(state, 0.0, 1e3)
+
+
+def test_a_section_pressed_to_nothing_ends_a_run() -> None:
+    scene = leg(SHORT, "input={kind: constant, value: 0 kPa}")
+    pressed = compile(scene, ["input.value"], TIP)
+    with pytest.raises(SolveError, match="section"):
+        pressed([-400e3])
 
 
 def test_effects_are_weighed_again() -> None:
