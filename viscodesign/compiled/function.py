@@ -197,11 +197,8 @@ class CompiledFunction:
             solved.solution.columns, solved.period, weights
         )
         bars = self._motion.pull_back(solved.solution, solved.numbers, columns)
-        slopes = self._numbers.jacobian_at(solved.values)
-        parts = [
-            np.tensordot(bar, slope, axes=bar.ndim) for bar, slope in zip(bars, slopes, strict=True)
-        ]
-        return np.asarray(sum(parts) + period_weight * self._period_slopes(solved))
+        slopes = self._numbers.pull_back(solved.values, bars)
+        return slopes + period_weight * self._period_slopes(solved)
 
     def batch(self, rows: np.ndarray | Sequence[Values], workers: int = 1) -> Batch:
         """Outputs of many rows of values, in so many threads.

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
-import casadi as ca
 import numpy as np
 
+from viscodesign.compiled.branch import Branch
+from viscodesign.compiled.branch import ProblemNumbers as ProblemNumbers
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.problem_trace import FrozenParts, ProblemTrace, traced
 from viscodesign.effects.catalogue import catalogue
@@ -18,48 +18,8 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.storage.lru_cache import ONE_AT_A_TIME
 
-SX = ca.SX
-
 MAX_BRANCHES = 16
 """Formulas that are kept for values on several sides of a decision."""
-
-
-class ProblemNumbers(NamedTuple):
-    """All numbers of a problem that follow from the free ones."""
-
-    parameters: np.ndarray
-    """(p,), as `Equations.parameter_values`."""
-    pieces: np.ndarray
-    """(m, c): coefficients of the inlets in every stretch between two stops."""
-    initial_piece: np.ndarray
-    """(c,): those just before t = 0."""
-    stops: np.ndarray
-    """(m + 1,): 0, every corner of an input, and the end of the run [s]."""
-
-
-class Branch:
-    """Numbers of a problem as CasADi functions of the free ones, valid near some values.
-
-    ``function``: values (f,) -> (parameters (p,), pieces (m, c), initial_piece (c,),
-    stops (m + 1,)), all dense. ``derivatives``: values (f,) -> the Jacobian of each, sparse:
-    (p, f), (m c, f), (c, f), (m + 1, f), the pieces in column-major order, CasADi's.
-    """
-
-    def __init__(self, trace: ProblemTrace) -> None:
-        self.parameter_names = trace.parameter_names
-        self.structure = trace.structure
-        symbols, names = trace.symbols, [*ProblemNumbers._fields]
-        results = [trace.parameters, trace.pieces, trace.initial_piece, trace.stops]
-        slopes = [ca.jacobian(ca.vec(result), symbols) for result in results]
-        self.function = ca.Function("scene_numbers", [symbols], results, ["values"], names)
-        self.derivatives = ca.Function("derivatives", [symbols], slopes, ["values"], names)
-        self.is_used = ca.which_depends(ca.veccat(*results), symbols, 1, False)
-        """(f,) Whether anything depends on each of the free numbers."""
-        self._margins = ca.Function("margins", [symbols], [trace.tape.margins()])
-
-    def holds(self, values: np.ndarray) -> bool:
-        """Whether these are the formulas for values (f,)."""
-        return bool(np.all(np.asarray(self._margins(values)) >= 0.0))
 
 
 class SceneNumbers:
@@ -75,8 +35,9 @@ class SceneNumbers:
     an input. Where one passes another, the start or the end of the run, or where anything else is
     decided otherwise, other formulas hold: they are made when they are first asked for, which takes
     about as long as the first ones did, and the count of stretches may then be another. At a value
-    where two formulas meet, the derivatives are those of one side. ``branch`` has the formulas near
-    the scene's own numbers as CasADi functions.
+    where two formulas meet, the derivatives are those of one side. `push_forward` and `pull_back`
+    multiply by the derivatives, which are sparse; ``branch.function`` has the formulas near the
+    scene's own numbers as a CasADi function.
 
     Safe in threads. Raises `SpecError` for keys that cannot be free: see `FreeKeys`; where nothing
     in the equations depends on a number; or where its value stands in a formula as a constant.
@@ -120,18 +81,24 @@ class SceneNumbers:
 
     def at(self, values: Sequence[float] | np.ndarray) -> ProblemNumbers:
         """The numbers of the problem at values (f,) that `check` accepts."""
-        found = self._branch(np.asarray(values, dtype=float)).function(values)
-        parameters, pieces, initial, stops = (np.array(part.full()) for part in found)
-        return ProblemNumbers(parameters.ravel(), pieces, initial.ravel(), stops.ravel())
+        return self._numbers(np.asarray(values, dtype=float))[1]
 
     def jacobian_at(self, values: Sequence[float] | np.ndarray) -> ProblemNumbers:
         """Their derivatives, each with one more axis of length f."""
-        branch = self._branch(np.asarray(values, dtype=float))
-        parameters, pieces, initial, stops = (
-            np.array(part.full()) for part in branch.derivatives(values)
-        )
-        shape = (*branch.function.size_out(1), len(self.values))
-        return ProblemNumbers(parameters, pieces.reshape(shape, order="F"), initial, stops)
+        given = np.asarray(values, dtype=float)
+        return self._branch(given).slopes(given).dense()
+
+    def push_forward(
+        self, values: Sequence[float] | np.ndarray, dots: np.ndarray
+    ) -> ProblemNumbers:
+        """Rates of the numbers where the values change at rates ``dots`` (f,)."""
+        given = np.asarray(values, dtype=float)
+        return self._branch(given).slopes(given).push_forward(dots)
+
+    def pull_back(self, values: Sequence[float] | np.ndarray, bars: ProblemNumbers) -> np.ndarray:
+        """Gradient (f,) of the sum of ``bars`` times the numbers."""
+        given = np.asarray(values, dtype=float)
+        return self._branch(given).slopes(given).pull_back(bars)
 
     def scene(self, values: Sequence[float] | np.ndarray) -> Scene:
         """The scene with these values, validated like a loaded one."""
@@ -147,9 +114,14 @@ class SceneNumbers:
 
     def _branch(self, values: np.ndarray) -> Branch:
         """The formulas that hold at values (f,)."""
+        return self._numbers(values)[0]
+
+    def _numbers(self, values: np.ndarray) -> tuple[Branch, ProblemNumbers]:
+        """The formulas that hold at values (f,), and the numbers by them."""
         for branch in self._branches:
-            if branch.holds(values):
-                return branch
+            numbers = branch.at(values)
+            if numbers is not None:
+                return branch, numbers
         found = self._branch_at(values)
         if found.structure != self.branch.structure:
             raise SpecError.plain(
@@ -158,7 +130,9 @@ class SceneNumbers:
             )
         # Replaced as a whole: another thread sees either of the two.
         self._branches = (self.branch, found, *self._branches[1:][: MAX_BRANCHES - 2])
-        return found
+        numbers = found.at(values)
+        assert numbers is not None, "formulas hold where they were traced"
+        return found, numbers
 
     def _branch_at(self, values: np.ndarray) -> Branch:
         with ONE_AT_A_TIME:

@@ -16,7 +16,7 @@ import pytest
 from tests.free_numbers import Case, assert_equal, of_build, valid_values
 from tests.scenes import CONFIGS, leg
 from viscodesign import load
-from viscodesign.compiled.scene_numbers import SceneNumbers
+from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
 from viscodesign.effects.base import Effect
 from viscodesign.errors import SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -231,6 +231,21 @@ def test_the_exponent_of_a_gas_is_a_constant_of_its_law() -> None:
     here = small("fluid={name: air, polytropic_exponent: 1.2}", "effects.gas_compressibility=on")
     with pytest.raises(SpecError, match="holds its value as a constant"):
         here.numbers("fluid.polytropic_exponent")
+
+
+def test_products_with_the_derivatives_are_those_with_dense_ones() -> None:
+    numbers = small(f"input={INPUTS['table']}").numbers("input.rows[*].time", "actuator.length")
+    dense, at = numbers.jacobian_at(numbers.values), numbers.at(numbers.values)
+    random = np.random.default_rng(2)
+    dots = random.normal(size=len(numbers.values))
+    for rate, slopes in zip(numbers.push_forward(numbers.values, dots), dense, strict=True):
+        np.testing.assert_allclose(rate, slopes @ dots, rtol=1e-12, atol=1e-300)
+    bars = ProblemNumbers(*(random.normal(size=part.shape) for part in at))
+    wanted = sum(np.tensordot(b, s, b.ndim) for b, s in zip(bars, dense, strict=True))
+    np.testing.assert_allclose(numbers.pull_back(numbers.values, bars), wanted, rtol=1e-12)
+    flat = numbers.branch.function(numbers.values)
+    for part, whole in zip(at, flat, strict=True):
+        np.testing.assert_array_equal(part, np.array(whole).reshape(part.shape))
 
 
 def test_threads_may_share_it() -> None:

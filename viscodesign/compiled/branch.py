@@ -1,0 +1,112 @@
+"""The numbers of a problem as compiled formulas, and their sparse derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.compiled.problem_trace import ProblemTrace
+
+SX = ca.SX
+
+
+class ProblemNumbers(NamedTuple):
+    """All numbers of a problem that follow from the free ones."""
+
+    parameters: np.ndarray
+    """(p,), as `Equations.parameter_values`."""
+    pieces: np.ndarray
+    """(m, c): coefficients of the inlets in every stretch between two stops."""
+    initial_piece: np.ndarray
+    """(c,): those just before t = 0."""
+    stops: np.ndarray
+    """(m + 1,): 0, every corner of an input, and the end of the run [s]."""
+
+    def flat(self) -> np.ndarray:
+        """All of them in a row (n,)."""
+        return np.concatenate([part.ravel() for part in self])
+
+
+Shapes = tuple[tuple[int, ...], ...]
+
+
+def unflattened(flat: np.ndarray, shapes: Shapes) -> ProblemNumbers:
+    """Numbers from a row of them (n, ...), with the axes that follow."""
+    ends = np.cumsum([int(np.prod(shape)) for shape in shapes])
+    parts = np.split(flat, ends[:-1])
+    rest = flat.shape[1:]
+    return ProblemNumbers(*(p.reshape(*s, *rest) for p, s in zip(parts, shapes, strict=True)))
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """Derivatives of all numbers by the free ones at some values: entries, rows and columns."""
+
+    entries: np.ndarray
+    rows: np.ndarray
+    columns: np.ndarray
+    shapes: Shapes
+    count: int
+    """Of the free numbers."""
+
+    def push_forward(self, dots: np.ndarray) -> ProblemNumbers:
+        """Rates of the numbers where the free ones change at rates (f,)."""
+        size = sum(int(np.prod(shape)) for shape in self.shapes)
+        rates = np.bincount(self.rows, self.entries * np.asarray(dots)[self.columns], size)
+        return unflattened(rates, self.shapes)
+
+    def pull_back(self, bars: ProblemNumbers) -> np.ndarray:
+        """Gradient (f,) of the sum of ``bars`` times the numbers."""
+        weights = self.entries * bars.flat()[self.rows]
+        return np.bincount(self.columns, weights, self.count)
+
+    def dense(self) -> ProblemNumbers:
+        """The derivatives of each number, with one more axis of length f."""
+        size = sum(int(np.prod(shape)) for shape in self.shapes)
+        found = np.zeros((size, self.count))
+        found[self.rows, self.columns] = self.entries
+        return unflattened(found, self.shapes)
+
+
+class Branch:
+    """Numbers of a problem as functions of the free ones, valid near some values.
+
+    ``function`` is a CasADi function: values (f,) -> (parameters (p,), pieces (m, c),
+    initial_piece (c,), stops (m + 1,)), all dense.
+    """
+
+    def __init__(self, trace: ProblemTrace) -> None:
+        self.parameter_names = trace.parameter_names
+        self.structure = trace.structure
+        symbols, names = trace.symbols, [*ProblemNumbers._fields]
+        results = [trace.parameters, trace.pieces, trace.initial_piece, trace.stops]
+        self.function = ca.Function("scene_numbers", [symbols], results, ["values"], names)
+        self._shapes = tuple(
+            p.shape if k == "pieces" else p.shape[:1] for k, p in zip(names, results, strict=True)
+        )
+        # In rows, as numpy has them.
+        flat = ca.densify(ca.vertcat(*(ca.vec(part.T) for part in results)))
+        slopes = ca.jacobian(flat, symbols)
+        rows, columns = slopes.sparsity().get_triplet()
+        self._rows, self._columns = np.array(rows, dtype=int), np.array(columns, dtype=int)
+        margins = trace.tape.margins()
+        self._conditions = margins.numel()
+        self._all = ca.Function("all", [symbols], [ca.vertcat(margins, flat)])
+        self._slopes = ca.Function("slopes", [symbols], [ca.densify(slopes.nz[:])])
+        self.is_used = np.bincount(self._columns, minlength=symbols.numel()) > 0
+        """(f,) Whether anything depends on each of the free numbers."""
+
+    def at(self, values: np.ndarray) -> ProblemNumbers | None:
+        """The numbers at values (f,); None where other formulas hold."""
+        found = self._all(values).full().ravel()
+        if not np.all(found[: self._conditions] >= 0.0):
+            return None
+        return unflattened(found[self._conditions :], self._shapes)
+
+    def slopes(self, values: np.ndarray) -> Slopes:
+        """Their derivatives."""
+        entries = self._slopes(values).full().ravel()
+        return Slopes(entries, self._rows, self._columns, self._shapes, len(values))
