@@ -42,7 +42,7 @@ def unflattened(flat: np.ndarray, shapes: Shapes) -> ProblemNumbers:
 
 
 @dataclass(frozen=True)
-class Slopes:
+class NumberSlopes:
     """Derivatives of all numbers by the free ones at some values: entries, rows and columns."""
 
     entries: np.ndarray
@@ -106,7 +106,7 @@ class Branch:
             return None
         return unflattened(found[self._conditions :], self._shapes)
 
-    def slopes(self, values: np.ndarray) -> Slopes:
+    def slopes(self, values: np.ndarray) -> NumberSlopes:
         """Their derivatives."""
         entries = self._slopes(values).full().ravel()
-        return Slopes(entries, self._rows, self._columns, self._shapes, len(values))
+        return NumberSlopes(entries, self._rows, self._columns, self._shapes, len(values))
