@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -18,8 +19,8 @@ def first_order(
 ) -> np.ndarray:
     """y' = rate y + drive at every sample (T, M).
 
-    ``rate`` (M,) may be complex [1/s]; ``time`` (T,) ascending, equal times are a jump;
-    ``drive`` (T, M); ``start`` (M,). Exact for a drive that is linear between samples.
+    ``rate`` (M,) may be complex [1/s], or one for all (1,); ``time`` (T,) ascending, equal times
+    are a jump; ``drive`` (T, M); ``start`` (M,). Exact for a drive that is linear between samples.
     """
     step = np.diff(time)[:, None]
     z = rate[None, :] * step
@@ -30,7 +31,8 @@ def first_order(
     if small.any():
         level[small], ramp[small] = _series(z[small], 1), _series(z[small], 2)
     gain = level * step * drive[:-1] + ramp * step * np.diff(drive, axis=0)
-    return _doubling(growth, gain, start) if len(rate) <= FEW else _in_parts(growth, gain, start)
+    joined = _doubling if gain.shape[1] <= FEW else _in_parts
+    return joined(growth, gain, start)
 
 
 def _in_parts(growth: np.ndarray, gain: np.ndarray, start: np.ndarray) -> np.ndarray:
@@ -42,9 +44,7 @@ def _in_parts(growth: np.ndarray, gain: np.ndarray, start: np.ndarray) -> np.nda
     length = math.isqrt(count) + 1
     parts = -(-count // length)
     kind = np.result_type(growth, gain, start)
-    grown, gained = np.zeros((2, parts * length, width), dtype=kind)
-    grown[:count], gained[:count] = growth, gain
-    grown, gained = (values.reshape(parts, length, width) for values in (grown, gained))
+    grown, gained = (_filled(values, parts, length, kind) for values in (growth, gain))
     for k in range(1, length):
         gained[:, k] += grown[:, k] * gained[:, k - 1]
         grown[:, k] *= grown[:, k - 1]
@@ -54,6 +54,13 @@ def _in_parts(growth: np.ndarray, gain: np.ndarray, start: np.ndarray) -> np.nda
         begins[k] = grown[k - 1, -1] * begins[k - 1] + gained[k - 1, -1]
     found = gained + grown * begins
     return np.concatenate([begins[0], found.reshape(-1, width)[:count]])
+
+
+def _filled(values: np.ndarray, parts: int, length: int, kind: np.dtype[Any]) -> np.ndarray:
+    """Values (T, M) in parts (parts, length, M), the last of them filled up with zeros."""
+    found = np.zeros((parts * length, values.shape[1]), dtype=kind)
+    found[: len(values)] = values
+    return found.reshape(parts, length, -1)
 
 
 def _series(z: np.ndarray, order: int) -> np.ndarray:
@@ -80,7 +87,7 @@ def second_order(
 ) -> np.ndarray:
     """delay y'' + y' + rate y = drive at every sample (T, M), real.
 
-    ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s]; it starts at rest under the first drive
+    ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s], or one for all (1,); it starts at rest under the first drive
     where ``steady``, else at zero. A rate of zero stays at zero.
     """
     square = 1 - 4 * delay * rate

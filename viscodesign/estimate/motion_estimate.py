@@ -127,10 +127,9 @@ class MotionEstimate:
         static = (path - rest).reshape(len(path), -1)
         # y'' / rate^2 + damping y' + y = static, divided by the damping time.
         damping = max(self.damping_time, 1e-9 / rate)
-        ones = np.ones(static.shape[1])
         followed = second_order(
-            ones / (rate**2 * damping),
-            ones / damping,
+            np.array([1 / (rate**2 * damping)]),
+            np.array([1 / damping]),
             setting.time,
             static / damping,
             setting.starts_steady,
@@ -142,8 +141,8 @@ class MotionEstimate:
         setting, time = self.setting, self.damping_time
         static = path - setting.straight[-1]
         start = static[0] if setting.starts_steady else 0 * static[0]
-        rates = np.full(static.shape[1], -1 / time)
-        return np.asarray(first_order(rates, setting.time, static / time, start) - static)
+        rate = np.array([-1 / time])
+        return np.asarray(first_order(rate, setting.time, static / time, start) - static)
 
     def bending_rate(self) -> float:
         """Angular frequency of the first bending mode [1/s]."""
