@@ -87,8 +87,8 @@ def second_order(
 ) -> np.ndarray:
     """delay y'' + y' + rate y = drive at every sample (T, M), real.
 
-    ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s], or one for all (1,); it starts at rest under the first drive
-    where ``steady``, else at zero. A rate of zero stays at zero.
+    ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s], or one for all (1,); it starts at rest under the
+    first drive where ``steady``, else at zero. A rate of zero stays at zero.
     """
     square = 1 - 4 * delay * rate
     root = np.sqrt(square) if np.all(square > 0.0) else np.sqrt(square + 0j)

@@ -14,7 +14,7 @@ import math
 from collections.abc import Hashable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
-from functools import cached_property
+from functools import cache, cached_property
 from numbers import Number
 from types import FunctionType, MappingProxyType, MethodType
 from typing import Any
@@ -39,7 +39,7 @@ def structure_of(system: object) -> Hashable:
 def without_numbers(thing: Any) -> Any:
     """A copy in which scene numbers are NaN; objects without any are not copied."""
     if is_dataclass(thing) and not isinstance(thing, type):
-        numbers = _number_fields(thing)
+        numbers = _number_fields(thing.__class__)
         held = {f.name: getattr(thing, f.name) for f in fields(thing) if f.init}
         changes = {n: _blank(v) if n in numbers else without_numbers(v) for n, v in held.items()}
         same = all(changes[name] is held[name] for name in held)
@@ -108,7 +108,8 @@ class _Walk:
 
     def _state(self, value: Any) -> Hashable:
         """By the way in which an object is copied, which is all that there is to it."""
-        for name in _derived(type(value)):
+        kind: Any = type(value)
+        for name in _derived(kind):
             getattr(value, name)  # or the key would depend on what had been computed before
         try:
             made = value.__reduce_ex__(4)
@@ -118,15 +119,15 @@ class _Walk:
             return type(value), ModuleName(value.__module__), made
         make, given, state, *items = (*made, None, None, None)[:5]
         if make is copyreg.__newobj__ and isinstance(state, dict):  # type: ignore[attr-defined]
-            state = self._attributes(value, state)
+            state = self._attributes(kind, state)
         else:
             state = self.key_of(state)
         listed = [tuple(part) if part is not None else None for part in items]
         return type(value), self.key_of(make), self.key_of((given, *listed)), state
 
-    def _attributes(self, value: object, state: Mapping[str, Any]) -> Hashable:
-        """Those of a plain object, of which scene numbers do not count."""
-        numbers = _number_fields(value)
+    def _attributes(self, kind: Any, state: Mapping[str, Any]) -> Hashable:
+        """Those of a plain object of a class, of which scene numbers do not count."""
+        numbers = _number_fields(kind)
         return tuple(
             (name, self.key_of(own) if name not in numbers else numbers[name] and _counts(own))
             for name, own in sorted(state.items())
@@ -146,21 +147,25 @@ def _closure(function: FunctionType) -> tuple[Any, ...]:
 
 
 def _pattern(value: SX) -> Hashable:
+    if value.is_scalar(True):
+        return (1, 1)
     if value.is_dense():
         return value.shape
     pattern = value.sparsity()
     return value.shape, tuple(pattern.row()), tuple(pattern.colind())
 
 
-def _number_fields(value: object) -> dict[str, bool]:
+@cache
+def _number_fields(kind: type) -> dict[str, bool]:
     """Names of a dataclass' fields of scene numbers, and whether being absent or zero counts."""
-    if not is_dataclass(value):
+    if not is_dataclass(kind):
         return {}
-    kinds = {f.name: f.metadata for f in fields(value)}
+    kinds = {f.name: f.metadata for f in fields(kind)}
     marked = (SCENE_NUMBER, PARAMETER_VALUE)
     return {name: kind == SCENE_NUMBER for name, kind in kinds.items() if kind in marked}
 
 
+@cache
 def _derived(kind: type) -> list[str]:
     """Names of the cached properties of a class."""
     named = {name: value for base in reversed(kind.__mro__) for name, value in vars(base).items()}
