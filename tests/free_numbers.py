@@ -121,3 +121,18 @@ def assert_equal(found: dict[str, np.ndarray], wanted: dict[str, np.ndarray], re
         size = np.max(np.abs(array), initial=1e-300)
         assert found[name].shape == array.shape, name
         np.testing.assert_allclose(found[name], array, rtol=rel, atol=1e-16 * size, err_msg=name)
+
+
+def assert_slopes(here: Case, numbers: SceneNumbers, values: np.ndarray, rel: float) -> None:
+    """Derivatives against central differences of rebuilt numbers along random directions, each of
+    which has every number in it.
+    """
+    dense, at = numbers.jacobian_at(values), of_build(numbers, numbers.at(values))
+    random = np.random.default_rng(3)
+    for _ in range(3):
+        step = 1e-5 * values * random.uniform(-1.0, 1.0, len(values))
+        ends = [here.rebuilt(numbers.keys.placed(values + side * step)) for side in (1, -1)]
+        for name, slopes in of_build(numbers, dense).items():
+            wanted = (ends[0][name] - ends[1][name]) / 2
+            allowed = rel * np.abs(wanted) + 1e-13 * np.abs(at[name])
+            assert np.all(np.abs(slopes @ step - wanted) <= allowed), name

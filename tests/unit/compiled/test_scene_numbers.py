@@ -13,9 +13,10 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from tests.free_numbers import Case, assert_equal, of_build, valid_values
+from tests.free_numbers import SHARED, Case, assert_equal, assert_slopes, of_build, valid_values
 from tests.scenes import CONFIGS, leg
 from viscodesign import load
+from viscodesign.compiled.free_keys import candidates
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
 from viscodesign.effects.base import Effect
 from viscodesign.errors import SpecError
@@ -51,16 +52,7 @@ def test_derivatives_of_every_config_are_central_differences(config: Path) -> No
     here = case(config)
     numbers = here.numbers(*here.usable)
     values = valid_values(numbers, 0.02)
-    found = of_build(numbers, numbers.jacobian_at(values))
-    at = of_build(numbers, numbers.at(values))
-    random = np.random.default_rng(3)
-    for _ in range(3):  # along random directions, each of which has every number in it
-        step = 1e-5 * values * random.uniform(-1.0, 1.0, len(values))
-        ends = [here.rebuilt(numbers.keys.placed(values + side * step)) for side in (1, -1)]
-        for name, slopes in found.items():
-            wanted = (ends[0][name] - ends[1][name]) / 2
-            allowed = 1e-6 * np.abs(wanted) + 1e-13 * np.abs(at[name])
-            assert np.all(np.abs(slopes @ step - wanted) <= allowed), name
+    assert_slopes(here, numbers, values, 1e-6)
 
 
 def test_numbers_are_those_of_a_problem_that_is_built() -> None:
@@ -79,6 +71,28 @@ def test_numbers_are_those_of_a_problem_that_is_built() -> None:
     np.testing.assert_allclose(found.pieces, schedule.pieces[firsts], rtol=1e-12)
     np.testing.assert_allclose(found.initial_piece, schedule.initial_piece, rtol=1e-12)
     assert np.all(np.isin(found.stops, schedule.edges))
+
+
+ALL = (
+    "loads.gravity={tilt: 30 deg}",
+    "loads.tip_force={x: 0.1 N, z: 0.2 N}",
+    "loads.payload=5 g",
+    "network.tube_wall={youngs_modulus: 1 MPa, thickness: 0.3 mm, poissons_ratio: 0.4}",
+    "network.feed_line={length: 1 m, radius: 1 mm}",
+    "effects={others: on}",
+)
+USELESS = {"temperature", "fluid.gas_constant"}
+"""What no equation of a gas with given properties depends on."""
+
+
+def test_with_all_effects_every_key_can_be_free() -> None:
+    here = Case.of(leg(*ALL, config="leg_4_air"))
+    left = set(candidates(here.scene)) - set(here.usable) - set(SHARED)
+    assert left == USELESS
+    numbers = here.numbers(*here.usable)
+    values = valid_values(numbers, 0.03)
+    assert_equal(of_build(numbers, numbers.at(values)), here.rebuilt(numbers.scene(values)), 1e-12)
+    assert_slopes(here, numbers, values, 1e-6)
 
 
 INPUTS = {
@@ -225,6 +239,20 @@ def test_numbers_that_formulas_hold_as_constants_are_refused(key: str, place: st
     with pytest.raises(SpecError) as refused:
         here.numbers("network.tube_radius", key)
     assert all(fault.key == key for fault in refused.value.faults)
+
+
+SNAPPING = (
+    "bellows.curve={rows: [[-20 kPa, -5e-5, -0.1, -0.3 mm], [0, 0, 0, 0], [30 kPa, 2e-4, 0.3, 2 mm], "
+    "[25 kPa, 4e-4, 0.5, 3 mm], [60 kPa, 6e-4, 0.7, 4 mm]]}"
+)
+
+
+@pytest.mark.parametrize("key", ["gauge_pressure", "bellows.length", "actuator.length"])
+def test_numbers_that_decide_where_a_bellow_snaps_are_refused(key: str) -> None:
+    here = small(SNAPPING, "effects={material_curve: on, pressure_distribution: on, others: off}")
+    with pytest.raises(SpecError, match=f"{key}: cannot be free: .*holds its value as a constant"):
+        here.numbers(key)
+    here.numbers("actuator.youngs_modulus", "input.drop")
 
 
 def test_the_exponent_of_a_gas_is_a_constant_of_its_law() -> None:
