@@ -10,12 +10,24 @@ that succeeded takes over.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.results.findings import RetryAttempt
 from viscodesign.solve.branch_jumps import end_of_branch, has_branches, solve_on_branch
+from viscodesign.solve.problem import evaluate_at, section_stretch
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
+
+MAX_STEPS_TO_RECOVER = 5_000
+"""Steps of another solver over one interval between two outputs: what is stuck is not slow, and a
+section that is pressed to nothing takes ever smaller steps."""
+
+
+VANISHING_STRETCH = 0.01
+"""Stretch of a section below which no solver goes on: the linear law presses it to nothing."""
 
 
 class Fallbacks:
@@ -42,27 +54,45 @@ class Fallbacks:
         reason = failure.short
         if self._others and has_branches(self.solver.problem) and failure.quantity == "motion":
             failure = end_of_branch(self.solver, here, edge, work) or failure
-        if not self._others or failure.quantity == "equilibrium":
+        gone = failure.quantity == "equilibrium" or self._vanishes(here, edge)
+        if gone or not self._others:
             return self.solver.nothing(), failure  # no solver finds what does not exist
-        for tried, solver in self._remedies():
+        for tried, solver in self._remedies(work):
             columns, again = solve_on_branch(solver, here, edge, edge + 1, work)
             self.attempts.append(RetryAttempt(time, tried, again is None, reason))
             if again is None:
                 if self._has_failed:
-                    self.solver = solver
+                    self.solver = self._unlimited(solver)
                 self._has_failed = True
                 return columns, None
             if again.quantity == "equilibrium":
                 return self.solver.nothing(), again
             reason = again.short
-            failure = again if failure.quantity == "motion" else failure
+            is_motion = failure.quantity == "motion" and again.quantity != "work"
+            failure = again if is_motion else failure
         return self.solver.nothing(), failure
 
-    def _remedies(self) -> Iterator[tuple[str, Solver]]:
+    def _vanishes(self, here: Start, edge: int) -> bool:
+        """Whether a section has hardly any length left."""
+        problem = self.solver.problem
+        time, piece = problem.schedule.edges[edge], problem.schedule.pieces[max(edge - 1, 0)]
+        values = evaluate_at(problem, here.states, here.algebraics, float(time), piece)
+        return bool(np.min(section_stretch(problem, values)) < VANISHING_STRETCH)
+
+    def _remedies(self, work: Work) -> Iterator[tuple[str, Solver]]:
         solver = self.solver
         yield from solver.remedies()
+        allowed = min(solver.problem.max_steps, work.steps + MAX_STEPS_TO_RECOVER)
+        problem = replace(solver.problem, max_steps=allowed)
         for kind in self._others:
-            suits = kind.takes(solver.problem) and kind.fits(solver.problem)
+            suits = kind.takes(problem) and kind.fits(problem)
             if suits and kind is not type(solver):
                 tried = f"{kind.title.partition(':')[0]} instead"
-                yield tried, kind(solver.problem, solver.tolerance)
+                yield tried, kind(problem, solver.tolerance)
+
+    def _unlimited(self, solver: Solver) -> Solver:
+        """A solver that recovered the run, allowed all the steps that remain."""
+        whole = self.solver.problem
+        if solver.problem.max_steps == whole.max_steps:
+            return solver
+        return type(solver)(whole, solver.tolerance)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from viscodesign.model.equations import Equations
 from viscodesign.model.rod import Body, RodDiscretisation
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.modal_system import ModalSystem, modal_system
@@ -274,6 +275,14 @@ def evaluate_at(
     output = problem.equations.output_function
     found = evaluate(output, states, algebraics, *problem.tail(time, piece))
     return {n: np.array(v).reshape(1, -1) for n, v in zip(output.name_out(), found, strict=True)}
+
+
+def section_stretch(problem: Problem, values: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Smallest stretch of every section (n, S) by named outputs at n edges."""
+    if problem.equations.rod_form is RodForm.ARCS:
+        return np.asarray(1 + values["intrinsic_stretch"])
+    stretch, _ = problem.rod.section_strains(values)
+    return stretch
 
 
 def evaluate(function: ca.Function, *arguments: float | np.ndarray) -> list[ca.DM]:
