@@ -9,16 +9,15 @@ import numpy as np
 
 from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.model import formulas as of
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.outputs import Outputs
 from viscodesign.postprocess.terminations import first_termination
 from viscodesign.solve.problem import Problem
 
 SX = ca.SX
-LOOKED_AT = (
-    *("pressure", "volume", "position", "angle", "stretch"),
-    *("intrinsic_curvature", "intrinsic_stretch"),
-)
-"""Outputs in which a run can be seen to have lost its meaning."""
+OF_CHAIN = ("position", "angle", "stretch")
+OF_ARCS = ("intrinsic_curvature", "intrinsic_stretch")
+"""Outputs in which a rod can be seen to have lost its meaning."""
 
 
 class Endings:
@@ -34,7 +33,9 @@ class Endings:
         output = equations.output_function
         values = output.call([x, z, time, piece, SX(1), sealed, parameters])
         named = dict(zip(output.name_out(), values, strict=True))
-        own = {name: named[name] for name in LOOKED_AT if name in named}
+        looked_at = ["pressure"] if problem.floor_volume is None else ["pressure", "volume"]
+        looked_at += OF_ARCS if equations.rod_form is RodForm.ARCS else OF_CHAIN
+        own = {name: named[name] for name in looked_at}
         self._sizes = {name: int(value.numel()) for name, value in own.items()}
         given = [x, z, time, piece, parameters]
         self._function = RowFunction(given, ca.vertcat(*own.values()), shared=1)
@@ -43,7 +44,8 @@ class Endings:
         """Raise `SolveError` where the motion ends; ``rows``: see `Reading`."""
         found = np.split(self._function(*rows), np.cumsum([*self._sizes.values()])[:-1], axis=1)
         values = dict(zip(self._sizes, found, strict=True))
-        values |= {name: values[name][:, problem.places] for name in ("pressure", "volume")}
+        of_bellows = values.keys() & {"pressure", "volume"}
+        values |= {name: values[name][:, problem.places] for name in of_bellows}
         outputs = Outputs(problem, 0, 0, len(times), times, values)
         stretch, _ = outputs.section_strains()
         _, failure = first_termination(problem, times, values, stretch, None)

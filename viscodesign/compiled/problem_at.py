@@ -25,7 +25,10 @@ def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> 
         initial_piece=numbers.initial_piece,
     )
     equations = problem.equations.shared.with_numbers(numbers.parameters)
-    return replace(problem, equations=equations, schedule=schedule)
+    floor = problem.floor_volume
+    if floor is not None:
+        floor *= equations.rest_amounts[0] / problem.equations.rest_amounts[0]
+    return replace(problem, equations=equations, schedule=schedule, floor_volume=floor)
 
 
 def stretch_of(times: np.ndarray, numbers: ProblemNumbers) -> np.ndarray:
