@@ -14,7 +14,7 @@ from viscodesign.errors import ViscodesignError
 
 INTERNAL_ERROR = 1
 INTERRUPTED = 130
-COLLECTED_AFTER = 200_000
+COLLECTED_AFTER = 500_000
 """Objects after which Python looks for cycles: what imports and a spec make stays anyway, and
 looking through it again and again takes a tenth of a short command."""
 
