@@ -138,9 +138,11 @@ class NetworkEquations:
         kept = (held - self.content.departures()) / size
         # In the order of the unknowns: each row has its own on the diagonal.
         count = len(self.system.pressure)
-        alg = [kept[:count], self._swelling_residuals(), kept[count:]]
-        drops = flows.drop_residuals(flows.implicit)
-        return ode, [*alg, *flows.junction_balances(rates), *drops]
+        others = flows.junction_residuals(rates)
+        others |= dict(zip(self.storing, ca.vertsplit(kept[count:]), strict=True))
+        nodes = [others[n] for n in (*self.system.junction_pressure, *self.system.syringes)]
+        drops = flows.drop_residuals(flows.independent(flows.implicit))
+        return ode, [kept[:count], self._swelling_residuals(), *nodes, *drops]
 
     def _swelling_residuals(self) -> SX:
         """Pressure of a bellow's swelling minus its own, over the size of pressure."""
@@ -162,8 +164,7 @@ class NetworkEquations:
     def _junction_residuals(self) -> list[SX]:
         """Junctions in their order, without those whose flows keep the balance."""
         flows = self.flows
-        bare = [name for name in flows.bare if not flows.balances_itself(name)]
-        found = dict(zip(bare, flows.junction_balances({}), strict=True))
+        found = flows.junction_balances()
         storing = [name for name in self.system.junction_pressure if name in self.storing]
         found |= dict(zip(storing, self._steady_flows(storing), strict=True))
         return [found[name] for name in self.system.junction_pressure if name in found]

@@ -125,23 +125,53 @@ class TubeFlows:
         driving = self.system.driving_pressure(tube.start, tube.end)
         return driving - self.system.drop[tube.name]
 
-    def junction_balances(self, accelerations: dict[str, SX]) -> list[SX]:
-        """Residuals at junctions that store nothing, over the flow of their own tubes.
+    def junction_balances(self) -> dict[str, SX]:
+        """Net flows into junctions that store nothing, over the flow of their own tubes.
+
+        Without those where dependent flows keep the balance.
+        """
+        pressure, balances = self.sizes.pressure, {}
+        for name in self.bare:
+            if not self.balances_itself(name):
+                tubes = self.system.graph.tubes_at[name]
+                scale = sum((pressure / self._slope[t.name] for t in tubes), SX(0))
+                balances[name] = self.system.net_inflow[name] / scale
+        return balances
+
+    def junction_residuals(self, accelerations: dict[str, SX]) -> dict[str, SX]:
+        """An equation of the pressure of every junction that stores nothing.
 
         Where the flows keep the balance by themselves, their ``accelerations`` must keep it
-        too, or, without inertance, the tubes' pressure drops say all.
+        too, or, without inertance, it is the pressure drop of one of the junction's tubes.
         """
-        system, pressure, balances = self.system, self.sizes.pressure, []
-        for name in self.bare:
-            tubes = system.graph.tubes_at[name]
-            if not self.balances_itself(name):
-                scale = sum((pressure / self._slope[t.name] for t in tubes), SX(0))
-                balances.append(system.net_inflow[name] / scale)
-            elif all(t.name in accelerations for t in tubes):
-                scale = sum((pressure / system.inertance[t.name] for t in tubes), SX(0))
-                total = sum((_sign(t, name) * accelerations[t.name] for t in tubes), SX(0))
-                balances.append(total / scale)
-        return balances
+        residuals = self.junction_balances()
+        for name, tube in self._tubes_of_junctions().items():
+            if tube.name not in accelerations:
+                (residuals[name],) = self.drop_residuals([tube])
+                continue
+            tubes = self.system.graph.tubes_at[name]
+            scale = sum((self.sizes.pressure / self.system.inertance[t.name] for t in tubes), SX(0))
+            total = sum((_sign(t, name) * accelerations[t.name] for t in tubes), SX(0))
+            residuals[name] = total / scale
+        return residuals
+
+    def _tubes_of_junctions(self) -> dict[str, Tube]:
+        """For every junction that balances itself, one of its tubes, whose flow is dependent.
+
+        Each has another one: tubes of dependent flow form trees that end at other nodes.
+        """
+        tubes_at, found = self.system.graph.tubes_at, {}
+        left = {
+            name: {t.name: t for t in tubes_at[name] if t.name in self.dependent}
+            for name in self.bare
+            if self.balances_itself(name)
+        }
+        while left:
+            leaf = next(name for name, own in left.items() if len(own) == 1)
+            (found[leaf],) = left.pop(leaf).values()
+            for own in left.values():
+                own.pop(found[leaf].name, None)
+        return found
 
     def steady_residual(self, node: str) -> SX:
         """Net flow into a node, over the flow of its own tubes."""

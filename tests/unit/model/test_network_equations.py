@@ -7,12 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.scenes import leg
+from tests.scenes import leg, problem_of
 from viscodesign import simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.tube_flows import reduce_incidence
 from viscodesign.simulation.build_problem import Settings, build
+from viscodesign.solve.numerics.symbolic_lu import has_whole_diagonal
 from viscodesign.solve.problem import Problem
 
 FAST = "effects={pressure_distribution: on, flow_regime: on, fluid_inertance: on, others: off}"
@@ -60,6 +61,27 @@ def test_reduced_incidence_matrix_has_the_same_row_space(nodes: int, more: int, 
 
 def test_an_empty_incidence_matrix_has_no_pivots() -> None:
     assert reduce_incidence(np.zeros((0, 3))) == []
+
+
+@given(seed=st.integers(0, 10_000), effects=st.sampled_from([FAST, IMPLICIT]))
+@settings(max_examples=10, deadline=None)
+def test_every_equation_has_its_own_unknown(seed: int, effects: str) -> None:
+    """Nodes joined at random, in trees and loops, by tubes in any order and direction."""
+    random = np.random.default_rng(seed)
+    nodes = ["R1", "L1", "R2", "L2", *[f"J{k}" for k in range(random.integers(1, 5))]]
+    random.shuffle(nodes)
+    tubes = [(n, random.choice(["inlet", *nodes[:k]])) for k, n in enumerate(nodes)]
+    tubes += [tuple(random.choice(nodes, 2, replace=False)) for _ in range(random.integers(0, 4))]
+    random.shuffle(tubes)
+    listed = ", ".join(f"{{from: {a}, to: {b}}}" for a, b in tubes)
+    form = f"network={{layout: custom, tube_radius: 1 mm, tube_length: 4 cm, tubes: [{listed}]}}"
+    equations = problem(form, effects).equations
+    assert has_whole_diagonal(equations.algebraic_function.sparsity_out(1))
+
+
+def test_a_junction_beside_a_syringe_has_its_own_unknown_in_its_equation() -> None:
+    equations = problem_of(leg(config="syringe_water")).equations
+    assert has_whole_diagonal(equations.algebraic_function.sparsity_out(1))
 
 
 @pytest.mark.parametrize("effects", [FAST, IMPLICIT])
