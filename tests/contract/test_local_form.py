@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from tests.scenes import CONFIGS
+from tests.scenes import CONFIGS, leg, problem_of
 from viscodesign import load
 from viscodesign.effects.allowed_sets import AllowedSets
 from viscodesign.elements.kinds import Elements, value_of
@@ -39,6 +39,13 @@ REL_TOL = 1e-11
 def test_residuals_equal_those_of_the_whole_formulas(config: str) -> None:
     for problem in problems(config):
         check(problem)
+
+
+def test_a_single_constraint_is_taken_apart() -> None:
+    """The pressure of an inlet's line, and nothing that moves."""
+    problem = problem_of(leg("effects={others: off}", config="syringe_water"))
+    assert (problem.equations.states.count, problem.equations.algebraics.count) == (0, 1)
+    check(problem)
 
 
 def problems(config: str) -> list[Problem]:

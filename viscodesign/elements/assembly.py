@@ -100,7 +100,7 @@ class CompiledForm:
             form.drives,
             form.drives,
         )
-        self.lu = SparseLU(size, self.rows, self.columns)
+        self.lu = SparseLU(size, self.rows, self.columns, weak=form.balances.weak)
         self._blank = self._assembled()
 
     @cached_property

@@ -36,6 +36,9 @@ class BalanceLayout:
 
     mass: np.ndarray
     """(n,) 1 where the equation gives a rate, 0 where it is a constraint."""
+    weak: np.ndarray
+    """(n,) whether an equation is a constraint that may depend on its own unknown by round-off
+    only, such as that of a node that others hold."""
     states: int
     algebraics: int
     integrals: int

@@ -85,7 +85,7 @@ class LocalFormulation:
         known = {name: next(found) for name in known}
         paths = dict(zip(used, found, strict=True))
         z = ca.vertcat(self.algebraics.vector, self.sums.vector)
-        hidden, ode = SX.sym("hidden"), rows[: self.states.count]
+        hidden, ode = SX.sym("hidden"), ca.vec(rows[: self.states.count])
         for first, part in gradients:
             for k in range(first, min(first + part.variables.numel(), self.states.count)):
                 ode[k] = hidden
@@ -101,10 +101,19 @@ class LocalFormulation:
             rows=ca.vertcat(rows, integrals),
             potentials=list(self._potentials(gradients, terms)),
             mass=np.concatenate([np.ones(self.states.count), np.zeros(z.numel()), np.ones(count)]),
+            weak=self._weak(int(unknowns.numel())),
             states=self.states.count,
             algebraics=self.algebraics.count,
             integrals=count,
         )
+
+    def _weak(self, size: int) -> np.ndarray:
+        """Positions of a rod without inertia: along a straight axis only its strain holds them."""
+        found = np.zeros(size, dtype=bool)
+        span = self.algebraics.branch_span
+        if span is not None:
+            found[self.states.count :][span] = True
+        return found
 
     def start(self, ode: SX, motion_time: SX) -> SX:
         """Scaled sums as formulas that are not resolved; ``ode``: resolved rates of the states."""

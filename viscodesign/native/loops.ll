@@ -1,4 +1,4 @@
-; made from 3344b95af932162f59ade01b83163a8fe7ddcadbf3bc3cc6526e6e97e4d5c1fb
+; made from 9e3f9ef90d8940f6437907e2730d08cf1ec155a78021bbbb1c16d6e63635336c
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -675,17 +675,17 @@ B476.if:
   br i1 %exitcond.not, label %B322.loopexit, label %B476.if
 }
 
-define i64 @pair_up(i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5) {
+define i64 @pair_up(i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @pair_up.8(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5)
+  %1 = call i32 @pair_up.8(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6)
   ret i64 0
 }
 
-define internal i32 @pair_up.8(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.start, ptr noalias %arg.columns, ptr noalias %arg.partner, ptr noalias %arg.common, ptr noalias %arg.seen) noinline {
+define internal i32 @pair_up.8(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.start, ptr noalias %arg.columns, ptr noalias %arg.weak, ptr noalias %arg.partner, ptr noalias %arg.common, ptr noalias %arg.seen) noinline {
 entry:
-  %.104238.not = icmp slt i64 %arg.n, 1
-  br i1 %.104238.not, label %B90.preheader, label %B34.if.preheader
+  %.107242.not = icmp slt i64 %arg.n, 1
+  br i1 %.107242.not, label %B90.preheader, label %B34.if.preheader
 
 B34.if.preheader:
   %0 = shl nuw i64 %arg.n, 2
@@ -695,195 +695,214 @@ B34.if.preheader:
   br label %B90.preheader
 
 B90.preheader:
-  %.238256.not = icmp slt i64 %arg.n, 1
-  br i1 %.238256.not, label %B656, label %B92.if
+  %.241260.not = icmp slt i64 %arg.n, 1
+  br i1 %.241260.not, label %B692, label %B92.if
 
 B122:
-  %.294 = getelementptr i32, ptr %arg.start, i64 %.181.0257
-  %.295 = load i32, ptr %.294, align 4
-  %.299 = getelementptr i8, ptr %.294, i64 4
-  %.300 = load i32, ptr %.299, align 4
-  %.337 = sub i32 %.300, %.295
-  %.380245.not = icmp slt i32 %.337, 1
-  br i1 %.380245.not, label %B406, label %B188.if
+  %.297 = getelementptr i32, ptr %arg.start, i64 %.184.0261
+  %.298 = load i32, ptr %.297, align 4
+  %.302 = getelementptr i8, ptr %.297, i64 4
+  %.303 = load i32, ptr %.302, align 4
+  %.340 = sub i32 %.303, %.298
+  %.383249.not = icmp slt i32 %.340, 1
+  br i1 %.383249.not, label %B442, label %B188.if.lr.ph
+
+B188.if.lr.ph:
+  %.594 = getelementptr i32, ptr %arg.weak, i64 %.184.0261
+  br label %B188.if
 
 B188.loopexit:
-  %count.2.2.lcssa = phi i64 [ %count.5.1248, %B188.if ], [ %count.3.3, %B402 ]
-  %.380 = icmp sgt i32 %.327.0247, 1
-  br i1 %.380, label %B188.if, label %B406
+  %count.2.2.lcssa = phi i64 [ %count.5.1252, %B188.if ], [ %count.3.3, %B438 ]
+  %.383 = icmp sgt i32 %.330.0251, 1
+  br i1 %.383, label %B188.if, label %B442
 
 B302:
-  %.576 = getelementptr i32, ptr %arg.partner, i64 %.567
-  %.577 = load i32, ptr %.576, align 4
-  %.579 = icmp slt i32 %.577, 0
-  br i1 %.579, label %B326, label %B402
+  %.579 = getelementptr i32, ptr %arg.partner, i64 %.570
+  %.580 = load i32, ptr %.579, align 4
+  %.582 = icmp slt i32 %.580, 0
+  br i1 %.582, label %B326, label %B438
 
 B326:
-  %.590 = getelementptr i32, ptr %arg.common, i64 %.567
+  %.590 = getelementptr i32, ptr %arg.weak, i64 %.570
   %.591 = load i32, ptr %.590, align 4
-  %.593 = icmp eq i32 %.591, 0
-  br i1 %.593, label %B350, label %B370
+  %.595 = load i32, ptr %.594, align 4
+  %.596 = icmp eq i32 %.591, %.595
+  br i1 %.596, label %B362, label %B438
 
-B350:
-  %.598 = getelementptr i32, ptr %arg.seen, i64 %count.2.2244
-  store i32 %.561, ptr %.598, align 4
-  %.601 = add nsw i64 %count.2.2244, 1
-  br label %B370
+B362:
+  %.607 = getelementptr i32, ptr %arg.common, i64 %.570
+  %.608 = load i32, ptr %.607, align 4
+  %.610 = icmp eq i32 %.608, 0
+  br i1 %.610, label %B386, label %B406
 
-B370:
-  %count.4.3 = phi i64 [ %.601, %B350 ], [ %count.2.2244, %B326 ]
-  %.620 = add i32 %.591, 1
-  store i32 %.620, ptr %.590, align 4
-  br label %B402
-
-B402:
-  %count.3.3 = phi i64 [ %count.4.3, %B370 ], [ %count.2.2244, %B302 ], [ %count.2.2244, %B270.if ]
-  %.516 = icmp sgt i32 %.463.0243, 1
-  br i1 %.516, label %B270.if, label %B188.loopexit
+B386:
+  %.615 = getelementptr i32, ptr %arg.seen, i64 %count.2.2248
+  store i32 %.564, ptr %.615, align 4
+  %.618 = add nsw i64 %count.2.2248, 1
+  br label %B406
 
 B406:
+  %count.4.3 = phi i64 [ %.618, %B386 ], [ %count.2.2248, %B362 ]
+  %.637 = add i32 %.608, 1
+  store i32 %.637, ptr %.607, align 4
+  br label %B438
+
+B438:
+  %count.3.3 = phi i64 [ %count.4.3, %B406 ], [ %count.2.2248, %B326 ], [ %count.2.2248, %B302 ], [ %count.2.2248, %B270.if ]
+  %.519 = icmp sgt i32 %.466.0247, 1
+  br i1 %.519, label %B270.if, label %B188.loopexit
+
+B442:
   %count.5.1.lcssa = phi i64 [ 0, %B122 ], [ %count.2.2.lcssa, %B188.loopexit ]
-  %.744250.not = icmp slt i64 %count.5.1.lcssa, 1
-  br i1 %.744250.not, label %B620, label %B446.if.lr.ph
+  %.761254.not = icmp slt i64 %count.5.1.lcssa, 1
+  br i1 %.761254.not, label %B656, label %B482.if.lr.ph
 
-B446.if.lr.ph:
-  %.807 = sext i32 %.300 to i64
-  %.808 = sext i32 %.295 to i64
-  br label %B446.if
-
-B620:
-  %best.2.1.lcssa = phi i64 [ -1, %B406 ], [ %best.3.2, %B446.if ]
-  %.891 = icmp sgt i64 %best.2.1.lcssa, -1
-  br i1 %.891, label %B632, label %B657
-
-B632:
-  %.896 = trunc nuw nsw i64 %best.2.1.lcssa to i32
-  store i32 %.896, ptr %.281, align 4
-  %.902 = trunc i64 %.181.0257 to i32
-  %.903 = getelementptr i32, ptr %arg.partner, i64 %best.2.1.lcssa
-  store i32 %.902, ptr %.903, align 4
-  br label %B657
+B482.if.lr.ph:
+  %.824 = sext i32 %.303 to i64
+  %.825 = sext i32 %.298 to i64
+  br label %B482.if
 
 B656:
+  %best.2.1.lcssa = phi i64 [ -1, %B442 ], [ %best.3.2, %B482.if ]
+  %.908 = icmp sgt i64 %best.2.1.lcssa, -1
+  br i1 %.908, label %B668, label %B693
+
+B668:
+  %.913 = trunc nuw nsw i64 %best.2.1.lcssa to i32
+  store i32 %.913, ptr %.284, align 4
+  %.919 = trunc i64 %.184.0261 to i32
+  %.920 = getelementptr i32, ptr %arg.partner, i64 %best.2.1.lcssa
+  store i32 %.919, ptr %.920, align 4
+  br label %B693
+
+B692:
   store ptr null, ptr %retptr, align 8
   ret i32 0
 
-B657:
-  %exitcond259.not = icmp eq i64 %arg.n, %.251
-  br i1 %exitcond259.not, label %B656, label %B92.if
+B693:
+  %exitcond263.not = icmp eq i64 %arg.n, %.254
+  br i1 %exitcond263.not, label %B692, label %B92.if
 
 B92.if:
-  %.181.0257 = phi i64 [ %.251, %B657 ], [ 0, %B90.preheader ]
-  %.251 = add nuw nsw i64 %.181.0257, 1
-  %.281 = getelementptr i32, ptr %arg.partner, i64 %.181.0257
-  %.282 = load i32, ptr %.281, align 4
-  %.284 = icmp sgt i32 %.282, -1
-  br i1 %.284, label %B657, label %B122
+  %.184.0261 = phi i64 [ %.254, %B693 ], [ 0, %B90.preheader ]
+  %.254 = add nuw nsw i64 %.184.0261, 1
+  %.284 = getelementptr i32, ptr %arg.partner, i64 %.184.0261
+  %.285 = load i32, ptr %.284, align 4
+  %.287 = icmp sgt i32 %.285, -1
+  br i1 %.287, label %B693, label %B122
 
 B188.if:
-  %count.5.1248 = phi i64 [ %count.2.2.lcssa, %B188.loopexit ], [ 0, %B122 ]
-  %.327.0247 = phi i32 [ %.389, %B188.loopexit ], [ %.337, %B122 ]
-  %.324.0246 = phi i32 [ %.393, %B188.loopexit ], [ %.295, %B122 ]
-  %.389 = add nsw i32 %.327.0247, -1
-  %.393 = add i32 %.324.0246, 1
-  %2 = sext i32 %.324.0246 to i64
-  %.426 = getelementptr i32, ptr %arg.columns, i64 %2
-  %.427 = load i32, ptr %.426, align 4
-  %.429 = sext i32 %.427 to i64
-  %.430 = getelementptr i32, ptr %arg.start, i64 %.429
-  %.431 = load i32, ptr %.430, align 4
-  %.435 = getelementptr i8, ptr %.430, i64 4
-  %.436 = load i32, ptr %.435, align 4
-  %.473 = sub i32 %.436, %.431
-  %.516241.not = icmp slt i32 %.473, 1
-  br i1 %.516241.not, label %B188.loopexit, label %B270.if
+  %count.5.1252 = phi i64 [ 0, %B188.if.lr.ph ], [ %count.2.2.lcssa, %B188.loopexit ]
+  %.330.0251 = phi i32 [ %.340, %B188.if.lr.ph ], [ %.392, %B188.loopexit ]
+  %.327.0250 = phi i32 [ %.298, %B188.if.lr.ph ], [ %.396, %B188.loopexit ]
+  %.392 = add nsw i32 %.330.0251, -1
+  %.396 = add i32 %.327.0250, 1
+  %2 = sext i32 %.327.0250 to i64
+  %.429 = getelementptr i32, ptr %arg.columns, i64 %2
+  %.430 = load i32, ptr %.429, align 4
+  %.432 = sext i32 %.430 to i64
+  %.433 = getelementptr i32, ptr %arg.start, i64 %.432
+  %.434 = load i32, ptr %.433, align 4
+  %.438 = getelementptr i8, ptr %.433, i64 4
+  %.439 = load i32, ptr %.438, align 4
+  %.476 = sub i32 %.439, %.434
+  %.519245.not = icmp slt i32 %.476, 1
+  br i1 %.519245.not, label %B188.loopexit, label %B270.if
 
 B270.if:
-  %count.2.2244 = phi i64 [ %count.3.3, %B402 ], [ %count.5.1248, %B188.if ]
-  %.463.0243 = phi i32 [ %.525, %B402 ], [ %.473, %B188.if ]
-  %.460.0242 = phi i32 [ %.529, %B402 ], [ %.431, %B188.if ]
-  %.525 = add nsw i32 %.463.0243, -1
-  %.529 = add i32 %.460.0242, 1
-  %3 = sext i32 %.460.0242 to i64
-  %.560 = getelementptr i32, ptr %arg.columns, i64 %3
-  %.561 = load i32, ptr %.560, align 4
-  %.567 = sext i32 %.561 to i64
-  %.568 = icmp slt i64 %.181.0257, %.567
-  br i1 %.568, label %B302, label %B402
+  %count.2.2248 = phi i64 [ %count.3.3, %B438 ], [ %count.5.1252, %B188.if ]
+  %.466.0247 = phi i32 [ %.528, %B438 ], [ %.476, %B188.if ]
+  %.463.0246 = phi i32 [ %.532, %B438 ], [ %.434, %B188.if ]
+  %.528 = add nsw i32 %.466.0247, -1
+  %.532 = add i32 %.463.0246, 1
+  %3 = sext i32 %.463.0246 to i64
+  %.563 = getelementptr i32, ptr %arg.columns, i64 %3
+  %.564 = load i32, ptr %.563, align 4
+  %.570 = sext i32 %.564 to i64
+  %.571 = icmp slt i64 %.184.0261, %.570
+  br i1 %.571, label %B302, label %B438
 
-B446.if:
-  %most.2.1254 = phi double [ 0.000000e+00, %B446.if.lr.ph ], [ %most.3.2, %B446.if ]
-  %best.2.1253 = phi i64 [ -1, %B446.if.lr.ph ], [ %best.3.2, %B446.if ]
-  %.688.0251 = phi i64 [ 0, %B446.if.lr.ph ], [ %.757, %B446.if ]
-  %.757 = add nuw nsw i64 %.688.0251, 1
-  %.793 = getelementptr i32, ptr %arg.seen, i64 %.688.0251
-  %.794 = load i32, ptr %.793, align 4
-  %.811 = sext i32 %.794 to i64
-  %4 = getelementptr i32, ptr %arg.start, i64 %.811
-  %.814 = getelementptr i8, ptr %4, i64 4
-  %.815 = load i32, ptr %.814, align 4
-  %.816 = sext i32 %.815 to i64
-  %.822 = load i32, ptr %4, align 4
-  %.823 = sext i32 %.822 to i64
-  %.828 = getelementptr i32, ptr %arg.common, i64 %.811
-  %.829 = load i32, ptr %.828, align 4
-  %.830 = sext i32 %.829 to i64
-  %5 = add nsw i64 %.807, %.816
-  %6 = add nsw i64 %.808, %.823
-  %7 = add nsw i64 %6, %.830
-  %.831 = sub nsw i64 %5, %7
-  %.838 = sitofp i32 %.829 to double
-  %.839 = sitofp i64 %.831 to double
-  %.843 = fdiv contract double %.838, %.839
-  %.849 = fcmp contract ogt double %.843, %most.2.1254
-  %best.3.2 = select i1 %.849, i64 %.811, i64 %best.2.1253
-  %most.3.2 = select i1 %.849, double %.843, double %most.2.1254
-  store i32 0, ptr %.828, align 4
-  %exitcond.not = icmp eq i64 %.757, %count.5.1.lcssa
-  br i1 %exitcond.not, label %B620, label %B446.if
+B482.if:
+  %most.2.1258 = phi double [ 0.000000e+00, %B482.if.lr.ph ], [ %most.3.2, %B482.if ]
+  %best.2.1257 = phi i64 [ -1, %B482.if.lr.ph ], [ %best.3.2, %B482.if ]
+  %.705.0255 = phi i64 [ 0, %B482.if.lr.ph ], [ %.774, %B482.if ]
+  %.774 = add nuw nsw i64 %.705.0255, 1
+  %.810 = getelementptr i32, ptr %arg.seen, i64 %.705.0255
+  %.811 = load i32, ptr %.810, align 4
+  %.828 = sext i32 %.811 to i64
+  %4 = getelementptr i32, ptr %arg.start, i64 %.828
+  %.831 = getelementptr i8, ptr %4, i64 4
+  %.832 = load i32, ptr %.831, align 4
+  %.833 = sext i32 %.832 to i64
+  %.839 = load i32, ptr %4, align 4
+  %.840 = sext i32 %.839 to i64
+  %.845 = getelementptr i32, ptr %arg.common, i64 %.828
+  %.846 = load i32, ptr %.845, align 4
+  %.847 = sext i32 %.846 to i64
+  %5 = add nsw i64 %.824, %.833
+  %6 = add nsw i64 %.825, %.840
+  %7 = add nsw i64 %6, %.847
+  %.848 = sub nsw i64 %5, %7
+  %.855 = sitofp i32 %.846 to double
+  %.856 = sitofp i64 %.848 to double
+  %.860 = fdiv contract double %.855, %.856
+  %.866 = fcmp contract ogt double %.860, %most.2.1258
+  %best.3.2 = select i1 %.866, i64 %.828, i64 %best.2.1257
+  %most.3.2 = select i1 %.866, double %.860, double %most.2.1258
+  store i32 0, ptr %.845, align 4
+  %exitcond.not = icmp eq i64 %.774, %count.5.1.lcssa
+  br i1 %exitcond.not, label %B656, label %B482.if
 }
 
-define i64 @elimination_order(i64 %a0, ptr %a1, ptr %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13) {
+define i64 @elimination_order(i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, ptr %a15, ptr %a16) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @elimination_order.9(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13)
+  %1 = call i32 @elimination_order.9(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, ptr %a15, ptr %a16)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @elimination_order.9(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.start, ptr noalias %arg.members, i64 %arg.capacity, ptr noalias %arg.order, ptr noalias %arg.at, ptr noalias %arg.count, ptr noalias %arg.room, ptr noalias %arg.pool, ptr noalias %arg.degree, ptr noalias %arg.head, ptr noalias %arg.after, ptr noalias %arg.before, ptr noalias %arg.mark) noinline {
+define internal i32 @elimination_order.9(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.start, ptr noalias %arg.members, ptr noalias %arg.first, ptr noalias %arg.awaiting, ptr noalias %arg.waits, i64 %arg.capacity, ptr noalias %arg.order, ptr noalias %arg.at, ptr noalias %arg.count, ptr noalias %arg.room, ptr noalias %arg.pool, ptr noalias %arg.degree, ptr noalias %arg.head, ptr noalias %arg.after, ptr noalias %arg.before, ptr noalias %arg.mark) noinline {
 entry:
-  %.488 = alloca ptr, align 8
-  store ptr null, ptr %.488, align 8
+  %.511 = alloca ptr, align 8
+  store ptr null, ptr %.511, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.705 = alloca ptr, align 8
-  store ptr null, ptr %.705, align 8
+  %.733 = alloca ptr, align 8
+  store ptr null, ptr %.733, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.1038 = alloca i64, align 8
-  store i64 0, ptr %.1038, align 8
+  %.1066 = alloca i64, align 8
+  store i64 0, ptr %.1066, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.1127 = alloca ptr, align 8
-  store ptr null, ptr %.1127, align 8
+  %.1164 = alloca ptr, align 8
+  store ptr null, ptr %.1164, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.1178 = alloca ptr, align 8
-  store ptr null, ptr %.1178, align 8
+  %.1228 = alloca ptr, align 8
+  store ptr null, ptr %.1228, align 8
   %excinfo.5 = alloca ptr, align 8
   store ptr null, ptr %excinfo.5, align 8
-  %.1212 = alloca i64, align 8
-  store i64 0, ptr %.1212, align 8
+  %.1262 = alloca i64, align 8
+  store i64 0, ptr %.1262, align 8
   %excinfo.6 = alloca ptr, align 8
   store ptr null, ptr %excinfo.6, align 8
-  %.47 = shl nsw i64 %arg.n, 1
-  %.49 = getelementptr i32, ptr %arg.start, i64 %.47
-  %.50 = load i32, ptr %.49, align 4
-  %.93 = icmp sgt i64 %arg.n, 0
-  %storemerge = select i1 %.93, i64 %.47, i64 0
-  %.137352 = icmp sgt i64 %storemerge, 0
-  br i1 %.137352, label %B62.if.preheader, label %B166
+  %.1503 = alloca ptr, align 8
+  store ptr null, ptr %.1503, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.1537 = alloca i64, align 8
+  store i64 0, ptr %.1537, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.56 = shl nsw i64 %arg.n, 1
+  %.58 = getelementptr i32, ptr %arg.start, i64 %.56
+  %.59 = load i32, ptr %.58, align 4
+  %.102 = icmp sgt i64 %arg.n, 0
+  %storemerge = select i1 %.102, i64 %.56, i64 0
+  %.146427 = icmp sgt i64 %storemerge, 0
+  br i1 %.146427, label %B62.if.preheader, label %B166
 
 B62.if.preheader:
   %0 = shl nuw i64 %storemerge, 2
@@ -895,11 +914,11 @@ B62.if.preheader:
   br label %B62.if
 
 B166:
-  %.294355.not = icmp slt i32 %.50, 1
-  br i1 %.294355.not, label %B224, label %B196.if.preheader
+  %.303430.not = icmp slt i32 %.59, 1
+  br i1 %.303430.not, label %B224, label %B196.if.preheader
 
 B196.if.preheader:
-  %3 = add nsw i32 %.50, -1
+  %3 = add nsw i32 %.59, -1
   %4 = zext i32 %3 to i64
   %5 = shl nuw nsw i64 %4, 2
   %6 = add nuw nsw i64 %5, 4
@@ -907,240 +926,336 @@ B196.if.preheader:
   br label %B224
 
 B224:
-  br i1 %.93, label %B254.if.lr.ph, label %B360
+  br i1 %.102, label %B254.if.lr.ph, label %B384
 
 B254.if.lr.ph:
   %7 = getelementptr i32, ptr %arg.count, i64 %arg.n
   br label %B254.if
 
-B360:
-  %.608371.not = icmp slt i64 %arg.n, 1
-  br i1 %.608371.not, label %B932, label %B396.if.lr.ph
-
-B396.if.lr.ph:
-  %.518 = sext i32 %.50 to i64
-  %8 = getelementptr i32, ptr %arg.count, i64 %arg.n
-  br label %B396.if
-
-B394.loopexit:
-  %exitcond404.not = icmp eq i64 %arg.n, %.621
-  br i1 %exitcond404.not, label %B932, label %B396.if
-
-B424:
-  %least.7.1 = phi i64 [ %.667, %B424 ], [ %least.3.0375, %B396.if ]
-  %.667 = add nsw i64 %least.7.1, 1
-  %.673 = getelementptr i32, ptr %arg.head, i64 %.667
-  %.674 = load i32, ptr %.673, align 4
-  %.676 = icmp slt i32 %.674, 0
-  br i1 %.676, label %B424, label %B458
-
-B458:
-  %least.5.2 = phi i64 [ %least.3.0375, %B396.if ], [ %.667, %B424 ]
-  %.692 = getelementptr i32, ptr %arg.head, i64 %least.5.2
-  %.693 = load i32, ptr %.692, align 4
-  store ptr null, ptr %.705, align 8
-  %.709 = call i32 @delist.10(ptr nonnull %.705, ptr nonnull %excinfo.2, i32 %.693, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
-  switch i32 %.709, label %B458.if [
-    i32 -2, label %B458.endif
-    i32 0, label %B458.endif
+B344:
+  store ptr null, ptr %.511, align 8
+  %.515 = call i32 @enlist.10(ptr nonnull %.511, ptr nonnull %excinfo.1, i64 %.476, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
+  switch i32 %.515, label %B344.if [
+    i32 -2, label %B382
+    i32 0, label %B382
   ]
 
-B552.loopexit:
-  %free.2.2.lcssa = phi i64 [ %free.3.1369, %B552.if ], [ %.1052, %B758.endif.endif.endif ]
-  %least.6.2.lcssa = phi i64 [ %least.4.1370, %B552.if ], [ %.1226, %B758.endif.endif.endif ]
-  br i1 %exitcond403.not, label %B394.loopexit, label %B552.if
+B382:
+  %exitcond479.not = icmp eq i64 %arg.n, %.449
+  br i1 %exitcond479.not, label %B384, label %B254.if
+
+B384:
+  %.636451.not = icmp slt i64 %arg.n, 1
+  br i1 %.636451.not, label %B1226, label %B420.if.lr.ph
+
+B420.if.lr.ph:
+  %.546 = sext i32 %.59 to i64
+  %8 = getelementptr i32, ptr %arg.count, i64 %arg.n
+  %9 = getelementptr i32, ptr %arg.count, i64 %arg.n
+  br label %B420.if
+
+B418.loopexit:
+  %least.5.1.lcssa = phi i64 [ %least.8.2.lcssa, %B1000 ], [ %least.10.2, %B1220 ]
+  %exitcond483.not = icmp eq i64 %arg.n, %.649
+  br i1 %exitcond483.not, label %B1226, label %B420.if
+
+B448:
+  %least.11.1 = phi i64 [ %.695, %B448 ], [ %least.4.0455, %B420.if ]
+  %.695 = add nsw i64 %least.11.1, 1
+  %.701 = getelementptr i32, ptr %arg.head, i64 %.695
+  %.702 = load i32, ptr %.701, align 4
+  %.704 = icmp slt i32 %.702, 0
+  br i1 %.704, label %B448, label %B482
+
+B482:
+  %least.7.2 = phi i64 [ %least.4.0455, %B420.if ], [ %.695, %B448 ]
+  %.720 = getelementptr i32, ptr %arg.head, i64 %least.7.2
+  %.721 = load i32, ptr %.720, align 4
+  store ptr null, ptr %.733, align 8
+  %.737 = call i32 @delist.11(ptr nonnull %.733, ptr nonnull %excinfo.2, i32 %.721, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
+  switch i32 %.737, label %B482.if [
+    i32 -2, label %B482.endif
+    i32 0, label %B482.endif
+  ]
+
+B576.loopexit:
+  %free.2.2.lcssa = phi i64 [ %free.3.1444, %B576.if ], [ %.1080, %B996 ]
+  %least.8.2.lcssa = phi i64 [ %least.6.1445, %B576.if ], [ %least.9.3, %B996 ]
+  br i1 %exitcond482.not, label %B1000, label %B576.if
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B748 ], [ 0, %B932 ], [ %.1216, %B758.endif.endif.if ], [ %.1131, %B758.if ], [ %.1042, %B638.if ], [ %.1182, %B758.endif.if ], [ %.709, %B458.if ], [ %.492, %B256.if ]
+  %common.ret.op = phi i32 [ 0, %B772 ], [ 0, %B1226 ], [ %.1541, %B1138.endif.if ], [ %.1266, %B914.endif.if ], [ %.737, %B482.if ], [ %.1507, %B1138.if ], [ %.1232, %B914.if ], [ %.515, %B344.if ], [ %.1168, %B806.if ], [ %.1070, %B662.if ]
   ret i32 %common.ret.op
 
-B748:
+B772:
   store i64 -1, ptr %retptr, align 8
   br label %common.ret
 
-B758:
-  store ptr null, ptr %.1127, align 8
-  %.1131 = call i32 @delist.10(ptr nonnull %.1127, ptr nonnull %excinfo.4, i32 %.1017, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
-  switch i32 %.1131, label %B758.if [
-    i32 -2, label %B758.endif
-    i32 0, label %B758.endif
+B782:
+  %.1153 = getelementptr i32, ptr %arg.waits, i64 %.1054
+  %.1154 = load i32, ptr %.1153, align 4
+  %.1156 = icmp eq i32 %.1154, 0
+  br i1 %.1156, label %B806, label %B996.critedge
+
+B806:
+  store ptr null, ptr %.1164, align 8
+  %.1168 = call i32 @delist.11(ptr nonnull %.1164, ptr nonnull %excinfo.4, i32 %.1045, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
+  switch i32 %.1168, label %B806.if [
+    i32 -2, label %B844
+    i32 0, label %B844
   ]
 
-B932:
+B844:
+  %.1196 = getelementptr i32, ptr %arg.count, i64 %.1054
+  %.1197 = load i32, ptr %.1196, align 4
+  %.1203 = getelementptr i32, ptr %9, i64 %.1054
+  %.1204 = load i32, ptr %.1203, align 4
+  %.1207 = add i32 %.1204, %.1197
+  %.1212 = getelementptr i32, ptr %arg.degree, i64 %.1054
+  store i32 %.1207, ptr %.1212, align 4
+  store ptr null, ptr %.1228, align 8
+  %.1232 = call i32 @enlist.12(ptr nonnull %.1228, ptr nonnull %excinfo.5, i32 %.1045, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
+  switch i32 %.1232, label %B914.if [
+    i32 -2, label %B914.endif
+    i32 0, label %B914.endif
+  ]
+
+B996.critedge:
+  %.1196.c = getelementptr i32, ptr %arg.count, i64 %.1054
+  %.1197.c = load i32, ptr %.1196.c, align 4
+  %.1203.c = getelementptr i32, ptr %8, i64 %.1054
+  %.1204.c = load i32, ptr %.1203.c, align 4
+  %.1207.c = add i32 %.1204.c, %.1197.c
+  %.1212.c = getelementptr i32, ptr %arg.degree, i64 %.1054
+  store i32 %.1207.c, ptr %.1212.c, align 4
+  br label %B996
+
+B996:
+  %least.9.3 = phi i64 [ %.1276, %B914.endif.endif ], [ %least.8.2440, %B996.critedge ]
+  %exitcond481.not = icmp eq i64 %indvars.iv.next, %wide.trip.count
+  br i1 %exitcond481.not, label %B576.loopexit, label %B660.if
+
+B1000:
+  %.1337 = sext i32 %.721 to i64
+  %.1338 = getelementptr i32, ptr %arg.first, i64 %.1337
+  %.1339 = load i32, ptr %.1338, align 4
+  %.1346 = getelementptr i8, ptr %.1338, i64 4
+  %.1347 = load i32, ptr %.1346, align 4
+  %.1384 = sub i32 %.1347, %.1339
+  %.1427446.not = icmp slt i32 %.1384, 1
+  br i1 %.1427446.not, label %B418.loopexit, label %B1062.if
+
+B1138:
+  store ptr null, ptr %.1503, align 8
+  %.1507 = call i32 @enlist.12(ptr nonnull %.1503, ptr nonnull %excinfo.7, i32 %.1472, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
+  switch i32 %.1507, label %B1138.if [
+    i32 -2, label %B1138.endif
+    i32 0, label %B1138.endif
+  ]
+
+B1220:
+  %least.10.2 = phi i64 [ %.1551, %B1138.endif.endif ], [ %least.5.1449, %B1062.if ]
+  %.1427 = icmp sgt i32 %.1374.0448, 1
+  br i1 %.1427, label %B1062.if, label %B418.loopexit
+
+B1226:
   store i64 0, ptr %retptr, align 8
   br label %common.ret
 
 B62.if:
-  %.79.0353 = phi i64 [ %.150, %B62.if ], [ 0, %B62.if.preheader ]
-  %.150 = add nuw nsw i64 %.79.0353, 1
-  %.176 = getelementptr i32, ptr %arg.start, i64 %.79.0353
-  %.177 = load i32, ptr %.176, align 4
-  %.183 = getelementptr i8, ptr %.176, i64 4
-  %.184 = load i32, ptr %.183, align 4
-  %.190 = sub i32 %.184, %.177
-  %.193 = getelementptr i32, ptr %arg.count, i64 %.79.0353
-  store i32 %.190, ptr %.193, align 4
-  %.197 = getelementptr i32, ptr %arg.room, i64 %.79.0353
-  store i32 %.190, ptr %.197, align 4
-  %exitcond.not = icmp eq i64 %.150, %storemerge
+  %.88.0428 = phi i64 [ %.159, %B62.if ], [ 0, %B62.if.preheader ]
+  %.159 = add nuw nsw i64 %.88.0428, 1
+  %.185 = getelementptr i32, ptr %arg.start, i64 %.88.0428
+  %.186 = load i32, ptr %.185, align 4
+  %.192 = getelementptr i8, ptr %.185, i64 4
+  %.193 = load i32, ptr %.192, align 4
+  %.199 = sub i32 %.193, %.186
+  %.202 = getelementptr i32, ptr %arg.count, i64 %.88.0428
+  store i32 %.199, ptr %.202, align 4
+  %.206 = getelementptr i32, ptr %arg.room, i64 %.88.0428
+  store i32 %.199, ptr %.206, align 4
+  %exitcond.not = icmp eq i64 %.159, %storemerge
   br i1 %exitcond.not, label %B166, label %B62.if
 
 B254.if:
-  %.371.0359 = phi i64 [ 0, %B254.if.lr.ph ], [ %.440, %B256.endif ]
-  %9 = xor i64 %.371.0359, -1
-  %.467 = add nsw i64 %arg.n, %9
-  %.469 = getelementptr i32, ptr %arg.count, i64 %.467
-  %.470 = load i32, ptr %.469, align 4
-  %.474 = getelementptr i32, ptr %7, i64 %.467
-  %.475 = load i32, ptr %.474, align 4
-  %.478 = add i32 %.475, %.470
-  %.481 = getelementptr i32, ptr %arg.degree, i64 %.467
-  store i32 %.478, ptr %.481, align 4
-  store ptr null, ptr %.488, align 8
-  %.492 = call i32 @enlist.11(ptr nonnull %.488, ptr nonnull %excinfo.1, i64 %.467, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
-  switch i32 %.492, label %B256.if [
-    i32 -2, label %B256.endif
-    i32 0, label %B256.endif
-  ]
+  %.380.0434 = phi i64 [ 0, %B254.if.lr.ph ], [ %.449, %B382 ]
+  %.449 = add nuw nsw i64 %.380.0434, 1
+  %10 = xor i64 %.380.0434, -1
+  %.476 = add nsw i64 %arg.n, %10
+  %.482 = getelementptr i32, ptr %arg.count, i64 %.476
+  %.483 = load i32, ptr %.482, align 4
+  %.488 = getelementptr i32, ptr %7, i64 %.476
+  %.489 = load i32, ptr %.488, align 4
+  %.492 = add i32 %.489, %.483
+  %.496 = getelementptr i32, ptr %arg.degree, i64 %.476
+  store i32 %.492, ptr %.496, align 4
+  %.500 = getelementptr i32, ptr %arg.waits, i64 %.476
+  %.501 = load i32, ptr %.500, align 4
+  %.503 = icmp eq i32 %.501, 0
+  br i1 %.503, label %B344, label %B382
 
-B256.if:
-  %.500 = icmp sgt i32 %.492, 0
-  %.493 = load ptr, ptr %excinfo.1, align 8
-  %.501 = select i1 %.500, ptr %.493, ptr undef
-  store ptr %.501, ptr %excinfo, align 8
+B344.if:
+  %.523 = icmp sgt i32 %.515, 0
+  %.516 = load ptr, ptr %excinfo.1, align 8
+  %.524 = select i1 %.523, ptr %.516, ptr undef
+  store ptr %.524, ptr %excinfo, align 8
   br label %common.ret
 
-B256.endif:
-  %.440 = add nuw nsw i64 %.371.0359, 1
-  %exitcond400.not = icmp eq i64 %arg.n, %.440
-  br i1 %exitcond400.not, label %B360, label %B254.if
+B420.if:
+  %least.4.0455 = phi i64 [ 0, %B420.if.lr.ph ], [ %least.5.1.lcssa, %B418.loopexit ]
+  %free.4.0454 = phi i64 [ %.546, %B420.if.lr.ph ], [ %free.2.2.lcssa, %B418.loopexit ]
+  %.579.0452 = phi i64 [ 0, %B420.if.lr.ph ], [ %.649, %B418.loopexit ]
+  %.649 = add nuw nsw i64 %.579.0452, 1
+  %.687 = getelementptr i32, ptr %arg.head, i64 %least.4.0455
+  %.688 = load i32, ptr %.687, align 4
+  %.692 = icmp slt i32 %.688, 0
+  br i1 %.692, label %B448, label %B482
 
-B396.if:
-  %least.3.0375 = phi i64 [ 0, %B396.if.lr.ph ], [ %least.6.2.lcssa, %B394.loopexit ]
-  %free.4.0374 = phi i64 [ %.518, %B396.if.lr.ph ], [ %free.2.2.lcssa, %B394.loopexit ]
-  %.551.0372 = phi i64 [ 0, %B396.if.lr.ph ], [ %.621, %B394.loopexit ]
-  %.621 = add nuw nsw i64 %.551.0372, 1
-  %.659 = getelementptr i32, ptr %arg.head, i64 %least.3.0375
-  %.660 = load i32, ptr %.659, align 4
-  %.664 = icmp slt i32 %.660, 0
-  br i1 %.664, label %B424, label %B458
-
-B458.if:
-  %.717 = icmp sgt i32 %.709, 0
-  %.710 = load ptr, ptr %excinfo.2, align 8
-  %.718 = select i1 %.717, ptr %.710, ptr undef
-  store ptr %.718, ptr %excinfo, align 8
+B482.if:
+  %.745 = icmp sgt i32 %.737, 0
+  %.738 = load ptr, ptr %excinfo.2, align 8
+  %.746 = select i1 %.745, ptr %.738, ptr undef
+  store ptr %.746, ptr %excinfo, align 8
   br label %common.ret
 
-B458.endif:
-  %.732 = getelementptr i32, ptr %arg.order, i64 %.551.0372
-  store i32 %.693, ptr %.732, align 4
-  %.872 = sext i32 %.693 to i64
-  br label %B552.if
+B482.endif:
+  %.760 = getelementptr i32, ptr %arg.order, i64 %.579.0452
+  store i32 %.721, ptr %.760, align 4
+  %.900 = sext i32 %.721 to i64
+  br label %B576.if
 
-B552.if:
-  %least.4.1370 = phi i64 [ %least.5.2, %B458.endif ], [ %least.6.2.lcssa, %B552.loopexit ]
-  %free.3.1369 = phi i64 [ %free.4.0374, %B458.endif ], [ %free.2.2.lcssa, %B552.loopexit ]
-  %exitcond403.not = phi i1 [ false, %B458.endif ], [ true, %B552.loopexit ]
-  %.759.0367 = phi i64 [ 0, %B458.endif ], [ 1, %B552.loopexit ]
-  %.870 = mul nuw nsw i64 %.759.0367, %arg.n
-  %.873 = add nsw i64 %.870, %.872
-  %.875 = xor i64 %.759.0367, 1
-  %.877 = mul nuw nsw i64 %.875, %arg.n
-  %.880 = add nsw i64 %.877, %.872
-  %.889 = getelementptr i32, ptr %arg.count, i64 %.880
-  %.890 = load i32, ptr %.889, align 4
-  %.970361.not = icmp slt i32 %.890, 1
-  br i1 %.970361.not, label %B552.loopexit, label %B636.if.lr.ph
+B576.if:
+  %least.6.1445 = phi i64 [ %least.7.2, %B482.endif ], [ %least.8.2.lcssa, %B576.loopexit ]
+  %free.3.1444 = phi i64 [ %free.4.0454, %B482.endif ], [ %free.2.2.lcssa, %B576.loopexit ]
+  %exitcond482.not = phi i1 [ false, %B482.endif ], [ true, %B576.loopexit ]
+  %.787.0442 = phi i64 [ 0, %B482.endif ], [ 1, %B576.loopexit ]
+  %.898 = mul nuw nsw i64 %.787.0442, %arg.n
+  %.901 = add nsw i64 %.898, %.900
+  %.903 = xor i64 %.787.0442, 1
+  %.905 = mul nuw nsw i64 %.903, %arg.n
+  %.908 = add nsw i64 %.905, %.900
+  %.917 = getelementptr i32, ptr %arg.count, i64 %.908
+  %.918 = load i32, ptr %.917, align 4
+  %.998436.not = icmp slt i32 %.918, 1
+  br i1 %.998436.not, label %B576.loopexit, label %B660.if.lr.ph
 
-B636.if.lr.ph:
-  %.1010 = getelementptr i32, ptr %arg.at, i64 %.880
-  %wide.trip.count = zext nneg i32 %.890 to i64
-  br label %B636.if
+B660.if.lr.ph:
+  %.1038 = getelementptr i32, ptr %arg.at, i64 %.908
+  %wide.trip.count = zext nneg i32 %.918 to i64
+  br label %B660.if
 
-B636.if:
-  %indvars.iv = phi i64 [ 0, %B636.if.lr.ph ], [ %indvars.iv.next, %B758.endif.endif.endif ]
-  %least.6.2365 = phi i64 [ %least.4.1370, %B636.if.lr.ph ], [ %.1226, %B758.endif.endif.endif ]
-  %free.2.2364 = phi i64 [ %free.3.1369, %B636.if.lr.ph ], [ %.1052, %B758.endif.endif.endif ]
+B660.if:
+  %indvars.iv = phi i64 [ 0, %B660.if.lr.ph ], [ %indvars.iv.next, %B996 ]
+  %least.8.2440 = phi i64 [ %least.6.1445, %B660.if.lr.ph ], [ %least.9.3, %B996 ]
+  %free.2.2439 = phi i64 [ %free.3.1444, %B660.if.lr.ph ], [ %.1080, %B996 ]
   %indvars.iv.next = add nuw nsw i64 %indvars.iv, 1
-  %.1011 = load i32, ptr %.1010, align 4
-  %.1012 = sext i32 %.1011 to i64
-  %10 = getelementptr i32, ptr %arg.pool, i64 %indvars.iv
-  %.1016 = getelementptr i32, ptr %10, i64 %.1012
-  %.1017 = load i32, ptr %.1016, align 4
-  %.1026 = sext i32 %.1017 to i64
-  %.1027 = add nsw i64 %.870, %.1026
-  store i64 0, ptr %.1038, align 8
-  %.1042 = call i32 @merge.12(ptr nonnull %.1038, ptr nonnull %excinfo.3, i64 %.1027, i64 %.873, i32 %.1017, i32 %.693, i64 %free.2.2364, i64 %arg.capacity, ptr %arg.at, ptr %arg.count, ptr %arg.room, ptr %arg.pool, ptr %arg.mark)
-  %.1052 = load i64, ptr %.1038, align 8
-  switch i32 %.1042, label %B638.if [
-    i32 -2, label %B638.endif
-    i32 0, label %B638.endif
+  %.1039 = load i32, ptr %.1038, align 4
+  %.1040 = sext i32 %.1039 to i64
+  %11 = getelementptr i32, ptr %arg.pool, i64 %indvars.iv
+  %.1044 = getelementptr i32, ptr %11, i64 %.1040
+  %.1045 = load i32, ptr %.1044, align 4
+  %.1054 = sext i32 %.1045 to i64
+  %.1055 = add nsw i64 %.898, %.1054
+  store i64 0, ptr %.1066, align 8
+  %.1070 = call i32 @merge.13(ptr nonnull %.1066, ptr nonnull %excinfo.3, i64 %.1055, i64 %.901, i32 %.1045, i32 %.721, i64 %free.2.2439, i64 %arg.capacity, ptr %arg.at, ptr %arg.count, ptr %arg.room, ptr %arg.pool, ptr %arg.mark)
+  %.1080 = load i64, ptr %.1066, align 8
+  switch i32 %.1070, label %B662.if [
+    i32 -2, label %B662.endif
+    i32 0, label %B662.endif
   ]
 
-B638.if:
-  %.1050 = icmp sgt i32 %.1042, 0
-  %.1043 = load ptr, ptr %excinfo.3, align 8
-  %.1051 = select i1 %.1050, ptr %.1043, ptr undef
-  store ptr %.1051, ptr %excinfo, align 8
+B662.if:
+  %.1078 = icmp sgt i32 %.1070, 0
+  %.1071 = load ptr, ptr %excinfo.3, align 8
+  %.1079 = select i1 %.1078, ptr %.1071, ptr undef
+  store ptr %.1079, ptr %excinfo, align 8
   br label %common.ret
 
-B638.endif:
-  %.1068 = icmp slt i64 %.1052, 0
-  br i1 %.1068, label %B748, label %B758
+B662.endif:
+  %.1096 = icmp slt i64 %.1080, 0
+  br i1 %.1096, label %B772, label %B782
 
-B758.if:
-  %.1139 = icmp sgt i32 %.1131, 0
-  %.1132 = load ptr, ptr %excinfo.4, align 8
-  %.1140 = select i1 %.1139, ptr %.1132, ptr undef
-  store ptr %.1140, ptr %excinfo, align 8
+B806.if:
+  %.1176 = icmp sgt i32 %.1168, 0
+  %.1169 = load ptr, ptr %excinfo.4, align 8
+  %.1177 = select i1 %.1176, ptr %.1169, ptr undef
+  store ptr %.1177, ptr %excinfo, align 8
   br label %common.ret
 
-B758.endif:
-  %.1154 = getelementptr i32, ptr %arg.count, i64 %.1026
-  %.1155 = load i32, ptr %.1154, align 4
-  %.1161 = getelementptr i32, ptr %8, i64 %.1026
-  %.1162 = load i32, ptr %.1161, align 4
-  %.1165 = add i32 %.1162, %.1155
-  %.1170 = getelementptr i32, ptr %arg.degree, i64 %.1026
-  store i32 %.1165, ptr %.1170, align 4
-  store ptr null, ptr %.1178, align 8
-  %.1182 = call i32 @enlist.13(ptr nonnull %.1178, ptr nonnull %excinfo.5, i32 %.1017, ptr %arg.degree, ptr %arg.head, ptr %arg.after, ptr %arg.before)
-  switch i32 %.1182, label %B758.endif.if [
-    i32 -2, label %B758.endif.endif
-    i32 0, label %B758.endif.endif
+B914.if:
+  %.1240 = icmp sgt i32 %.1232, 0
+  %.1233 = load ptr, ptr %excinfo.5, align 8
+  %.1241 = select i1 %.1240, ptr %.1233, ptr undef
+  store ptr %.1241, ptr %excinfo, align 8
+  br label %common.ret
+
+B914.endif:
+  %.1256 = load i32, ptr %.1212, align 4
+  store i64 0, ptr %.1262, align 8
+  %.1266 = call i32 @numba.14(ptr nonnull %.1262, ptr nonnull %excinfo.6, i64 %least.8.2440, i32 %.1256)
+  switch i32 %.1266, label %B914.endif.if [
+    i32 -2, label %B914.endif.endif
+    i32 0, label %B914.endif.endif
   ]
 
-B758.endif.if:
-  %.1190 = icmp sgt i32 %.1182, 0
-  %.1183 = load ptr, ptr %excinfo.5, align 8
-  %.1191 = select i1 %.1190, ptr %.1183, ptr undef
-  store ptr %.1191, ptr %excinfo, align 8
+B914.endif.if:
+  %.1274 = icmp sgt i32 %.1266, 0
+  %.1267 = load ptr, ptr %excinfo.6, align 8
+  %.1275 = select i1 %.1274, ptr %.1267, ptr undef
+  store ptr %.1275, ptr %excinfo, align 8
   br label %common.ret
 
-B758.endif.endif:
-  %.1206 = load i32, ptr %.1170, align 4
-  store i64 0, ptr %.1212, align 8
-  %.1216 = call i32 @numba.14(ptr nonnull %.1212, ptr nonnull %excinfo.6, i64 %least.6.2365, i32 %.1206)
-  switch i32 %.1216, label %B758.endif.endif.if [
-    i32 -2, label %B758.endif.endif.endif
-    i32 0, label %B758.endif.endif.endif
+B914.endif.endif:
+  %.1276 = load i64, ptr %.1262, align 8
+  br label %B996
+
+B1062.if:
+  %least.5.1449 = phi i64 [ %least.10.2, %B1220 ], [ %least.8.2.lcssa, %B1000 ]
+  %.1374.0448 = phi i32 [ %.1436, %B1220 ], [ %.1384, %B1000 ]
+  %.1371.0447 = phi i32 [ %.1440, %B1220 ], [ %.1339, %B1000 ]
+  %.1436 = add nsw i32 %.1374.0448, -1
+  %.1440 = add i32 %.1371.0447, 1
+  %12 = sext i32 %.1371.0447 to i64
+  %.1471 = getelementptr i32, ptr %arg.awaiting, i64 %12
+  %.1472 = load i32, ptr %.1471, align 4
+  %.1478 = sext i32 %.1472 to i64
+  %.1479 = getelementptr i32, ptr %arg.waits, i64 %.1478
+  %.1480 = load i32, ptr %.1479, align 4
+  %.1482 = add i32 %.1480, -1
+  store i32 %.1482, ptr %.1479, align 4
+  %.1495 = icmp eq i32 %.1482, 0
+  br i1 %.1495, label %B1138, label %B1220
+
+B1138.if:
+  %.1515 = icmp sgt i32 %.1507, 0
+  %.1508 = load ptr, ptr %excinfo.7, align 8
+  %.1516 = select i1 %.1515, ptr %.1508, ptr undef
+  store ptr %.1516, ptr %excinfo, align 8
+  br label %common.ret
+
+B1138.endif:
+  %.1530 = getelementptr i32, ptr %arg.degree, i64 %.1478
+  %.1531 = load i32, ptr %.1530, align 4
+  store i64 0, ptr %.1537, align 8
+  %.1541 = call i32 @numba.14(ptr nonnull %.1537, ptr nonnull %excinfo.8, i64 %least.5.1449, i32 %.1531)
+  switch i32 %.1541, label %B1138.endif.if [
+    i32 -2, label %B1138.endif.endif
+    i32 0, label %B1138.endif.endif
   ]
 
-B758.endif.endif.if:
-  %.1224 = icmp sgt i32 %.1216, 0
-  %.1217 = load ptr, ptr %excinfo.6, align 8
-  %.1225 = select i1 %.1224, ptr %.1217, ptr undef
-  store ptr %.1225, ptr %excinfo, align 8
+B1138.endif.if:
+  %.1549 = icmp sgt i32 %.1541, 0
+  %.1542 = load ptr, ptr %excinfo.8, align 8
+  %.1550 = select i1 %.1549, ptr %.1542, ptr undef
+  store ptr %.1550, ptr %excinfo, align 8
   br label %common.ret
 
-B758.endif.endif.endif:
-  %.1226 = load i64, ptr %.1212, align 8
-  %exitcond402.not = icmp eq i64 %indvars.iv.next, %wide.trip.count
-  br i1 %exitcond402.not, label %B552.loopexit, label %B636.if
+B1138.endif.endif:
+  %.1551 = load i64, ptr %.1537, align 8
+  br label %B1220
 }
 
-define internal i32 @enlist.11(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.i, ptr noalias %arg.degree, ptr noalias %arg.head, ptr noalias %arg.after, ptr noalias %arg.before) {
+define internal i32 @enlist.10(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.i, ptr noalias %arg.degree, ptr noalias %arg.head, ptr noalias %arg.after, ptr noalias %arg.before) {
 entry:
   %.19 = getelementptr i32, ptr %arg.degree, i64 %arg.i
   %.20 = load i32, ptr %.19, align 4
@@ -1168,7 +1283,7 @@ B74:
   ret i32 0
 }
 
-define internal i32 @delist.10(ptr noalias %retptr, ptr noalias %excinfo, i32 %arg.i, ptr noalias %arg.degree, ptr noalias %arg.head, ptr noalias %arg.after, ptr noalias %arg.before) {
+define internal i32 @delist.11(ptr noalias %retptr, ptr noalias %excinfo, i32 %arg.i, ptr noalias %arg.degree, ptr noalias %arg.head, ptr noalias %arg.after, ptr noalias %arg.before) {
 entry:
   %.21 = sext i32 %arg.i to i64
   %.22 = getelementptr i32, ptr %arg.before, i64 %.21
@@ -1211,7 +1326,7 @@ B122:
   br label %common.ret
 }
 
-define internal i32 @merge.12(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.target, i64 %arg.source, i32 %arg.own, i32 %arg.gone, i64 %arg.free, i64 %arg.capacity, ptr noalias %arg.at, ptr noalias %arg.count, ptr noalias %arg.room, ptr noalias %arg.pool, ptr noalias %arg.mark) noinline {
+define internal i32 @merge.13(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.target, i64 %arg.source, i32 %arg.own, i32 %arg.gone, i64 %arg.free, i64 %arg.capacity, ptr noalias %arg.at, ptr noalias %arg.count, ptr noalias %arg.room, ptr noalias %arg.pool, ptr noalias %arg.mark) noinline {
 entry:
   %.37 = getelementptr i32, ptr %arg.count, i64 %arg.target
   %.38 = load i32, ptr %.37, align 4
@@ -1333,7 +1448,7 @@ B370.if:
   br i1 %exitcond184.not, label %B450, label %B370.if
 }
 
-define internal i32 @enlist.13(ptr noalias %retptr, ptr noalias %excinfo, i32 %arg.i, ptr noalias %arg.degree, ptr noalias %arg.head, ptr noalias %arg.after, ptr noalias %arg.before) {
+define internal i32 @enlist.12(ptr noalias %retptr, ptr noalias %excinfo, i32 %arg.i, ptr noalias %arg.degree, ptr noalias %arg.head, ptr noalias %arg.after, ptr noalias %arg.before) {
 entry:
   %.19 = sext i32 %arg.i to i64
   %.20 = getelementptr i32, ptr %arg.degree, i64 %.19

@@ -3,7 +3,8 @@
 Unknowns are paired whose rows look alike, such as the two coordinates of a node, and pairs with
 few neighbours are eliminated first. Within a pair the pivots are free, between pairs there
 is no pivoting: the matrices of a step of an implicit method have masses, compliances and
-stiffnesses on their diagonal.
+stiffnesses on their diagonal. Where an own entry may vanish, as at a node of a straight axis that
+only the strains beside it hold, these strains are eliminated before: they leave their stiffness.
 """
 
 from __future__ import annotations
@@ -22,14 +23,22 @@ class SparseLU:
     """Factors of matrices diag(mass) scale - J of one pattern.
 
     ``rows``, ``columns`` (nnz,): places of the entries of J (n, n). The diagonal always belongs
-    to the pattern. A pair without masses and without own entries may turn out singular: `factor`
-    says so.
+    to the pattern. ``weak`` (n,): whether an own entry may be zero or round-off; such unknowns go
+    after all others that depend on them and on which they depend. A pair without masses and
+    without own entries may turn out singular all the same: `factor` says so.
     """
 
     def __init__(
-        self, size: int, rows: np.ndarray, columns: np.ndarray, *, loops: Loops | None = None
+        self,
+        size: int,
+        rows: np.ndarray,
+        columns: np.ndarray,
+        *,
+        weak: np.ndarray | None = None,
+        loops: Loops | None = None,
     ) -> None:
         self.loops = loops or native_loops()
+        self._weak = np.zeros(size, bool) if weak is None else np.asarray(weak, dtype=bool)
         self.size, self.entries = size, len(rows)
         self.blocks = (size + 1) // 2
         rows, columns = np.asarray(rows, dtype=np.int64), np.asarray(columns, dtype=np.int64)
@@ -109,8 +118,10 @@ class SparseLU:
         j = np.concatenate([columns, rows, everyone])
         start, sorted_columns = _rows_of(i, j, size)
         partner, common, seen = (np.empty(size, PLACES) for _ in range(3))
-        self.loops("pair_up", size, start, sorted_columns, partner, common, seen)
+        weak = self._weak.astype(PLACES)
+        self.loops("pair_up", size, start, sorted_columns, weak, partner, common, seen)
         single = np.flatnonzero(partner < 0)
+        single = single[np.argsort(weak[single], kind="stable")]
         # Whoever is left over is paired all the same; one may stay alone.
         partner[single[0::2][: len(single) // 2]] = single[1::2]
         partner[single[1::2]] = single[0::2][: len(single) // 2]
@@ -119,13 +130,31 @@ class SparseLU:
         pair = np.empty(size, dtype=np.int64)
         pair[~second] = np.arange(np.sum(~second))
         pair[second] = pair[partner[second]]
-        order = self._order(pair[rows], pair[columns])
+        order = self._order(pair[rows], pair[columns], *self._waiting(pair, rows, columns))
         turn = np.argsort(order)
         return (2 * turn[pair] + second).astype(PLACES)
 
-    def _order(self, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    def _waiting(
+        self, pair: np.ndarray, rows: np.ndarray, columns: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Pairs with weak unknowns, and others that must go before: neighbours both ways."""
+        if not self._weak.any():
+            return np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64)
+        late = np.zeros(self.blocks, dtype=bool)
+        late[pair[self._weak]] = True
+        held = self._weak[rows] & ~late[pair[columns]]
+        i, j = rows[held], columns[held]
+        both = np.isin(j * self.size + i, rows * self.size + columns)
+        keys = np.unique(pair[i[both]] * self.blocks + pair[j[both]])
+        return keys // self.blocks, keys % self.blocks
+
+    def _order(
+        self, rows: np.ndarray, columns: np.ndarray, waiting: np.ndarray, on: np.ndarray
+    ) -> np.ndarray:
         """Pairs in the order of their elimination, for pairs in a row and a column each."""
         size = self.blocks
+        waits = np.bincount(waiting, minlength=size).astype(PLACES)
+        first, awaiting = _rows_of(on, waiting, size)
         off = rows != columns
         rows, columns = rows[off], columns[off]
         lists, others = np.append(rows, size + columns), np.append(columns, rows)
@@ -133,8 +162,9 @@ class SparseLU:
         capacity = FIRST_GUESS * len(members) + size
         while True:
             order, at, count, room, *rest = (np.empty(2 * size, PLACES) for _ in range(9))
-            given = (size, start, members, capacity, order, at, count, room)
-            if self.loops("elimination_order", *given, np.empty(capacity, PLACES), *rest) == 0:
+            given = (size, start, members, first, awaiting, waits.copy(), capacity)
+            work = (at, count, room, np.empty(capacity, PLACES), *rest)
+            if self.loops("elimination_order", *given, order, *work) == 0:
                 return order[:size]
             capacity *= 2
 

@@ -85,6 +85,42 @@ def test_a_singular_matrix_is_told() -> None:
             lu.factor(np.array([np.nan, 1.0]), np.ones(2), 1.0)
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_what_neighbours_hold_is_eliminated_after_them(seed: int) -> None:
+    """Places along a chain, held by nothing but the strains between them: an exact solution."""
+    rng = np.random.default_rng(seed)
+    count, n = 30, 60
+    matrix = np.diag(np.repeat([1, 0], count) * rng.integers(1, 9, n))
+    for k in range(count):
+        for node in (k - 1, k)[k == 0 :]:
+            matrix[k, count + node] = rng.choice([-7, 7]) + (node == k)
+            matrix[count + node, k] = rng.choice([-2, 2]) + (node == k)
+    rows, columns = np.nonzero((matrix != 0) | np.eye(n, dtype=bool))
+    order = rng.permutation(n)
+    matrix, rows, columns = matrix[order][:, order], order.argsort()[rows], order.argsort()[columns]
+    values, exact = -matrix[rows, columns].astype(float), rng.integers(-9, 9, n)
+    weak = order >= count
+    for loops in both():
+        lu = SparseLU(n, rows, columns, weak=weak, loops=loops)
+        found = lu.solve(lu.factor(values, np.zeros(n), 1.0), (matrix @ exact).astype(float))
+        np.testing.assert_allclose(found, exact, rtol=0, atol=1e-9)
+        for i, j in zip(rows[weak[rows]], columns[weak[rows]], strict=True):
+            assert weak[j] or lu.slots[j] // 2 < lu.slots[i] // 2
+        plain = SparseLU(n, rows, columns, loops=loops)
+        with pytest.raises(ZeroDivisionError):
+            plain.factor(values, np.zeros(n), 1.0)
+
+
+def test_an_equation_without_its_own_unknown_goes_after_what_ties_it() -> None:
+    rows, columns = np.array([0, 1, 1, 1, 2, 2]), np.array([1, 0, 1, 2, 1, 2])
+    values, exact = np.array([3.0, 2.0, 1.0, 4.0, 5.0, 7.0]), np.array([2.0, -3.0, 5.0])
+    right = np.bincount(rows, -values * exact[columns])
+    for loops in both():
+        lu = SparseLU(3, rows, columns, weak=np.array([True, False, False]), loops=loops)
+        found = lu.solve(lu.factor(values, np.zeros(3), 1.0), right)
+        np.testing.assert_allclose(found, exact, rtol=0, atol=1e-14)
+
+
 def settings(net: Network, tolerance: float, largest: float, **others: float) -> MarchSettings:
     powers = np.zeros(net.assembly.unknowns - 1)
     return MarchSettings(tolerance, 1.0, powers, largest, 1e-14, **others)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 
-def pair_up(n, start, columns, partner, common, seen):
+def pair_up(n, start, columns, weak, partner, common, seen):
     """Pair unknowns whose rows of a symmetric pattern overlap most: partner (n,), -1 for none.
 
-    ``common``, ``seen`` int32 (n,): to work with.
+    ``weak`` (n,): 1 for those that only pair with each other, else 0; ``common``, ``seen``
+    int32 (n,): to work with.
     """
     for i in range(n):
         partner[i] = -1
@@ -19,7 +20,7 @@ def pair_up(n, start, columns, partner, common, seen):
             k = columns[p]
             for q in range(start[k], start[k + 1]):
                 j = columns[q]
-                if j > i and partner[j] < 0:
+                if j > i and partner[j] < 0 and weak[j] == weak[i]:
                     if common[j] == 0:
                         seen[count] = j
                         count += 1
@@ -38,15 +39,17 @@ def pair_up(n, start, columns, partner, common, seen):
 
 
 def elimination_order(
-    n, start, members, capacity, order, at, count, room, pool, degree, head, after, before, mark
-):
+    n, start, members, first, awaiting, waits,
+    capacity, order, at, count, room, pool, degree, head, after, before, mark,
+):  # fmt: skip
     """Order of elimination (n,) that keeps the factors sparse.
 
     Next is whoever has the fewest others in its row and its column together: rows of positions
     are short, their columns long, so that they go early. Lists 0..n-1 of ``members`` are the
-    rows, n..2n-1 the columns, all without the diagonal. ``pool``: int32 (capacity,), no fewer
-    than the members; the others int32 (2 n,), to work with. Returns 0, or -1 where ``pool`` is
-    too short.
+    rows, n..2n-1 the columns, all without the diagonal. ``waits`` (n,): how many must go before
+    each, counted down; those that wait for i are ``awaiting`` from first[i] to first[i + 1].
+    ``pool``: int32 (capacity,), no fewer than the members; the others int32 (2 n,), to work
+    with. Returns 0, or -1 where ``pool`` is too short.
     """
     free = start[2 * n]
     for i in range(2 * n):
@@ -58,7 +61,8 @@ def elimination_order(
     for k in range(n):
         i = n - 1 - k
         degree[i] = count[i] + count[n + i]
-        enlist(i, degree, head, after, before)
+        if waits[i] == 0:
+            enlist(i, degree, head, after, before)
     least = 0
     for k in range(n):
         while head[least] < 0:
@@ -76,8 +80,16 @@ def elimination_order(
                 )
                 if free < 0:
                     return -1
-                delist(i, degree, head, after, before)
+                if waits[i] == 0:
+                    delist(i, degree, head, after, before)
                 degree[i] = count[i] + count[n + i]
+                if waits[i] == 0:
+                    enlist(i, degree, head, after, before)
+                    least = min(least, degree[i])
+        for p in range(first[pivot], first[pivot + 1]):
+            i = awaiting[p]
+            waits[i] -= 1
+            if waits[i] == 0:
                 enlist(i, degree, head, after, before)
                 least = min(least, degree[i])
     return 0

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from viscodesign.model.local_equations import LocalEquations
-from viscodesign.native import rodas
 from viscodesign.native.machine import this_machine
 from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, march
 from viscodesign.native.unavailable import NativeUnavailable
@@ -13,9 +12,6 @@ from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
 from viscodesign.solve.statics import Start
-
-LARGEST_RESIDUAL = 1e-6
-"""Of linear equations with right sides of one; beyond, they count as not solved."""
 
 
 def has_native_code(problem: Problem) -> bool:
@@ -30,9 +26,6 @@ def has_native_code(problem: Problem) -> bool:
 def _local_equations(problem: Problem) -> LocalEquations:
     """The equations that native code steps. Raises `NativeUnavailable` where there are none."""
     this_machine()  # code that was made before may have been switched off
-    if problem.equations.algebraics.branch_span is not None:
-        # It follows its loads at once, by equations in which a pivot may vanish.
-        raise NativeUnavailable("a static rod needs the pivots of the formulas' elimination")
     local = problem.equations.local
     if local is None:
         raise NativeUnavailable("the equations are no sums of local terms")
@@ -93,8 +86,7 @@ class NativeSteps(StretchSteps):
             return Reached(columns, state.size, None, state.time)
         limit = status is MarchStatus.STEP_LIMIT
         failure = "" if limit else "step size fell below its minimum"
-        lacks_pivots = not limit and self._lacks_pivots(state, piece)
-        return Reached(columns, None, failure, state.time, lacks_pivots)
+        return Reached(columns, None, failure, state.time)
 
     def settings(self, stretch: float, duration: float) -> MarchSettings:
         """What steers the steps of a stretch of so many seconds in a run of so many."""
@@ -115,25 +107,6 @@ class NativeSteps(StretchSteps):
         integrals = np.zeros(self.problem.equations.integrals)
         y = np.concatenate([start.states, start.algebraics, integrals])
         return self._with_sums(y, time, piece)
-
-    def _lacks_pivots(self, state: MarchState, piece: np.ndarray) -> bool:
-        """Whether the next step's linear equations cannot be solved in the order chosen for them.
-
-        A force along a straight rod leaves no more than round-off where some pivots should be.
-        """
-        time = [*np.zeros(self.assembly.drives), state.time]
-        Y = np.concatenate([state.y, time, piece, [1.0]])
-        self.assembly.drive(Y)
-        J = self.assembly.jacobian(Y)
-        lu, mass = self._compiled.lu, self._local.form.balances.mass
-        scale, right = 1.0 / (rodas.GAMMA * state.size), np.ones(len(state.y))
-        try:
-            x = lu.solve(lu.factor(J, mass, scale), right)
-        except ZeroDivisionError:
-            return True
-        products = J[: lu.entries] * x[self._compiled.columns]
-        left = mass * scale * x - np.bincount(self._compiled.rows, products, len(x))
-        return not np.max(np.abs(right - left)) < LARGEST_RESIDUAL
 
     def _with_sums(self, y: np.ndarray, time: float, piece: np.ndarray) -> np.ndarray:
         """Unknowns and integrals with the sums in between."""

@@ -46,8 +46,6 @@ class Reached:
     """Why it was not; empty where the steps allowed were taken."""
     time: float = 0.0
     """How far the steps came [s]."""
-    lacks_pivots: bool = False
-    """Whether they ended because the elimination in their order found no pivots."""
 
 
 class StretchSteps(ABC):

@@ -7,7 +7,6 @@ order five. A step has one Jacobian, one factorisation and eight stages, no iter
 from __future__ import annotations
 
 import time as clock
-from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
@@ -73,8 +72,6 @@ class Rosenbrock(Solver):
                 break
             y = np.concatenate([here.states, here.algebraics, total])
             reached = self.steps(self.problem.schedule, y, begin, end, self.size, work)
-            if reached.lacks_pivots and self.problem.unknowns <= CONTROL.max_unknowns:
-                reached = self._by_formulas(reached, y, begin, end, work)
             columns.append(reached.columns)
             if reached.failure is not None:
                 failure = self._failure(reached, begin)
@@ -86,18 +83,6 @@ class Rosenbrock(Solver):
             return self.nothing(), failure
         x, z, q = np.split(np.concatenate(columns).T, [self.states, self.unknowns])
         return (x, z, q), failure
-
-    def _by_formulas(
-        self, reached: Reached, y: np.ndarray, begin: int, end: int, work: Work
-    ) -> Reached:
-        """The rest of a stretch, and of the run, by formulas: they eliminate in another order."""
-        began = clock.perf_counter()
-        self.steps = FormulaSteps(self.problem, self.tolerance)
-        work.compile_s += clock.perf_counter() - began
-        done = len(reached.columns)
-        here = reached.columns[-1] if done else y
-        rest = self.steps(self.problem.schedule, here, begin + done, end, None, work)
-        return replace(rest, columns=np.concatenate([reached.columns, rest.columns]))
 
     def _failure(self, reached: Reached, begin: int) -> SolveError:
         if not reached.failure:
