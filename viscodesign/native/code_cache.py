@@ -23,6 +23,8 @@ FOLDER_VARIABLE = "VISCODESIGN_CACHE"
 """Environment variable: another cache folder; empty or ``off`` for none."""
 MAX_BYTES = 64 * 2**20
 """Bytes that are kept; beyond, what was not used for longest goes."""
+KEPT_SHARE = 15 / 16
+"""Part of them that then stays, so that a folder need not be looked through at every file."""
 MAGIC = b"viscodesign machine code 1\n"
 SUFFIX = ".code"
 
@@ -103,20 +105,30 @@ def _write(path: Path, code: bytes) -> None:
     """Add a file, and remove the oldest ones if they are too many."""
     with contextlib.suppress(OSError, UsageError):
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        write_bytes(path, MAGIC + hashlib.sha256(code).digest() + code)
-        _make_room(path.parent)
+        content = MAGIC + hashlib.sha256(code).digest() + code
+        write_bytes(path, content)
+        total = _totals.get(path.parent, MAX_BYTES) + len(content)
+        _totals[path.parent] = _make_room(path.parent) if total > MAX_BYTES else total
 
 
-def _make_room(folder: Path) -> None:
+_totals: dict[Path, int] = {}
+"""Bytes in each folder when it was last looked through, and what this process wrote since."""
+
+
+def _make_room(folder: Path) -> int:
+    """Remove the oldest files of a folder that holds too much; how many bytes are left."""
     files = []
     for entry in os.scandir(folder):
         # Others may remove files at the same time.
         with contextlib.suppress(OSError):
             files.append((entry.stat().st_mtime, entry.stat().st_size, entry.path))
     total = sum(size for _, size, _ in files)
+    if total <= MAX_BYTES:
+        return total
     for _, size, name in sorted(files):
-        if total <= MAX_BYTES:
-            return
+        if total <= KEPT_SHARE * MAX_BYTES:
+            break
         with contextlib.suppress(OSError):
             os.unlink(name)
         total -= size
+    return total

@@ -186,10 +186,29 @@ def test_what_was_not_used_for_longest_goes(folder: Path, monkeypatch: pytest.Mo
         os.utime(file, (1000 + age, 1000 + age))
     use(1.0)
     size = first.stat().st_size
-    monkeypatch.setattr(code_cache, "MAX_BYTES", 2 * size + size // 2)
+    monkeypatch.setattr(code_cache, "MAX_BYTES", 3 * size)
     use(5.0)
     assert first.exists()
     assert not second.exists()
+
+
+def test_a_folder_is_looked_through_once(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    looks: list[Path] = []
+    make_room = code_cache._make_room
+
+    def counted(path: Path) -> int:
+        looks.append(path)
+        return make_room(path)
+
+    monkeypatch.setattr(code_cache, "_make_room", counted)
+    for k in range(5):
+        code_cache.keep((str(k),), bytes(1000))
+    assert looks == [folder]
+    monkeypatch.setattr(code_cache, "MAX_BYTES", 5500)
+    for k in range(5, 20):
+        code_cache.keep((str(k),), bytes(1000))
+        assert sum(file.stat().st_size for file in folder.iterdir()) <= 5500
+    assert len(looks) > 5
 
 
 def test_a_file_of_somebody_else_is_not_run(
