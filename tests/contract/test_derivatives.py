@@ -26,7 +26,7 @@ CHANGES = (1e-3, 1e-4, 1e-5)
 """Parts of a direction for differences: the best is neither cut off nor round-off."""
 SETS_PER_CONFIG = 1
 WITHOUT = ("syringe_water",)
-"""A plunger's first instant has no pivots in the order of native elimination."""
+"""From an equilibrium on, products with its duals differ where a plunger sets off."""
 ANY_ERROR = 1e30
 """Tolerance at which the sizes of steps depend on the times alone."""
 

@@ -89,6 +89,19 @@ def test_metrics_follow_the_period_of_the_input() -> None:
         assert loop.vjp(None, {name: 1.0}) == pytest.approx(slopes[name], rel=1e-8)
 
 
+def test_a_rod_without_inertia_has_derivatives() -> None:
+    scene = leg(SHORT, "effects={inertia: off, others: auto}", config="horizontal_payload")
+    loaded = compile(scene, ["loads.payload"], TIP, tolerance=1e-8)
+    slopes, value = loaded.jacobian(), loaded.values
+    for name in TIP:
+        apart = loaded(value * 1.001)[name] - loaded(value * 0.999)[name]
+        largest = np.max(np.abs(slopes[name]))
+        assert slopes[name][:, 0] == pytest.approx(apart / (2e-3 * value), abs=1e-6 * largest)
+    weights = {name: np.ones(len(loaded.times)) for name in TIP}
+    wanted = sum(np.sum(slopes[name], axis=0) for name in TIP)
+    assert loaded.vjp(None, weights) == pytest.approx(wanted, rel=1e-9)
+
+
 def test_equilibria_have_derivatives() -> None:
     still = compile(leg(config="steady_left_auto"), ["actuator.youngs_modulus"], TIP)
     slopes, value = still.jacobian(), still.values
