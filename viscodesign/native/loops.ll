@@ -1,4 +1,4 @@
-; made from 9e3f9ef90d8940f6437907e2730d08cf1ec155a78021bbbb1c16d6e63635336c
+; made from e6a0548993e53f4f22b0909623d84f9c59635329891f30292e8190282d81f800
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8

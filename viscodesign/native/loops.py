@@ -21,13 +21,22 @@ import numpy as np
 from viscodesign._version import __version__
 from viscodesign.native.code_cache import cached
 from viscodesign.native.machine import load, object_code, this_machine
-from viscodesign.native.source import elimination, factors, replay, slopes, steps, sums
+from viscodesign.native.source import (
+    elimination,
+    factors,
+    forward,
+    replay,
+    reverse,
+    slopes,
+    steps,
+    sums,
+)
 from viscodesign.native.source.primitives import PythonKernel
 
 Kernel = int | PythonKernel
 """An address of machine code, or the same in Python for the loops in Python."""
 
-SOURCES = (sums, elimination, factors, steps, slopes, replay)
+SOURCES = (sums, elimination, factors, steps, slopes, replay, reverse, forward)
 IR_FILE = Path(__file__).parent / "loops.ll"
 OPTIMISE, GENERATE = 3, 3
 """Levels of passes and of code generation."""

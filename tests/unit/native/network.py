@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from viscodesign.elements.kinds import pull_of, push_of
 from viscodesign.native.kernels import compile_kernels
 from viscodesign.native.loops import Loops, NativeLoops
 from viscodesign.native.source.primitives import PythonKernel
@@ -30,6 +31,8 @@ class Network:
     rows: np.ndarray
     columns: np.ndarray
     mass: np.ndarray
+    derived: object
+    """Kernels of derivatives, four for each pair of kernels."""
     keeper: object
 
     def y_of(self, y: np.ndarray, time: float, rest: np.ndarray) -> np.ndarray:
@@ -80,12 +83,20 @@ def network(cells: int, loops: Loops, lanes: int = 8) -> Network:
     kinds = [tubes, walls, work]
     functions = [f for kind in kinds for f in _pair(*kind[0])]
     functions += [*_source()]
+    pairs = zip(functions[::2], functions[1::2], strict=True)
+    derived_functions = [
+        derive(own) for pair in pairs for derive in (pull_of, push_of) for own in pair
+    ]
     kernels: Sequence[object]
     if isinstance(loops, NativeLoops):
         compiled = compile_kernels(functions, "network", lanes)
-        kernels, keeper = [compiled.address(q) for q in range(len(functions))], compiled
+        kernels = [compiled.address(q) for q in range(len(functions))]
+        own = compile_kernels(derived_functions, "derivatives of a network", lanes)
+        derived: object = np.array([own.address(q) for q in range(len(own))], dtype=np.int64)
+        keeper: object = (compiled, own)
     else:
         kernels, keeper = [python_kernel(f, lanes) for f in functions], None
+        derived = [python_kernel(f, lanes) for f in derived_functions]
     triplets = []
     for (local, _, out), idx, _, rows in kinds:
         r, c = (np.array(q) for q in ca.jacobian(out, local).sparsity().get_triplet())
@@ -143,7 +154,7 @@ def network(cells: int, loops: Loops, lanes: int = 8) -> Network:
         loops=loops,
     )
     mass = np.concatenate([np.ones(cells), np.zeros(cells), [1.0]])
-    return Network(assembly, keys // n, keys % n, mass, keeper)
+    return Network(assembly, keys // n, keys % n, mass, derived, keeper)
 
 
 def formulas(cells: int) -> tuple[SX, SX, SX, SX, SX, SX]:
