@@ -209,9 +209,9 @@ class MotionFunction:
         for _ in range(MAX_CORRECTIONS):
             try:
                 begin = Consistency(self._structure, steps.assembly, y, time, np.append(piece, 1.0))
+                correction = begin.correction()
             except ZeroDivisionError as error:
-                raise NativeUnavailable(f"native elimination finds {error}") from error
-            correction = begin.correction()
+                raise NativeUnavailable(f"at t = {time:.6g} s, {error}") from error
             size = float(np.max(np.abs(correction), initial=0.0))
             is_round_off = size <= ROUND_OFF_CORRECTION and size > before_size / 2
             if size <= CONSISTENT or is_round_off:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -139,15 +140,15 @@ def _push_some(
     return outputs, y_dot.T[:count]
 
 
-CLAMPED = 1e30
-"""Stands for an infinite rate at which states keep their values."""
+MAX_DENSE = 150
+"""Algebraic unknowns up to which full matrices are the faster ones."""
 
 
 class Consistency:
     """Algebraic unknowns solved for with the states held, at the beginning of a stretch.
 
-    A step so short that no state moves: the factors are those of diag(mass) infinite - J.
-    Raises `ZeroDivisionError` where the algebraic equations are singular.
+    Seldom done, and with pivots: these equations alone may have none in the order that suits a
+    step. Raises `ZeroDivisionError` where they are singular.
     """
 
     def __init__(
@@ -159,58 +160,98 @@ class Consistency:
         rest: np.ndarray,
     ) -> None:
         self._structure, self._assembly = structure, assembly
-        n = assembly.unknowns
-        self._clock = n + assembly.drives
+        self._clock = assembly.unknowns + assembly.drives
         self._algebraic = structure.mass == 0.0
         self.Y = np.concatenate([y, np.zeros(assembly.drives), [time], rest])
         assembly.drive(self.Y)
-        J = assembly.jacobian(self.Y)
-        self._factors = structure.lu.factor(J, structure.mass, CLAMPED)
-
-    def defect(self) -> np.ndarray:
-        """(n,) residual of the algebraic equations, zero for the others."""
-        return np.where(self._algebraic, self._assembly.residual(self.Y), 0.0)
+        self._solve = self._solver(assembly.jacobian(self.Y))
 
     def correction(self) -> np.ndarray:
         """(n,) Newton's step towards consistent unknowns."""
-        return self._structure.lu.solve(self._factors, self.defect())
+        found = np.zeros(self._assembly.unknowns)
+        residual = self._assembly.residual(self.Y)[self._algebraic]
+        found[self._algebraic] = -self._solve(residual, transposed=False)
+        return found
 
     def pull_back(self, weights: np.ndarray) -> Bars:
         """Slopes of weights (n,) times the consistent unknowns.
 
         ``begin``: by the states before, zero for algebraic unknowns; of ``ends`` the first.
         """
-        own, assembly = self._structure, self._assembly
-        found = own.lu.solve_transposed(self._factors, np.ascontiguousarray(weights))
-        algebraic = np.append(np.where(self._algebraic, found, 0.0), 0.0)
+        own, assembly, n = self._structure, self._assembly, self._assembly.unknowns
+        passed = np.zeros(n + 1)
+        wanted = weights[self._algebraic]
+        passed[:n][self._algebraic] = -self._solve(wanted, transposed=True)
         Y_bar, numbers = np.zeros(len(self.Y)), np.zeros(len(assembly.all_numbers))
         work = np.empty(assembly.width_of_slopes), np.empty(assembly.width_of_slopes)
         tables = (assembly.layout, assembly.kernels, own.kernels, assembly.idx, assembly.rows)
         assembly.loops(
             "slopes_at",
-            *(*tables, assembly.all_numbers, self.Y, algebraic, Y_bar, numbers),
+            *(*tables, assembly.all_numbers, self.Y, passed, Y_bar, numbers),
             *(np.empty(assembly.drives + 1), *work),
         )
-        begin = np.where(self._algebraic, 0.0, CLAMPED * found)
+        begin = np.where(self._algebraic, 0.0, weights + Y_bar[:n])
         return Bars(begin, Y_bar[self._clock + 1 :], np.array([Y_bar[self._clock], 0.0]), numbers)
 
     def push_forward(self, dots: Dots) -> np.ndarray:
         """Rates (d, n) of the consistent unknowns, for rates of the states before."""
-        own, assembly, count = self._structure, self._assembly, len(dots.begin)
-        found = np.empty(dots.begin.shape)
+        own, assembly, n = self._structure, self._assembly, self._assembly.unknowns
+        found = np.where(self._algebraic, 0.0, dots.begin)
         work = np.empty(assembly.width_of_slopes), np.empty(assembly.width_of_slopes)
         tables = (assembly.layout, assembly.kernels, own.kernels, assembly.idx, assembly.rows)
-        for k in range(count):
-            Y_dot, r_dot = np.zeros(len(self.Y)), np.empty(assembly.unknowns + 1)
+        defects = np.empty((len(found), n + 1))
+        for k, defect in enumerate(defects):
+            Y_dot = np.zeros(len(self.Y))
+            Y_dot[:n] = found[k]
             Y_dot[self._clock], Y_dot[self._clock + 1 :] = dots.ends[k, 0], dots.rest[k]
             numbers = np.ascontiguousarray(dots.numbers[k])
             assembly.loops(
                 "rates_at",
-                *(*tables, assembly.all_numbers, self.Y, Y_dot, numbers, r_dot, *work),
+                *(*tables, assembly.all_numbers, self.Y, Y_dot, numbers, defect, *work),
             )
-            held = np.where(self._algebraic, r_dot[:-1], CLAMPED * dots.begin[k])
-            found[k] = own.lu.solve(self._factors, held)
+        wanted = defects[:, :n][:, self._algebraic].T
+        found[:, self._algebraic] = -self._solve(wanted, transposed=False).T
         return found
+
+    def _solver(self, J: np.ndarray) -> Callable[..., np.ndarray]:
+        """Solves with the algebraic part of the Jacobian."""
+        own, count = self._structure, int(np.sum(self._algebraic))
+        place = np.cumsum(self._algebraic) - 1
+        kept = self._algebraic[own.rows] & self._algebraic[own.columns]
+        rows, columns = place[own.rows[kept]], place[own.columns[kept]]
+        values = J[: len(own.rows)][kept]
+        if not np.all(np.isfinite(values)):
+            raise ZeroDivisionError("algebraic equations are not finite")
+        if count > MAX_DENSE:
+            return _sparse_solver(rows, columns, values, count)
+        matrix = np.zeros((count, count))
+        matrix[rows, columns] = values
+
+        def solve(right: np.ndarray, *, transposed: bool) -> np.ndarray:
+            try:
+                return np.linalg.solve(matrix.T if transposed else matrix, right)
+            except np.linalg.LinAlgError as error:
+                raise ZeroDivisionError("algebraic equations are singular") from error
+
+        return solve
+
+
+def _sparse_solver(
+    rows: np.ndarray, columns: np.ndarray, values: np.ndarray, count: int
+) -> Callable[..., np.ndarray]:
+    from scipy.sparse import csc_matrix
+    from scipy.sparse.linalg import splu
+
+    try:
+        factors = splu(csc_matrix((values, (rows, columns)), (count, count)))
+    except RuntimeError as error:  # raised for a singular matrix
+        raise ZeroDivisionError("algebraic equations are singular") from error
+
+    def solve(right: np.ndarray, *, transposed: bool) -> np.ndarray:
+        found = factors.solve(right, trans="T") if transposed else factors.solve(right)
+        return np.asarray(found)
+
+    return solve
 
 
 def _recorded(
