@@ -248,8 +248,9 @@ def _sparse_solver(
         raise ZeroDivisionError("algebraic equations are singular") from error
 
     def solve(right: np.ndarray, *, transposed: bool) -> np.ndarray:
-        found = factors.solve(right, trans="T") if transposed else factors.solve(right)
-        return np.asarray(found)
+        if transposed:
+            return np.asarray(factors.solve(right, "T"))  # type: ignore[call-overload]
+        return np.asarray(factors.solve(right))
 
     return solve
 
