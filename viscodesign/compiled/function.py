@@ -122,6 +122,12 @@ class CompiledFunction:
         tolerance: float | None = None,
     ) -> None:
         self._made_of = (scene, free, outputs, tolerance)
+        if scene.run.start == "periodic":
+            raise SpecError.plain(
+                "run.start: 'periodic' has no derivatives; a compiled function starts in "
+                "equilibrium or at rest. Use run.start: equilibrium and a run.duration of so many "
+                "periods that the last one repeats"
+            )
         quantities = SceneQuantities(scene)
         refuse_beyond_numbers(quantities)
         self._selection = select_effects(quantities)

@@ -51,7 +51,7 @@ class EstimateSetting:
         self.ambient = scene.ambient_pressure
         self.baseline = scene.gauge_pressure
         self.swing = swing
-        self.starts_steady = scene.run.start == "equilibrium"
+        self.starts_steady = scene.run.start != "rest"
         self.graph = scene.graph
         self.bellows = len(self.graph.bellows)
         self.resistance = np.array([resistances[t.name] for t in self.graph.tubes])

@@ -17,7 +17,7 @@ SX = ca.SX
 BELLOW_AMOUNTS, BELLOW_PRESSURES = "volume", "pressure"
 """Blocks of which one row each belongs to a bellow, in the same order."""
 AMOUNT, PRESSURE = Traits(is_amount=True), Traits(is_pressure=True)
-MULTIVALUED = Traits(is_multivalued=True)
+MULTIVALUED, INTEGRAL = Traits(is_multivalued=True), Traits(is_integral=True)
 
 
 class NetworkForm(Enum):
@@ -55,7 +55,7 @@ class NetworkEquations:
         self.inflows = SX.sym("inflow", len(self.content.driven))
         states.add(BELLOW_AMOUNTS, self.amounts, volume, AMOUNT)
         states.add("node_volume", self.node_amounts, volume, AMOUNT)
-        states.add("inflow", self.inflows, volume * len(system.pressure))
+        states.add("inflow", self.inflows, volume * len(system.pressure), INTEGRAL)
         inertial = flows.independent(flows.inertial)
         implicit = flows.independent(flows.implicit)
         states.add("flow", flows.symbols(inertial), flows.flow_sizes(inertial))

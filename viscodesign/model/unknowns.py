@@ -53,6 +53,8 @@ class Traits:
     """Whether its equations may have several solutions, of which the nearest counts."""
     is_amount: bool = False
     """Whether it is an amount of fluid beyond that at rest, in the order of the nodes."""
+    is_integral: bool = False
+    """Whether nothing depends on it: it only adds up what has passed."""
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from viscodesign.scene.inputs.base import Input
 
@@ -28,6 +28,28 @@ def common_period(inputs: Iterable[Input]) -> float | None:
         if all(_is_whole(count * longest / period) for period in known):
             return count * longest
     return None
+
+
+def no_period(inputs: Mapping[str, Input]) -> str:
+    """Why inputs have no period in common, and what to do; empty where they have one."""
+    if common_period(inputs.values()) is not None:
+        return ""
+    moving = {name: found for name, found in inputs.items() if math.isfinite(found.swing_time())}
+    if not moving:
+        return "no input changes. Use run.start: equilibrium"
+    single = [name for name, found in moving.items() if found.period is None]
+    if single:
+        kinds = " and ".join(f"'{name}' ({moving[name].name})" for name in single)
+        verb = "does" if len(single) == 1 else "do"
+        return (
+            f"{kinds} {verb} not. Use a periodic kind such as sine, square or trapezoid, or "
+            "run.start: equilibrium"
+        )
+    periods = ", ".join(f"'{name}' {found.period:.6g} s" for name, found in moving.items())
+    return (
+        f"the periods ({periods}) do not meet within {MOST_PERIODS} of the longest. Make each a "
+        "simple fraction of the longest, or use run.start: equilibrium"
+    )
 
 
 def _is_whole(turns: float) -> bool:

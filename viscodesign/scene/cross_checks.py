@@ -12,6 +12,7 @@ from typing import Any
 from pydantic_core import PydanticCustomError
 
 from viscodesign.errors import did_you_mean
+from viscodesign.scene.common_period import no_period
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import Network
@@ -43,6 +44,8 @@ def _inputs(valid: Fields) -> Iterator[KeyFault]:
     yield from _inlet_names(inputs)
     if ("RunSettings", "duration") in valid:
         yield from _periods(inputs, valid["RunSettings", "duration"], several is None)
+    if valid.get(("RunSettings", "start")) == "periodic" and (reason := no_period(inputs)):
+        yield KeyFault(("run", "start"), f"'periodic' needs inputs that repeat; {reason}")
     if ("Scene", "network") in valid and ("Bellows", "count") in valid:
         yield from _graph(valid["Scene", "network"], valid["Bellows", "count"], inputs)
     if ("Scene", "fluid_choice") in valid:

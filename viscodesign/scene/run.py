@@ -46,9 +46,10 @@ class RunSettings(SpecPart):
         description="Write every n-th output to shape.csv; default: 1, or "
         f"more for at most {MAX_SHAPES} shapes",
     )
-    start: Literal["equilibrium", "rest"] = Field(
+    start: Literal["equilibrium", "rest", "periodic"] = Field(
         "equilibrium",
-        description="equilibrium under the initial pressures and loads, or straight and at rest",
+        description="equilibrium under the initial pressures and loads, straight and at rest, or "
+        "on the limit cycle of periodic inputs",
     )
 
     @model_validator(mode="after")

@@ -109,6 +109,7 @@ class Scene(SpecPart):
         return {
             **parts,
             ("RunSettings", "duration"): self.run.duration,
+            ("RunSettings", "start"): self.run.start,
             ("Bellows", "count"): self.bellows.count,
         }
 

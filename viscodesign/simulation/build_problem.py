@@ -68,7 +68,7 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         bellows=quantities.graph.bellows,
         bellows_along_tubes=quantities.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
-        schedule=with_samples(schedule(scene), equations, scene.run.start == "rest"),
+        schedule=with_samples(schedule(scene), equations, scene.run.start != "equilibrium"),
         floor_volume=quantities.bellow.floor_volume if _may_empty(effects) else None,
         remedies=_remedies(quantities),
         max_steps=scene.run.max_steps,
@@ -219,9 +219,20 @@ def schedule(scene: Scene) -> Schedule:
     return Schedule(edges, Pieces(pieces, firsts, len(edges) - 1), outputs, initial)
 
 
-def stops_of(scene: Scene) -> np.ndarray:
-    """Zero, the corners of all inputs, and the end of the run, ascending (m + 1,) [s]."""
-    duration = scene.run.duration
+def cycle_schedule(scene: Scene, period: float) -> Schedule:
+    """One period of all inputs, with no edges but their corners."""
+    edges = stops_of(scene, period)
+    values, initial = pieces_between(scene, edges)
+    count = len(edges) - 1
+    return Schedule(edges, Pieces(values, np.arange(count), count), np.array([count]), initial)
+
+
+def stops_of(scene: Scene, duration: float | None = None) -> np.ndarray:
+    """Zero, the corners of all inputs, and the end, ascending (m + 1,) [s].
+
+    ``duration``: that of the run unless told otherwise [s].
+    """
+    duration = scene.run.duration if duration is None else duration
     corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
     return _merge(np.concatenate([[0.0], *corners, [duration]]), duration)
 

@@ -14,8 +14,10 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.motion import Motion, read_motion
-from viscodesign.simulation.build_problem import Settings, build
-from viscodesign.solve.problem import Problem
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.build_problem import Settings, build, cycle_schedule
+from viscodesign.solve.limit_cycle import limit_cycle
+from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.statics import Start, equilibrium, rest
 from viscodesign.solve.transient import Solution, integrate, solver_catalogue, suitable_solver
 from viscodesign.storage.disk_arrays import ArrayStore, blocks
@@ -29,20 +31,50 @@ class PreparedProblem:
     """A problem, and where its run starts."""
 
     problem: Problem
-    starts_steady: bool
-    """Whether that is the equilibrium; else everything is at rest."""
+    starts_at_rest: bool
+    """Whether everything is at rest; else it is in equilibrium, or on a limit cycle."""
+    cycle: Schedule | None = None
+    """One period of the inputs, where the run starts on its limit cycle."""
+    _cycles: LruCache[Start] = field(default_factory=lambda: LruCache(MAX_CYCLES))
+
+    def start(self, tolerance: float, solver: str) -> Start:
+        """Unknowns at the start of a run with this tolerance and solver.
+
+        Raises `SolveError` where there is no equilibrium, or no limit cycle.
+        """
+        if self.cycle is None:
+            return self._steady
+        one = replace(self.problem, schedule=self.cycle)
+        key, found = (tolerance, solver), self._cycles.found((tolerance, solver))
+        if found is None:
+            found = _shared(limit_cycle(one, self._steady, tolerance, solver).start)
+        return self._cycles.keep(key, found)
 
     @cached_property
-    def start(self) -> Start:
-        """Unknowns at the start. Raises `SolveError` where there is no equilibrium."""
+    def _steady(self) -> Start:
+        """Unknowns in equilibrium, or at rest."""
         piece = self.problem.schedule.initial_piece
-        if self.starts_steady:
-            found = equilibrium(self.problem, 0.0, piece)
-        else:
-            found = rest(self.problem, piece)
-        for values in (found.states, found.algebraics):
-            values.flags.writeable = False  # shared by all solutions
-        return found
+        if self.starts_at_rest:
+            return _shared(rest(self.problem, piece))
+        return _shared(equilibrium(self.problem, 0.0, piece))
+
+
+MAX_CYCLES = 8
+"""Starts on limit cycles that a problem keeps, one for each tolerance and solver."""
+
+
+def _shared(start: Start) -> Start:
+    """A start that all solutions share, hence cannot be written to."""
+    for values in (start.states, start.algebraics):
+        values.flags.writeable = False
+    return start
+
+
+def prepared_problem(scene: Scene, problem: Problem) -> PreparedProblem:
+    """A scene's problem with the start that its spec asks for."""
+    period = scene.period if scene.run.start == "periodic" else None
+    cycle = None if period is None else cycle_schedule(scene, period)
+    return PreparedProblem(problem, scene.run.start == "rest", cycle)
 
 
 class ProblemStore:
@@ -60,9 +92,8 @@ class ProblemStore:
         """A scene's equations, formulated once for every set of effects and mesh."""
         scene = quantities.scene
         key = (scene.digest, tuple(map(type, effects)), settings.edges_per_section)
-        steady = scene.run.start == "equilibrium"
         return self._kept.get(
-            key, lambda: PreparedProblem(build(quantities, effects, settings), steady)
+            key, lambda: prepared_problem(scene, build(quantities, effects, settings))
         )
 
 
@@ -132,7 +163,12 @@ def solve(
     built = clock.perf_counter()
     solver = suitable_solver(problem, settings.solver, settings.is_free)
     solution = integrate(
-        problem, prepared.start, settings.tolerance, progress, solver, workspace.store
+        problem,
+        prepared.start(settings.tolerance, solver),
+        settings.tolerance,
+        progress,
+        solver,
+        workspace.store,
     )
     solved = clock.perf_counter()
     with gentle_interrupt() as interrupt:

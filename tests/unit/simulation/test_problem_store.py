@@ -51,6 +51,7 @@ def test_a_start_cannot_be_changed_by_a_run() -> None:
     quantities = SceneQuantities(leg(*SHORT))
     effects = select_effects(quantities).effects
     settings = suggest_settings(quantities, effects)
-    start = ProblemStore(2).problem(quantities, effects, settings).start
+    prepared = ProblemStore(2).problem(quantities, effects, settings)
+    start = prepared.start(settings.tolerance, settings.solver)
     with pytest.raises(ValueError, match="read-only"):
         start.states[0] = 1.0
