@@ -107,8 +107,8 @@ class CompiledForm:
     def differentiable(self) -> Differentiable:
         """What derivatives of its marches need; their kernels are compiled when first asked for."""
         derived = [
-            *self._addresses(self.form.kinds, lambda kind: _derived(*_of_element(kind)), 4),
-            *self._addresses(self.form.sources, lambda kind: _derived(*_of_source(kind)), 4),
+            *self._addresses(self.form.kinds, _derived_of_element, 4, alone=True),
+            *self._addresses(self.form.sources, _derived_of_source, 4, alone=True),
         ]
         kernels = [address for own in derived if own is not None for address in own]
         return Differentiable(
@@ -124,17 +124,23 @@ class CompiledForm:
         kinds: Sequence[Elements],
         functions_of: Callable[[Elements], Sequence[ca.Function]],
         count: int,
+        *,
+        alone: bool = False,
     ) -> list[tuple[int, ...] | None]:
-        """Addresses of ``count`` kernels of every kind that is not linear."""
+        """Addresses of ``count`` kernels of every kind that is not linear.
+
+        ``alone``: every kind is compiled by itself, once for all structures that have it; kinds
+        compiled together are loaded faster.
+        """
         lanes = _lanes(kinds)
         addresses: list[tuple[int, ...] | None] = [None] * len(kinds)
         called = [k for k, kind in enumerate(kinds) if kind.law != LINEAR or kind.is_source]
-        for width in sorted({lanes[k] for k in called}):
-            chosen = [k for k in called if lanes[k] == width]
+        together = [[k for k in called if lanes[k] == width] for width in sorted(set(lanes))]
+        for chosen in [[k] for k in called] if alone else filter(None, together):
             laws = (f"{kinds[k].law} {kinds[k].time}" for k in chosen)
             key = (written_by(kinds_module), f"{count} kernels each", *laws)
             make = partial(_functions, [kinds[k] for k in chosen], functions_of)
-            code = compile_if_missing(make, count * len(chosen), key, width)
+            code = compile_if_missing(make, count * len(chosen), key, lanes[chosen[0]])
             self._code.append(code)
             for i, k in enumerate(chosen):
                 addresses[k] = tuple(code.address(count * i + j) for j in range(count))
@@ -193,6 +199,14 @@ def _of_element(kind: Elements) -> tuple[ca.Function, ca.Function]:
 
 def _of_source(kind: Elements) -> tuple[ca.Function, ca.Function]:
     return value_of(kind.law), rate_of(kind.law, kind.time)
+
+
+def _derived_of_element(kind: Elements) -> tuple[ca.Function, ...]:
+    return _derived(*_of_element(kind))
+
+
+def _derived_of_source(kind: Elements) -> tuple[ca.Function, ...]:
+    return _derived(*_of_source(kind))
 
 
 def _derived(value: ca.Function, second: ca.Function) -> tuple[ca.Function, ...]:
