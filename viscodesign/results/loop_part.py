@@ -39,13 +39,13 @@ class LoopPart:
 
     @property
     def intervals(self) -> int:
-        """Number of output intervals, rounded."""
+        """Number of output intervals, rounded; 1 for a period that is shorter than they are."""
         inside = int(np.sum(self.time > self.start))
         first = len(self.time) - inside
         if first == 0:
             return inside
         gap = self.time[first] - self.time[first - 1]
-        return inside - 1 + round(float((self.time[first] - self.start) / gap))
+        return max(1, inside - 1 + round(float((self.time[first] - self.start) / gap)))
 
     @cached_property
     def path(self) -> SampledTimes:

@@ -167,6 +167,14 @@ def test_two_outputs_have_a_path_but_no_lag() -> None:
     assert math.isnan(run.metrics["column_lag_s"])
 
 
+def test_a_period_within_an_output_interval_has_a_straight_path() -> None:
+    found = metric_values(ellipse(9, period=0.1))
+    assert found["path_length_m"] == pytest.approx(
+        math.hypot(found["loop_width_m"], found["loop_height_m"])
+    )
+    assert found["loop_area_m2"] == pytest.approx(0.0, abs=1e-15)
+
+
 def test_constant_pressures_have_no_lag() -> None:
     still = made_run(inlet=lambda time: 0 * time + 3e4)
     assert still.summary()["metrics"]["column_lag_s"] is None
