@@ -1,4 +1,4 @@
-"""The path of the tip of every bundled config, held against what an earlier version found.
+"""Every bundled config: its balances, and its tip's path held against that of an earlier version.
 
     pytest tests/golden                    within a hundredth of each scene's accuracy
     pytest tests/golden --golden exact     to the last digit: for a change that must move nothing
@@ -26,10 +26,21 @@ TOLERANCE_OF_ACCURACY = 0.01
 SPECS = sorted(CONFIGS.glob("*.yaml"))
 
 
-@pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.stem)
-def test_tip_path_equals_the_golden_path(spec: Path, golden: str) -> None:
-    found = simulate(load(spec))
-    assert found.status == "complete"
+@pytest.fixture(scope="module", params=SPECS, ids=lambda spec: spec.stem)
+def spec(request: pytest.FixtureRequest) -> Path:
+    """A bundled config."""
+    return Path(request.param)
+
+
+@pytest.fixture(scope="module")
+def found(spec: Path) -> Trajectory:
+    """Its run, solved once for all tests."""
+    run = simulate(load(spec))
+    assert run.status == "complete", run.failure
+    return run
+
+
+def test_tip_path_equals_the_golden_path(spec: Path, found: Trajectory, golden: str) -> None:
     path, file = tip_path(found), PATHS / f"{spec.stem}.csv"
     if golden == "update":
         path.to_csv(file, index=False, float_format="%.17g")
@@ -43,6 +54,17 @@ def test_tip_path_equals_the_golden_path(spec: Path, golden: str) -> None:
     moved = np.abs(path.to_numpy() - expected) / [1.0, 1.0, 1.0, 1.0 / found.length]
     assert np.array_equal(path["time_s"], expected[:, 0])
     assert np.max(moved) <= allowed
+
+
+def test_balances_are_satisfied(found: Trajectory) -> None:
+    assert found.accuracy.estimated_tip_error_m is not None
+    assert found.accuracy.estimated_tip_error_m <= found.accuracy.requested_m
+    assert found.invariants.volume_imbalance_rel is not None
+    assert found.invariants.volume_imbalance_rel <= 1e-8
+    energy = found.invariants.energy_imbalance_rel
+    assert energy is None or energy <= 1e-3
+    assert np.all(np.isfinite(found.tip))
+    assert np.max(np.abs(np.diff(found.tip[:, 2]))) < 1.0
 
 
 def test_every_golden_path_has_a_config() -> None:
