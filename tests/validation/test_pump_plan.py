@@ -13,8 +13,15 @@ from tests.scenes import CONFIGS, leg
 from viscodesign import PumpPlan, Scene, plan, simulate
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import Barrel, feed_line_at
+from viscodesign.pump.planning.limits import verdicts
 from viscodesign.pump.planning.motion import active_effects
-from viscodesign.pump.planning.scene_variants import planned, with_effects_of, with_inputs
+from viscodesign.pump.planning.plan import requested_motion
+from viscodesign.pump.planning.scene_variants import (
+    planned,
+    pump_of,
+    with_effects_of,
+    with_inputs,
+)
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.report.plan_folder import plan_columns, write_plan
 
@@ -30,6 +37,13 @@ LEG_4 = "leg_4_air_auto"
 @cache
 def published() -> PumpPlan:
     return plan(leg(config="leg_16_pump_published"))
+
+
+def severities(*changes: str) -> dict[str, str]:
+    """Verdicts on the published pulse after some changes; no further ones are sought."""
+    scene = leg(*changes, config="leg_16_pump_published")
+    _, requested = requested_motion(scene)
+    return {v.name: v.severity for d in requested.demands(pump_of(scene)) for v in verdicts(d)}
 
 
 def static(fluid: str, pressure: float, *words: str) -> PumpPlan:
@@ -139,25 +153,6 @@ def test_the_planned_plunger_reproduces_the_requested_pressure(
     assert found.inflow["inlet"] == pytest.approx(given, abs=5e-3 * float(np.ptp(given)))
 
 
-def test_a_feasible_plan_is_followed_within_a_count() -> None:
-    found = plan(leg(config="leg_16_pump"))
-    assert found.status == "complete"
-    assert found.is_feasible
-    assert not found.clipped
-    assert all(v.severity == "ok" for v in found.verdicts)
-    assert np.max(np.abs(found.achievable.count - found.wanted.count)) <= 0.5 + 1e-6
-    assert found.error_m is not None
-    one_count = 1e3 * found.numbers["inlet"]["kpa_per_count_fast"]
-    pressure = found.achievable.pressure - found.wanted.pressure
-    run = found.wanted.time >= found.wanted.lead_s
-    assert np.max(np.abs(pressure[run])) <= one_count
-    assert found.wanted.position[0, 0] == pytest.approx(0.0, abs=1e-5)
-    profile = found.profile(found.achievable)
-    assert profile.counts.shape == (len(profile.time), 1)
-    assert profile.time[0] == 0.0
-    assert np.all(np.diff(profile.time) > 0.0)
-
-
 def test_the_published_pulse_exceeds_five_limits() -> None:
     found = published()
     assert not found.is_feasible
@@ -182,8 +177,9 @@ def test_the_combined_changes_make_it_feasible() -> None:
     changes = published().together
     assert changes
     settings = [setting for change in changes for setting in change.settings]
-    again = plan(leg(*settings, config="leg_16_pump_published"))
-    assert again.is_feasible, [v.message for v in again.verdicts if v.severity == "infeasible"]
+    found = severities(*settings)
+    assert {v.name for v in published().verdicts} == set(found)
+    assert "infeasible" not in found.values()
 
 
 def test_each_change_alone_makes_its_verdict_pass() -> None:
@@ -191,8 +187,7 @@ def test_each_change_alone_makes_its_verdict_pass() -> None:
     tried = [(v.name, c) for v in found.verdicts for c in v.changes if v.name == "suction"]
     assert tried
     for name, change in tried:
-        again = plan(leg(*change.settings, config="leg_16_pump_published"))
-        passed = {v.name: v.severity for v in again.verdicts}
+        passed = severities(*change.settings)
         assert passed[name] == "ok"
         left = {n for n, severity in passed.items() if severity == "infeasible"}
         assert left == set(change.leaves)

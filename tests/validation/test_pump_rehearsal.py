@@ -75,6 +75,25 @@ def rehearsal() -> Rehearsal:
     return Rehearsal(planned, ending, stream.ticks.skipped, time, counts, pressure, table[:, 3:5])
 
 
+def test_a_feasible_plan_is_followed_within_a_count(rehearsal: Rehearsal) -> None:
+    found = rehearsal.plan
+    assert found.status == "complete"
+    assert found.is_feasible
+    assert not found.clipped
+    assert all(v.severity == "ok" for v in found.verdicts)
+    assert np.max(np.abs(found.achievable.count - found.wanted.count)) <= 0.5 + 1e-6
+    assert found.error_m is not None
+    one_count = 1e3 * found.numbers["inlet"]["kpa_per_count_fast"]
+    pressure = found.achievable.pressure - found.wanted.pressure
+    run = found.wanted.time >= found.wanted.lead_s
+    assert np.max(np.abs(pressure[run])) <= one_count
+    assert found.wanted.position[0, 0] == pytest.approx(0.0, abs=1e-5)
+    profile = found.profile(found.achievable)
+    assert profile.counts.shape == (len(profile.time), 1)
+    assert profile.time[0] == 0.0
+    assert np.all(np.diff(profile.time) > 0.0)
+
+
 def test_the_profile_is_played_to_its_end(rehearsal: Rehearsal) -> None:
     assert rehearsal.ending.status == "complete"
     assert rehearsal.ending.verified

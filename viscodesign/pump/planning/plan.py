@@ -29,6 +29,7 @@ from viscodesign.pump.planning.scene_variants import planned, pump_of, with_effe
 from viscodesign.pump.planning.trials import Trials
 from viscodesign.pump.servo_motor import STEADY_SHARE
 from viscodesign.results.findings import Notice
+from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
@@ -47,14 +48,7 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
     for, `SolveError` where a run breaks off.
     """
     pump = pump_of(scene)
-    run = run_verified(planned(scene), progress)
-    settled, active, inlets = (
-        with_effects_of(planned(scene), run),
-        active_effects(run),
-        inlets_of(run),
-    )
-    lines = {name: feed_line_at(settled, name, active) for name in scene.inputs}
-    requested = RequestedMotion(settled, active, lines, inlets, inlets.until(0)).with_lead_in(pump)
+    run, requested = requested_motion(scene, progress)
     demands = requested.demands(pump)
     trials = Trials(requested, pump)
     found = tuple(
@@ -87,8 +81,23 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         together=combined_fix(trials, found),
         numbers={d.inlet: _numbers(d) for d in demands},
         limits=_limits(demands),
-        warnings=(*_notices(settled, demands, achieved), *run.warnings),
+        warnings=(*_notices(requested.scene, demands, achieved), *run.warnings),
     )
+
+
+def requested_motion(
+    scene: Scene, progress: Progress | None = None
+) -> tuple[Trajectory, RequestedMotion]:
+    """The run of the pressures that a scene asks for, and what it asks of the pumps."""
+    run = run_verified(planned(scene), progress)
+    settled, active, inlets = (
+        with_effects_of(planned(scene), run),
+        active_effects(run),
+        inlets_of(run),
+    )
+    lines = {name: feed_line_at(settled, name, active) for name in scene.inputs}
+    requested = RequestedMotion(settled, active, lines, inlets, inlets.until(0))
+    return run, requested.with_lead_in(pump_of(scene))
 
 
 def _distance(tip: np.ndarray, other: np.ndarray) -> np.ndarray:
