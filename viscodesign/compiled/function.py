@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -29,12 +28,24 @@ from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import suitable_solver
 from viscodesign.storage.lru_cache import LruCache
 
-Values = Sequence[float] | np.ndarray | Mapping[str, float]
+
+@runtime_checkable
+class Labelled(Protocol):
+    """Values by label: a mapping, a pandas series, a row or a data frame."""
+
+    def keys(self) -> Iterable[str]: ...
+
+    def __getitem__(self, label: str) -> Any: ...
+
+
+Values = Sequence[float] | np.ndarray | Labelled
 Outputs = dict[str, Any]
 """Each output's array over the output times (T,), or its number."""
+LARGEST_TOLERANCE = 1.0
+"""Of the steps, relative to the unknowns' sizes."""
 PERIOD_CHANGE = 1e-5
 """Of a number of an input, for a difference of periods."""
-KEPT_SOLUTIONS = 4
+KEPT_SOLUTIONS = 2
 """Latest solutions that a function keeps: a value and its derivatives share one."""
 
 
@@ -55,7 +66,7 @@ class DifferentiableMotion(Protocol):
 
     times: np.ndarray
 
-    def solve(self, numbers: ProblemNumbers) -> Any: ...
+    def solve(self, numbers: ProblemNumbers, *, recorded: bool = True) -> Any: ...
 
     def pull_back(
         self, solved: Any, numbers: ProblemNumbers, weights: np.ndarray
@@ -121,6 +132,13 @@ class CompiledFunction:
         outputs: Sequence[str],
         tolerance: float | None = None,
     ) -> None:
+        free, outputs = _names("free", free), _names("outputs", outputs)
+        if not isinstance(scene, Scene):
+            raise SpecError.plain(f"scene: needs a scene, such as load({scene!r}); got {scene!r}")
+        if tolerance is not None and not 0.0 < tolerance < LARGEST_TOLERANCE:
+            raise SpecError.plain(
+                f"tolerance: must be above 0 and below {LARGEST_TOLERANCE:g}; got {tolerance!r}"
+            )
         self._made_of = (scene, free, outputs, tolerance)
         if scene.run.start == "periodic":
             raise SpecError.plain(
@@ -185,7 +203,11 @@ class CompiledFunction:
         return self._chosen.read(solved.solution.columns, solved.period)
 
     def jacobian(self, values: Values | None = None) -> Outputs:
-        """Derivatives of every output (T, f) or (f,), by the free numbers."""
+        """Derivatives of every output (T, f) or (f,), by the free numbers.
+
+        Where a column has a kink, such as at an output time at which an input jumps, that of one
+        side.
+        """
         solved = self._solved(values)
         slopes = self._numbers.jacobian_at(solved.values)
         dots = ProblemNumbers(*(np.moveaxis(part, -1, 0) for part in slopes))
@@ -204,14 +226,17 @@ class CompiledFunction:
         )
         bars = self._motion.pull_back(solved.solution, solved.numbers, columns)
         slopes = self._numbers.pull_back(solved.values, bars)
-        return slopes + period_weight * self._period_slopes(solved)
+        return slopes + period_weight * self._period_slopes(solved) if period_weight else slopes
 
-    def batch(self, rows: np.ndarray | Sequence[Values], workers: int = 1) -> Batch:
-        """Outputs of many rows of values, in so many threads.
+    def batch(self, rows: Iterable[Values] | np.ndarray, workers: int | None = None) -> Batch:
+        """Outputs of many rows of values (N, f), in so many threads, one by default.
 
-        A row that is out of range or whose solution fails is NaN, and `Batch.status` says why.
+        A data frame is read by its columns, as a mapping is by its keys. A row that is out of
+        range or whose solution fails is NaN, and `Batch.status` says why.
         """
-        with ThreadPoolExecutor(max(workers, 1)) as pool:
+        if isinstance(rows, Labelled):
+            rows = list(np.transpose([np.asarray(rows[name]) for name in self._only_known(rows)]))
+        with ThreadPoolExecutor(max(workers or 1, 1)) as pool:
             found = list(pool.map(self._row, rows))
         blank = self._chosen.blank()
         outputs = {
@@ -221,7 +246,7 @@ class CompiledFunction:
 
     def _row(self, values: Values) -> tuple[Outputs | None, str]:
         try:
-            solved = self._solve(self._array(values))
+            solved = self._solve(self._array(values), recorded=False)
         except ViscodesignError as error:
             return None, str(error)
         return self._chosen.read(solved.solution.columns, solved.period), "complete"
@@ -241,10 +266,10 @@ class CompiledFunction:
             tuple(sorted(self.effects - selection.active)),
         )
 
-    def begin(self, values: Values | None = None, inlets: Inlets = 0.0) -> ControlState:
+    def begin(self, values: Values | None = None, inlets: Inlets | None = None) -> ControlState:
         """The equilibrium with the inlets held, at which a control loop may start.
 
-        ``inlets``: as for `step`. Raises `SolveError` where there is none.
+        ``inlets``: as for `step`, all zero by default. Raises `SolveError` where there is none.
         """
         given = self._array(values)
         self._numbers.check(given)
@@ -269,10 +294,11 @@ class CompiledFunction:
         found = self._kept.found(given.tobytes())
         return self._kept.keep(given.tobytes(), self._solve(given)) if found is None else found
 
-    def _solve(self, given: np.ndarray) -> _Solved:
+    def _solve(self, given: np.ndarray, *, recorded: bool = True) -> _Solved:
         self._numbers.check(given)
         numbers = self._numbers.at(given)
-        return _Solved(given, numbers, self._motion.solve(numbers), self._period(given))
+        solution = self._motion.solve(numbers, recorded=recorded)
+        return _Solved(given, numbers, solution, self._period(given))
 
     def _period(self, given: np.ndarray) -> float | None:
         """The period of all inputs [s], if any metric may need it."""
@@ -295,14 +321,34 @@ class CompiledFunction:
         """Values in order (f,)."""
         if values is None:
             return self.values
-        if isinstance(values, Mapping):
-            unknown = [name for name in values if name not in self.names]
-            if unknown:
-                hint = did_you_mean(unknown[0], self.names)
-                raise SpecError.plain(f"{unknown[0]}: no free number of this function{hint}")
-            own = dict(zip(self.names, self._numbers.values, strict=True))
-            values = [float({**own, **values}[name]) for name in self.names]
-        return np.array(values, dtype=float)
+        if isinstance(values, Labelled):
+            own = dict(zip(self.names, self._numbers.values.tolist(), strict=True))
+            given = [values[name] for name in self._only_known(values)]
+            own |= dict(zip(values.keys(), given, strict=True))
+            values = [own[name] for name in self.names]
+        try:
+            return np.array(values, dtype=float)
+        except (TypeError, ValueError) as error:
+            raise SpecError.plain(f"values: must be numbers in SI units; got {values!r}") from error
+
+    def _only_known(self, labelled: Labelled) -> list[str]:
+        """Labels, all of them free numbers."""
+        labels = list(labelled.keys())
+        unknown = [label for label in labels if label not in self.names]
+        if unknown:
+            hint = did_you_mean(unknown[0], self.names)
+            raise SpecError.plain(f"{unknown[0]}: no free number of this function{hint}")
+        return labels
+
+
+def _names(what: str, given: Sequence[str]) -> tuple[str, ...]:
+    """Names as they were given; one alone is a sequence of one."""
+    found = (
+        [given] if isinstance(given, str) else list(given) if isinstance(given, Iterable) else []
+    )
+    if not found or not all(isinstance(name, str) for name in found):
+        raise SpecError.plain(f"{what}: name at least one, as text; got {given!r}")
+    return tuple(found)
 
 
 def compile(
@@ -335,11 +381,16 @@ def _motion(
     members, steady = Members.of(quantities), quantities.scene.run.start == "equilibrium"
     chosen = ChosenOutputs(problem, members, outputs)
     columns, tolerance = chosen.columns, settings.tolerance
+    reason = ""
     if problem.equations.states.count:
-        with suppress(NativeUnavailable):
+        try:
             own = MotionFunction(problem, tolerance, members, columns, steady=steady)
-            own.solve(numbers)  # the elimination in its order may find no pivots
+            own.solve(numbers, recorded=False)  # its equations may be singular at the start
             return own, chosen
+        except NativeUnavailable as error:
+            reason = str(error)
     solver = suitable_solver(problem, settings.solver, settings.is_free)
-    integrated = IntegratedMotion(problem, tolerance, solver, members, columns, steady=steady)
+    integrated = IntegratedMotion(
+        problem, tolerance, solver, members, columns, steady=steady, reason=reason
+    )
     return integrated, chosen

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from numbers import Real
 
 import numpy as np
 
@@ -70,9 +71,10 @@ class HeldInlets:
         self._reading = Reading(self._problem, members, self._columns)
         self._endings = Endings(self._problem)
 
-    def begin(self, parameters: np.ndarray, inlets: Inlets) -> ControlState:
+    def begin(self, parameters: np.ndarray, inlets: Inlets | None) -> ControlState:
         """The equilibrium with the inlets held. Raises `SolveError` where there is none."""
-        numbers = self._numbers(parameters, inlets, 0.0, 1.0)
+        given = dict.fromkeys(self._inlets, 0.0) if inlets is None else inlets
+        numbers = self._numbers(parameters, given, 0.0, 1.0)
         problem = problem_at(self._problem, np.zeros(1), numbers)
         begin = self._motion.begin(NativeSteps(problem, self._tolerance), numbers)
         states, unknowns = problem.equations.states.count, problem.unknowns
@@ -81,8 +83,10 @@ class HeldInlets:
 
     def step(self, state: ControlState, dt: float, inlets: Inlets) -> ControlState:
         """The state after ``dt`` [s]. Raises `SolveError` where the solution fails."""
-        if not (np.isfinite(dt) and dt > 0.0):
-            raise SpecError.plain(f"dt: must be a positive number of seconds; got {dt}")
+        if not isinstance(dt, Real) or not 0.0 < dt < np.inf:
+            raise SpecError.plain(f"dt: must be a positive number of seconds; got {dt!r}")
+        if len(state.parameters) != len(self._problem.equations.parameter_values):
+            raise SpecError.plain("state: belongs to another compiled function")
         end = state.time + dt
         numbers = self._numbers(state.parameters, inlets, state.time, end)
         problem = problem_at(self._problem, np.array([end]), numbers)
@@ -92,6 +96,7 @@ class HeldInlets:
             (state.time, numbers.pieces[0]),
             np.array([end]),
             state.size,
+            recorded=False,
         )
         return self._state(problem, numbers, end, part.end, part.size)
 
@@ -119,9 +124,10 @@ class HeldInlets:
             names = ", ".join(self._inlets)
             hint = did_you_mean(unknown[0], self._inlets) if unknown else ""
             raise SpecError.plain(f"inlets: needs one value each for {names}{hint}")
-        values = np.array([float(given[name]) for name in self._inlets])
-        if not np.all(np.isfinite(values)):
-            raise SpecError.plain(f"inlets: must be finite numbers; got {values.tolist()}")
+        listed = [given[name] for name in self._inlets]
+        if not all(isinstance(value, Real) and np.isfinite(value) for value in listed):
+            raise SpecError.plain(f"inlets: must be finite numbers; got {listed}")
+        values = np.array(listed, dtype=float)
         return ProblemNumbers(parameters, values[None], values, np.array([begin, end]))
 
 

@@ -50,9 +50,10 @@ class IntegratedMotion:
         columns: Sequence[str],
         *,
         steady: bool,
+        reason: str = "",
     ) -> None:
         self._problem, self._tolerance, self._solver = problem, tolerance, solver
-        self._steady = steady
+        self._steady, self._reason = steady, reason
         self.times = problem.schedule.edges[problem.schedule.outputs]
         """(T,) output times [s]."""
         self._reading = Reading(problem, members, columns)
@@ -73,8 +74,12 @@ class IntegratedMotion:
         self._residual = RowFunction(arguments, alg, shared=1)
         self._slopes = RowFunction(arguments, ca.vec(ca.densify(slopes)), shared=1)
 
-    def solve(self, numbers: ProblemNumbers) -> SolvedColumns:
-        """Solve the run. Raises `SolveError` where that fails on the way."""
+    def solve(self, numbers: ProblemNumbers, *, recorded: bool = True) -> SolvedColumns:
+        """Solve the run; there is nothing to record.
+
+        Raises `SolveError` where that fails on the way.
+        """
+        del recorded
         problem = problem_at(self._problem, self.times, numbers)
         begin = equilibrium if self._steady else _rest
         start = begin(problem, 0.0, numbers.initial_piece)
@@ -125,10 +130,7 @@ class IntegratedMotion:
 
     def _refuse_moving(self) -> None:
         if self._problem.equations.states.count:
-            raise NativeUnavailable(
-                "derivatives of a motion need native code, which is switched off, missing, or does "
-                "not take these equations"
-            )
+            raise NativeUnavailable(f"derivatives of a motion need native code: {self._reason}")
 
 
 def _rest(problem: Problem, _: float, piece: np.ndarray) -> Start:

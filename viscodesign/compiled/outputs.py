@@ -57,7 +57,7 @@ class ChosenOutputs:
         own = self._metrics
         found = metric_values(self._inputs(columns, period), own) if own else {}
         return {
-            name: found[name] if name in found else columns[:, self._place[name]]
+            name: found[name] if name in found else columns[:, self._place[name]].copy()
             for name in self.names
         }
 
@@ -70,9 +70,13 @@ class ChosenOutputs:
         if self._metrics:
             tip, pressures = moved[:, self._tip], moved[:, self._pressures]
             gradients = metric_gradients(self._inputs(columns, period), self._metrics)
-            found = {n: own.along(tip, pressures, period_rates) for n, own in gradients.items()}
+            found = {
+                # Where the inputs lose their period, only what depends on it has no slope.
+                n: own.along(tip, pressures, period_rates if own.period else 0.0)
+                for n, own in gradients.items()
+            }
         return {
-            name: found[name] if name in found else moved[:, self._place[name]]
+            name: found[name] if name in found else moved[:, self._place[name]].copy()
             for name in self.names
         }
 

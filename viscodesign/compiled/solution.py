@@ -124,8 +124,11 @@ class MotionFunction:
 
     # -- values -------------------------------------------------------------------
 
-    def solve(self, numbers: ProblemNumbers) -> SolvedMotion:
-        """Solve the run. Raises `SolveError` where that fails on the way."""
+    def solve(self, numbers: ProblemNumbers, *, recorded: bool = True) -> SolvedMotion:
+        """Solve the run, its steps ``recorded`` for derivatives.
+
+        Raises `SolveError` where that fails on the way.
+        """
         problem = problem_at(self._problem, self.times, numbers)
         steps = NativeSteps(problem, self._tolerance)
         found = self._start(problem)
@@ -135,7 +138,9 @@ class MotionFunction:
             edges = self._edges(numbers.stops, k, outputs)
             before = (float(numbers.stops[k]), numbers.pieces[k - 1]) if k else None
             own = (float(numbers.stops[k]), numbers.pieces[k])
-            part = self.advance(steps, here, own, edges, size, before=before, taken=taken)
+            part = self.advance(
+                steps, here, own, edges, size, before=before, taken=taken, recorded=recorded
+            )
             if k == 0 and len(self.times) and self.times[0] <= 0.0:
                 columns.append(part.begin.Y[None, : problem.unknowns])
             columns.append(part.columns[: outputs.stop - outputs.start, : problem.unknowns])
@@ -162,6 +167,7 @@ class MotionFunction:
         *,
         before: Instant | None = None,
         taken: int = 0,
+        recorded: bool = True,
     ) -> TakenStretch:
         """Go over one smooth stretch from a state, to the last of its edges.
 
@@ -175,11 +181,11 @@ class MotionFunction:
             time=time,
             size=steps.first_size(size, edges[-1] - time),
         )
-        record, rest = StepRecord(), np.append(piece, 1.0)
+        record, rest = StepRecord() if recorded else None, np.append(piece, 1.0)
         columns = self._march(problem, steps, state, rest, edges, record, taken)
         states, unknowns = problem.equations.states.count, problem.unknowns
         end = Start(state.y[:states], state.y[states:unknowns])
-        march = Stretch(rest, edges, record.rows)
+        march = Stretch(rest, edges, np.zeros((0, 0)) if record is None else record.rows)
         return TakenStretch(begin, march, columns, end, state.size, state.steps)
 
     def _outputs_between(self, stops: np.ndarray) -> list[slice]:
@@ -234,7 +240,7 @@ class MotionFunction:
         state: MarchState,
         rest: np.ndarray,
         edges: np.ndarray,
-        record: StepRecord,
+        record: StepRecord | None,
         taken: int,
     ) -> np.ndarray:
         settings = steps.settings(edges[-1] - state.time, problem.schedule.edges[-1])

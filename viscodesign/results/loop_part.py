@@ -103,17 +103,18 @@ class SampledTimes:
             np.add.at(found, self._cells + 1, share * gradient)
         return found
 
-    def change_with_period(self, rows: np.ndarray) -> np.ndarray:
+    def change_with_period(self, rows: np.ndarray, *, later: bool = False) -> np.ndarray:
         """Derivative (m, ...) of `values` with the period, the rows fixed.
 
-        At an output time, where the polyline has a corner, the mean of both sides.
+        At an output time, where the polyline has a corner, the mean of both sides, or that of the
+        ``later`` one, to which the vertices of a path belong.
         """
         if len(rows) < 2:
             return np.zeros((len(self.at), *rows.shape[1:]))
         steps = np.diff(self.time).reshape(-1, *(1,) * (rows.ndim - 1))
         slopes = np.diff(rows, axis=0) / steps
         last = len(slopes) - 1
-        left = self._cells - (self._shares < NODE_SHARE)
         right = self._cells + (self._shares > 1 - NODE_SHARE)
+        left = right if later else self._cells - (self._shares < NODE_SHARE)
         mean = (slopes[np.clip(left, 0, last)] + slopes[np.clip(right, 0, last)]) / 2
         return np.asarray(self.rates.reshape(-1, *(1,) * (rows.ndim - 1)) * mean)

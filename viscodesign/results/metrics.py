@@ -185,7 +185,7 @@ def _of_loop(
 
     def pulled_back(inputs: MetricInputs) -> MetricGradient:
         by_path, sampled = gradient(inputs.path), inputs.loop.path
-        by_period = float(np.sum(by_path * sampled.change_with_period(inputs.tip)))
+        by_period = float(np.sum(by_path * sampled.change_with_period(inputs.tip, later=True)))
         tip = sampled.pulled_back(by_path)
         return MetricGradient(tip, np.zeros_like(tip), inputs.bellows, by_period)
 

@@ -7,6 +7,7 @@ import threading
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from tests.scenes import leg
@@ -123,6 +124,31 @@ def test_a_batch_names_rows_that_fail(function: CompiledFunction) -> None:
     assert np.array_equal(batch["tip_x_m"][0], function(values)["tip_x_m"])
 
 
+def test_answers_are_the_callers_own(function: CompiledFunction) -> None:
+    wanted = function()["tip_z_m"].copy()
+    function()["tip_z_m"][:] = 0.0
+    function.jacobian()["tip_z_m"][:] = 0.0
+    assert np.array_equal(function()["tip_z_m"], wanted)
+
+
+def test_labels_tell_values_apart(function: CompiledFunction) -> None:
+    values = pd.Series(function.values * [1.1, 0.9, 1.0, 1.0], index=FREE)
+    shuffled = values.iloc[[3, 1, 0, 2]]
+    wanted = function(values.to_numpy())["tip_x_m"]
+    assert np.array_equal(function(shuffled)["tip_x_m"], wanted)
+    batch = function.batch(pd.DataFrame([values, shuffled]))
+    assert np.array_equal(batch["tip_x_m"][1], wanted)
+
+
+def test_slopes_without_a_period_stay_where_they_can() -> None:
+    scene = leg("run={duration: 0.5 s, output_interval: 20 ms}", config="antagonistic_two_inlets")
+    both = compile(scene, ["inputs.right.frequency"], ["tip_x_m", "tip_x_max_m"])
+    assert np.all(np.isfinite(both.jacobian()["tip_x_max_m"]))
+    assert np.all(np.isfinite(both.vjp(None, {"tip_x_m": np.ones(len(both.times))})))
+    begun = both.begin()
+    assert begun.outputs["tip_x_m"] == pytest.approx(0.0, abs=1e-9)
+
+
 def test_threads_and_copies_give_the_same_bits(function: CompiledFunction) -> None:
     rows = [function.values * (1 + 0.01 * k) for k in range(6)]
     wanted = [function(row)["tip_x_m"] for row in rows]
@@ -188,6 +214,15 @@ def test_wrong_words_are_told(function: CompiledFunction) -> None:
         function({"network.tube_radii": 1e-3})
     with pytest.raises(SpecError, match="expected 4 values"):
         function([1.0])
+    with pytest.raises(SpecError, match="must be numbers"):
+        function(["a", "b", "c", "d"])
+    with pytest.raises(SpecError, match="free: name at least one"):
+        compile(leg(SHORT), [3], TIP)  # type: ignore[list-item]
+    with pytest.raises(SpecError, match="scene: needs a scene"):
+        compile("leg.yaml", FREE, TIP)  # type: ignore[arg-type]
+    for tolerance in (-1.0, 0.0, float("nan"), 2.0):
+        with pytest.raises(SpecError, match="tolerance: must be above 0"):
+            compile(leg(SHORT), FREE, TIP, tolerance=tolerance)
     with pytest.raises(SpecError, match="weights"):
         function.vjp(None, {"tip_x_m": np.ones(3)})
 
