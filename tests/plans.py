@@ -1,4 +1,4 @@
-"""A plan that nobody had to compute."""
+"""Plans that nobody had to compute, or only once."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 from tests.trajectories import made_run
+from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.result import PumpCourse, PumpPlan, PumpVerdict
 from viscodesign.pump.profile import Profile
+from viscodesign.scene.scene import Scene
 
 
 def made_course(profile: Profile, lead: float = 0.0) -> PumpCourse:
@@ -79,3 +81,13 @@ def made_plan(profile: Profile, lead: float = 0.0, *, feasible: bool = True) -> 
 def planner(plan: PumpPlan) -> Any:
     """Takes the place of `planning.plan.plan`."""
     return lambda scene, **_: plan
+
+
+_KNOWN: dict[bytes, PumpPlan] = {}
+
+
+def planned_once(scene: Scene, **more: Any) -> PumpPlan:
+    """Takes the place of `planning.plan.plan`: equal scenes are planned once in a process."""
+    if scene.digest not in _KNOWN:
+        _KNOWN[scene.digest] = plan_pump(scene, **more)
+    return _KNOWN[scene.digest]

@@ -33,7 +33,11 @@ from viscodesign.pump.simulated.ros import Ros
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals and terminals")
 
 SPEC = CONFIGS / "leg_16_pump.yaml"
-GENTLE = ["input.start=3 kPa", "input.drop=6 kPa", "run.duration=30 s", "input.rise_time=20 s"]
+GENTLE = [
+    *("input.start=3 kPa", "input.drop=6 kPa", "input.rise_time=20 s"),
+    *("run.duration=6 s", "run.output_interval=0.1 s"),
+]
+"""Slow, and planned soon: with its lead-in it plays for 18 s, and no test lets it end."""
 WITHIN = 0.1
 """From the signal to the hold [s]."""
 REQUESTS = 6

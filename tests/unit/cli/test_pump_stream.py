@@ -8,6 +8,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
+from tests.plans import planned_once
 from viscodesign.cli import confirm as _confirm
 from viscodesign.pump.play import link_rate
 from viscodesign.pump.play.axis import Sample
@@ -28,6 +29,12 @@ SHORT = [
     *("--set", "input={kind: sine, amplitude: 4 kPa, frequency: 0.5 Hz}"),
     *("--set", "run.duration=2 s", "--pace", "max"),
 ]
+
+
+@pytest.fixture(autouse=True)
+def plans(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Most tests stream the same plan."""
+    monkeypatch.setattr("viscodesign.pump.sessions.streaming.plan_pump", planned_once)
 
 
 def test_a_simulated_stream_is_recorded_and_labelled(call: Call, tmp_path: Path) -> None:
