@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from viscodesign.estimate.modal_response import first_order, second_order
+from viscodesign.estimate.modal_response import FilterStart, first_order, second_order, start_of
 
 FAST = 1e5
 """Rate times run from which a mode is taken as settled."""
@@ -35,7 +35,7 @@ class LinearNetwork:
     """(Q,) [Pa s/m3]"""
     impedance: np.ndarray
     """(Q,) what shapes the modes: resistance, and inertance over a time of the run [Pa s/m3]."""
-    steady: bool
+    start: FilterStart
     tubes: np.ndarray
     """(Q, N + U): conductance of each tube between the nodes, to tell flows."""
     ends: np.ndarray
@@ -79,14 +79,14 @@ class LinearNetwork:
             lost = self.resistance @ flows**2 + 1e-300
             delay = self.inertance @ flows**2 / lost + 1e-30
             return second_order(
-                delay, rate**2 / lost, self.time, forced * (rate / lost), self.steady
+                delay, rate**2 / lost, self.time, forced * (rate / lost), self.start
             )
-        start = np.where(rate > 0, forced[0] / np.where(rate > 0, rate, 1.0), 0.0)
-        start = start if self.steady else 0 * start
+        settled = np.where(rate > 0, forced[0] / np.where(rate > 0, rate, 1.0), 0.0)
         # What settles far within every step follows at once.
         found = forced / np.where(rate > 0, rate, 1.0)
         slow = rate * self.time[-1] < FAST
-        found[:, slow] = first_order(-rate[slow], self.time, forced[:, slow], start[slow])
+        filters = -rate[slow], self.time, forced[:, slow]
+        found[:, slow] = first_order(*filters, start_of(self.start, settled[slow], *filters))
         return np.asarray(found)
 
     def flows(self, pressure: np.ndarray) -> np.ndarray:
@@ -97,8 +97,8 @@ class LinearNetwork:
         # Inertance: a flow comes up to what drives it after a while.
         driven = driven * (self.impedance / self.resistance)
         delay = self.inertance / self.resistance
-        start = driven[0] if self.steady else 0 * driven[0]
-        return first_order(-1 / delay, self.time, driven / delay, start)
+        filters = -1 / delay, self.time, driven / delay
+        return first_order(*filters, start_of(self.start, driven[0], *filters))
 
     def tube_pressures(self, pressure: np.ndarray) -> np.ndarray:
         """Mean gauge pressure of every tube (T, Q), from those of the nodes (T, N) [Pa]."""

@@ -3,9 +3,22 @@
 from __future__ import annotations
 
 import math
+from enum import Enum
 from typing import Any
 
 import numpy as np
+
+
+class FilterStart(Enum):
+    """Where filters start, by the words of `run.start`."""
+
+    EQUILIBRIUM = "equilibrium"
+    """Settled under the first drive."""
+    REST = "rest"
+    """At zero."""
+    PERIODIC = "periodic"
+    """Where they end: the time is a whole number of periods of the drive."""
+
 
 NEARLY_ZERO = 1e-2
 """Rate times step below which exponentials are taken by their series."""
@@ -83,12 +96,12 @@ def _doubling(growth: np.ndarray, gain: np.ndarray, start: np.ndarray) -> np.nda
 
 
 def second_order(
-    delay: np.ndarray, rate: np.ndarray, time: np.ndarray, drive: np.ndarray, steady: bool
+    delay: np.ndarray, rate: np.ndarray, time: np.ndarray, drive: np.ndarray, start: FilterStart
 ) -> np.ndarray:
     """delay y'' + y' + rate y = drive at every sample (T, M), real.
 
-    ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s], or one for all (1,); it starts at rest under the
-    first drive where ``steady``, else at zero. A rate of zero stays at zero.
+    ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s], or one for all (1,). A rate of zero stays
+    at zero.
     """
     square = 1 - 4 * delay * rate
     root = np.sqrt(square) if np.all(square > 0.0) else np.sqrt(square + 0j)
@@ -96,15 +109,35 @@ def second_order(
     fast, slow = (-1 - root) / (2 * delay), (-1 + root) / (2 * delay)
     # The slow root by Vieta: the difference would lose its digits.
     slow = np.where(np.abs(fast) > 0, rate / (delay * fast), slow)
-    late = _from_start(slow, time, drive, steady)
+    late = _from_start(slow, time, drive, start)
     # Of a pair of complex poles one tells the other.
     ringing = bool(np.all(square < 0.0))
-    early = np.conj(late) if ringing else _from_start(fast, time, drive, steady)
+    early = np.conj(late) if ringing else _from_start(fast, time, drive, start)
     found = np.real((late - early) / (delay * (slow - fast)))
     return np.where(rate > 0.0, found, 0.0)
 
 
-def _from_start(pole: np.ndarray, time: np.ndarray, drive: np.ndarray, steady: bool) -> np.ndarray:
-    """One pole's filter, from rest under the first drive or from zero."""
+def _from_start(
+    pole: np.ndarray, time: np.ndarray, drive: np.ndarray, start: FilterStart
+) -> np.ndarray:
+    """One pole's filter."""
     held = np.where(np.abs(pole) > 0, -drive[0] / np.where(pole == 0, 1, pole), 0.0)
-    return first_order(pole, time, drive, held if steady else 0 * held)
+    return first_order(pole, time, drive, start_of(start, held, pole, time, drive))
+
+
+def start_of(
+    start: FilterStart,
+    settled: np.ndarray,
+    rate: np.ndarray,
+    time: np.ndarray,
+    drive: np.ndarray,
+) -> np.ndarray:
+    """Values (M,) at which filters of `first_order` start; ``settled`` (M,): in equilibrium."""
+    if start is FilterStart.EQUILIBRIUM:
+        return settled
+    if start is FilterStart.REST:
+        return np.asarray(0 * settled)
+    # What is left of the start in the end, and what the drive has added to it.
+    lost = -np.expm1(rate * (time[-1] - time[0]))
+    added = first_order(rate, time, drive, 0 * settled)[-1]
+    return np.where(rate != 0, added / np.where(rate != 0, lost, 1.0), 0.0)

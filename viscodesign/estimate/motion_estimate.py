@@ -22,7 +22,7 @@ from functools import cached_property
 import numpy as np
 
 from viscodesign.estimate.loaded_axis import Axis, LoadEstimate
-from viscodesign.estimate.modal_response import first_order, second_order
+from viscodesign.estimate.modal_response import first_order, second_order, start_of
 from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
@@ -132,7 +132,7 @@ class MotionEstimate:
             np.array([1 / damping]),
             setting.time,
             static / damping,
-            setting.starts_steady,
+            setting.start,
         )
         return np.asarray(followed - static).reshape(path.shape)
 
@@ -140,9 +140,9 @@ class MotionEstimate:
         """How far a massless damped rod lags behind a path (T, M)."""
         setting, time = self.setting, self.damping_time
         static = path - setting.straight[-1]
-        start = static[0] if setting.starts_steady else 0 * static[0]
-        rate = np.array([-1 / time])
-        return np.asarray(first_order(rate, setting.time, static / time, start) - static)
+        filters = np.array([-1 / time]), setting.time, static / time
+        start = start_of(setting.start, static[0], *filters)
+        return np.asarray(first_order(*filters, start) - static)
 
     def bending_rate(self) -> float:
         """Angular frequency of the first bending mode [1/s]."""

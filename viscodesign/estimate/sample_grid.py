@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -63,7 +64,7 @@ class SampleGrid:
         return np.maximum.accumulate(everything[order]), shift[order]
 
     def _window(self) -> float:
-        """Time up to which the motion is estimated [s]."""
+        """Time up to which the motion is estimated [s]; whole periods of a run on its cycle."""
         scene = self.scene
         ends = [scene.run.duration]
         for source in scene.inputs.values():
@@ -72,7 +73,8 @@ class SampleGrid:
             corners = source.corners(scene.run.duration)
             if len(corners) > DENSITY.most_swings:
                 ends.append(corners[DENSITY.most_swings])
-        return min(ends)
+        period = scene.period if scene.run.start == "periodic" else None
+        return min(ends) if period is None else period * math.ceil(min(ends) / period - 1e-9)
 
     @property
     def time(self) -> np.ndarray:

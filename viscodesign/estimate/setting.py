@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from viscodesign.estimate.linear_network import LinearNetwork, UniformNetwork
+from viscodesign.estimate.modal_response import FilterStart
 from viscodesign.estimate.sample_grid import SampleGrid
 from viscodesign.model.bellow_law import BellowLaw
 from viscodesign.model.rod import Body
@@ -51,7 +52,7 @@ class EstimateSetting:
         self.ambient = scene.ambient_pressure
         self.baseline = scene.gauge_pressure
         self.swing = swing
-        self.starts_steady = scene.run.start != "rest"
+        self.start = FilterStart(scene.run.start)
         self.graph = scene.graph
         self.bellows = len(self.graph.bellows)
         self.resistance = np.array([resistances[t.name] for t in self.graph.tubes])
@@ -132,7 +133,7 @@ class EstimateSetting:
             inertance,
             resistance,
             impedance,
-            self.starts_steady,
+            self.start,
             tubes,
             ends / np.maximum(ends.sum(axis=1, keepdims=True), 1.0),
         )

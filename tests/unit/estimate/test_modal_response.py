@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from viscodesign.estimate.modal_response import FEW, first_order, second_order
+from viscodesign.estimate.modal_response import FEW, FilterStart, first_order, second_order
 
 TIME = np.sort(np.random.default_rng(3).uniform(0.0, 2.0, 60))
 TIME[0] = 0.0
@@ -20,7 +20,8 @@ def constant(value: float, count: int) -> np.ndarray:
 
 def decays(delay: float, rate: float, drive: np.ndarray, *, steady: bool = False) -> np.ndarray:
     """One second-order filter (T,)."""
-    found = second_order(np.array([delay]), np.array([rate]), TIME, drive[:, None], steady)
+    start = FilterStart.EQUILIBRIUM if steady else FilterStart.REST
+    found = second_order(np.array([delay]), np.array([rate]), TIME, drive[:, None], start)
     return np.asarray(found[:, 0])
 
 
@@ -130,7 +131,11 @@ def test_a_ramp_is_followed_with_the_delay_of_its_damping() -> None:
     """Long after its start y = (t - 1/rate)/rate under the drive t, whatever the delay."""
     time = np.linspace(0.0, 200.0, 401)
     found = second_order(
-        np.array([0.01, 2.0]), np.array([3.0, 3.0]), time, np.column_stack((time, time)), False
+        np.array([0.01, 2.0]),
+        np.array([3.0, 3.0]),
+        time,
+        np.column_stack((time, time)),
+        FilterStart.REST,
     )
     assert found[-1] == pytest.approx(np.full(2, (200 - 1 / 3) / 3), rel=1e-9)
 
@@ -144,7 +149,7 @@ def test_filters_of_all_kinds_stand_side_by_side() -> None:
     """One that swings makes the numbers complex; the others must not feel it."""
     delay, rate = np.array([1.0, 0.01, 1e-6, 0.1]), np.array([5.0, 5.0, 2.0, 0.0])
     drive = np.repeat(np.sin(TIME)[:, None], 4, axis=1)
-    together = second_order(delay, rate, TIME, drive, True)
+    together = second_order(delay, rate, TIME, drive, FilterStart.EQUILIBRIUM)
     assert together.dtype == float
     for k in range(4):
         alone = decays(delay[k], rate[k], np.sin(TIME), steady=True)
@@ -155,3 +160,19 @@ def test_without_delay_it_is_a_filter_of_first_order() -> None:
     drive = np.sin(3 * TIME)
     plain = first_order(np.array([-2.0]), TIME, drive[:, None], np.zeros(1))[:, 0]
     assert decays(1e-9, 2.0, drive) == pytest.approx(plain, abs=1e-7)
+
+
+@pytest.mark.parametrize("delay", [1e-3, 5.0])
+def test_a_periodic_start_is_on_the_cycle_at_once(delay: float) -> None:
+    """Two periods under a sine, against its complex amplitude; delayed much, it rings."""
+    time, rate, speed = np.linspace(0.0, 4.0, 4001), 0.05, np.pi
+    found = second_order(
+        np.array([delay]),
+        np.array([rate]),
+        time,
+        np.sin(speed * time)[:, None],
+        FilterStart.PERIODIC,
+    )[:, 0]
+    amplitude = 1 / (rate + 1j * speed - delay * speed**2)
+    exact = np.imag(amplitude * np.exp(1j * speed * time))
+    assert found == pytest.approx(exact, abs=1e-5 * abs(amplitude))
