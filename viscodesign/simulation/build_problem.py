@@ -220,11 +220,17 @@ def schedule(scene: Scene) -> Schedule:
 
 
 def cycle_schedule(scene: Scene, period: float) -> Schedule:
-    """One period of all inputs, with no edges but their corners."""
-    edges = stops_of(scene, period)
-    values, initial = pieces_between(scene, edges)
+    """One period of all inputs, whose end is the only output."""
+    stops = stops_of(scene, period)
+    edges = _merge(np.concatenate([stops, np.linspace(0.0, period, EDGES_PER_CYCLE)]), period)
     count = len(edges) - 1
-    return Schedule(edges, Pieces(values, np.arange(count), count), np.array([count]), initial)
+    firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
+    values, initial = pieces_between(scene, stops)
+    return Schedule(edges, Pieces(values, firsts, count), np.array([count]), initial)
+
+
+EDGES_PER_CYCLE = 33
+"""Edges of a period: what is integrated over each interval has few swings in it."""
 
 
 def stops_of(scene: Scene, duration: float | None = None) -> np.ndarray:
