@@ -9,7 +9,7 @@ from tests.scenes import leg
 from tests.validation.rc_network import COMPLIANCE, only, resistance
 from viscodesign import Trajectory, simulate
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.simulation.build_problem import HARDLY_RESISTS, _wide_tubes
+from viscodesign.simulation.build_problem import HARDLY_RESISTS, wide_tubes
 
 COUNT, AMPLITUDE, FREQUENCY = 16, 3e3, 1.0
 SINE = f"input={{kind: sine, amplitude: {AMPLITUDE!r}, frequency: {FREQUENCY!r}}}"
@@ -68,10 +68,10 @@ def test_one_wide_tube_among_others() -> None:
 
 def test_which_tubes_are_wide() -> None:
     """Those far faster than the swing or the other tubes; none of the leg's."""
-    assert not _wide_tubes(SceneQuantities(leg()))
+    assert not wide_tubes(SceneQuantities(leg()))
     one = SceneQuantities(leg("network.changes={R2-R3: {length: 37.5 nm}}"))
-    assert _wide_tubes(one) == {"R2-R3"}
+    assert wide_tubes(one) == {"R2-R3"}
     thin = SceneQuantities(leg("fluid={name: thin, viscosity: 1e-11, density: 1.2}"))
-    assert len(_wide_tubes(thin)) == COUNT
+    assert len(wide_tubes(thin)) == COUNT
     filling = thin.scales.t_i / thin.bellow.compliance
     assert max(thin.resistances.values()) < HARDLY_RESISTS * filling
