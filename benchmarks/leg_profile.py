@@ -23,19 +23,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from peers.machine import cpu
-
-if TYPE_CHECKING:
-    from viscodesign.solve.problem import Problem
 
 HERE = Path(__file__).parent
 SCENE = HERE.parent / "configs" / "leg_16_straight_air.yaml"
 RESULTS = HERE / "results" / "leg_profile.jsonl"
 ROUNDS = 7
-PROBES = 500
-"""Number of linear solves in a timing."""
 CYCLES, FREQUENCY = 100, 0.5
 """Of the quasi-static leg: periods of its sine, and their frequency [Hz]."""
 QUASI_STATIC = (
@@ -96,7 +91,7 @@ def measure() -> Record:
         from viscodesign.report.run_folder import write_run
         from viscodesign.simulation.build_problem import build, suggest_settings
         from viscodesign.solve.solvers.base import Work
-        from viscodesign.solve.solvers.idas import Idas
+        from viscodesign.solve.solvers.rosenbrock import Rosenbrock
         from viscodesign.solve.statics import equilibrium
         from viscodesign.solve.transient import integrate
     with watch("read and validate the spec"):
@@ -109,15 +104,12 @@ def measure() -> Record:
         problem = build(quantities, selection.effects, settings)
     with watch("equilibrium at the start"):
         start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
-    idas, work = Idas(problem, settings.tolerance), Work()
-    idas.options["record_time"] = True
-    count = len(problem.schedule.edges) - 1
-    idas(start, 0, count, work)
-    watch.spent["integrator, its Jacobian"] = work.compile_s
+    with watch("local terms, kernels from the cache"):
+        solver = Rosenbrock(problem, settings.tolerance)
+    count, work = len(problem.schedule.edges) - 1, Work()
+    solver(start, 0, count, Work())
     with watch("steps through time"):
-        idas(start, 0, count, Work())
-    with idas.integrator(problem.schedule.edges, idas.options) as integrator:
-        stats = integrator.stats()
+        solver(start, 0, count, work)
     solution = integrate(problem, start, settings.tolerance)
     with watch("read outputs and balances"):
         read_motion(problem, solution)
@@ -132,44 +124,17 @@ def measure() -> Record:
             write_run(run, Path(folder), plots=True)
     return {
         "parts": watch.spent,
-        "inside": {
-            "residual": stats["t_wall_daeF"],
-            "jacobian": stats["t_wall_jacF"],
-            "quadratures": stats["t_wall_quadF"],
-            "linear": factorising_s(problem) * stats["nlinsetups"],
-        },
         "counts": {
-            "steps": stats["nsteps"],
-            "residual": stats["n_call_daeF"],
-            "jacobian": stats["n_call_jacF"],
-            "linear": stats["nlinsetups"],
+            "steps": work.steps,
+            "residual": work.residual_calls,
+            "jacobian": work.jacobian_calls,
+            "unknowns": problem.unknowns,
         },
         "verify_s": run.cost.verify_s,
         "settings": asdict(settings),
         "quasi_static": quasi_static(),
         "machine": {"python": platform.python_version(), "cpu": cpu()},
     }
-
-
-def factorising_s(problem: Problem) -> float:
-    """Time to factorise and solve one system of the integrator's pattern [s]."""
-    import casadi as ca
-    import numpy as np
-
-    e = problem.equations.formulas
-    y = ca.vertcat(e.states.vector, e.algebraics.vector)
-    pattern = ca.jacobian(ca.vertcat(e.ode, e.alg), y).sparsity()
-    pattern = pattern + ca.Sparsity.diag(y.numel())
-    matrix, right = ca.MX.sym("matrix", pattern), ca.MX.sym("right", y.numel())
-    solve = ca.Function("solve", [matrix, right], [ca.solve(matrix, right, "csparse")])
-    numbers = np.random.default_rng(1)
-    values = numbers.uniform(0.1, 1.0, pattern.nnz())
-    dominant = ca.DM(pattern, values) + 10 * ca.DM.eye(y.numel())
-    many = solve.map(PROBES)
-    matrices, sides = ca.repmat(dominant, 1, PROBES), ca.DM.ones(y.numel(), PROBES)
-    began = time.perf_counter()
-    many(matrices, sides)
-    return (time.perf_counter() - began) / PROBES
 
 
 def quasi_static() -> Record:
@@ -203,9 +168,7 @@ def write_report(rounds: list[Record]) -> None:
     """`leg_profile.md` beside the result lines."""
     last = rounds[-1]
     parts = {name: _median(r["parts"][name] for r in rounds) for name in last["parts"]}
-    inside = {name: _median(r["inside"][name] for r in rounds) for name in last["inside"]}
     stepping = parts["steps through time"]
-    rest = stepping - sum(inside.values())
     counts, settings, still = last["counts"], last["settings"], last["quasi_static"]
     per_cycle = _median(r["quasi_static"]["ms_per_cycle"] for r in rounds)
     verifying = _ms(_median(r["verify_s"] for r in rounds))
@@ -226,26 +189,12 @@ def write_report(rounds: list[Record]) -> None:
         f"finer mesh, whose formulas are new here; all but the finest of its solutions take "
         f"{verifying}.",
         "",
-        "## Inside the steps through time",
+        "## Steps through time",
         "",
-        f"The first solution: IDAS at a tolerance of {settings['tolerance']:g}, "
-        f"edges a section: {settings['edges_per_section']}, {counts['steps']} steps. The linear "
-        "part is timed apart, on systems of the same pattern; the rest is step control, further "
-        "back-substitutions and interpolation.",
-        "",
-        "| part | calls | wall time | share |",
-        "|---|---|---|---|",
-        *(
-            f"| {title} | {counts.get(key, '')} | {_ms(inside[key])} "
-            f"| {100 * inside[key] / stepping:.0f} % |"
-            for key, title in (
-                ("residual", "residual"),
-                ("jacobian", "Jacobian"),
-                ("linear", "factorising, one solve each"),
-                ("quadratures", "integrals for the balances"),
-            )
-        ),
-        f"| the rest of IDAS | | {_ms(rest)} | {100 * rest / stepping:.0f} % |",
+        f"The first solution: Rodas5P in native code at a tolerance of {settings['tolerance']:g}, "
+        f"edges a section: {settings['edges_per_section']}; {counts['unknowns']} unknowns beside "
+        f"sums and integrals, {counts['steps']} steps tried, {counts['residual']} residuals, "
+        f"{counts['jacobian']} Jacobians: {1e6 * stepping / counts['steps']:.0f} us a step.",
         "",
         "## The unloaded quasi-static leg",
         "",
