@@ -164,8 +164,8 @@ class CompiledFunction:
         return CompiledFunction, self._made_of
 
     def __repr__(self) -> str:
-        name = self._made_of[0].name
-        return f"<viscodesign function of {len(self.names)} numbers of {name}>"
+        count, name = len(self.names), self._made_of[0].name
+        return f"<viscodesign function of {count} number{'s' * (count > 1)} of {name}>"
 
     @property
     def names(self) -> tuple[str, ...]:
