@@ -8,9 +8,8 @@ from numbers import Real
 
 import numpy as np
 
-from viscodesign.compiled.endings import Endings
-from viscodesign.compiled.problem_at import problem_at, reading_rows
-from viscodesign.compiled.reading import Members, Reading, places_of
+from viscodesign.compiled.problem_at import problem_at
+from viscodesign.compiled.reading import Members, places_of
 from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.solution import MotionFunction
 from viscodesign.effects.base import Effect
@@ -67,9 +66,9 @@ class HeldInlets:
         self._problem = _held_problem(quantities, effects, run)
         self._tolerance = settings.tolerance
         self._columns = list(places_of(self._problem, members))
-        self._motion = MotionFunction(self._problem, settings.tolerance, members, (), steady=True)
-        self._reading = Reading(self._problem, members, self._columns)
-        self._endings = Endings(self._problem)
+        self._motion = MotionFunction(
+            self._problem, settings.tolerance, members, self._columns, steady=True
+        )
 
     def begin(self, parameters: np.ndarray, inlets: Inlets | None) -> ControlState:
         """The equilibrium with the inlets held. Raises `SolveError` where there is none."""
@@ -109,9 +108,8 @@ class HeldInlets:
         size: float | None,
     ) -> ControlState:
         values = np.concatenate([unknowns.states, unknowns.algebraics])[None]
-        rows = reading_rows(problem, np.array([time]), numbers, values)
-        self._endings.check(problem, np.array([time]), rows)
-        found = dict(zip(self._columns, self._reading(*rows)[0].tolist(), strict=True))
+        read = self._motion.reading(problem, np.array([time]), numbers, values)
+        found = dict(zip(self._columns, read.columns[0].tolist(), strict=True))
         return ControlState(time, found, unknowns, numbers.parameters, size)
 
     def _numbers(

@@ -12,13 +12,12 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from viscodesign.compiled.endings import Endings
-from viscodesign.compiled.problem_at import problem_at, reading_rows, stretch_of
-from viscodesign.compiled.reading import Members, Reading
+from viscodesign.compiled.problem_at import problem_at, stretch_of
+from viscodesign.compiled.reading import Members, ReadColumns, Reading
 from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.scene_numbers import ProblemNumbers
+from viscodesign.compiled.symbols import Symbols
 from viscodesign.errors import SolveError
-from viscodesign.model import formulas as of
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start, equilibrium, rest
@@ -31,11 +30,13 @@ SX = ca.SX
 class SolvedColumns:
     """A solved run, and what its derivatives need."""
 
-    rows: list[np.ndarray]
-    """Arguments of the reading at the output times."""
-    columns: np.ndarray
-    """(T, columns): what was asked for."""
+    read: ReadColumns
     steps: int
+
+    @property
+    def columns(self) -> np.ndarray:
+        """(T, columns): what was asked for."""
+        return self.read.columns
 
 
 class IntegratedMotion:
@@ -57,20 +58,15 @@ class IntegratedMotion:
         self.times = problem.schedule.edges[problem.schedule.outputs]
         """(T,) output times [s]."""
         self._reading = Reading(problem, members, columns)
-        self._endings = Endings(problem)
         if not problem.equations.states.count:
             self._differentiate()
 
     def _differentiate(self) -> None:
         """Prepare the algebraic equations for `pull_back` and `push_forward`."""
-        equations = self._problem.equations
-        z, time = SX.sym("z", equations.algebraics.count), SX.sym("time")
-        piece = SX.sym("piece", len(self._problem.schedule.initial_piece))
-        parameters = SX.sym("parameters", len(equations.parameter_values))
-        sealed, *_ = equations.compiled(of.quantities).call([parameters])
-        given = [SX(0, 1), z, time, piece, SX(1), sealed, parameters]
-        alg, slopes = equations.algebraic_function.call(given)
-        arguments = [z, time, piece, parameters]
+        own = Symbols.of(self._problem)
+        function = self._problem.equations.algebraic_function
+        alg, slopes = function.call([own.states, own.algebraics, *own.tail])
+        arguments = own.row[1:]
         self._residual = RowFunction(arguments, alg, shared=1)
         self._slopes = RowFunction(arguments, ca.vec(ca.densify(slopes)), shared=1)
 
@@ -89,17 +85,16 @@ class IntegratedMotion:
         if found.failure is not None:
             raise found.failure
         columns = np.concatenate([found.states, found.algebraics])[:, problem.schedule.outputs]
-        rows = reading_rows(problem, self.times, numbers, columns.T)
-        self._endings.check(problem, self.times, rows)
-        return SolvedColumns(rows, self._reading(*rows), found.work.steps)
+        read = self._reading(problem, self.times, numbers, columns.T)
+        return SolvedColumns(read, found.work.steps)
 
     def pull_back(
         self, solved: SolvedColumns, numbers: ProblemNumbers, weights: np.ndarray
     ) -> ProblemNumbers:
         """Slopes of weights (T, columns) times the columns by all numbers."""
         self._refuse_moving()
-        _, z_bar, _, piece_bar, parameters = self._reading.pull_back(solved.rows, weights)
-        rows = solved.rows[1:]
+        _, z_bar, _, piece_bar, parameters = self._reading.pull_back(solved.read.rows, weights)
+        rows = solved.read.rows[1:]
         passed = -_solved(self._jacobians(rows), z_bar, transposed=True)
         _, _, more_piece, more = self._residual.pull_back(rows, passed)
         pieces = np.zeros_like(numbers.pieces)
@@ -112,7 +107,7 @@ class IntegratedMotion:
     ) -> np.ndarray:
         """Rates (d, T, columns) along d directions, the first axis of all ``dots``."""
         self._refuse_moving()
-        rows, stretches = solved.rows[1:], stretch_of(self.times, numbers)
+        rows, stretches = solved.read.rows[1:], stretch_of(self.times, numbers)
         jacobians = self._jacobians(rows)
         still = np.zeros((len(self.times), 0)), np.zeros((len(self.times), 1))
         found = []
@@ -120,7 +115,7 @@ class IntegratedMotion:
             given = [still[1], pieces[stretches], parameters]
             defect = self._residual.push_forward(rows, [np.zeros_like(rows[0]), *given])
             moved = -_solved(jacobians, defect, transposed=False)
-            found.append(self._reading.push_forward(solved.rows, [still[0], moved, *given]))
+            found.append(self._reading.push_forward(solved.read.rows, [still[0], moved, *given]))
         return np.array(found)
 
     def _jacobians(self, rows: Sequence[np.ndarray]) -> np.ndarray:

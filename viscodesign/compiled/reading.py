@@ -8,9 +8,12 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from viscodesign.compiled.endings import Endings
+from viscodesign.compiled.problem_at import stretch_of
 from viscodesign.compiled.row_functions import RowFunction
+from viscodesign.compiled.scene_numbers import ProblemNumbers
+from viscodesign.compiled.symbols import Symbols
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.model import formulas as of
 from viscodesign.model.equations import Equations
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
@@ -22,6 +25,16 @@ STRAIGHT_TURN = 1e-3
 """Half turn of an arc [rad] below which its chord is taken from a series, exact to round-off."""
 
 
+@dataclass(frozen=True)
+class ReadColumns:
+    """Columns, and what they were read from."""
+
+    rows: list[np.ndarray]
+    """Arguments of the reading."""
+    columns: np.ndarray
+    """(T, columns)"""
+
+
 class Reading:
     """Chosen columns of `trajectory.csv` (T, columns) of unknowns at T times.
 
@@ -30,23 +43,25 @@ class Reading:
     """
 
     def __init__(self, problem: Problem, members: Members, columns: Sequence[str]) -> None:
-        equations = problem.equations
-        x = SX.sym("x", equations.states.count)
-        z = SX.sym("z", equations.algebraics.count)
-        time, piece = SX.sym("time"), SX.sym("piece", len(problem.schedule.initial_piece))
-        parameters = SX.sym("parameters", len(equations.parameter_values))
-        sealed, *_ = equations.compiled(of.quantities).call([parameters])
-        output = equations.output_function
-        values = output.call([x, z, time, piece, SX(1), sealed, parameters])
-        named = dict(zip(output.name_out(), values, strict=True))
-        own = _in_order(problem, named, parameters)
+        symbols = Symbols.of(problem)
+        own = _in_order(problem, symbols.outputs(problem), symbols.parameters)
         places = places_of(problem, members)
         result = ca.vertcat(SX(0, 1), *(own[places[c][0]][places[c][1]] for c in columns))
-        self._function = RowFunction([x, z, time, piece, parameters], result, shared=1)
+        self._function = RowFunction(symbols.row, result, shared=1)
+        self._endings = Endings(problem)
 
-    def __call__(self, *rows: np.ndarray) -> np.ndarray:
-        """Columns (T, columns) of the rows of all arguments."""
-        return self._function(*rows)
+    def __call__(
+        self, problem: Problem, times: np.ndarray, numbers: ProblemNumbers, unknowns: np.ndarray
+    ) -> ReadColumns:
+        """Columns of a solved problem's unknowns (T, nx + nz) at times (T,).
+
+        Raises `SolveError` where the motion has lost its meaning.
+        """
+        states = problem.equations.states.count
+        x, z = unknowns[:, :states], unknowns[:, states:]
+        rows = [x, z, times, numbers.pieces[stretch_of(times, numbers)], numbers.parameters]
+        self._endings.check(problem, times, rows)
+        return ReadColumns(rows, self._function(*rows))
 
     def pull_back(self, rows: Sequence[np.ndarray], weights: np.ndarray) -> list[np.ndarray]:
         """Slopes of weights (T, columns) times columns, one array per argument."""

@@ -9,14 +9,13 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
-from viscodesign.compiled.endings import Endings
-from viscodesign.compiled.problem_at import ROUND_OFF, problem_at, reading_rows, stretch_of
-from viscodesign.compiled.reading import Members, Reading
+from viscodesign.compiled.problem_at import problem_at, stretch_of
+from viscodesign.compiled.reading import Members, ReadColumns, Reading
 from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.start import FoundStart, StartFunction
+from viscodesign.compiled.symbols import Symbols
 from viscodesign.errors import SolveError
-from viscodesign.model import formulas as of
 from viscodesign.model.local_equations import LocalEquations
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.native.derivatives import (
@@ -27,14 +26,13 @@ from viscodesign.native.derivatives import (
     pull_back,
     push_forward,
 )
-from viscodesign.native.march import MarchState, MarchStatus, StepRecord, march
+from viscodesign.native.march import MarchState, MarchStatus, StepRecord
 from viscodesign.native.tables import Assembly
 from viscodesign.native.unavailable import NativeUnavailable
-from viscodesign.solve.problem import Problem
+from viscodesign.solve.problem import SAME_TIME, Problem
 from viscodesign.solve.solvers.rodas_native import NativeSteps
 from viscodesign.solve.statics import Instant, Start, consistent
 
-SX = ca.SX
 CONSISTENT = 1e-12
 """Correction of algebraic unknowns, in their sizes, at which they count as solved."""
 ROUND_OFF_CORRECTION = 1e-8
@@ -74,11 +72,13 @@ class SolvedMotion:
     assembly: Assembly
     start: FoundStart
     stretches: list[SolvedStretch]
-    rows: list[np.ndarray]
-    """Arguments of the reading at the output times."""
-    columns: np.ndarray
-    """(T, columns): what was asked for."""
+    read: ReadColumns
     steps: int
+
+    @property
+    def columns(self) -> np.ndarray:
+        """(T, columns): what was asked for."""
+        return self.read.columns
 
 
 class MotionFunction:
@@ -104,13 +104,10 @@ class MotionFunction:
         """(T,) output times [s]."""
         NativeSteps(problem, tolerance)
         self._start = StartFunction(problem, steady=steady)
-        self._reading = Reading(problem, members, columns)
-        self._endings = Endings(problem)
-        local = self._local
-        parameters = SX.sym("parameters", len(problem.equations.parameter_values))
-        sealed, *_ = problem.equations.compiled(of.quantities).call([parameters])
-        (numbers,) = local.form.numbers.call([ca.vertcat(1, sealed, parameters)])
-        self._numbers = RowFunction([parameters], numbers, at_once=1)
+        self.reading = Reading(problem, members, columns)
+        own = Symbols.of(problem)
+        (numbers,) = self._local.form.numbers.call([ca.vertcat(1, own.sealed, own.parameters)])
+        self._numbers = RowFunction([own.parameters], numbers, at_once=1)
 
     @property
     def _local(self) -> LocalEquations:
@@ -146,10 +143,8 @@ class MotionFunction:
             columns.append(part.columns[: outputs.stop - outputs.start, : problem.unknowns])
             stretches.append(SolvedStretch(part.begin, part.march, outputs))
             here, size, taken = part.end, part.size, taken + part.steps
-        rows = reading_rows(problem, self.times, numbers, np.concatenate(columns))
-        self._endings.check(problem, self.times, rows)
-        read = self._reading(*rows)
-        return SolvedMotion(problem, steps.assembly, found, stretches, rows, read, taken)
+        read = self.reading(problem, self.times, numbers, np.concatenate(columns))
+        return SolvedMotion(problem, steps.assembly, found, stretches, read, taken)
 
     def begin(self, steps: NativeSteps, numbers: ProblemNumbers) -> np.ndarray:
         """Consistent unknowns (n,) at the start of a run."""
@@ -190,13 +185,13 @@ class MotionFunction:
 
     def _outputs_between(self, stops: np.ndarray) -> list[slice]:
         """Which output times each stretch has; that at t = 0 belongs to none."""
-        ends = np.searchsorted(self.times, stops + ROUND_OFF * stops[-1], side="right").tolist()
+        ends = np.searchsorted(self.times, stops + SAME_TIME * stops[-1], side="right").tolist()
         return [slice(i, j) for i, j in itertools.pairwise(ends)]
 
     def _edges(self, stops: np.ndarray, k: int, outputs: slice) -> np.ndarray:
         """Output times of a stretch, and its end where that is none."""
         times, end = self.times[outputs], stops[k + 1]
-        if len(times) and end - times[-1] <= ROUND_OFF * stops[-1]:
+        if len(times) and end - times[-1] <= SAME_TIME * stops[-1]:
             times = times[:-1]
         return np.append(times, end)
 
@@ -243,15 +238,10 @@ class MotionFunction:
         record: StepRecord | None,
         taken: int,
     ) -> np.ndarray:
-        settings = steps.settings(edges[-1] - state.time, problem.schedule.edges[-1])
-        compiled, mass = self._local.compiled, self._structure.mass
-        found = []
+        begin, found = state.time, []
         while True:
             left = problem.max_steps - taken - state.steps
-            status, columns = march(
-                steps.assembly, compiled.lu, mass, rest, state, edges, settings,
-                max(left, 1), record,
-            )  # fmt: skip
+            status, columns = steps.march(state, rest, begin, edges, max(left, 1), record)
             found.append(columns)
             if status is MarchStatus.FINISHED:
                 return np.concatenate(found)
@@ -265,7 +255,7 @@ class MotionFunction:
     ) -> ProblemNumbers:
         """Slopes of weights (T, columns) times the columns by all numbers."""
         own, n = self._structure, solved.assembly.unknowns
-        x_bar, z_bar, _, piece_bar, parameters = self._reading.pull_back(solved.rows, weights)
+        x_bar, z_bar, _, piece_bar, parameters = self.reading.pull_back(solved.read.rows, weights)
         pieces, stops = np.zeros_like(numbers.pieces), np.zeros_like(numbers.stops)
         np.add.at(pieces, stretch_of(self.times, numbers), piece_bar)
         every = np.zeros((len(self.times), n))
@@ -324,8 +314,8 @@ class MotionFunction:
             every[:, stretch.outputs] = found[:, :length, :unknowns]
         states, stretches = solved.problem.equations.states.count, stretch_of(self.times, numbers)
         return np.array([
-            self._reading.push_forward(
-                solved.rows,
+            self.reading.push_forward(
+                solved.read.rows,
                 [
                     every[d, :, :states],
                     every[d, :, states:],

@@ -9,6 +9,7 @@ import numpy as np
 
 from viscodesign.compiled.reading import parameter_names
 from viscodesign.compiled.row_functions import RowFunction
+from viscodesign.compiled.symbols import Symbols
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.model import formulas as of
 from viscodesign.model.equations import LEADING_QUANTITIES, Equations
@@ -45,12 +46,10 @@ class StartFunction:
 
     def __init__(self, problem: Problem, *, steady: bool) -> None:
         self._steady = steady
-        equations = problem.equations
-        piece = SX.sym("piece", len(problem.schedule.initial_piece))
-        parameters = SX.sym("parameters", len(equations.parameter_values))
+        own = Symbols.of(problem)
         make = _steady_formulas if steady else _rest_formulas
-        unknowns, residual, start = make(problem, piece, parameters)
-        arguments = (unknowns, piece, parameters)
+        unknowns, residual, start = make(problem, own.piece, own.parameters)
+        arguments = (unknowns, own.piece, own.parameters)
         self._residual = RowFunction(arguments, residual, at_once=1)
         self._start = RowFunction(arguments, start, at_once=1)
         slopes = ca.jacobian(residual, unknowns)

@@ -11,7 +11,7 @@ from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.algebraic_polish import polish
-from viscodesign.solve.problem import Problem, evaluate_along
+from viscodesign.solve.problem import Problem, evaluate_along, section_strains
 from viscodesign.solve.transient import Solution
 from viscodesign.storage.disk_arrays import BLOCK, release_pages
 
@@ -48,10 +48,7 @@ class Outputs:
 
     def section_strains(self) -> tuple[np.ndarray, np.ndarray]:
         """Smallest stretch and turn of every section (n, S)."""
-        if self.problem.equations.rod_form is not RodForm.ARCS:
-            return self.problem.rod.section_strains(self.values)
-        turn = self["intrinsic_curvature"] * self.problem.body.section_length
-        return 1 + self["intrinsic_stretch"], turn
+        return section_strains(self.problem, self.values)
 
     def shapes(self, keep: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Axis (T, K, 2) from the clamp on, and angle of the tip (T,), at some rows (T,)."""

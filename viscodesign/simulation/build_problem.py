@@ -24,7 +24,7 @@ from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.obstacles import Obstacle, Remedies
-from viscodesign.solve.problem import Pieces, Problem, Schedule
+from viscodesign.solve.problem import Problem, Schedule, merged
 from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
 
 SHARE_OF_TIME = 0.5
@@ -209,24 +209,16 @@ def _flow_shares(quantities: SceneQuantities, form: NetworkForm) -> np.ndarray:
 
 def schedule(scene: Scene) -> Schedule:
     """Output times, corners of all inputs, and the coefficients between them."""
-    duration = scene.run.duration
-    times = scene.run.output_times_array()
     stops = stops_of(scene)
-    edges = _merge(np.concatenate([times, stops]), duration)
-    firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
-    pieces, initial = pieces_between(scene, stops)
-    outputs = np.searchsorted(edges, times - 1e-12 * duration)
-    return Schedule(edges, Pieces(pieces, firsts, len(edges) - 1), outputs, initial)
+    return Schedule.of(scene.run.output_times_array(), stops, *pieces_between(scene, stops))
 
 
 def cycle_schedule(scene: Scene, period: float) -> Schedule:
     """One period of all inputs, whose end is the only output."""
     stops = stops_of(scene, period)
-    edges = _merge(np.concatenate([stops, np.linspace(0.0, period, EDGES_PER_CYCLE)]), period)
-    count = len(edges) - 1
-    firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
-    values, initial = pieces_between(scene, stops)
-    return Schedule(edges, Pieces(values, firsts, count), np.array([count]), initial)
+    times = np.linspace(0.0, period, EDGES_PER_CYCLE)
+    found = Schedule.of(times, stops, *pieces_between(scene, stops))
+    return replace(found, outputs=found.outputs[-1:])
 
 
 EDGES_PER_CYCLE = 33
@@ -240,7 +232,7 @@ def stops_of(scene: Scene, duration: float | None = None) -> np.ndarray:
     """
     duration = scene.run.duration if duration is None else duration
     corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
-    return _merge(np.concatenate([[0.0], *corners, [duration]]), duration)
+    return merged(np.concatenate([[0.0], *corners, [duration]]), duration)
 
 
 def pieces_between(scene: Scene, stops: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -249,12 +241,3 @@ def pieces_between(scene: Scene, stops: np.ndarray) -> tuple[np.ndarray, np.ndar
     pieces = [s.pieces(stops) for s in sources] or [np.zeros((len(stops) - 1, 0))]
     initial = [s.initial_piece() for s in sources] or [np.zeros(0)]
     return np.concatenate(pieces, 1), np.concatenate(initial)
-
-
-def _merge(times: np.ndarray, duration: float) -> np.ndarray:
-    """Ascending times, those within round-off of each other made one."""
-    ordered = np.unique(times)
-    keep = np.concatenate([[True], np.diff(ordered) > 1e-12 * duration])
-    merged = ordered[keep]
-    merged[-1] = duration
-    return np.asarray(merged)

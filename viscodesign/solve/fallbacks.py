@@ -17,7 +17,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.results.findings import RetryAttempt
 from viscodesign.solve.branch_jumps import end_of_branch, has_branches, solve_on_branch
-from viscodesign.solve.problem import evaluate_at, section_stretch
+from viscodesign.solve.problem import evaluate_at, section_strains
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
 
@@ -77,7 +77,8 @@ class Fallbacks:
         problem = self.solver.problem
         time, piece = problem.schedule.edges[edge], problem.schedule.pieces[max(edge - 1, 0)]
         values = evaluate_at(problem, here.states, here.algebraics, float(time), piece)
-        return bool(np.min(section_stretch(problem, values)) < VANISHING_STRETCH)
+        stretch, _ = section_strains(problem, values)
+        return bool(np.min(stretch) < VANISHING_STRETCH)
 
     def _remedies(self, work: Work) -> Iterator[tuple[str, Solver]]:
         solver = self.solver

@@ -49,6 +49,19 @@ class Pieces:
         return Pieces(self._values, np.searchsorted(finer, edges[self._firsts]), len(finer) - 1)
 
 
+SAME_TIME = 1e-12
+"""Of the end of a run, within which times count as equal."""
+
+
+def merged(times: np.ndarray, end: float) -> np.ndarray:
+    """Ascending times up to ``end`` [s], those within round-off of each other made one."""
+    ordered = np.unique(times)
+    keep = np.concatenate([[True], np.diff(ordered) > SAME_TIME * end])
+    found = ordered[keep]
+    found[-1] = end
+    return np.asarray(found)
+
+
 @dataclass(frozen=True)
 class Schedule:
     """Times of a run and the inlets' piecewise coefficients.
@@ -63,6 +76,17 @@ class Schedule:
     outputs: np.ndarray
     initial_piece: np.ndarray
     """Coefficients just before t = 0, at which the initial equilibrium is found."""
+
+    @classmethod
+    def of(
+        cls, times: np.ndarray, stops: np.ndarray, pieces: np.ndarray, initial_piece: np.ndarray
+    ) -> Schedule:
+        """Outputs at ``times`` (T,); ``pieces`` (m, coefficients) between ``stops`` (m + 1,)."""
+        end = float(stops[-1])
+        edges = merged(np.concatenate([times, stops]), end)
+        firsts = np.searchsorted((edges[:-1] + edges[1:]) / 2, stops[:-1])
+        outputs = np.searchsorted(edges, times - SAME_TIME * end)
+        return cls(edges, Pieces(pieces, firsts, len(edges) - 1), outputs, initial_piece)
 
 
 @dataclass(frozen=True)
@@ -277,12 +301,14 @@ def evaluate_at(
     return {n: np.array(v).reshape(1, -1) for n, v in zip(output.name_out(), found, strict=True)}
 
 
-def section_stretch(problem: Problem, values: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Smallest stretch of every section (n, S) by named outputs at n edges."""
-    if problem.equations.rod_form is RodForm.ARCS:
-        return np.asarray(1 + values["intrinsic_stretch"])
-    stretch, _ = problem.rod.section_strains(values)
-    return stretch
+def section_strains(
+    problem: Problem, values: Mapping[str, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Smallest stretch and turn of every section (n, S) by named outputs at n edges."""
+    if problem.equations.rod_form is not RodForm.ARCS:
+        return problem.rod.section_strains(values)
+    turn = values["intrinsic_curvature"] * problem.body.section_length
+    return 1 + values["intrinsic_stretch"], turn
 
 
 def evaluate(function: ca.Function, *arguments: float | np.ndarray) -> list[ca.DM]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from viscodesign.model.local_equations import LocalEquations
 from viscodesign.native.machine import this_machine
-from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, march
+from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, StepRecord, march
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
@@ -66,17 +66,9 @@ class NativeSteps(StretchSteps):
             time=float(edges[0]),
             size=self.first_size(size, stretch),
         )
-        settings = self.settings(float(stretch), float(schedule.edges[-1]))
-        status, found = march(
-            self.assembly,
-            self._compiled.lu,
-            self._local.form.balances.mass,
-            np.append(piece, 1.0),
-            state,
-            edges[1:],
-            settings,
-            max(self.problem.max_steps - work.steps, 1),
-        )
+        allowed = max(self.problem.max_steps - work.steps, 1)
+        rest, first = np.append(piece, 1.0), float(edges[0])
+        status, found = self.march(state, rest, first, edges[1:], allowed)
         work.native = True
         work.steps += state.steps
         work.residual_calls += state.residuals
@@ -88,19 +80,30 @@ class NativeSteps(StretchSteps):
         failure = "" if limit else "step size fell below its minimum"
         return Reached(columns, None, failure, state.time)
 
-    def settings(self, stretch: float, duration: float) -> MarchSettings:
-        """What steers the steps of a stretch of so many seconds in a run of so many."""
-        return MarchSettings(
+    def march(
+        self,
+        state: MarchState,
+        rest: np.ndarray,
+        begin: float,
+        edges: np.ndarray,
+        max_steps: int,
+        record: StepRecord | None = None,
+    ) -> tuple[MarchStatus, np.ndarray]:
+        """Steps over the stretch from ``begin`` to the last of its edges; see `native.march`."""
+        settings = MarchSettings(
             tolerance=self.tolerance,
             motion_time=self.problem.equations.motion_time,
             powers=self._powers,
-            largest=self.largest_size(stretch),
-            smallest=CONTROL.min_step * duration,
+            largest=self.largest_size(float(edges[-1]) - begin),
+            smallest=CONTROL.min_step * float(self.problem.schedule.edges[-1]),
             safety=CONTROL.safety,
             max_factor=CONTROL.max_factor,
             min_factor=CONTROL.min_factor,
             memory=CONTROL.memory,
         )
+        mass = self._local.form.balances.mass
+        given = (self.assembly, self._compiled.lu, mass, rest, state, edges, settings)
+        return march(*given, max_steps, record)
 
     def unknowns_at(self, start: Start, time: float, piece: np.ndarray) -> np.ndarray:
         """Unknowns of the native equations (n,), integrals zero."""
