@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,6 +22,7 @@ from viscodesign.errors import Fault, SpecError, did_you_mean
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import KeyPath
+from viscodesign.storage.cached_property import cached_property
 
 FROZEN_SECTIONS = {
     "accuracy": "it decides how finely a scene is solved",

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -26,6 +25,7 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import Settings, build, suggest_settings
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import suitable_solver
+from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.solve.problem import BLOCK_ROWS, evaluate_rows
+from viscodesign.storage.cached_property import cached_property
 
 SX = ca.SX
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
-from functools import cached_property
 
 from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.storage.cached_property import cached_property
 
 Names = frozenset[str]
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-
 from viscodesign.effects.allowed_sets import AllowedSets, Names
 from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
 MOST_BELLOWS_ESTIMATED = 96

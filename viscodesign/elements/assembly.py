@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 
 import casadi as ca
 import numpy as np
@@ -25,6 +25,7 @@ from viscodesign.native.derivatives import Differentiable
 from viscodesign.native.kernels import LANES, CompiledKernels, compile_if_missing
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly, ElementTable, SourceTable
+from viscodesign.storage.cached_property import cached_property
 
 FEWEST_IN_LANES = 3
 """Elements of a kind from which it pays to treat several at once."""

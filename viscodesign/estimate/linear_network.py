@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from viscodesign.estimate.modal_response import FilterStart, first_order, second_order, start_of
+from viscodesign.storage.cached_property import cached_property
 
 FAST = 1e5
 """Rate times run from which a mode is taken as settled."""

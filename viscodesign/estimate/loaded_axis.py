@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.arc_shape import arc_nodes
+from viscodesign.storage.cached_property import cached_property
 
 LARGEST_LOAD_TURN = 3.0
 """Angle by which a load may bend one piece [rad]."""

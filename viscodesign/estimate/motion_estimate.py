@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -26,6 +25,7 @@ from viscodesign.estimate.modal_response import first_order, second_order, start
 from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.storage.cached_property import cached_property
 
 FIRST_BENDING = 3.5160
 """First root of a clamped-free beam, squared: its angular frequency times t_s."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from viscodesign.scene.scene import Scene
+from viscodesign.storage.cached_property import cached_property
 
 
 @dataclass(frozen=True)

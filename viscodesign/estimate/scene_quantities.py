@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -19,6 +18,7 @@ from viscodesign.physics import beam, bellow, gas, timescales, tube
 from viscodesign.results.findings import Scales
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
+from viscodesign.storage.cached_property import cached_property
 
 
 @dataclass(frozen=True, eq=False)

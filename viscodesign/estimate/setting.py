@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
-from functools import cached_property
 from typing import Any, TypeVar
 
 import numpy as np
@@ -14,6 +13,7 @@ from viscodesign.estimate.sample_grid import SampleGrid
 from viscodesign.model.bellow_law import BellowLaw
 from viscodesign.model.rod import Body
 from viscodesign.scene.scene import Scene
+from viscodesign.storage.cached_property import cached_property
 
 T = TypeVar("T")
 

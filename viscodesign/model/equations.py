@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, fields
-from functools import cached_property
 from typing import Concatenate, ParamSpec
 
 import casadi as ca
@@ -16,6 +15,7 @@ from viscodesign.model.equation_layout import EquationLayout
 from viscodesign.model.formula_store import FormulaStore
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.local_equations import LocalEquations
+from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
 P = ParamSpec("P")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass, field
-from functools import cached_property
 
 from viscodesign.model.scene_number import SCENE_NUMBER
+from viscodesign.storage.cached_property import cached_property
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ import math
 from collections.abc import Hashable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
-from functools import cache, cached_property
+from functools import cache
 from numbers import Number
 from types import FunctionType, MappingProxyType, MethodType
 from typing import Any
@@ -23,6 +23,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.model.scene_number import PARAMETER_VALUE, SCENE_NUMBER
+from viscodesign.storage.cached_property import cached_property
 
 SX = ca.SX
 

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -28,6 +27,7 @@ from viscodesign.model.rod import Body, RodDiscretisation, RodParameters
 from viscodesign.model.scene_number import PARAMETER_VALUE
 from viscodesign.model.sums import Terms
 from viscodesign.model.syringes import SyringeParameters, SyringeSymbols
+from viscodesign.storage.cached_property import cached_property
 
 SX = ca.SX
 

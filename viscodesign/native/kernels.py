@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Sequence
 from weakref import WeakValueDictionary
 
@@ -13,6 +12,7 @@ from viscodesign.native import ir_operations, ir_writer
 from viscodesign.native.code_cache import cached, digest, written_by
 from viscodesign.native.ir_writer import module_ir
 from viscodesign.native.machine import Loaded, load, object_code, this_machine
+from viscodesign.storage.lru_cache import ONE_AT_A_TIME
 
 LANES = 8
 """Elements that a kernel treats at once, unless told otherwise."""
@@ -39,7 +39,6 @@ class CompiledKernels:
 
 
 _LOADED: WeakValueDictionary[str, CompiledKernels] = WeakValueDictionary()
-_LOCK = threading.Lock()
 
 
 def compile_kernels(functions: Sequence[ca.Function], key: str, lanes: int) -> CompiledKernels:
@@ -64,7 +63,7 @@ def compile_if_missing(
     writer = written_by(ir_operations, ir_writer)
     parts = (*key, __version__, writer, str(this_machine()), settings)
     name = digest(parts)
-    with _LOCK:
+    with ONE_AT_A_TIME:
         kernels = _LOADED.get(name)
         if kernels is None:
             kernels = _LOADED[name] = _compiled(make, count, parts, lanes)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
+
+from viscodesign.storage.cached_property import cached_property
 
 NODE_SHARE = 1e-9
 """Distance from an output time, of the interval, at which a time counts as that output time."""

@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -25,6 +24,7 @@ from viscodesign.results.tip_path import (
     path_length,
     path_length_gradient,
 )
+from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.disk_arrays import blocks
 
 RIGHT, LEFT = 0, 1

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
+
+from viscodesign.storage.cached_property import cached_property
 
 _BEFORE, _AFTER = np.zeros((2, 4)), np.zeros((2, 4))
 _BEFORE[0] = (0.0, 0.0, 1 / 2, -1 / 6)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -33,6 +32,7 @@ from viscodesign.results.findings import (
 )
 from viscodesign.results.metrics import MetricInputs, metric_values
 from viscodesign.results.motion_arrays import MotionArrays
+from viscodesign.storage.cached_property import cached_property
 
 if TYPE_CHECKING:
     import pandas as pd

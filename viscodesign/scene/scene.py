@@ -6,7 +6,6 @@ import hashlib
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator, model_validator
@@ -26,6 +25,7 @@ from viscodesign.scene.network import Network
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.spec_part import SpecPart, invalid, raise_faults
+from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import Fraction, Pressure, Temperature
 
 

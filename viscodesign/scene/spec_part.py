@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel, ConfigDict, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
+from viscodesign.storage.cached_property import cached_property
+
 KeyPath = tuple[str, ...]
 
 VALID_FIELDS = "valid"
@@ -27,7 +29,13 @@ class KeyFault(NamedTuple):
 class SpecPart(BaseModel):
     """A part of a spec: immutable, without unknown keys."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
+    model_config = ConfigDict(
+        frozen=True,
+        extra="forbid",
+        allow_inf_nan=False,
+        defer_build=True,
+        ignored_types=(cached_property,),
+    )
 
     @field_validator("*", mode="after")
     @classmethod

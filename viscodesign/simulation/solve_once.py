@@ -5,7 +5,6 @@ from __future__ import annotations
 import time as clock
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from viscodesign.solve.limit_cycle import limit_cycle
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.statics import Start, equilibrium, rest
 from viscodesign.solve.transient import Solution, integrate, solver_catalogue, suitable_solver
+from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.disk_arrays import ArrayStore, blocks
 from viscodesign.storage.lru_cache import LruCache
 

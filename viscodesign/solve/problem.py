@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import casadi as ca
 import numpy as np
@@ -17,6 +16,7 @@ from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.modal_system import ModalSystem, modal_system
 from viscodesign.solve.numerics.stability import StabilityTest
 from viscodesign.solve.obstacles import Remedies
+from viscodesign.storage.cached_property import cached_property
 
 
 class Pieces:

@@ -11,7 +11,11 @@ from typing import Generic, TypeVar
 Made = TypeVar("Made")
 
 ONE_AT_A_TIME = threading.RLock()
-"""Held while formulas are made, since CasADi releases Python's own lock meanwhile."""
+"""Held while formulas or their machine code are made; CasADi releases Python's own lock meanwhile.
+
+One lock for all, since making one thing needs others: of several locks, two threads could each hold
+one and wait for the other's.
+"""
 
 
 class LruCache(Generic[Made]):

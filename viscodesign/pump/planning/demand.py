@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from viscodesign.pump.planning.barrel import Barrel, FeedLine
 from viscodesign.pump.planning.result import PumpCourse
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
+from viscodesign.storage.cached_property import cached_property
 
 REST_COUNTS_PER_S = 0.05
 """Speed below which a plunger counts as at rest: round-off and drift."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import numpy as np
 
 from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.profile import Profile
+from viscodesign.storage.cached_property import cached_property
 
 AROUND = 0.1  # A plunger may be this much earlier or later than its path [s]
 SHORTEST = 0.1  # of such a way [s]

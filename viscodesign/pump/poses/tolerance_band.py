@@ -7,11 +7,11 @@ no other choice; it may be taken if every frame of it lies in the band.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from viscodesign.pump.poses.engine import EIGHTHS, EXACT_FRAMES
+from viscodesign.storage.cached_property import cached_property
 
 HIGHEST_COUNT = 1023
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 
 from viscodesign.errors import PumpError, UsageError
@@ -31,6 +30,7 @@ from viscodesign.pump.simulated.bench import AMBIENT, Plant
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pump import PumpSpec, SensorSpec
 from viscodesign.scene.scene import Scene
+from viscodesign.storage.cached_property import cached_property
 
 SCANNED_IDS = range(1, 9)
 """Servo ids that are tried where no spec names them."""
