@@ -41,7 +41,10 @@ LAYERS = [
     ["results"],
     ["native"],
     ["storage", "physics"],
-    ["units", "common_units", "errors", "plugins", "interrupt", "lazy_names", "_version"],
+    [
+        *("units", "common_units", "errors", "plugins", "interrupt"),
+        *("lazy_dataclass", "lazy_names", "_version"),
+    ],
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}
 # Front doors: they import lazily, from rooms above what else stands in their folder.

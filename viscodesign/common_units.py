@@ -7,10 +7,12 @@ common units, or is anything but exactly of the unit that is asked for, is left 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache, lru_cache
 from pathlib import Path
+
+from viscodesign.lazy_dataclass import dataclass
 
 NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 MAX_DIGITS = 300

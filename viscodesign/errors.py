@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any
+
+from viscodesign.lazy_dataclass import dataclass
 
 
 class ViscodesignError(Exception):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING, Annotated, Any
@@ -19,6 +18,7 @@ from pydantic_core import PydanticCustomError, core_schema
 
 from viscodesign.common_units import definitions, value_in_si
 from viscodesign.errors import described
+from viscodesign.lazy_dataclass import dataclass
 
 if TYPE_CHECKING:
     import pint

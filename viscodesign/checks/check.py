@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from viscodesign.checks.classify import classification
@@ -10,6 +10,7 @@ from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.checks.scene_warnings import verdict_notices
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Classification, Notice, Verdict, check_document
 from viscodesign.scene.scene import Scene
 

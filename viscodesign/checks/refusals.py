@@ -6,11 +6,11 @@ They are refused before anything is solved, each with its key and its number.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import difflib
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
 from viscodesign.errors import UsageError, ViscodesignError
+from viscodesign.lazy_dataclass import dataclass
 
 DEFAULT = "leg_16_straight_air"
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.compiled.problem_trace import ProblemTrace
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Hashable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 

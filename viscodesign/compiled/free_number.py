@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from viscodesign.errors import Fault
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.spec_part import KeyPath
 
 

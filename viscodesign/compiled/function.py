@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -19,6 +19,7 @@ from viscodesign.compiled.solution import MotionFunction
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SpecError, ViscodesignError, did_you_mean
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.results.findings import Verdict
 from viscodesign.scene.scene import Scene

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from numbers import Real
 
 import numpy as np
@@ -15,6 +15,7 @@ from viscodesign.compiled.solution import MotionFunction
 from viscodesign.effects.base import Effect
 from viscodesign.errors import SpecError, did_you_mean
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.formulation import formulate
 from viscodesign.simulation.build_problem import (
     Settings,

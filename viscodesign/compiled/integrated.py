@@ -7,7 +7,6 @@ nothing to do with each other.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
@@ -18,6 +17,7 @@ from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.symbols import Symbols
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start, equilibrium, rest

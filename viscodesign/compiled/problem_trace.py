@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import casadi as ca
 import numpy as np
@@ -17,6 +17,7 @@ from viscodesign.compiled.traced import formula_of, free_numbers, matrix_of
 from viscodesign.effects.base import Effect
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.chain import Chain
 from viscodesign.model.formulation import settle
 from viscodesign.model.rod import Body

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
@@ -14,6 +13,7 @@ from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.symbols import Symbols
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equations import Equations
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from viscodesign.compiled.free_number import Bounds
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.network import TubeChange
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import casadi as ca
 import numpy as np
@@ -16,6 +16,7 @@ from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.start import FoundStart, StartFunction
 from viscodesign.compiled.symbols import Symbols
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.local_equations import LocalEquations
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.native.derivatives import (

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import casadi as ca
 import numpy as np
 
@@ -11,6 +9,7 @@ from viscodesign.compiled.reading import parameter_names
 from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.symbols import Symbols
 from viscodesign.errors import SolveError, SpecError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model import formulas as of
 from viscodesign.model.equations import LEADING_QUANTITIES, Equations
 from viscodesign.model.network_equations import BELLOW_AMOUNTS, BELLOW_PRESSURES

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import casadi as ca
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model import formulas as of
 from viscodesign.solve.problem import Problem
 

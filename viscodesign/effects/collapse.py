@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import numpy as np
@@ -12,6 +11,7 @@ from viscodesign.effects.base import Effect, Trait
 from viscodesign.effects.catalogue import traits_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_wall import CollapsingWall
 from viscodesign.model.system import System
 from viscodesign.physics import bellow

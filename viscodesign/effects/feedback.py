@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect, Trait
@@ -11,6 +10,7 @@ from viscodesign.effects.catalogue import traits_of
 from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_law import places
 from viscodesign.model.system import System
 from viscodesign.physics import bellow

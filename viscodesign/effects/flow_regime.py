@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import casadi as ca
@@ -12,6 +11,7 @@ import numpy as np
 from viscodesign.effects.base import Effect, Missed
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 from viscodesign.physics import tube
 from viscodesign.postprocess.motion import Motion

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from casadi import SX
@@ -10,6 +9,7 @@ from casadi import SX
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_law import places
 from viscodesign.model.system import System
 

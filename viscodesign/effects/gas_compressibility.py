@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from viscodesign.effects.base import Effect, Trait
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.fluid import Gas
 from viscodesign.model.system import System
 from viscodesign.physics import gas, tube

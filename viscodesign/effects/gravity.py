@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import casadi as ca
@@ -11,6 +10,7 @@ import casadi as ca
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import numpy as np
@@ -13,6 +12,7 @@ from viscodesign.effects.catalogue import names_with, traits_of
 from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_wall import MeasuredWall, SnappingWall
 from viscodesign.model.system import System
 from viscodesign.physics.curves import PiecewiseCubic

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect, Trait
 from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 from viscodesign.physics.timescales import LARGEST_TIME_RATIO
 from viscodesign.scene.bellows import snaps

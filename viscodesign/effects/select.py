@@ -8,13 +8,14 @@ all neglected effects together may move it by no more than a part of the request
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from viscodesign.effects.allowed_sets import AllowedSets, Names
 from viscodesign.effects.base import Effect
 from viscodesign.effects.tip_displacements import TipDisplacements
 from viscodesign.effects.verdicts import verdict
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Verdict
 from viscodesign.storage.lru_cache import LruCache
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect, Trait
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.fluid import Incompressible
 from viscodesign.model.graph import Tube
 from viscodesign.model.system import System

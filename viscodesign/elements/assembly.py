@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 
 import casadi as ca
@@ -20,6 +19,7 @@ from viscodesign.elements.kinds import (
     value_of,
 )
 from viscodesign.elements.local_form import LINEAR, LocalForm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.code_cache import cached, written_by
 from viscodesign.native.derivatives import Differentiable
 from viscodesign.native.kernels import LANES, CompiledKernels, compile_if_missing

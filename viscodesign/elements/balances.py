@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.elements.expression_graph import Leaves
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 

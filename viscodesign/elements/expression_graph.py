@@ -8,10 +8,11 @@ that whatever does not change within a run can be computed once.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import IntEnum
 
 import casadi as ca
+
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.elements.expression_graph import ExpressionGraph, Role, apply
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.storage.lru_cache import LruCache
 
 SX = ca.SX

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import casadi as ca
 
@@ -18,6 +17,7 @@ from viscodesign.elements.balances import BalanceLayout, Balances, Potential, Sl
 from viscodesign.elements.expression_graph import ExpressionGraph, Role
 from viscodesign.elements.kinds import LOCAL, Elements, Law, Term, term_of
 from viscodesign.elements.splitting import summands
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 LINEAR = Law(((LOCAL,),), 1, 0, None, 1)

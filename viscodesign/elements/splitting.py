@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import casadi as ca
 
 from viscodesign.elements.expression_graph import ExpressionGraph, Role
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from viscodesign.estimate.modal_response import FilterStart, first_order, second_order, start_of
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.storage.cached_property import cached_property
 
 FAST = 1e5

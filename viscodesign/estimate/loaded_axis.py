@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.storage.cached_property import cached_property
 

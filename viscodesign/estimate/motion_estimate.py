@@ -16,7 +16,7 @@ A term contributes to the sums of an estimate as it does to those of the balance
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from viscodesign.estimate.modal_response import first_order, second_order, start
 from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.storage.cached_property import cached_property
 
 FIRST_BENDING = 3.5160

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from viscodesign.estimate.linear_network import LinearNetwork, UniformNetwork
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import CompressibleFluid, EstimateTerm, LossLaw, WallLaw
+from viscodesign.lazy_dataclass import dataclass
 
 AVERAGING_ROUNDS = 6
 """Rounds in which means over the motion converge, to a few thousandths."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.network_matrix import laplacian, settling_time
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_law import BellowLaw
 from viscodesign.model.graph import Component, Graph
 from viscodesign.model.rod import Body

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 WallLaw = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray, np.ndarray]]
 """Gauge pressures [Pa] -> volume beyond rest [m3], curvature [1/m] and stretch [1] of each."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import casadi as ca
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.graph import Graph
 from viscodesign.model.scene_number import SCENE_NUMBER
 

@@ -7,10 +7,10 @@ of the left minus that of the right, stretch of both.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
 
 import casadi as ca
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics import bellow
 from viscodesign.physics.curves import PiecewiseCubic
 

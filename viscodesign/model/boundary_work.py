@@ -8,10 +8,11 @@ of the path over the force. The rest has no rate, and is summed over the solved 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.chain_symbols import ChainSymbols
 from viscodesign.model.rod import MINIMUM_EDGES, Body, RodDiscretisation, RodParameters, Values

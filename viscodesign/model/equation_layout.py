@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.boundary_work import WorkSplit
 from viscodesign.model.graph import Component
 from viscodesign.model.network_equations import NetworkForm

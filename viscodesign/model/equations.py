@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Concatenate, ParamSpec
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model import formulas as of
 from viscodesign.model.equation_layout import EquationLayout
 from viscodesign.model.formula_store import FormulaStore

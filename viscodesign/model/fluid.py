@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
 
 import casadi as ca
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics import gas
 
 SX = ca.SX

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import casadi as ca
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equation_layout import EquationLayout
 from viscodesign.model.jacobian import jacobian
 from viscodesign.model.local_equations import LocalEquations

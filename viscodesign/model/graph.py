@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.scene_number import SCENE_NUMBER
 from viscodesign.storage.cached_property import cached_property
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import casadi as ca
 
 from viscodesign.elements.assembly import CompiledForm
 from viscodesign.elements.local_form import LocalForm
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.storage.lru_cache import LruCache
 
 

@@ -21,12 +21,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Self
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.scene_number import SCENE_NUMBER
 from viscodesign.model.step_geometry import StepGeometry
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Self
 
 import casadi as ca
+
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 

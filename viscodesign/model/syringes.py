@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import casadi as ca
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.fluid import FluidLaw, Gas, Liquid
 from viscodesign.model.scene_number import SCENE_NUMBER
 

@@ -14,11 +14,12 @@ Amounts of fluid are stated as volume at ambient density; so are flows.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_law import BellowLaw, in_pairs
 from viscodesign.model.bellow_wall import LinearWall, SnappingWall, Wall
 from viscodesign.model.fluid import FluidLaw, Incompressible

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import casadi as ca
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 
@@ -57,6 +59,9 @@ class Traits:
     """Whether nothing depends on it: it only adds up what has passed."""
 
 
+NO_TRAITS = Traits()
+
+
 @dataclass(frozen=True)
 class Block:
     """Consecutive unknowns of one kind; one size for all, or one for each (count,)."""
@@ -65,7 +70,7 @@ class Block:
     start: int
     count: int
     size: float | np.ndarray
-    traits: Traits = Traits()
+    traits: Traits = NO_TRAITS
 
     @property
     def span(self) -> slice:
@@ -121,7 +126,7 @@ class SymbolicUnknowns(Unknowns):
     values: list[SX] = field(default_factory=list)
     sizes: list[SX] = field(default_factory=list)
 
-    def add(self, name: str, symbol: SX, size: SX, traits: Traits = Traits()) -> None:
+    def add(self, name: str, symbol: SX, size: SX, traits: Traits = NO_TRAITS) -> None:
         """Let ``symbol`` be ``size`` times a new scaled unknown; nothing for an empty symbol.
 
         ``size``: one for all or one for each, a formula of the system's parameters.

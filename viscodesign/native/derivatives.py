@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.loops import DTYPES
 from viscodesign.native.march import METHOD
 from viscodesign.native.source.factors import SIDE

@@ -10,10 +10,10 @@ import platform
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.native.vector_math import NONE, VectorMath, vector_math
 

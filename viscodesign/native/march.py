@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import IntEnum
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native import rodas
 from viscodesign.native.loops import DTYPES
 from viscodesign.native.source.steps import RECORD_HEAD, RECORDED

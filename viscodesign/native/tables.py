@@ -12,10 +12,10 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.loops import DTYPES, Kernel, Loops, native_loops
 from viscodesign.native.source.sums import LINEAR
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import ctypes
 import platform
 import sys
-from dataclasses import dataclass
 from functools import cache
+
+from viscodesign.lazy_dataclass import dataclass
 
 
 @dataclass(frozen=True)

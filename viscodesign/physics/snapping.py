@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics.curves import PiecewiseCubic
 
 BRANCH_SAMPLES = 2001

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.boundary_work import FORCE_AND_PATH
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.postprocess.solved_edges import SolvedEdges

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.postprocess.conservation import Ledger
 from viscodesign.postprocess.inlet_supply import DeliveredVolume
 from viscodesign.postprocess.outputs import Outputs, read_outputs

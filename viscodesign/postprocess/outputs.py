@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equations import Equations
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.problem import Schedule

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 Rows = Mapping[str, np.ndarray]
 

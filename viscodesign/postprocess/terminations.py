@@ -7,11 +7,11 @@ balances of the whole run are checked in `broken_balance`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Invariants

@@ -7,10 +7,10 @@ intervals share one polynomial; comparing it with two of half the degree gives t
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.boundary_work import FORCE_AND_PATH
 from viscodesign.solve.problem import Problem
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.servo_motor import LARGEST_SPEED, SERVOS, SPEED_UNIT, ServoType
 from viscodesign.scene.pump import PumpSpec
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+
+from viscodesign.lazy_dataclass import dataclass
 
 STEADY_SHARE = 1 / 5
 """Share of the stall torque up to which the maker promises steady motion: "Stable motions are

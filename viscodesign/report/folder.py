@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from viscodesign.errors import UsageError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.storage.atomic_files import (
     clear_leftovers,
     write_all,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 from viscodesign.interrupt import gentle_interrupt
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
     EFFECTS_PICTURE,

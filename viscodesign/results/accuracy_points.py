@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
+
+from viscodesign.lazy_dataclass import dataclass
 
 POINT_COLUMNS = (
     "model", "edges", "tolerance", "solver", "solve_s", "build_s", "tip_error_m",

@@ -6,9 +6,10 @@ line prints it, and a script reads it.
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, Literal
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.accuracy_points import (
     POINT_COLUMNS,
     Model,

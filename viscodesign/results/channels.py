@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from typing import Literal, Protocol
 
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 WHOLE = slice(None)
 Rows = slice | np.ndarray

@@ -9,10 +9,10 @@ the changes since its start, before which nothing moved.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.shifted_product import ShiftedProduct
 
 

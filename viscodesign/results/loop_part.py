@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.storage.cached_property import cached_property
 
 NODE_SHARE = 1e-9

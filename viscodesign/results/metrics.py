@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.column_lag import ColumnLag, column_lag, intervals_for
 from viscodesign.results.loop_part import LoopPart
 from viscodesign.results.tip_path import (

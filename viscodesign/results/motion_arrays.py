@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Self
 
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,10 +8,10 @@ spacings throughout.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.storage.cached_property import cached_property
 
 _BEFORE, _AFTER = np.zeros((2, 4)), np.zeros((2, 4))

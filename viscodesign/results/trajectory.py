@@ -7,11 +7,12 @@ the command line prints it, and a script reads it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, field, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.channels import (
     TRAJECTORY,
     Per,

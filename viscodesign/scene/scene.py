@@ -5,11 +5,11 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator, model_validator
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.graph import Graph
 from viscodesign.scene.actuator import Actuator
 from viscodesign.scene.bellows import Bellows

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import casadi as ca
@@ -12,6 +12,7 @@ import numpy as np
 from viscodesign.effects.base import Effect, Trait
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.chain import Chain
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm

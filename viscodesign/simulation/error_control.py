@@ -18,11 +18,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from viscodesign.effects.base import Effect
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import (
     FlowDifference,

@@ -6,11 +6,10 @@ neglected effect looks at it and says whether it matters (`Effect.missed_in`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from viscodesign.effects.base import Missed
 from viscodesign.effects.select import NUMBERS, Selection
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import RetryAttempt
 from viscodesign.simulation.solve_once import Run
 

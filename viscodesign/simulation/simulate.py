@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import EffectAblation, RetryAttempt
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene

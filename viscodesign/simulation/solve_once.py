@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.motion import Motion, read_motion
 from viscodesign.scene.scene import Scene

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.branch_following import OperatingPoint, constraints
 from viscodesign.solve.numerics.newton import CONTROL, NewtonError, newton
 from viscodesign.solve.problem import Problem, mapped, rows_along

@@ -7,13 +7,13 @@ one, and where it loses its stability (a buckling load), it may stay on an unsta
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.numerics.newton import Acceptance, NewtonError, continuation
 from viscodesign.solve.numerics.stability import StabilityTest

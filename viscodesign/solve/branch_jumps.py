@@ -6,13 +6,14 @@ fold only shows as equations that become hard to solve.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.model.rod_equations import RodForm

@@ -8,11 +8,10 @@ than its derivative along one direction.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start
 from viscodesign.solve.transient import integrate

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equations import Equations
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.rod_equations import RodForm

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.numerics.dense_or_sparse import Matrix
 
 ROUND_OFF = 1e-13

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.network_equations import BELLOW_AMOUNTS, BELLOW_PRESSURES
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.unknowns import Unknowns

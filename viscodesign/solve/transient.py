@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.interrupt import gentle_interrupt
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.plugins import members
 from viscodesign.results.findings import RetryAttempt
 from viscodesign.solve import solvers

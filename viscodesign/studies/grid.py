@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from viscodesign.errors import SolveError, ViscodesignError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.accuracy_points import Model, Point, tolerance_words
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run, tip_difference

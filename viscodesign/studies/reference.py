@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from viscodesign.errors import SolveError, ViscodesignError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.accuracy_points import Reference
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Run, tip_difference

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import time as clock
-from dataclasses import dataclass
 
 from viscodesign.effects.select import Selection
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import StopRequest
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import Progress, Run, Workspace, solve
 

@@ -23,6 +23,26 @@ def test_python_m_viscodesign() -> None:
     assert done.stdout.startswith("viscodesign ")
 
 
+@pytest.mark.parametrize(("own", "threads"), [({}, "1"), ({"OPENBLAS_NUM_THREADS": "3"}, "3")])
+def test_a_process_has_one_thread_for_matrices_unless_told(
+    own: dict[str, str], threads: str
+) -> None:
+    lines = [
+        "import os, sys",
+        "from viscodesign.cli.main import main",
+        "assert 'numpy' not in sys.modules",
+        "sys.argv = ['viscodesign', '--version']",
+        "main()",
+        "print(os.environ['OPENBLAS_NUM_THREADS'])",
+    ]
+    others = {k: v for k, v in os.environ.items() if k != "OPENBLAS_NUM_THREADS"}
+    done = subprocess.run(
+        [sys.executable, "-c", "\n".join(lines)],
+        capture_output=True, text=True, check=True, env=others | own,
+    )  # fmt: skip
+    assert done.stdout.splitlines()[-1] == threads
+
+
 @PIPES
 @pytest.mark.parametrize("words", [["--help"], ["init", "--list"], ["schema"], ["check"]])
 def test_a_reader_that_leaves_early_causes_no_message(words: list[str]) -> None:

@@ -9,8 +9,9 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, TextIO
+
+from viscodesign.lazy_dataclass import dataclass
 
 if TYPE_CHECKING:
     from viscodesign.pump.planning.result import PumpPlan

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.ax.servo_state import ServoState, read_anyway, read_servo

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, meaning
 from viscodesign.pump.ax.protocol.registers import Register

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol.registers import FULL
 from viscodesign.pump.ax.servo_state import ServoState
 from viscodesign.pump.drive import Drive

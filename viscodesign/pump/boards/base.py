@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from viscodesign.errors import PumpError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.ax.protocol.packets import shown
 from viscodesign.pump.ax.protocol.registers import Register

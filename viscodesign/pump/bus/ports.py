@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
+
+from viscodesign.lazy_dataclass import dataclass
 
 LATENCY = Path("/sys/bus/usb-serial/devices")
 """Where Linux keeps how long an FTDI adapter collects bytes before it passes them on."""

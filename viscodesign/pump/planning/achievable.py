@@ -7,10 +7,11 @@ that motion drives the coupled model, whose pressures limit the speed anew, unti
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.motion import (
     InletHistory,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from viscodesign.effects.base import Trait
 from viscodesign.effects.catalogue import every_effect, traits_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics import gas
 from viscodesign.pump.drive import Drive
 from viscodesign.scene.inputs.syringe import SyringeInput

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.barrel import Barrel, FeedLine
 from viscodesign.pump.planning.result import PumpCourse

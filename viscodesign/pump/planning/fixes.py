@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.result import PumpVerdict, SuggestedChange
 from viscodesign.pump.planning.scene_variants import jumps, scaled_fields
 from viscodesign.pump.planning.trials import Aim, Trials, Variation, remaining

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from viscodesign.effects.catalogue import catalogue
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.barrel import FeedLine
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.scene_variants import with_pressures

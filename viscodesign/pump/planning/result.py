@@ -6,12 +6,12 @@ Times of the courses begin with the lead-in, those of the runs behind it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from viscodesign.errors import PumpError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.profile import Profile
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Status, Trajectory

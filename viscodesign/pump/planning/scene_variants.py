@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from viscodesign.effects.base import Trait
 from viscodesign.effects.catalogue import catalogue, effect_names, names_with
 from viscodesign.errors import Fault, SpecError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.drive import Drive
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.inputs.base import Input

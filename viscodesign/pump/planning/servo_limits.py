@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.result import Severity
 from viscodesign.pump.planning.scene_variants import jumps

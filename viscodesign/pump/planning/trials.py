@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.limits import infeasible, verdict
 from viscodesign.pump.planning.motion import RequestedMotion, run_model, shares_a_network

@@ -8,7 +8,8 @@ says what one is, in SI. Every number about steps is the family's own.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from viscodesign.lazy_dataclass import dataclass
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import Sample
 
 NOISE_SAMPLES = 2  # samples in succession that must agree where one alone may be noise

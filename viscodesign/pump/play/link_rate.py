@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from statistics import median
 
 from viscodesign.errors import PumpError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
 
 ROUNDS = 12  # of reading that are timed

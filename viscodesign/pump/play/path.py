@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.profile import Profile
 from viscodesign.storage.cached_property import cached_property

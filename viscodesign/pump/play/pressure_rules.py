@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.guard import NOISE_SAMPLES, Guard
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import AxisLimits, Sample
 from viscodesign.pump.play.guard import NOISE_SAMPLES, Guard
 from viscodesign.pump.play.pressure_rules import PressureCap, SensorFrozen

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import KW_ONLY, dataclass
+from dataclasses import KW_ONLY
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import FinalServoState, Sample
 from viscodesign.pump.play.guard import Guard, Stop

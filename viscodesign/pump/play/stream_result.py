@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import FinalServoState, Sample
 from viscodesign.pump.play.guard import Stop
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
 
 SLICE = 0.02  # waiting is cut into pieces this long, to obey a request to stop at any rate [s]

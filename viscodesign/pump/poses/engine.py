@@ -13,11 +13,11 @@ interpolateStep. Its integers have 16 bits on the ATmega644P; no move that is se
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from viscodesign.errors import PumpError
+from viscodesign.lazy_dataclass import dataclass
 
 FRAME_MS = 33
 FRAME = FRAME_MS / 1000

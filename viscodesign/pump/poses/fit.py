@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from viscodesign.errors import PumpError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.poses.engine import (
     EIGHTHS,
     FRAME,

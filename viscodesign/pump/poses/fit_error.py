@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from viscodesign.errors import PumpError, UsageError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import PoseFit
 from viscodesign.units import QuantityKind

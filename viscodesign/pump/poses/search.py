@@ -8,10 +8,10 @@ phase: 0 after an even number of moves, 1 after an odd one.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.poses.engine import EXACT_FRAMES
 from viscodesign.pump.poses.tolerance_band import ToleranceBand
 

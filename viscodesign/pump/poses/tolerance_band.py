@@ -6,10 +6,9 @@ no other choice; it may be taken if every frame of it lies in the band.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.poses.engine import EIGHTHS, EXACT_FRAMES
 from viscodesign.storage.cached_property import cached_property
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.hold import release
 from viscodesign.pump.ax.homing import find_travel
 from viscodesign.pump.ax.preflight import RegisterChange, changes, identify

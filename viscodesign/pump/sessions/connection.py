@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from viscodesign.errors import PumpError, UsageError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import ports

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 
 import numpy as np
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol.packets import Instruction, shown
 from viscodesign.pump.ax.protocol.transactions import ARBOTIX
 from viscodesign.pump.boards.arbotix import HALT, Arbotix

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.hold import stop_all
 from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
 from viscodesign.pump.ax.servo_state import listen

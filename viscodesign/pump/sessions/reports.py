@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from viscodesign.errors import InterruptedRunError, PumpError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.preflight import FoundServo
 from viscodesign.pump.planning.result import PumpCourse
 from viscodesign.pump.play.stream_result import StreamResult

@@ -7,8 +7,7 @@ and cooling: they are assumed.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
 
 NOMINAL_VOLTAGE = 12.0

@@ -6,8 +6,7 @@ not ask for: poses, SYNC_READ, controllers, hobby servos and wheels.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol.packets import BROADCAST, ErrorBits, Instruction, Packet, Parser
 from viscodesign.pump.ax.protocol.transactions import ARBOTIX, ROS_MODEL
 from viscodesign.pump.sensors.base import HIGHEST_RATIO, LOWEST_RATIO, ratio_of

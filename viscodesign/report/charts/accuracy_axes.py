@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.accuracy_points import Point
 from viscodesign.results.accuracy_study import AccuracyStudy
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from matplotlib.lines import Line2D
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.style import GREY, INK
 from viscodesign.results.accuracy_points import Model, Point
 from viscodesign.results.accuracy_study import AccuracyStudy

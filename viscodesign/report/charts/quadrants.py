@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.label_placement import Box, place_labels, text_box
 from viscodesign.report.layout.style import ACCENT, FAINT, GREY, INK, axes_at, picture, shown
 from viscodesign.results.findings import Classification

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +11,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Colormap, ListedColormap, Normalize
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.snapshots import clamp_strokes, normals, spread_instants
 from viscodesign.report.layout.strip import Frame, Strip, arrange
 from viscodesign.report.layout.style import DIVERGING, INK, axes_at, head, head_room, picture

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from viscodesign.lazy_dataclass import dataclass
 
 CHARACTER_WIDTH, LINE_HEIGHT = 0.6, 1.3
 """Typical width of a character and height of a line, per font size."""

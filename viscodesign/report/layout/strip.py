@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from viscodesign.lazy_dataclass import dataclass
 
 LABEL_WIDTH, LABEL_HEIGHT = 0.86, 0.24
 """Space for the label above a frame [inch]."""

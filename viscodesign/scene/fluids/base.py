@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
 from typing import ClassVar
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.spec_part import invalid_at
 
 

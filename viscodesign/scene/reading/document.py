@@ -16,12 +16,13 @@ at once, so it is not used.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import yaml
 
 from viscodesign.errors import Fault, SpecError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.reading.yaml_events import (
     MAX_DEPTH,
     TOO_DEEP,

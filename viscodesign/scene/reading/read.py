@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
 from viscodesign.errors import Fault, SpecError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.reading.document import Document, parse_value, read_document
 from viscodesign.scene.reading.fault_messages import explain_cross_checks, explain_validation
 from viscodesign.scene.scene import Provenance, Scene

@@ -8,9 +8,10 @@ used where they are well separated.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 Solve = Callable[[np.ndarray], np.ndarray]
 

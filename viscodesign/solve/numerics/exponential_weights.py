@@ -12,11 +12,12 @@ is stable. No step limit follows from a rate; only the input has to be resolved.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 from numpy.polynomial import legendre
+
+from viscodesign.lazy_dataclass import dataclass
 
 QUADRATURES = ((16.0, 24), (128.0, 64))
 """Largest |z| up to which moments are found by quadrature, and its points."""

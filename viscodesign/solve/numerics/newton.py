@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 
 Residual = Callable[[np.ndarray], tuple[np.ndarray, ca.DM]]

@@ -12,10 +12,10 @@ only gives the order of the unknowns, since its factors are numbers.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import casadi as ca
 import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
 

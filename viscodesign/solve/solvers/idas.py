@@ -12,13 +12,13 @@ import re
 import time as clock
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.formulas import Formulas
 from viscodesign.solve.numerics.newton import integrator_linear_solver
 from viscodesign.solve.problem import Problem

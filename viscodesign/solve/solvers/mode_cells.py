@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.modal_system import ModalSystem
 from viscodesign.solve.numerics.exponential_weights import cell_points
 from viscodesign.solve.problem import Problem

@@ -8,12 +8,12 @@ of the balances' integrals, to round-off or nearly so. The tolerance is not used
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.numerics.common_signals import combined
 from viscodesign.solve.numerics.exponential_weights import weights
 from viscodesign.solve.numerics.linear_recurrence import marched

@@ -6,13 +6,13 @@ of the reduced system. In Python throughout: for comparison, not for production.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.solve.numerics.newton import NewtonError, newton

@@ -8,8 +8,9 @@ Source: ROBOTIS e-manual, Protocol 1.0.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from enum import IntEnum, IntFlag
+
+from viscodesign.lazy_dataclass import dataclass
 
 HEADER = b"\xff\xff"
 BROADCAST = 254  # addresses all servos, and is never answered

@@ -6,7 +6,7 @@ delay in 2 us, temperatures in degC. Source: ROBOTIS e-manual, AX-12A and AX-18A
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from viscodesign.lazy_dataclass import dataclass
 
 RAM = 24  # first address that is forgotten without power; below it lies the EEPROM
 END = 50  # behind the last address
