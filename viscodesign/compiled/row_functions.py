@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import casadi as ca
 import numpy as np
 
-from viscodesign.solve.problem import BLOCK_ROWS, evaluate_rows
+from viscodesign.model.row_blocks import BLOCK_ROWS, evaluate_rows
 from viscodesign.storage.cached_property import cached_property
 
 SX = ca.SX

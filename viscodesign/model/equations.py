@@ -16,6 +16,7 @@ from viscodesign.model.equation_layout import EquationLayout
 from viscodesign.model.formula_store import FormulaStore
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.local_equations import LocalEquations
+from viscodesign.model.taped_function import TapedFunction
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
@@ -40,6 +41,7 @@ class SharedFormulas:
         self._formulas: LruCache[Formulas] = LruCache(1)
         self._local: LruCache[LocalEquations | None] = LruCache(1)
         self._compiled: LruCache[ca.Function] = LruCache(MAX_COMPILED)
+        self._taped: LruCache[TapedFunction] = LruCache(MAX_COMPILED)
         self.layout = store.layout(lambda: self.formulas.layout)
 
     @property
@@ -68,6 +70,20 @@ class SharedFormulas:
             return self._store.function(make, args, lambda: make(self.formulas, *args))  # type: ignore[call-arg]
 
         return self._compiled.get((make, args), stored)
+
+    def taped(
+        self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
+    ) -> TapedFunction:
+        """The same as a tape of operations, which is read from disk faster than a function."""
+
+        def function() -> ca.Function:
+            return make(self.formulas, *args)  # type: ignore[call-arg]
+
+        def stored() -> TapedFunction:
+            tape = self._store.tape(make, args, function)
+            return TapedFunction(tape, lambda: self.compiled(make, *args))  # type: ignore[call-arg]
+
+        return self._taped.get((make, args), stored)
 
     def mapped(self, function: ca.Function, rows: int) -> ca.Function:
         """A function of these formulas for so many rows at once, made once."""
@@ -141,6 +157,21 @@ class Equations(EquationLayout):
     def output_function(self) -> ca.Function:
         """See `formulas.outputs`."""
         return self.compiled(of.outputs)
+
+    @property
+    def statics_by_tape(self) -> TapedFunction:
+        """`static_function` for numbers."""
+        return self.shared.taped(of.equilibrium)
+
+    @property
+    def constraints_by_tape(self) -> TapedFunction:
+        """`algebraic_function` for numbers."""
+        return self.shared.taped(of.constraints)
+
+    @property
+    def outputs_by_tape(self) -> TapedFunction:
+        """`output_function` for numbers."""
+        return self.shared.taped(of.outputs)
 
     @property
     def formulas(self) -> Formulas:

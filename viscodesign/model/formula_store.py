@@ -20,8 +20,10 @@ from viscodesign.model.graph import Component, Tube
 from viscodesign.model.local_equations import LocalEquations
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
+from viscodesign.model.taped_function import TapeWithPatterns
 from viscodesign.model.unknowns import Block, Traits, Unknowns
 from viscodesign.native.code_cache import keep, kept
+from viscodesign.native.tape import OPERATIONS, Tape
 
 Kept = TypeVar("Kept")
 
@@ -47,6 +49,13 @@ class FormulaStore:
         name = f"{maker.__module__} {maker.__qualname__} {given!r}"
         plain = all(isinstance(value, str | int | float | None) for value in given)
         return self._kept(name if plain else None, make, _bytes_of, _function_of)
+
+    def tape(
+        self, maker: Callable[..., Any], given: tuple[Any, ...], make: Callable[[], ca.Function]
+    ) -> TapeWithPatterns | None:
+        """The tape of what ``make`` gives, likewise; None where it has none."""
+        name = f"{maker.__module__} {maker.__qualname__} {given!r} as tape of {OPERATIONS}"
+        return self._kept(name, lambda: TapeWithPatterns.of(make()), _packed, _unpacked_tape)
 
     def layout(self, make: Callable[[], EquationLayout]) -> EquationLayout:
         """What ``make`` gives."""
@@ -102,6 +111,13 @@ def _unpacked_layout(data: bytes) -> EquationLayout:
     return found
 
 
+def _unpacked_tape(data: bytes) -> TapeWithPatterns | None:
+    found = _unpacked(data)
+    if found is not None and not isinstance(found, TapeWithPatterns):
+        raise TypeError("no tape")
+    return found
+
+
 def _packed_local(local: LocalEquations | None) -> bytes:
     if local is None:
         return _packed(None)
@@ -121,7 +137,7 @@ def _unpacked_local(data: bytes) -> LocalEquations | None:
 
 PLAIN = (
     *(EquationLayout, Unknowns, Block, Traits, WorkSplit, Component, Tube, RodForm, NetworkForm),
-    *(BalanceLayout, Elements, Law),
+    *(BalanceLayout, Elements, Law, Tape, TapeWithPatterns),
 )
 """The classes that are kept; from a file, no other ones are made."""
 

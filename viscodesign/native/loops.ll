@@ -1,4 +1,4 @@
-; made from e6a0548993e53f4f22b0909623d84f9c59635329891f30292e8190282d81f800
+; made from edd87fdcb40f311afbcc9d2b5b6be4533891f3b08d8f0f1a4f0e08033f580a79
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -2302,7 +2302,7 @@ entry:
   %.167 = load i64, ptr %.166, align 8
   %5 = getelementptr double, ptr %.161, i64 %.167
   %.170 = getelementptr i8, ptr %5, i64 8
-  %.175 = getelementptr i8, ptr %arg.layout, i64 48
+  %.175 = getelementptr i8, ptr %arg.layout, i64 256
   %.176 = load i64, ptr %.175, align 8
   %.178 = getelementptr double, ptr %.170, i64 %.176
   %6 = getelementptr double, ptr %arg.edges, i64 %arg.edge_count
@@ -9003,6 +9003,1826 @@ B396.if.lr.ph:
   call void @llvm.memcpy.p0.p0.i64(ptr align 8 %.124, ptr align 8 %3, i64 %5, i1 false)
   br label %B430
 }
+
+define i64 @run_tape(i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10) {
+  %r = alloca i64, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @run_tape.67(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10)
+  %v = load i64, ptr %r, align 8
+  ret i64 %v
+}
+
+define internal i32 @run_tape.67(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, ptr noalias %arg.code, ptr noalias %arg.constants, ptr noalias %arg.starts, ptr noalias %arg.strides, ptr noalias %arg.given, ptr noalias %arg.to, ptr noalias %arg.hops, i64 %arg.rows, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
+entry:
+  %.166 = alloca i64, align 8
+  store i64 0, ptr %.166, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.376 = alloca ptr, align 8
+  store ptr null, ptr %.376, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.438 = alloca ptr, align 8
+  store ptr null, ptr %.438, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.520 = alloca ptr, align 8
+  store ptr null, ptr %.520, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.563 = alloca ptr, align 8
+  store ptr null, ptr %.563, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.605 = alloca ptr, align 8
+  store ptr null, ptr %.605, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.649 = alloca ptr, align 8
+  store ptr null, ptr %.649, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.693 = alloca ptr, align 8
+  store ptr null, ptr %.693, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.737 = alloca ptr, align 8
+  store ptr null, ptr %.737, align 8
+  %excinfo.9 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.9, align 8
+  %.782 = alloca ptr, align 8
+  store ptr null, ptr %.782, align 8
+  %excinfo.10 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.10, align 8
+  %.826 = alloca ptr, align 8
+  store ptr null, ptr %.826, align 8
+  %excinfo.11 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.11, align 8
+  %.870 = alloca ptr, align 8
+  store ptr null, ptr %.870, align 8
+  %excinfo.12 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.12, align 8
+  %.913 = alloca ptr, align 8
+  store ptr null, ptr %.913, align 8
+  %excinfo.13 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.13, align 8
+  %.956 = alloca ptr, align 8
+  store ptr null, ptr %.956, align 8
+  %excinfo.14 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.14, align 8
+  %.999 = alloca ptr, align 8
+  store ptr null, ptr %.999, align 8
+  %excinfo.15 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.15, align 8
+  %.1042 = alloca ptr, align 8
+  store ptr null, ptr %.1042, align 8
+  %excinfo.16 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.16, align 8
+  %.1085 = alloca ptr, align 8
+  store ptr null, ptr %.1085, align 8
+  %excinfo.17 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.17, align 8
+  %.1127 = alloca ptr, align 8
+  store ptr null, ptr %.1127, align 8
+  %excinfo.18 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.18, align 8
+  %.1172 = alloca ptr, align 8
+  store ptr null, ptr %.1172, align 8
+  %excinfo.19 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.19, align 8
+  %.1215 = alloca ptr, align 8
+  store ptr null, ptr %.1215, align 8
+  %excinfo.20 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.20, align 8
+  %.1258 = alloca ptr, align 8
+  store ptr null, ptr %.1258, align 8
+  %excinfo.21 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.21, align 8
+  %.1301 = alloca ptr, align 8
+  store ptr null, ptr %.1301, align 8
+  %excinfo.22 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.22, align 8
+  %.1344 = alloca ptr, align 8
+  store ptr null, ptr %.1344, align 8
+  %excinfo.23 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.23, align 8
+  %.1387 = alloca ptr, align 8
+  store ptr null, ptr %.1387, align 8
+  %excinfo.24 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.24, align 8
+  %.1429 = alloca ptr, align 8
+  store ptr null, ptr %.1429, align 8
+  %excinfo.25 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.25, align 8
+  %.1474 = alloca ptr, align 8
+  store ptr null, ptr %.1474, align 8
+  %excinfo.26 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.26, align 8
+  %.1517 = alloca ptr, align 8
+  store ptr null, ptr %.1517, align 8
+  %excinfo.27 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.27, align 8
+  %.1560 = alloca ptr, align 8
+  store ptr null, ptr %.1560, align 8
+  %excinfo.28 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.28, align 8
+  %.1602 = alloca ptr, align 8
+  store ptr null, ptr %.1602, align 8
+  %excinfo.29 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.29, align 8
+  %.1646 = alloca ptr, align 8
+  store ptr null, ptr %.1646, align 8
+  %excinfo.30 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.30, align 8
+  %.1690 = alloca ptr, align 8
+  store ptr null, ptr %.1690, align 8
+  %excinfo.31 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.31, align 8
+  %.1734 = alloca ptr, align 8
+  store ptr null, ptr %.1734, align 8
+  %excinfo.32 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.32, align 8
+  %.1779 = alloca ptr, align 8
+  store ptr null, ptr %.1779, align 8
+  %excinfo.33 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.33, align 8
+  %.1821 = alloca ptr, align 8
+  store ptr null, ptr %.1821, align 8
+  %excinfo.34 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.34, align 8
+  %.1865 = alloca ptr, align 8
+  store ptr null, ptr %.1865, align 8
+  %excinfo.35 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.35, align 8
+  %.1909 = alloca ptr, align 8
+  store ptr null, ptr %.1909, align 8
+  %excinfo.36 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.36, align 8
+  %.1953 = alloca ptr, align 8
+  store ptr null, ptr %.1953, align 8
+  %excinfo.37 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.37, align 8
+  %.1997 = alloca ptr, align 8
+  store ptr null, ptr %.1997, align 8
+  %excinfo.38 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.38, align 8
+  %.2042 = alloca ptr, align 8
+  store ptr null, ptr %.2042, align 8
+  %excinfo.39 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.39, align 8
+  %.2083 = alloca ptr, align 8
+  store ptr null, ptr %.2083, align 8
+  %excinfo.40 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.40, align 8
+  %.2124 = alloca ptr, align 8
+  store ptr null, ptr %.2124, align 8
+  %excinfo.41 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.41, align 8
+  %0 = add nuw i64 %arg.rows, 31
+  %.98 = lshr i64 %0, 5
+  %.75.inv = icmp slt i64 %arg.rows, 1
+  %.120401.not408 = icmp eq i64 %.98, 0
+  %.120401.not = select i1 %.75.inv, i1 true, i1 %.120401.not408
+  br i1 %.120401.not, label %B3004, label %B52.lr.ph
+
+B52.lr.ph:
+  %.64.1404 = add nsw i64 %.98, -1
+  %.276398.not = icmp slt i64 %arg.steps, 1
+  br label %B52
+
+B48.loopexit:
+  %.120 = icmp sgt i64 %.64.1406, 0
+  %.133 = add i64 %.61.1405, 32
+  %.61.1 = select i1 %.120, i64 %.133, i64 %.61.1405
+  %.129 = sext i1 %.120 to i64
+  %.64.1 = add nsw i64 %.64.1406, %.129
+  %.110.sroa.0.0 = select i1 %.120, i64 %.61.1405, i64 0
+  br i1 %.120, label %B52, label %B3004
+
+B52:
+  %.110.sroa.0.0407 = phi i64 [ 0, %B52.lr.ph ], [ %.110.sroa.0.0, %B48.loopexit ]
+  %.64.1406 = phi i64 [ %.64.1404, %B52.lr.ph ], [ %.64.1, %B48.loopexit ]
+  %.61.1405 = phi i64 [ 32, %B52.lr.ph ], [ %.61.1, %B48.loopexit ]
+  %.163 = sub nsw i64 %arg.rows, %.110.sroa.0.0407
+  store i64 0, ptr %.166, align 8
+  %.172 = call i32 @numba.68(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 32, i64 %.163)
+  %.182 = load i64, ptr %.166, align 8
+  switch i32 %.172, label %B52.if [
+    i32 -2, label %B52.endif
+    i32 0, label %B52.endif
+  ]
+
+B310:
+  %.369 = sext i32 %.327 to i64
+  %.370 = getelementptr double, ptr %arg.constants, i64 %.369
+  %.371 = load double, ptr %.370, align 8
+  store ptr null, ptr %.376, align 8
+  %.380 = call i32 @fill.69(ptr nonnull %.376, ptr nonnull %excinfo.2, i64 %.182, double %.371, ptr %.352)
+  switch i32 %.380, label %B310.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B380:
+  %.416 = sext i32 %.327 to i64
+  %.417 = getelementptr i64, ptr %arg.starts, i64 %.416
+  %.418 = load i64, ptr %.417, align 8
+  %.422 = getelementptr i64, ptr %arg.strides, i64 %.416
+  %.423 = load i64, ptr %.422, align 8
+  %.425 = mul nsw i64 %.423, %.110.sroa.0.0407
+  %1 = getelementptr double, ptr %arg.given, i64 %.418
+  %.428 = getelementptr double, ptr %1, i64 %.425
+  store ptr null, ptr %.438, align 8
+  %.442 = call i32 @pick.70(ptr nonnull %.438, ptr nonnull %excinfo.3, i64 %.182, ptr %.428, i64 %.423, ptr %.352)
+  switch i32 %.442, label %B380.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B494:
+  %.332 = getelementptr i8, ptr %.320, i64 12
+  %.333 = load i32, ptr %.332, align 4
+  %.466 = sext i32 %.327 to i64
+  %.471.idx = shl nsw i64 %.466, 8
+  %.471 = getelementptr i8, ptr %arg.room, i64 %.471.idx
+  %.476 = sext i32 %.333 to i64
+  %.479.idx = shl nsw i64 %.476, 8
+  %.479 = getelementptr i8, ptr %arg.room, i64 %.479.idx
+  switch i32 %.321, label %B2982 [
+    i32 2, label %B612
+    i32 3, label %B750
+    i32 4, label %B810
+    i32 5, label %B872
+    i32 6, label %B934
+    i32 7, label %B996
+    i32 8, label %B1058
+    i32 9, label %B1118
+    i32 10, label %B1180
+    i32 11, label %B1242
+    i32 12, label %B1302
+    i32 13, label %B1362
+    i32 14, label %B1422
+    i32 15, label %B1482
+    i32 16, label %B1542
+    i32 17, label %B1604
+    i32 18, label %B1664
+    i32 19, label %B1724
+    i32 20, label %B1784
+    i32 21, label %B1844
+    i32 22, label %B1904
+    i32 23, label %B1964
+    i32 24, label %B2026
+    i32 25, label %B2086
+    i32 26, label %B2146
+    i32 27, label %B2206
+    i32 28, label %B2268
+    i32 29, label %B2330
+    i32 30, label %B2392
+    i32 31, label %B2454
+    i32 32, label %B2514
+    i32 33, label %B2576
+    i32 34, label %B2638
+    i32 35, label %B2700
+    i32 36, label %B2762
+    i32 37, label %B2824
+    i32 38, label %B2884
+    i32 39, label %B2944
+  ]
+
+B612:
+  %.499 = getelementptr i64, ptr %arg.hops, i64 %.476
+  %.500 = load i64, ptr %.499, align 8
+  %.504 = getelementptr i64, ptr %arg.to, i64 %.476
+  %.505 = load i64, ptr %.504, align 8
+  %.514 = mul nsw i64 %.500, %.110.sroa.0.0407
+  %2 = getelementptr double, ptr %arg.found, i64 %.505
+  %.517 = getelementptr double, ptr %2, i64 %.514
+  store ptr null, ptr %.520, align 8
+  %.524 = call i32 @put.71(ptr nonnull %.520, ptr nonnull %excinfo.4, i64 %.182, ptr %.471, i64 %.500, ptr %.517)
+  switch i32 %.524, label %B612.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B750:
+  store ptr null, ptr %.563, align 8
+  %.567 = call i32 @each_same.72(ptr nonnull %.563, ptr nonnull %excinfo.5, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.567, label %B750.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B810:
+  store ptr null, ptr %.605, align 8
+  %.609 = call i32 @each_add.73(ptr nonnull %.605, ptr nonnull %excinfo.6, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.609, label %B810.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B872:
+  store ptr null, ptr %.649, align 8
+  %.653 = call i32 @each_sub.74(ptr nonnull %.649, ptr nonnull %excinfo.7, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.653, label %B872.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B934:
+  store ptr null, ptr %.693, align 8
+  %.697 = call i32 @each_mul.75(ptr nonnull %.693, ptr nonnull %excinfo.8, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.697, label %B934.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B996:
+  store ptr null, ptr %.737, align 8
+  %.741 = call i32 @each_div.76(ptr nonnull %.737, ptr nonnull %excinfo.9, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.741, label %B996.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1058:
+  store ptr null, ptr %.782, align 8
+  %.786 = call i32 @each_neg.77(ptr nonnull %.782, ptr nonnull %excinfo.10, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.786, label %B1058.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1118:
+  store ptr null, ptr %.826, align 8
+  %.830 = call i32 @each_mul.75(ptr nonnull %.826, ptr nonnull %excinfo.11, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
+  switch i32 %.830, label %B1118.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1180:
+  store ptr null, ptr %.870, align 8
+  %.874 = call i32 @each_add.73(ptr nonnull %.870, ptr nonnull %excinfo.12, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
+  switch i32 %.874, label %B1180.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1242:
+  store ptr null, ptr %.913, align 8
+  %.917 = call i32 @each_inv.78(ptr nonnull %.913, ptr nonnull %excinfo.13, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.917, label %B1242.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1302:
+  store ptr null, ptr %.956, align 8
+  %.960 = call i32 @each_sqrt.79(ptr nonnull %.956, ptr nonnull %excinfo.14, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.960, label %B1302.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1362:
+  store ptr null, ptr %.999, align 8
+  %.1003 = call i32 @each_fabs.80(ptr nonnull %.999, ptr nonnull %excinfo.15, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1003, label %B1362.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1422:
+  store ptr null, ptr %.1042, align 8
+  %.1046 = call i32 @each_exp.81(ptr nonnull %.1042, ptr nonnull %excinfo.16, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1046, label %B1422.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1482:
+  store ptr null, ptr %.1085, align 8
+  %.1089 = call i32 @each_log.82(ptr nonnull %.1085, ptr nonnull %excinfo.17, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1089, label %B1482.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1542:
+  store ptr null, ptr %.1127, align 8
+  %.1131 = call i32 @each_pow.83(ptr nonnull %.1127, ptr nonnull %excinfo.18, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1131, label %B1542.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1604:
+  store ptr null, ptr %.1172, align 8
+  %.1176 = call i32 @each_sin.84(ptr nonnull %.1172, ptr nonnull %excinfo.19, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1176, label %B1604.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1664:
+  store ptr null, ptr %.1215, align 8
+  %.1219 = call i32 @each_cos.85(ptr nonnull %.1215, ptr nonnull %excinfo.20, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1219, label %B1664.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1724:
+  store ptr null, ptr %.1258, align 8
+  %.1262 = call i32 @each_tan.86(ptr nonnull %.1258, ptr nonnull %excinfo.21, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1262, label %B1724.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1784:
+  store ptr null, ptr %.1301, align 8
+  %.1305 = call i32 @each_asin.87(ptr nonnull %.1301, ptr nonnull %excinfo.22, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1305, label %B1784.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1844:
+  store ptr null, ptr %.1344, align 8
+  %.1348 = call i32 @each_acos.88(ptr nonnull %.1344, ptr nonnull %excinfo.23, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1348, label %B1844.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1904:
+  store ptr null, ptr %.1387, align 8
+  %.1391 = call i32 @each_atan.89(ptr nonnull %.1387, ptr nonnull %excinfo.24, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1391, label %B1904.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B1964:
+  store ptr null, ptr %.1429, align 8
+  %.1433 = call i32 @each_atan_of_two.90(ptr nonnull %.1429, ptr nonnull %excinfo.25, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1433, label %B1964.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2026:
+  store ptr null, ptr %.1474, align 8
+  %.1478 = call i32 @each_sinh.91(ptr nonnull %.1474, ptr nonnull %excinfo.26, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1478, label %B2026.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2086:
+  store ptr null, ptr %.1517, align 8
+  %.1521 = call i32 @each_cosh.92(ptr nonnull %.1517, ptr nonnull %excinfo.27, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1521, label %B2086.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2146:
+  store ptr null, ptr %.1560, align 8
+  %.1564 = call i32 @each_tanh.93(ptr nonnull %.1560, ptr nonnull %excinfo.28, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1564, label %B2146.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2206:
+  store ptr null, ptr %.1602, align 8
+  %.1606 = call i32 @each_less.94(ptr nonnull %.1602, ptr nonnull %excinfo.29, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1606, label %B2206.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2268:
+  store ptr null, ptr %.1646, align 8
+  %.1650 = call i32 @each_less_or_equal.95(ptr nonnull %.1646, ptr nonnull %excinfo.30, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1650, label %B2268.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2330:
+  store ptr null, ptr %.1690, align 8
+  %.1694 = call i32 @each_equal.96(ptr nonnull %.1690, ptr nonnull %excinfo.31, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1694, label %B2330.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2392:
+  store ptr null, ptr %.1734, align 8
+  %.1738 = call i32 @each_unequal.97(ptr nonnull %.1734, ptr nonnull %excinfo.32, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1738, label %B2392.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2454:
+  store ptr null, ptr %.1779, align 8
+  %.1783 = call i32 @each_not.98(ptr nonnull %.1779, ptr nonnull %excinfo.33, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.1783, label %B2454.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2514:
+  store ptr null, ptr %.1821, align 8
+  %.1825 = call i32 @each_and.99(ptr nonnull %.1821, ptr nonnull %excinfo.34, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1825, label %B2514.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2576:
+  store ptr null, ptr %.1865, align 8
+  %.1869 = call i32 @each_or.100(ptr nonnull %.1865, ptr nonnull %excinfo.35, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1869, label %B2576.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2638:
+  store ptr null, ptr %.1909, align 8
+  %.1913 = call i32 @each_where.101(ptr nonnull %.1909, ptr nonnull %excinfo.36, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1913, label %B2638.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2700:
+  store ptr null, ptr %.1953, align 8
+  %.1957 = call i32 @each_smaller.102(ptr nonnull %.1953, ptr nonnull %excinfo.37, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.1957, label %B2700.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2762:
+  store ptr null, ptr %.1997, align 8
+  %.2001 = call i32 @each_larger.103(ptr nonnull %.1997, ptr nonnull %excinfo.38, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  switch i32 %.2001, label %B2762.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2824:
+  store ptr null, ptr %.2042, align 8
+  %.2046 = call i32 @each_sign.104(ptr nonnull %.2042, ptr nonnull %excinfo.39, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.2046, label %B2824.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2884:
+  store ptr null, ptr %.2083, align 8
+  %.2087 = call i32 @each_log_of_more.105(ptr nonnull %.2083, ptr nonnull %excinfo.40, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.2087, label %B2884.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+B2944:
+  store ptr null, ptr %.2124, align 8
+  %.2128 = call i32 @each_exp_less_one.106(ptr nonnull %.2124, ptr nonnull %excinfo.41, i64 %.182, ptr %.471, ptr %.352)
+  switch i32 %.2128, label %B2944.if [
+    i32 -2, label %B3005
+    i32 0, label %B3005
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B2982 ], [ 0, %B3004 ], [ %.2128, %B2944.if ], [ %.2087, %B2884.if ], [ %.2046, %B2824.if ], [ %.172, %B52.if ], [ %.380, %B310.if ], [ %.442, %B380.if ], [ %.524, %B612.if ], [ %.567, %B750.if ], [ %.609, %B810.if ], [ %.653, %B872.if ], [ %.697, %B934.if ], [ %.741, %B996.if ], [ %.786, %B1058.if ], [ %.830, %B1118.if ], [ %.874, %B1180.if ], [ %.917, %B1242.if ], [ %.960, %B1302.if ], [ %.1003, %B1362.if ], [ %.1046, %B1422.if ], [ %.1089, %B1482.if ], [ %.1131, %B1542.if ], [ %.1176, %B1604.if ], [ %.1219, %B1664.if ], [ %.1262, %B1724.if ], [ %.1305, %B1784.if ], [ %.1348, %B1844.if ], [ %.1391, %B1904.if ], [ %.1433, %B1964.if ], [ %.1478, %B2026.if ], [ %.1521, %B2086.if ], [ %.1564, %B2146.if ], [ %.1606, %B2206.if ], [ %.1650, %B2268.if ], [ %.1694, %B2330.if ], [ %.1738, %B2392.if ], [ %.1783, %B2454.if ], [ %.1825, %B2514.if ], [ %.1869, %B2576.if ], [ %.1913, %B2638.if ], [ %.1957, %B2700.if ], [ %.2001, %B2762.if ]
+  ret i32 %common.ret.op
+
+B2982:
+  store i64 %.289, ptr %retptr, align 8
+  br label %common.ret
+
+B3004:
+  store i64 0, ptr %retptr, align 8
+  br label %common.ret
+
+B3005:
+  %exitcond.not = icmp eq i64 %arg.steps, %.289
+  br i1 %exitcond.not, label %B48.loopexit, label %B134.if
+
+B52.if:
+  %.180 = icmp sgt i32 %.172, 0
+  %.173 = load ptr, ptr %excinfo.1, align 8
+  %.181 = select i1 %.180, ptr %.173, ptr undef
+  store ptr %.181, ptr %excinfo, align 8
+  br label %common.ret
+
+B52.endif:
+  br i1 %.276398.not, label %B48.loopexit, label %B134.if
+
+B134.if:
+  %.219.0399 = phi i64 [ %.289, %B3005 ], [ 0, %B52.endif ]
+  %.289 = add nuw nsw i64 %.219.0399, 1
+  %.320.idx = shl i64 %.219.0399, 4
+  %.320 = getelementptr i8, ptr %arg.code, i64 %.320.idx
+  %.321 = load i32, ptr %.320, align 4
+  %.326 = getelementptr i8, ptr %.320, i64 8
+  %.327 = load i32, ptr %.326, align 4
+  %.347 = getelementptr i8, ptr %.320, i64 4
+  %.348 = load i32, ptr %.347, align 4
+  %.349 = sext i32 %.348 to i64
+  %.352.idx = shl nsw i64 %.349, 8
+  %.352 = getelementptr i8, ptr %arg.room, i64 %.352.idx
+  switch i32 %.321, label %B494 [
+    i32 0, label %B310
+    i32 1, label %B380
+  ]
+
+B310.if:
+  %.388 = icmp sgt i32 %.380, 0
+  %.381 = load ptr, ptr %excinfo.2, align 8
+  %.389 = select i1 %.388, ptr %.381, ptr undef
+  store ptr %.389, ptr %excinfo, align 8
+  br label %common.ret
+
+B380.if:
+  %.450 = icmp sgt i32 %.442, 0
+  %.443 = load ptr, ptr %excinfo.3, align 8
+  %.451 = select i1 %.450, ptr %.443, ptr undef
+  store ptr %.451, ptr %excinfo, align 8
+  br label %common.ret
+
+B612.if:
+  %.532 = icmp sgt i32 %.524, 0
+  %.525 = load ptr, ptr %excinfo.4, align 8
+  %.533 = select i1 %.532, ptr %.525, ptr undef
+  store ptr %.533, ptr %excinfo, align 8
+  br label %common.ret
+
+B750.if:
+  %.575 = icmp sgt i32 %.567, 0
+  %.568 = load ptr, ptr %excinfo.5, align 8
+  %.576 = select i1 %.575, ptr %.568, ptr undef
+  store ptr %.576, ptr %excinfo, align 8
+  br label %common.ret
+
+B810.if:
+  %.617 = icmp sgt i32 %.609, 0
+  %.610 = load ptr, ptr %excinfo.6, align 8
+  %.618 = select i1 %.617, ptr %.610, ptr undef
+  store ptr %.618, ptr %excinfo, align 8
+  br label %common.ret
+
+B872.if:
+  %.661 = icmp sgt i32 %.653, 0
+  %.654 = load ptr, ptr %excinfo.7, align 8
+  %.662 = select i1 %.661, ptr %.654, ptr undef
+  store ptr %.662, ptr %excinfo, align 8
+  br label %common.ret
+
+B934.if:
+  %.705 = icmp sgt i32 %.697, 0
+  %.698 = load ptr, ptr %excinfo.8, align 8
+  %.706 = select i1 %.705, ptr %.698, ptr undef
+  store ptr %.706, ptr %excinfo, align 8
+  br label %common.ret
+
+B996.if:
+  %.749 = icmp sgt i32 %.741, 0
+  %.742 = load ptr, ptr %excinfo.9, align 8
+  %.750 = select i1 %.749, ptr %.742, ptr undef
+  store ptr %.750, ptr %excinfo, align 8
+  br label %common.ret
+
+B1058.if:
+  %.794 = icmp sgt i32 %.786, 0
+  %.787 = load ptr, ptr %excinfo.10, align 8
+  %.795 = select i1 %.794, ptr %.787, ptr undef
+  store ptr %.795, ptr %excinfo, align 8
+  br label %common.ret
+
+B1118.if:
+  %.838 = icmp sgt i32 %.830, 0
+  %.831 = load ptr, ptr %excinfo.11, align 8
+  %.839 = select i1 %.838, ptr %.831, ptr undef
+  store ptr %.839, ptr %excinfo, align 8
+  br label %common.ret
+
+B1180.if:
+  %.882 = icmp sgt i32 %.874, 0
+  %.875 = load ptr, ptr %excinfo.12, align 8
+  %.883 = select i1 %.882, ptr %.875, ptr undef
+  store ptr %.883, ptr %excinfo, align 8
+  br label %common.ret
+
+B1242.if:
+  %.925 = icmp sgt i32 %.917, 0
+  %.918 = load ptr, ptr %excinfo.13, align 8
+  %.926 = select i1 %.925, ptr %.918, ptr undef
+  store ptr %.926, ptr %excinfo, align 8
+  br label %common.ret
+
+B1302.if:
+  %.968 = icmp sgt i32 %.960, 0
+  %.961 = load ptr, ptr %excinfo.14, align 8
+  %.969 = select i1 %.968, ptr %.961, ptr undef
+  store ptr %.969, ptr %excinfo, align 8
+  br label %common.ret
+
+B1362.if:
+  %.1011 = icmp sgt i32 %.1003, 0
+  %.1004 = load ptr, ptr %excinfo.15, align 8
+  %.1012 = select i1 %.1011, ptr %.1004, ptr undef
+  store ptr %.1012, ptr %excinfo, align 8
+  br label %common.ret
+
+B1422.if:
+  %.1054 = icmp sgt i32 %.1046, 0
+  %.1047 = load ptr, ptr %excinfo.16, align 8
+  %.1055 = select i1 %.1054, ptr %.1047, ptr undef
+  store ptr %.1055, ptr %excinfo, align 8
+  br label %common.ret
+
+B1482.if:
+  %.1097 = icmp sgt i32 %.1089, 0
+  %.1090 = load ptr, ptr %excinfo.17, align 8
+  %.1098 = select i1 %.1097, ptr %.1090, ptr undef
+  store ptr %.1098, ptr %excinfo, align 8
+  br label %common.ret
+
+B1542.if:
+  %.1139 = icmp sgt i32 %.1131, 0
+  %.1132 = load ptr, ptr %excinfo.18, align 8
+  %.1140 = select i1 %.1139, ptr %.1132, ptr undef
+  store ptr %.1140, ptr %excinfo, align 8
+  br label %common.ret
+
+B1604.if:
+  %.1184 = icmp sgt i32 %.1176, 0
+  %.1177 = load ptr, ptr %excinfo.19, align 8
+  %.1185 = select i1 %.1184, ptr %.1177, ptr undef
+  store ptr %.1185, ptr %excinfo, align 8
+  br label %common.ret
+
+B1664.if:
+  %.1227 = icmp sgt i32 %.1219, 0
+  %.1220 = load ptr, ptr %excinfo.20, align 8
+  %.1228 = select i1 %.1227, ptr %.1220, ptr undef
+  store ptr %.1228, ptr %excinfo, align 8
+  br label %common.ret
+
+B1724.if:
+  %.1270 = icmp sgt i32 %.1262, 0
+  %.1263 = load ptr, ptr %excinfo.21, align 8
+  %.1271 = select i1 %.1270, ptr %.1263, ptr undef
+  store ptr %.1271, ptr %excinfo, align 8
+  br label %common.ret
+
+B1784.if:
+  %.1313 = icmp sgt i32 %.1305, 0
+  %.1306 = load ptr, ptr %excinfo.22, align 8
+  %.1314 = select i1 %.1313, ptr %.1306, ptr undef
+  store ptr %.1314, ptr %excinfo, align 8
+  br label %common.ret
+
+B1844.if:
+  %.1356 = icmp sgt i32 %.1348, 0
+  %.1349 = load ptr, ptr %excinfo.23, align 8
+  %.1357 = select i1 %.1356, ptr %.1349, ptr undef
+  store ptr %.1357, ptr %excinfo, align 8
+  br label %common.ret
+
+B1904.if:
+  %.1399 = icmp sgt i32 %.1391, 0
+  %.1392 = load ptr, ptr %excinfo.24, align 8
+  %.1400 = select i1 %.1399, ptr %.1392, ptr undef
+  store ptr %.1400, ptr %excinfo, align 8
+  br label %common.ret
+
+B1964.if:
+  %.1441 = icmp sgt i32 %.1433, 0
+  %.1434 = load ptr, ptr %excinfo.25, align 8
+  %.1442 = select i1 %.1441, ptr %.1434, ptr undef
+  store ptr %.1442, ptr %excinfo, align 8
+  br label %common.ret
+
+B2026.if:
+  %.1486 = icmp sgt i32 %.1478, 0
+  %.1479 = load ptr, ptr %excinfo.26, align 8
+  %.1487 = select i1 %.1486, ptr %.1479, ptr undef
+  store ptr %.1487, ptr %excinfo, align 8
+  br label %common.ret
+
+B2086.if:
+  %.1529 = icmp sgt i32 %.1521, 0
+  %.1522 = load ptr, ptr %excinfo.27, align 8
+  %.1530 = select i1 %.1529, ptr %.1522, ptr undef
+  store ptr %.1530, ptr %excinfo, align 8
+  br label %common.ret
+
+B2146.if:
+  %.1572 = icmp sgt i32 %.1564, 0
+  %.1565 = load ptr, ptr %excinfo.28, align 8
+  %.1573 = select i1 %.1572, ptr %.1565, ptr undef
+  store ptr %.1573, ptr %excinfo, align 8
+  br label %common.ret
+
+B2206.if:
+  %.1614 = icmp sgt i32 %.1606, 0
+  %.1607 = load ptr, ptr %excinfo.29, align 8
+  %.1615 = select i1 %.1614, ptr %.1607, ptr undef
+  store ptr %.1615, ptr %excinfo, align 8
+  br label %common.ret
+
+B2268.if:
+  %.1658 = icmp sgt i32 %.1650, 0
+  %.1651 = load ptr, ptr %excinfo.30, align 8
+  %.1659 = select i1 %.1658, ptr %.1651, ptr undef
+  store ptr %.1659, ptr %excinfo, align 8
+  br label %common.ret
+
+B2330.if:
+  %.1702 = icmp sgt i32 %.1694, 0
+  %.1695 = load ptr, ptr %excinfo.31, align 8
+  %.1703 = select i1 %.1702, ptr %.1695, ptr undef
+  store ptr %.1703, ptr %excinfo, align 8
+  br label %common.ret
+
+B2392.if:
+  %.1746 = icmp sgt i32 %.1738, 0
+  %.1739 = load ptr, ptr %excinfo.32, align 8
+  %.1747 = select i1 %.1746, ptr %.1739, ptr undef
+  store ptr %.1747, ptr %excinfo, align 8
+  br label %common.ret
+
+B2454.if:
+  %.1791 = icmp sgt i32 %.1783, 0
+  %.1784 = load ptr, ptr %excinfo.33, align 8
+  %.1792 = select i1 %.1791, ptr %.1784, ptr undef
+  store ptr %.1792, ptr %excinfo, align 8
+  br label %common.ret
+
+B2514.if:
+  %.1833 = icmp sgt i32 %.1825, 0
+  %.1826 = load ptr, ptr %excinfo.34, align 8
+  %.1834 = select i1 %.1833, ptr %.1826, ptr undef
+  store ptr %.1834, ptr %excinfo, align 8
+  br label %common.ret
+
+B2576.if:
+  %.1877 = icmp sgt i32 %.1869, 0
+  %.1870 = load ptr, ptr %excinfo.35, align 8
+  %.1878 = select i1 %.1877, ptr %.1870, ptr undef
+  store ptr %.1878, ptr %excinfo, align 8
+  br label %common.ret
+
+B2638.if:
+  %.1921 = icmp sgt i32 %.1913, 0
+  %.1914 = load ptr, ptr %excinfo.36, align 8
+  %.1922 = select i1 %.1921, ptr %.1914, ptr undef
+  store ptr %.1922, ptr %excinfo, align 8
+  br label %common.ret
+
+B2700.if:
+  %.1965 = icmp sgt i32 %.1957, 0
+  %.1958 = load ptr, ptr %excinfo.37, align 8
+  %.1966 = select i1 %.1965, ptr %.1958, ptr undef
+  store ptr %.1966, ptr %excinfo, align 8
+  br label %common.ret
+
+B2762.if:
+  %.2009 = icmp sgt i32 %.2001, 0
+  %.2002 = load ptr, ptr %excinfo.38, align 8
+  %.2010 = select i1 %.2009, ptr %.2002, ptr undef
+  store ptr %.2010, ptr %excinfo, align 8
+  br label %common.ret
+
+B2824.if:
+  %.2054 = icmp sgt i32 %.2046, 0
+  %.2047 = load ptr, ptr %excinfo.39, align 8
+  %.2055 = select i1 %.2054, ptr %.2047, ptr undef
+  store ptr %.2055, ptr %excinfo, align 8
+  br label %common.ret
+
+B2884.if:
+  %.2095 = icmp sgt i32 %.2087, 0
+  %.2088 = load ptr, ptr %excinfo.40, align 8
+  %.2096 = select i1 %.2095, ptr %.2088, ptr undef
+  store ptr %.2096, ptr %excinfo, align 8
+  br label %common.ret
+
+B2944.if:
+  %.2136 = icmp sgt i32 %.2128, 0
+  %.2129 = load ptr, ptr %excinfo.41, align 8
+  %.2137 = select i1 %.2136, ptr %.2129, ptr undef
+  store ptr %.2137, ptr %excinfo, align 8
+  br label %common.ret
+}
+
+define internal i32 @numba.68(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.x.0, i64 %arg.x.1) {
+entry:
+  %.11 = call i64 @llvm.smin.i64(i64 %arg.x.1, i64 %arg.x.0)
+  store i64 %.11, ptr %retptr, align 8
+  ret i32 0
+}
+
+define internal i32 @fill.69(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.value, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B50, label %B34.if
+
+B50:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.132 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %arg.value, ptr %.132, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B50, label %B34.if
+}
+
+define internal i32 @pick.70(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.stride, ptr noalias %arg.z) noinline {
+entry:
+  %.9535.not = icmp slt i64 %arg.n, 1
+  br i1 %.9535.not, label %B68, label %B34.if
+
+B68:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.036 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.036, 1
+  %.134 = mul nsw i64 %.37.036, %arg.stride
+  %.136 = getelementptr double, ptr %arg.x, i64 %.134
+  %.137 = load double, ptr %.136, align 8
+  %.139 = getelementptr double, ptr %arg.z, i64 %.37.036
+  store double %.137, ptr %.139, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B68, label %B34.if
+}
+
+define internal i32 @put.71(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.hop, ptr noalias %arg.z) noinline {
+entry:
+  %.9535.not = icmp slt i64 %arg.n, 1
+  br i1 %.9535.not, label %B68, label %B34.if
+
+B68:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.036 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.036, 1
+  %.134 = getelementptr double, ptr %arg.x, i64 %.37.036
+  %.135 = load double, ptr %.134, align 8
+  %.137 = mul nsw i64 %.37.036, %arg.hop
+  %.139 = getelementptr double, ptr %arg.z, i64 %.137
+  store double %.135, ptr %.139, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B68, label %B34.if
+}
+
+define internal i32 @each_same.72(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B62, label %B34.if.preheader
+
+B34.if.preheader:
+  %0 = shl nuw i64 %arg.n, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %arg.z, ptr align 8 %arg.x, i64 %0, i1 false)
+  br label %B62
+
+B62:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+}
+
+define internal i32 @each_add.73(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9534.not = icmp slt i64 %arg.n, 1
+  br i1 %.9534.not, label %B80, label %B34.if
+
+B80:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.035 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.035, 1
+  %.134 = getelementptr double, ptr %arg.x, i64 %.37.035
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.y, i64 %.37.035
+  %.138 = load double, ptr %.137, align 8
+  %.139 = fadd contract double %.135, %.138
+  %.141 = getelementptr double, ptr %arg.z, i64 %.37.035
+  store double %.139, ptr %.141, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B80, label %B34.if
+}
+
+define internal i32 @each_sub.74(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9534.not = icmp slt i64 %arg.n, 1
+  br i1 %.9534.not, label %B80, label %B34.if
+
+B80:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.035 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.035, 1
+  %.134 = getelementptr double, ptr %arg.x, i64 %.37.035
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.y, i64 %.37.035
+  %.138 = load double, ptr %.137, align 8
+  %.139 = fsub contract double %.135, %.138
+  %.141 = getelementptr double, ptr %arg.z, i64 %.37.035
+  store double %.139, ptr %.141, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B80, label %B34.if
+}
+
+define internal i32 @each_mul.75(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9534.not = icmp slt i64 %arg.n, 1
+  br i1 %.9534.not, label %B80, label %B34.if
+
+B80:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.035 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.035, 1
+  %.134 = getelementptr double, ptr %arg.x, i64 %.37.035
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.y, i64 %.37.035
+  %.138 = load double, ptr %.137, align 8
+  %.139 = fmul contract double %.135, %.138
+  %.141 = getelementptr double, ptr %arg.z, i64 %.37.035
+  store double %.139, ptr %.141, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B80, label %B34.if
+}
+
+define internal i32 @each_div.76(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9534.not = icmp slt i64 %arg.n, 1
+  br i1 %.9534.not, label %B80, label %B34.if
+
+B80:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.035 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.035, 1
+  %.134 = getelementptr double, ptr %arg.x, i64 %.37.035
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.y, i64 %.37.035
+  %.138 = load double, ptr %.137, align 8
+  %.142 = fdiv contract double %.135, %.138
+  %.144 = getelementptr double, ptr %arg.z, i64 %.37.035
+  store double %.142, ptr %.144, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B80, label %B34.if
+}
+
+define internal i32 @each_neg.77(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B64, label %B34.if
+
+B64:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = fneg contract double %.132
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B64, label %B34.if
+}
+
+define internal i32 @each_inv.78(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B68, label %B34.if
+
+B68:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.136 = fdiv contract double 1.000000e+00, %.132
+  %.138 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.136, ptr %.138, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B68, label %B34.if
+}
+
+define internal i32 @each_sqrt.79(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @sqrt(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_fabs.80(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @llvm.fabs.f64(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_exp.81(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @llvm.exp.f64(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_log.82(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @llvm.log.f64(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_pow.83(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9534.not = icmp slt i64 %arg.n, 1
+  br i1 %.9534.not, label %B112, label %B34.if
+
+B112:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.035 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.035, 1
+  %.134 = getelementptr double, ptr %arg.x, i64 %.37.035
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.y, i64 %.37.035
+  %.138 = load double, ptr %.137, align 8
+  %.139 = call contract double @llvm.pow.f64(double %.135, double %.138)
+  %.141 = getelementptr double, ptr %arg.z, i64 %.37.035
+  store double %.139, ptr %.141, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B112, label %B34.if
+}
+
+define internal i32 @each_sin.84(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @llvm.sin.f64(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_cos.85(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @llvm.cos.f64(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_tan.86(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @tan(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_asin.87(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @asin(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_acos.88(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @acos(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_atan.89(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @atan(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_atan_of_two.90(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9534.not = icmp slt i64 %arg.n, 1
+  br i1 %.9534.not, label %B112, label %B34.if
+
+B112:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.035 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.035, 1
+  %.134 = getelementptr double, ptr %arg.x, i64 %.37.035
+  %.135 = load double, ptr %.134, align 8
+  %.137 = getelementptr double, ptr %arg.y, i64 %.37.035
+  %.138 = load double, ptr %.137, align 8
+  %.139 = call contract double @atan2(double %.135, double %.138)
+  %.141 = getelementptr double, ptr %arg.z, i64 %.37.035
+  store double %.139, ptr %.141, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B112, label %B34.if
+}
+
+define internal i32 @each_sinh.91(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @sinh(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_cosh.92(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @cosh(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_tanh.93(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @tanh(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_less.94(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9538.not = icmp slt i64 %arg.n, 1
+  br i1 %.9538.not, label %B90, label %B34.if
+
+B90:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.039 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.039, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.039
+  %.139 = load double, ptr %.138, align 8
+  %.142 = getelementptr double, ptr %arg.y, i64 %.37.039
+  %.143 = load double, ptr %.142, align 8
+  %.144 = fcmp contract olt double %.139, %.143
+  %. = select i1 %.144, double 1.000000e+00, double 0.000000e+00
+  %.156 = getelementptr double, ptr %arg.z, i64 %.37.039
+  store double %., ptr %.156, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B90, label %B34.if
+}
+
+define internal i32 @each_less_or_equal.95(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9538.not = icmp slt i64 %arg.n, 1
+  br i1 %.9538.not, label %B90, label %B34.if
+
+B90:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.039 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.039, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.039
+  %.139 = load double, ptr %.138, align 8
+  %.142 = getelementptr double, ptr %arg.y, i64 %.37.039
+  %.143 = load double, ptr %.142, align 8
+  %.144 = fcmp contract ugt double %.139, %.143
+  %. = select i1 %.144, double 0.000000e+00, double 1.000000e+00
+  %.156 = getelementptr double, ptr %arg.z, i64 %.37.039
+  store double %., ptr %.156, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B90, label %B34.if
+}
+
+define internal i32 @each_equal.96(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9538.not = icmp slt i64 %arg.n, 1
+  br i1 %.9538.not, label %B90, label %B34.if
+
+B90:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.039 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.039, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.039
+  %.139 = load double, ptr %.138, align 8
+  %.142 = getelementptr double, ptr %arg.y, i64 %.37.039
+  %.143 = load double, ptr %.142, align 8
+  %.144 = fcmp contract oeq double %.139, %.143
+  %. = select i1 %.144, double 1.000000e+00, double 0.000000e+00
+  %.156 = getelementptr double, ptr %arg.z, i64 %.37.039
+  store double %., ptr %.156, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B90, label %B34.if
+}
+
+define internal i32 @each_unequal.97(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9538.not = icmp slt i64 %arg.n, 1
+  br i1 %.9538.not, label %B90, label %B34.if
+
+B90:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.039 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.039, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.039
+  %.139 = load double, ptr %.138, align 8
+  %.142 = getelementptr double, ptr %arg.y, i64 %.37.039
+  %.143 = load double, ptr %.142, align 8
+  %.144 = fcmp contract une double %.139, %.143
+  %. = select i1 %.144, double 1.000000e+00, double 0.000000e+00
+  %.156 = getelementptr double, ptr %arg.z, i64 %.37.039
+  store double %., ptr %.156, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B90, label %B34.if
+}
+
+define internal i32 @each_not.98(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9237.not = icmp slt i64 %arg.n, 1
+  br i1 %.9237.not, label %B78, label %B34.if
+
+B78:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.038 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.038, 1
+  %.135 = getelementptr double, ptr %arg.x, i64 %.34.038
+  %.136 = load double, ptr %.135, align 8
+  %.137 = fcmp contract oeq double %.136, 0.000000e+00
+  %. = select i1 %.137, double 1.000000e+00, double 0.000000e+00
+  %.149 = getelementptr double, ptr %arg.z, i64 %.34.038
+  store double %., ptr %.149, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B78, label %B34.if
+}
+
+define internal i32 @each_and.99(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9538.not = icmp slt i64 %arg.n, 1
+  br i1 %.9538.not, label %B102, label %B34.if
+
+B62:
+  %.144 = getelementptr double, ptr %arg.y, i64 %.37.039
+  %.145 = load double, ptr %.144, align 8
+  %.146 = fcmp contract une double %.145, 0.000000e+00
+  br i1 %.146, label %B92, label %B90
+
+B90:
+  br label %B92
+
+B92:
+  %"$phi92.1.2.1" = phi double [ 0.000000e+00, %B90 ], [ 1.000000e+00, %B62 ]
+  %.158 = getelementptr double, ptr %arg.z, i64 %.37.039
+  store double %"$phi92.1.2.1", ptr %.158, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B102, label %B34.if
+
+B102:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.039 = phi i64 [ %.108, %B92 ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.039, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.039
+  %.139 = load double, ptr %.138, align 8
+  %.140 = fcmp contract une double %.139, 0.000000e+00
+  br i1 %.140, label %B62, label %B90
+}
+
+define internal i32 @each_or.100(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9538.not = icmp slt i64 %arg.n, 1
+  br i1 %.9538.not, label %B102, label %B34.if
+
+B62:
+  %.144 = getelementptr double, ptr %arg.y, i64 %.37.039
+  %.145 = load double, ptr %.144, align 8
+  %.146 = fcmp contract une double %.145, 0.000000e+00
+  br i1 %.146, label %B92, label %B90
+
+B90:
+  br label %B92
+
+B92:
+  %"$phi92.1.2.1" = phi double [ 0.000000e+00, %B90 ], [ 1.000000e+00, %B62 ], [ 1.000000e+00, %B34.if ]
+  %.158 = getelementptr double, ptr %arg.z, i64 %.37.039
+  store double %"$phi92.1.2.1", ptr %.158, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B102, label %B34.if
+
+B102:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.039 = phi i64 [ %.108, %B92 ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.039, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.039
+  %.139 = load double, ptr %.138, align 8
+  %.140 = fcmp contract une double %.139, 0.000000e+00
+  br i1 %.140, label %B92, label %B62
+}
+
+define internal i32 @each_where.101(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9538.not = icmp slt i64 %arg.n, 1
+  br i1 %.9538.not, label %B90, label %B34.if
+
+B62:
+  %.144 = getelementptr double, ptr %arg.y, i64 %.37.039
+  %.145 = load double, ptr %.144, align 8
+  br label %B80
+
+B80:
+  %"$phi80.1.2.1" = phi double [ %.145, %B62 ], [ 0.000000e+00, %B34.if ]
+  %.156 = getelementptr double, ptr %arg.z, i64 %.37.039
+  store double %"$phi80.1.2.1", ptr %.156, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B90, label %B34.if
+
+B90:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.039 = phi i64 [ %.108, %B80 ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.039, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.039
+  %.139 = load double, ptr %.138, align 8
+  %.140 = fcmp contract une double %.139, 0.000000e+00
+  br i1 %.140, label %B62, label %B80
+}
+
+define internal i32 @each_smaller.102(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9542.not = icmp slt i64 %arg.n, 1
+  br i1 %.9542.not, label %B150, label %B34.if
+
+B150:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.043 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.043, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.043
+  %.139 = load double, ptr %.138, align 8
+  %.142 = getelementptr double, ptr %arg.y, i64 %.37.043
+  %.143 = load double, ptr %.142, align 8
+  %.144 = fcmp contract ole double %.139, %.143
+  %.154 = fcmp contract uno double %.143, 0.000000e+00
+  %or.cond = or i1 %.144, %.154
+  %"$phi140.1.2.1" = select i1 %or.cond, double %.139, double %.143
+  %.174 = getelementptr double, ptr %arg.z, i64 %.37.043
+  store double %"$phi140.1.2.1", ptr %.174, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B150, label %B34.if
+}
+
+define internal i32 @each_larger.103(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+entry:
+  %.9542.not = icmp slt i64 %arg.n, 1
+  br i1 %.9542.not, label %B150, label %B34.if
+
+B150:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.37.043 = phi i64 [ %.108, %B34.if ], [ 0, %entry ]
+  %.108 = add nuw nsw i64 %.37.043, 1
+  %.138 = getelementptr double, ptr %arg.x, i64 %.37.043
+  %.139 = load double, ptr %.138, align 8
+  %.142 = getelementptr double, ptr %arg.y, i64 %.37.043
+  %.143 = load double, ptr %.142, align 8
+  %.144 = fcmp contract oge double %.139, %.143
+  %.154 = fcmp contract uno double %.143, 0.000000e+00
+  %or.cond = or i1 %.144, %.154
+  %"$phi140.1.2.1" = select i1 %or.cond, double %.139, double %.143
+  %.174 = getelementptr double, ptr %arg.z, i64 %.37.043
+  store double %"$phi140.1.2.1", ptr %.174, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.108
+  br i1 %exitcond.not, label %B150, label %B34.if
+}
+
+define internal i32 @each_sign.104(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9239.not = icmp slt i64 %arg.n, 1
+  br i1 %.9239.not, label %B118, label %B34.if
+
+B118:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.040 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.040, 1
+  %.135 = getelementptr double, ptr %arg.x, i64 %.34.040
+  %.136 = load double, ptr %.135, align 8
+  %.137 = fcmp contract ogt double %.136, 0.000000e+00
+  %.147 = fcmp contract olt double %.136, 0.000000e+00
+  %..136 = select i1 %.147, double -1.000000e+00, double %.136
+  %"$phi108.1.3.1" = select i1 %.137, double 1.000000e+00, double %..136
+  %.162 = getelementptr double, ptr %arg.z, i64 %.34.040
+  store double %"$phi108.1.3.1", ptr %.162, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B118, label %B34.if
+}
+
+define internal i32 @each_log_of_more.105(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @log1p(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+define internal i32 @each_exp_less_one.106(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+entry:
+  %.9234.not = icmp slt i64 %arg.n, 1
+  br i1 %.9234.not, label %B98, label %B34.if
+
+B98:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B34.if:
+  %.34.035 = phi i64 [ %.105, %B34.if ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.035, 1
+  %.131 = getelementptr double, ptr %arg.x, i64 %.34.035
+  %.132 = load double, ptr %.131, align 8
+  %.133 = call contract double @expm1(double %.132)
+  %.135 = getelementptr double, ptr %arg.z, i64 %.34.035
+  store double %.133, ptr %.135, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B98, label %B34.if
+}
+
+declare double @expm1(double)
+
+declare double @log1p(double)
+
+declare double @tanh(double)
+
+declare double @cosh(double)
+
+declare double @sinh(double)
+
+declare double @atan2(double, double)
+
+declare double @atan(double)
+
+declare double @acos(double)
+
+declare double @asin(double)
+
+declare double @tan(double)
+
+declare double @llvm.cos.f64(double)
+
+declare double @llvm.sin.f64(double)
+
+declare double @llvm.log.f64(double)
+
+declare double @llvm.exp.f64(double)
+
+declare double @sqrt(double)
 
 declare i64 @llvm.smin.i64(i64, i64)
 

@@ -27,16 +27,29 @@ from viscodesign.native.source import (
     forward,
     replay,
     reverse,
+    row_operations,
     slopes,
     steps,
     sums,
+    tape,
 )
 from viscodesign.native.source.primitives import PythonKernel
 
 Kernel = int | PythonKernel
 """An address of machine code, or the same in Python for the loops in Python."""
 
-SOURCES = (sums, elimination, factors, steps, slopes, replay, reverse, forward)
+SOURCES = (
+    sums,
+    elimination,
+    factors,
+    steps,
+    slopes,
+    replay,
+    reverse,
+    forward,
+    row_operations,
+    tape,
+)
 IR_FILE = Path(__file__).parent / "loops.ll"
 OPTIMISE, GENERATE = 3, 3
 """Levels of passes and of code generation."""
@@ -73,6 +86,10 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
     "forward": (
         *(*_RECORDED[:-1], "count", "reals", "reals", "reals", "count", "reals", "count"),
         *["reals"] * 3,
+    ),
+    "run_tape": (
+        *("count", "places", "reals", "counts", "counts", "reals", "counts", "counts"),
+        *("count", "reals", "reals"),
     ),
 }
 """Arguments of the loops: numbers, or arrays without any gaps."""

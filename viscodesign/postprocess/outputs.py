@@ -84,8 +84,7 @@ def read_outputs(
     problem: Problem, solution: Solution, at_once: int | None = None
 ) -> Iterator[Outputs]:
     """The outputs of a solution, in blocks of up to ``at_once`` edges."""
-    output = problem.equations.output_function
-    width = sum(output.size1_out(name) for name in output.name_out())
+    width = sum(problem.equations.outputs_by_tape.sizes)
     most = at_once or int(np.clip(BLOCK_NUMBERS // max(width, 1), BLOCK // 8, BLOCK))
     for begin in range(0, solution.reached, most):
         end = min(begin + most, solution.reached)

@@ -57,15 +57,14 @@ def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool)
 
 def _jumps(schedule: Schedule, equations: Equations, edge: int) -> bool:
     """Whether the value of any inlet changes at an edge."""
-    output = equations.output_function
-    names = output.name_out()
+    output = equations.outputs_by_tape
     unknowns = np.zeros(equations.states.count), np.zeros(equations.algebraics.count)
     tail = 1.0, equations.sealed_volumes, equations.parameter_values
     before = schedule.pieces[edge - 1] if edge else schedule.initial_piece
     both = []
     for piece in (before, schedule.pieces[edge]):
-        values = output.call([*unknowns, schedule.edges[edge], piece, *tail])
-        inlets = [values[names.index(name)] for name in ("inlet_pressure", "pushed")]
+        values = output(*unknowns, schedule.edges[edge], piece, *tail)
+        inlets = [values[output.names.index(name)] for name in ("inlet_pressure", "pushed")]
         both.append(np.concatenate([np.array(value).ravel() for value in inlets]))
     sizes = np.maximum(*np.abs(both))
     return bool(np.any(np.abs(both[1] - both[0]) > SAMPLING.jump_rel * sizes))

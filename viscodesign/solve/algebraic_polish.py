@@ -10,7 +10,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.branch_following import OperatingPoint, constraints
 from viscodesign.solve.numerics.newton import CONTROL, NewtonError, newton
-from viscodesign.solve.problem import Problem, mapped, rows_along
+from viscodesign.solve.problem import Problem, rows_along
 
 
 @dataclass(frozen=True)
@@ -63,16 +63,16 @@ def _polish_some(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int
 ) -> np.ndarray:
     """The same for as many edges as are solved at once."""
-    function = problem.equations.algebraic_function
-    known = function.sparsity_out(0).row()
-    rows, columns = function.sparsity_out(1).get_triplet()
+    function = problem.equations.constraints_by_tape
+    known = function.sparsities[0].row()
+    rows, columns = function.sparsities[1].get_triplet()
     unknowns, count = algebraics.shape
     trial = algebraics.copy()
     matrix, right = np.zeros((count, unknowns, unknowns)), np.zeros((count, unknowns, 1))
     size = np.full(count, np.inf)
     done, lost = np.zeros((2, count), dtype=bool)
     for _ in range(LIMITS.max_iterations):
-        residual, slopes = mapped(problem, function, rows_along(problem, states, trial, first))
+        residual, slopes = function.rows(rows_along(problem, states, trial, first), count)
         matrix[:, rows, columns], right[:, known, 0] = slopes, residual
         try:
             step = np.linalg.solve(matrix, right)[:, :, 0].T

@@ -18,7 +18,7 @@ from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.numerics.newton import Acceptance, NewtonError, continuation
 from viscodesign.solve.numerics.stability import StabilityTest
 from viscodesign.solve.obstacles import Obstacle, advice
-from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.problem import Problem
 
 SAME_BRANCH_DISTANCE = 0.1
 """Distance of a coordinate from its extrapolation, in sizes of the largest one, up to which a
@@ -53,7 +53,7 @@ def constraints(
 ) -> tuple[np.ndarray, ca.DM]:
     """Residual (nz,) of the algebraic equations at a point, and its Jacobian (nz, nz)."""
     tail = problem.tail(point.time, point.piece, load)
-    alg, jacobian = evaluate(problem.equations.algebraic_function, point.states, z, *tail)
+    alg, jacobian = problem.equations.constraints_by_tape(point.states, z, *tail)
     return np.asarray(alg).ravel(), jacobian
 
 

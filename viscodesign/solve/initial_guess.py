@@ -15,7 +15,7 @@ from viscodesign.solve.branch_following import (
 )
 from viscodesign.solve.equilibrium_failures import no_pressures, vanished_section
 from viscodesign.solve.numerics.newton import NewtonError, continuation, newton
-from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.problem import Problem
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ def _settle(
 
     def balance(values: np.ndarray) -> tuple[np.ndarray, ca.DM]:
         trial[chosen] = values
-        residual, jacobian, *_ = evaluate(problem.equations.static_function, trial, *tail)
+        residual, jacobian, *_ = problem.equations.statics_by_tape(trial, *tail)
         return np.asarray(residual).ravel()[chosen], jacobian[chosen.tolist(), chosen.tolist()]
 
     if not statics.multivalued:
@@ -120,7 +120,7 @@ def straighten(problem: Problem, y: np.ndarray) -> None:
 
 def bend_to_arcs(problem: Problem, y: np.ndarray, tail: tuple[float | np.ndarray, ...]) -> None:
     """Bend the rod in ``y`` to the arcs of the pressures in it."""
-    *_, curvature, stretch = evaluate(problem.equations.static_function, y, *tail)
+    *_, curvature, stretch = problem.equations.statics_by_tape(y, *tail)
     total = 1 + np.asarray(stretch).ravel()
     if np.min(total) <= 0.0:
         raise vanished_section(0.0, int(np.argmin(total)), float(np.min(total)))

@@ -11,7 +11,9 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equations import Equations
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.rod_equations import RodForm
+from viscodesign.model.row_blocks import BLOCK_ROWS, evaluate_rows
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
+from viscodesign.model.taped_function import TapedFunction
 from viscodesign.model.unknowns import Unknowns
 from viscodesign.solve.modal_system import ModalSystem, modal_system
 from viscodesign.solve.numerics.stability import StabilityTest
@@ -121,21 +123,21 @@ class Problem:
     def stability(self) -> StabilityTest | None:
         """Judges a static rod by its algebraic equations; None where it is not algebraic."""
         equations = self.equations
-        return self._stability_test(equations.algebraics, equations.algebraic_function)
+        return self._stability_test(equations.algebraics, equations.constraints_by_tape)
 
     @cached_property
     def static_stability(self) -> StabilityTest | None:
         """The same by the equations of the equilibrium."""
-        return self._stability_test(self.equations.statics, self.equations.static_function)
+        return self._stability_test(self.equations.statics, self.equations.statics_by_tape)
 
-    def _stability_test(self, unknowns: Unknowns, function: ca.Function) -> StabilityTest | None:
+    def _stability_test(self, unknowns: Unknowns, function: TapedFunction) -> StabilityTest | None:
         if unknowns.branch_span is None:
             return None
         blocks = [block for block in unknowns.blocks.values() if block.traits.of_rod]
         own = sorted(blocks, key=lambda block: not block.traits.is_internal)
         rows = np.concatenate([np.arange(b.span.start, b.span.stop) for b in own])
         order, internal = self.rod.elimination_order()
-        return StabilityTest(rows[order], internal, function.sparsity_out(1))
+        return StabilityTest(rows[order], internal, function.sparsities[1])
 
     @cached_property
     def modal_system(self) -> ModalSystem | None:
@@ -177,29 +179,6 @@ class Problem:
         )
 
 
-class Bound:
-    """A call that reads and writes the same arrays each time, without any conversion.
-
-    The arrays are contiguous and of `float`, each with as many entries as the function has.
-    """
-
-    def __init__(
-        self, function: ca.Function, arguments: Sequence[np.ndarray], results: Sequence[np.ndarray]
-    ) -> None:
-        # The buffer knows no more than addresses: whoever drops an array here loses its memory.
-        self._kept = (*arguments, *results)
-        self._buffer, self._run = function.buffer()
-        places = (self._buffer.set_arg, arguments), (self._buffer.set_res, results)
-        for place, arrays in places:
-            for k, array in enumerate(arrays):
-                if array.size:
-                    place(k, memoryview(array.reshape(-1)))  # type: ignore[call-arg, arg-type]
-
-    def __call__(self) -> None:
-        """Read the arguments, write the results."""
-        self._run()
-
-
 def evaluate_along(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int = 0
 ) -> dict[str, np.ndarray]:
@@ -215,14 +194,16 @@ def evaluate_after(
 
 
 def _evaluate_rows(problem: Problem, rows: Sequence[np.ndarray]) -> dict[str, np.ndarray]:
-    output = problem.equations.output_function
-    return dict(zip(output.name_out(), mapped(problem, output, rows), strict=True))
+    output = problem.equations.outputs_by_tape
+    return dict(zip(output.names, output.rows(rows, len(rows[0])), strict=True))
 
 
 def rows_along(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int
 ) -> list[np.ndarray]:
-    """Arguments of the equations' functions at m edges from ``first`` on, each (m, n)."""
+    """Arguments of the equations' functions at m edges from ``first`` on: (m, n) each, or (n,)
+    where equal at all of them.
+    """
     edges = np.arange(first, first + states.shape[1])
     # A state just before a corner belongs to the interval that ends there.
     return _rows_at(problem, states, algebraics, edges, np.maximum(edges - 1, 0))
@@ -237,15 +218,14 @@ def _rows_at(
 ) -> list[np.ndarray]:
     """The same at the numbers of m edges, with the input of as many intervals."""
     equations, schedule = problem.equations, problem.schedule
-    count = len(edges)
-    tail = (equations.sealed_volumes, equations.parameter_values)
     return [
         states.T,
         algebraics.T,
-        schedule.edges[edges],
+        schedule.edges[edges][:, None],
         schedule.pieces[intervals],
-        np.ones(count),
-        *(np.broadcast_to(values, (count, len(values))) for values in tail),
+        np.ones(1),
+        equations.sealed_volumes,
+        equations.parameter_values,
     ]
 
 
@@ -258,47 +238,13 @@ def mapped(problem: Problem, function: ca.Function, rows: Sequence[np.ndarray]) 
     return evaluate_rows(many, rows, sizes)
 
 
-def evaluate_rows(
-    many: ca.Function,
-    rows: Sequence[np.ndarray],
-    sizes: Sequence[int],
-    at_once: int | None = None,
-) -> list[np.ndarray]:
-    """A function that takes so many rows at once, of arguments (m, n) each; results (m, size).
-
-    ``at_once``: BLOCK_ROWS unless told otherwise.
-    """
-    count, length = len(rows[0]), at_once or BLOCK_ROWS
-    given = [_in_blocks(np.asarray(row, dtype=float), length) for row in rows]
-    found = [np.zeros((len(given[0]), size)) for size in sizes]
-    for begin in range(0, count, length):
-        block = slice(begin, begin + length)
-        Bound(many, [values[block] for values in given], [values[block] for values in found])()
-    return [values[:count] for values in found]
-
-
-BLOCK_ROWS = 64
-"""Rows of one call of a mapped function: one such function then serves any number of rows."""
-
-
-def whole_blocks(count: int) -> int:
-    """The number of rows in as many whole blocks as so many rows need."""
-    return -(-count // BLOCK_ROWS) * BLOCK_ROWS
-
-
-def _in_blocks(rows: np.ndarray, length: int) -> np.ndarray:
-    """Rows (m, ...), contiguous, the last one repeated up to whole blocks."""
-    more = np.repeat(rows[-1:], -len(rows) % length, axis=0)
-    return np.ascontiguousarray(np.concatenate([rows, more]))
-
-
 def evaluate_at(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, time: float, piece: np.ndarray
 ) -> dict[str, np.ndarray]:
     """All named outputs (1, n) at one instant."""
-    output = problem.equations.output_function
-    found = evaluate(output, states, algebraics, *problem.tail(time, piece))
-    return {n: np.array(v).reshape(1, -1) for n, v in zip(output.name_out(), found, strict=True)}
+    output = problem.equations.outputs_by_tape
+    found = output(states, algebraics, *problem.tail(time, piece))
+    return {n: np.array(v).reshape(1, -1) for n, v in zip(output.names, found, strict=True)}
 
 
 def section_strains(

@@ -21,7 +21,7 @@ from viscodesign.solve.branch_following import (
 from viscodesign.solve.equilibrium_failures import no_equilibrium, step_limit_reached
 from viscodesign.solve.initial_guess import bend_to_arcs, set_baseline, straighten, unloaded
 from viscodesign.solve.numerics.newton import NewtonError, continuation, newton
-from viscodesign.solve.problem import Problem, evaluate
+from viscodesign.solve.problem import Problem
 
 Instant = tuple[float, np.ndarray]
 """A time [s] and the inlets' coefficients that are valid at it."""
@@ -54,9 +54,7 @@ def static_equilibrium(problem: Problem, time: float, piece: np.ndarray) -> np.n
     def family(y: np.ndarray, load: float) -> tuple[np.ndarray, ca.DM]:
         if next(evaluations) > problem.max_steps:
             raise step_limit_reached(problem, load, time)
-        residual, jacobian, *_ = evaluate(
-            equations.static_function, y, *problem.tail(time, piece, load)
-        )
+        residual, jacobian, *_ = equations.statics_by_tape(y, *problem.tail(time, piece, load))
         return np.asarray(residual).ravel(), jacobian
 
     try:
@@ -70,7 +68,7 @@ def static_equilibrium(problem: Problem, time: float, piece: np.ndarray) -> np.n
 def from_statics(problem: Problem, y: np.ndarray, time: float, piece: np.ndarray) -> Start:
     """Copy the static unknowns to states and algebraic unknowns, with all rates zero."""
     equations = problem.equations
-    _, _, amounts, *_ = evaluate(equations.static_function, y, *problem.tail(time, piece))
+    _, _, amounts, *_ = equations.statics_by_tape(y, *problem.tail(time, piece))
     held = np.asarray(amounts).ravel()
 
     def spread(unknowns: Unknowns) -> np.ndarray:
@@ -104,9 +102,7 @@ def rest(problem: Problem, piece: np.ndarray) -> Start:
         return start
     # A rod held straight under pressure carries moments, and they displace their volume.
     algebraics = _solve_internal(problem, start, piece)
-    alg, _ = evaluate(
-        equations.algebraic_function, start.states, algebraics, *problem.tail(0.0, piece)
-    )
+    alg, _ = equations.constraints_by_tape(start.states, algebraics, *problem.tail(0.0, piece))
     residual = np.asarray(alg).ravel()[equations.algebraics.blocks[BELLOW_PRESSURES].span]
     x = start.states.copy()
     x[states.blocks[BELLOW_AMOUNTS].span] -= residual
@@ -124,7 +120,7 @@ def _solve_internal(problem: Problem, start: Start, piece: np.ndarray) -> np.nda
 
     def balance(values: np.ndarray) -> tuple[np.ndarray, ca.DM]:
         z[rows] = values
-        alg, jacobian = evaluate(equations.algebraic_function, start.states, z, *tail)
+        alg, jacobian = equations.constraints_by_tape(start.states, z, *tail)
         return np.asarray(alg).ravel()[rows], jacobian[rows, rows]
 
     try:

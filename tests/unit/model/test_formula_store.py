@@ -111,7 +111,11 @@ def _serialized(problem: Problem) -> list[object]:
     code = [f.serialize() for f in (*functions, local.start, local.form.numbers)]
     form = local.form
     layout = (e.states.blocks.keys(), e.rates, e.fed, form.balances.mass.tobytes(), form.drives)
-    return [*code, *map(repr, layout), repr(form.kinds), repr(form.sources)]
+    tapes = [f._taped for f in (e.statics_by_tape, e.constraints_by_tape, e.outputs_by_tape)]
+    code += [b.tobytes() for t in tapes if t for b in (t.tape.code, t.tape.constants)]
+    patterns = [(t.patterns, t.tape.given, t.tape.names, t.tape.sizes) for t in tapes if t]
+    assert len(patterns) == 3
+    return [*code, *map(repr, layout), repr(form.kinds), repr(form.sources), patterns]
 
 
 def _cut(data: bytes) -> bytes:

@@ -8,8 +8,9 @@ import pytest
 from tests.scenes import leg
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.model.row_blocks import BLOCK_ROWS
 from viscodesign.simulation.build_problem import build, suggest_settings
-from viscodesign.solve.problem import BLOCK_ROWS, Problem, evaluate_along, evaluate_at
+from viscodesign.solve.problem import Problem, evaluate_along, evaluate_at
 from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import equilibrium
 

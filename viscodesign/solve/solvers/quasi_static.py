@@ -8,9 +8,9 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.rod_equations import RodForm
+from viscodesign.model.row_blocks import BLOCK_ROWS, whole_blocks
 from viscodesign.solve.branch_following import PreviousSolution
 from viscodesign.solve.numerics.newton import CONTROL
-from viscodesign.solve.problem import BLOCK_ROWS, whole_blocks
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.solvers.quiet_stderr import quiet_stderr
 from viscodesign.solve.statics import Start, consistent

@@ -14,9 +14,10 @@ import numpy as np
 from viscodesign.model.equations import Equations
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
+from viscodesign.model.row_blocks import Bound
 from viscodesign.native import rodas
 from viscodesign.solve.numerics.symbolic_lu import SymbolicLU
-from viscodesign.solve.problem import Bound, Problem, Schedule
+from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
 

@@ -43,7 +43,7 @@ class Rosenbrock(Solver):
     @classmethod
     def takes(cls, problem: Problem) -> bool:
         """Its elimination pivots on the diagonal only."""
-        return has_whole_diagonal(problem.equations.algebraic_function.sparsity_out(1))
+        return has_whole_diagonal(problem.equations.constraints_by_tape.sparsities[1])
 
     @classmethod
     def fits(cls, problem: Problem) -> bool:
