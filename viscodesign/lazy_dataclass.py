@@ -10,12 +10,9 @@ import dataclasses
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-TAKEN_NAMES = ("__module__", "__qualname__", "__post_init__")
-"""What the methods take from the class besides its fields."""
-
 
 class LazyMethod:
-    """A method of the class ``owner``, replaced by the standard one when it is first looked up."""
+    """A method of the class ``owner``, written when it is first looked up."""
 
     def __init__(self, owner: type, name: str) -> None:
         self._owner, self._name = owner, name
@@ -28,24 +25,69 @@ class LazyMethod:
         """The standard method, now an attribute of its class."""
         owner, name = self._owner, self._name
         if owner.__dict__[name] is self:  # another thread may have been faster
-            setattr(owner, name, _standard(owner, name))
+            setattr(owner, name, _method(owner, name))
         return owner.__dict__[name]
 
 
-def _standard(owner: Any, name: str) -> Any:
-    """The standard method of a class, taken from another one with the same fields."""
+def _method(owner: Any, name: str) -> Any:
+    """A method of a class: `__init__`, or a standard one of another class with the same fields."""
+    if name == "__init__":
+        return _init(owner)
     fields = [(f.name, f.type, f) for f in dataclasses.fields(owner)]
-    namespace = {name: getattr(owner, name) for name in TAKEN_NAMES if hasattr(owner, name)}
     model = dataclasses.make_dataclass(
         owner.__name__,
         fields,
-        namespace=namespace,
-        init=name == "__init__",
+        namespace={"__qualname__": owner.__qualname__, "__module__": owner.__module__},
+        init=False,
         repr=name == "__repr__",
         eq=name in ("__eq__", "__hash__"),
-        frozen=owner.__dataclass_params__.frozen,
+        unsafe_hash=name == "__hash__",
     )
     return vars(model)[name]
+
+
+def _init(owner: Any) -> Any:
+    """What the standard decorator writes, at a fifth of its price."""
+    fields = [field for field in dataclasses.fields(owner) if field.init]
+    known: dict[str, Any] = {"_set": object.__setattr__, "_made": dataclasses.MISSING}
+    ordered = sorted(fields, key=lambda field: bool(field.kw_only))
+    given = [_parameter(field, known) for field in ordered]
+    if any(field.kw_only for field in fields):
+        given.insert(sum(not field.kw_only for field in fields), "*")
+    is_frozen = owner.__dataclass_params__.frozen
+    form = "_set(self, {name!r}, {value})" if is_frozen else "self.{name} = {value}"
+    body = []
+    for field in dataclasses.fields(owner):
+        value = _value(field, known)
+        if value:
+            body.append(form.format(name=field.name, value=value))
+    if hasattr(owner, "__post_init__"):
+        body.append("self.__post_init__()")
+    text = f"def __init__({', '.join(['self', *given])}):\n " + "\n ".join(body or ["pass"])
+    exec(text, known)
+    method = known["__init__"]
+    method.__qualname__ = f"{owner.__qualname__}.__init__"
+    method.__module__ = owner.__module__
+    method.__annotations__ = {**{f.name: f.type for f in fields}, "return": None}
+    return method
+
+
+def _parameter(field: dataclasses.Field[Any], known: dict[str, Any]) -> str:
+    """A field among the parameters; what it needs to be known."""
+    if field.default is not dataclasses.MISSING:
+        known[f"_default_{field.name}"] = field.default
+        return f"{field.name}=_default_{field.name}"
+    is_made = field.default_factory is not dataclasses.MISSING
+    return f"{field.name}=_made" if is_made else field.name
+
+
+def _value(field: dataclasses.Field[Any], known: dict[str, Any]) -> str:
+    """What is assigned to a field; empty where nothing is."""
+    if field.default_factory is not dataclasses.MISSING:
+        known[f"_make_{field.name}"] = field.default_factory
+        made = f"_make_{field.name}()"
+        return f"{made} if {field.name} is _made else {field.name}" if field.init else made
+    return field.name if field.init else ""
 
 
 def _lazily(cls: Any, *, frozen: bool = False, eq: bool = True, kw_only: bool = False) -> Any:

@@ -17,9 +17,9 @@ INTERRUPTED = 130
 COLLECTED_AFTER = 500_000
 """Objects after which Python looks for cycles: what imports and a spec make stays anyway, and
 looking through it again and again takes a tenth of a short command."""
-THREADS = {"OPENBLAS_NUM_THREADS": "1"}
-"""Matrices are small here: threads for them would cost a tenth of a second, and save nothing. The
-user's own setting holds."""
+ENVIRONMENT = {"OPENBLAS_NUM_THREADS": "1", "PYDANTIC_DISABLE_PLUGINS": "__all__"}
+"""Settings of numpy and pydantic, unless the user has some. Matrices are small here, and threads
+for them cost a tenth of a second; pydantic need not search all that is installed for plugins."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -27,8 +27,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if arguments is not None:
         return _answer(list(arguments))
     gc.set_threshold(COLLECTED_AFTER)
-    for variable, threads in THREADS.items():
-        os.environ.setdefault(variable, threads)  # before numpy is imported
+    for variable, setting in ENVIRONMENT.items():
+        os.environ.setdefault(variable, setting)  # before either is imported
     status = _answer(sys.argv[1:])
     gc.freeze()  # or Python would look for cycles among everything once more before it ends
     return status

@@ -10,6 +10,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
+from viscodesign.storage.distinct import distinct
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,7 @@ class SampleGrid:
         stops = [0.0, *corners, duration]
         grades = np.geomspace(DENSITY.first_step, 1.0, DENSITY.behind_corner)
         parts += [a + (b - a) * grades for a, b in itertools.pairwise(stops)]
-        time = np.unique(np.clip(np.concatenate(parts), 0.0, duration))
+        time = distinct(np.clip(np.concatenate(parts), 0.0, duration))
         before = np.array(corners)
         everything = np.concatenate([[0.0], time, before])
         sides = (np.array([-1.0]), np.zeros(len(time)), np.full(len(before), -1.0))

@@ -23,7 +23,7 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.taped_function import TapeWithPatterns
 from viscodesign.model.unknowns import Block, Traits, Unknowns
 from viscodesign.native.code_cache import keep, kept
-from viscodesign.native.tape import OPERATIONS, Tape
+from viscodesign.native.tape import OPERATIONS, OperationTape
 
 Kept = TypeVar("Kept")
 
@@ -137,7 +137,7 @@ def _unpacked_local(data: bytes) -> LocalEquations | None:
 
 PLAIN = (
     *(EquationLayout, Unknowns, Block, Traits, WorkSplit, Component, Tube, RodForm, NetworkForm),
-    *(BalanceLayout, Elements, Law, Tape, TapeWithPatterns),
+    *(BalanceLayout, Elements, Law, OperationTape, TapeWithPatterns),
 )
 """The classes that are kept; from a file, no other ones are made."""
 

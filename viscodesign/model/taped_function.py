@@ -9,7 +9,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.row_blocks import BLOCK_ROWS, evaluate_rows
-from viscodesign.native.tape import Tape, tape_of
+from viscodesign.native.tape import OperationTape, tape_of
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.storage.cached_property import cached_property
 
@@ -21,7 +21,7 @@ Pattern = tuple[int, int, tuple[int, ...], tuple[int, ...]]
 class TapeWithPatterns:
     """A tape, and which entries of its results are not zero by structure."""
 
-    tape: Tape
+    tape: OperationTape
     patterns: tuple[Pattern, ...]
 
     @classmethod

@@ -13,6 +13,7 @@ import numpy as np
 
 from viscodesign.native.loops import DTYPES, Loops, native_loops
 from viscodesign.native.source.sums import ENTRIES
+from viscodesign.storage.distinct import distinct
 
 PLACES = DTYPES["places"]
 FIRST_GUESS = 3
@@ -145,7 +146,7 @@ class SparseLU:
         held = self._weak[rows] & ~late[pair[columns]]
         i, j = rows[held], columns[held]
         both = np.isin(j * self.size + i, rows * self.size + columns)
-        keys = np.unique(pair[i[both]] * self.blocks + pair[j[both]])
+        keys = distinct(pair[i[both]] * self.blocks + pair[j[both]])
         return keys // self.blocks, keys % self.blocks
 
     def _order(

@@ -27,7 +27,7 @@ OPERATIONS = " ".join(f"{name} {code}" for name, code in sorted(_CODES.items()))
 
 
 @dataclass(frozen=True, eq=False)
-class Tape:
+class OperationTape:
     """The operations of a function of columns, in their order.
 
     ``code`` int32 (steps, 4): operation, place of the result, and two operands, as `source.tape`
@@ -89,7 +89,7 @@ def _placed(
     return starts.astype(counts), np.repeat(strides, sizes).astype(counts)
 
 
-def tape_of(function: ca.Function) -> Tape | None:
+def tape_of(function: ca.Function) -> OperationTape | None:
     """The tape of a function; None where it does more than plain operations on columns."""
     if not function.is_a("SXFunction"):
         return None
@@ -114,7 +114,7 @@ def tape_of(function: ca.Function) -> Tape | None:
         else:
             step = (written[0], read[0], read[-1])
         code.append((operation, *step))
-    return Tape(
+    return OperationTape(
         code=np.array(code, dtype=DTYPES["places"]).reshape(-1, source.FIELDS_OF_STEP),
         constants=np.array([*constants, 0.0]),
         places=max(int(function.sz_w()), 1),

@@ -10,6 +10,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equations import Equations
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.problem import Schedule
+from viscodesign.storage.distinct import distinct
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool)
     if len(begins) * SAMPLING.grades <= SAMPLING.max_graded:
         # At other corners they would only force an integrator to tiny steps.
         sudden = [k for k in begins if _jumps(schedule, equations, k) or (not k and starts_at_rest)]
-        extra.append(_graded(np.union1d(edges, extra[0]), edges[sudden]))
+        extra.append(_graded(distinct(np.concatenate([edges, extra[0]])), edges[sudden]))
     return _refined(schedule, np.concatenate(extra))
 
 
@@ -96,7 +97,7 @@ def _graded(edges: np.ndarray, corners: np.ndarray) -> np.ndarray:
 
 def _refined(schedule: Schedule, times: np.ndarray) -> Schedule:
     """The schedule with edges added."""
-    edges = np.union1d(schedule.edges, times)
+    edges = distinct(np.concatenate([schedule.edges, times]))
     pieces = schedule.pieces.among(schedule.edges, edges)
     outputs = np.searchsorted(edges, schedule.edges[schedule.outputs])
     return replace(schedule, edges=edges, pieces=pieces, outputs=outputs)

@@ -13,6 +13,8 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.boundary_work import FORCE_AND_PATH
 from viscodesign.solve.problem import Problem
+from viscodesign.storage.distinct import distinct
+from viscodesign.storage.lru_cache import LruCache
 
 ENERGIES = ("fluid_energy", "kinetic_energy", "load_energy", "elastic_energy")
 
@@ -133,32 +135,63 @@ def path_integrals(
     the rows ``cuts`` (g + 1,) to the next. Inside a group both are polynomials through their
     values.
     """
-    sizes = np.diff(cuts)
-    found, unsure = np.zeros((2, len(sizes)))
-    for size in np.unique(sizes):
-        which = np.flatnonzero(sizes == size)
-        rows = cuts[which, None] + np.arange(size + 1)
-        found[which], unsure[which] = _groups(time[rows], force[rows], path[rows])
+    found, unsure = np.zeros((2, len(cuts) - 1))
+    for which, rows, weights in _group_weights(time, cuts):
+        found[which], unsure[which] = weights.integrals(force[rows], path[rows])
     return found, unsure
 
 
-def _groups(time: np.ndarray, force: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The same for groups of equal size: (g, k + 1), (g, k + 1, n)."""
-    whole = _polynomial(time, force, path)
-    if time.shape[1] == 2:
-        change = np.sum((force[:, 1] - force[:, 0]) * (path[:, 1] - path[:, 0]), axis=1)
-        return whole, RULE.linear_error_share * np.abs(change)
-    middle = time.shape[1] // 2
-    halves = slice(0, middle + 1), slice(middle, None)
-    parts = sum(_polynomial(time[:, h], force[:, h], path[:, h]) for h in halves)
-    return whole, RULE.error_share * np.abs(whole - parts)
+class _Weights:
+    """Weights of forces and paths in integrals over groups of equal size, at times (g, k + 1)."""
+
+    def __init__(self, time: np.ndarray) -> None:
+        middle = time.shape[1] // 2
+        self._whole = _polynomial(time)
+        self._halves = [
+            (part, _polynomial(time[:, part]))
+            for part in (slice(0, middle + 1), slice(middle, None))
+            if time.shape[1] > 2
+        ]
+
+    def integrals(self, force: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Of forces and paths (g, k + 1, n)."""
+        whole = _weighted(force, self._whole, path)
+        if not self._halves:  # a single interval
+            change = np.sum((force[:, 1] - force[:, 0]) * (path[:, 1] - path[:, 0]), axis=1)
+            return whole, RULE.linear_error_share * np.abs(change)
+        parts = sum(_weighted(force[:, h], own, path[:, h]) for h, own in self._halves)
+        return whole, RULE.error_share * np.abs(whole - parts)
 
 
-def _polynomial(time: np.ndarray, force: np.ndarray, path: np.ndarray) -> np.ndarray:
+Groups = list[tuple[np.ndarray, np.ndarray, _Weights]]
+"""Which groups have one size, their rows, and their weights."""
+_LATEST: LruCache[Groups] = LruCache(16)
+"""Those of the latest runs: other solutions have the same times."""
+MAX_KEPT_ROWS = 5_000
+
+
+def _group_weights(time: np.ndarray, cuts: np.ndarray) -> Groups:
+    def made() -> Groups:
+        sizes, groups = np.diff(cuts), []
+        for size in distinct(sizes):
+            which = np.flatnonzero(sizes == size)
+            rows = cuts[which, None] + np.arange(size + 1)
+            groups.append((which, rows, _Weights(time[rows])))
+        return groups
+
+    if len(time) > MAX_KEPT_ROWS:
+        return made()
+    return _LATEST.get((time.tobytes(), cuts.tobytes()), made)
+
+
+def _polynomial(time: np.ndarray) -> np.ndarray:
     degree = np.arange(time.shape[1])
     share = (time - time[:, :1]) / (time[:, -1:] - time[:, :1])
     inverse = np.linalg.inv(share[:, :, None] ** degree)
     # Of monomials: the integral of s^i d(s^j) from 0 to 1 is j/(i + j).
     monomials = degree[None, :] / np.maximum(degree[:, None] + degree[None, :], 1)
-    weights = np.swapaxes(inverse, 1, 2) @ monomials @ inverse
+    return np.asarray(np.swapaxes(inverse, 1, 2) @ monomials @ inverse)
+
+
+def _weighted(force: np.ndarray, weights: np.ndarray, path: np.ndarray) -> np.ndarray:
     return np.asarray(np.sum(force * (weights @ path), axis=(1, 2)))

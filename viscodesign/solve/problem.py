@@ -19,6 +19,7 @@ from viscodesign.solve.modal_system import ModalSystem, modal_system
 from viscodesign.solve.numerics.stability import StabilityTest
 from viscodesign.solve.obstacles import Remedies
 from viscodesign.storage.cached_property import cached_property
+from viscodesign.storage.distinct import distinct
 
 
 class Pieces:
@@ -57,7 +58,7 @@ SAME_TIME = 1e-12
 
 def merged(times: np.ndarray, end: float) -> np.ndarray:
     """Ascending times up to ``end`` [s], those within round-off of each other made one."""
-    ordered = np.unique(times)
+    ordered = distinct(times)
     keep = np.concatenate([[True], np.diff(ordered) > SAME_TIME * end])
     found = ordered[keep]
     found[-1] = end

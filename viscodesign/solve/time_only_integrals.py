@@ -8,6 +8,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.formulas import Formulas
 from viscodesign.solve.problem import Problem
+from viscodesign.storage.distinct import distinct
 
 
 @dataclass(frozen=True)
@@ -108,7 +109,7 @@ def graded_parts(
     growths = np.ceil(np.log(reach) / np.log(RULE.growth))
     counts = np.where(length <= spacing, 0, growths).astype(int)
     begins, ends, owner = [], [], []
-    for count in np.unique(counts):
+    for count in distinct(counts):
         own = np.flatnonzero(counts == count)
         grown = np.concatenate([[0.0], np.cumsum(RULE.growth ** np.arange(count))])
         half = grown / (2 * grown[-1]) if count else grown

@@ -105,7 +105,7 @@ def test_closed_outputs_do_not_stop_a_run(closed: str, tmp_path: Path) -> None:
     assert (tmp_path / "run" / "summary.json").exists()
 
 
-HEAVY = ("scipy", "pandas", "pint", "matplotlib")
+HEAVY = ("scipy", "pandas", "pint", "matplotlib", "numpy.ma")
 
 
 def test_a_verified_run_without_pictures_imports_nothing_heavy(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from viscodesign.native.loops import PythonLoops, native_loops
 from viscodesign.native.source.tape import WIDTH
-from viscodesign.native.tape import Tape, tape_of
+from viscodesign.native.tape import OperationTape, tape_of
 
 X, Y = ca.SX.sym("x"), ca.SX.sym("y")
 OPERATIONS = {
@@ -31,7 +31,7 @@ def numbers(count: int) -> np.ndarray:
     return np.random.default_rng(3).normal(size=(count, 2)) * [1.0, 2.0]
 
 
-def tape(function: ca.Function) -> Tape:
+def tape(function: ca.Function) -> OperationTape:
     found = tape_of(function)
     assert found is not None
     return found

@@ -15,6 +15,7 @@ import numpy as np
 from pydantic import Field
 
 from viscodesign.scene.spec_part import SpecPart
+from viscodesign.storage.distinct import distinct
 from viscodesign.units import Time
 
 MIN_SWING_REL = 0.01
@@ -126,7 +127,7 @@ class PiecewiseLinear(Input):
 
     def corners(self, duration: float) -> list[float]:
         time = self.vertices(duration)[:, 0]
-        return list(np.unique(time[(time > 0.0) & (time < duration)]).tolist())
+        return list(distinct(time[(time > 0.0) & (time < duration)]).tolist())
 
     def pieces(self, edges: np.ndarray) -> np.ndarray:
         middles = (edges[:-1] + edges[1:]) / 2

@@ -9,6 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from viscodesign.scene.inputs.base import SWING_END, SmoothInput
+from viscodesign.storage.distinct import distinct
 from viscodesign.units import Pressure, Time
 
 
@@ -45,7 +46,7 @@ class DoubleSigmoidInput(SmoothInput):
     def corners(self, duration: float) -> list[float]:
         """Where each transition begins: a solver with large steps could skip it."""
         begins = (self.fall_time - self.transition, self.rise_time - self.transition)
-        return list(np.unique([t for t in begins if 0.0 < t < duration]).tolist())
+        return list(distinct([t for t in begins if 0.0 < t < duration]).tolist())
 
     def extremes(self, duration: float) -> tuple[float, float]:
         """At the ends and midway between fall and rise, where the two slopes cancel."""

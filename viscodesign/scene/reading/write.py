@@ -12,6 +12,7 @@ from viscodesign.scene.effects_choice import OTHERS, EffectsChoice
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.reading.yaml_events import plain_value
 from viscodesign.scene.scene import Scene
+from viscodesign.storage.lru_cache import LruCache
 
 
 class _Row(list[Any]):
@@ -38,6 +39,14 @@ _Dumper.add_representer(str, _in_quotes_where_needed)
 
 def resolved_yaml(scene: Scene) -> str:
     """The resolved spec; loading it gives an equal scene."""
+    return _LATEST.get(scene.digest, lambda: _written(scene))
+
+
+_LATEST: LruCache[str] = LruCache(16)
+"""Texts of the latest scenes: equal ones have the same."""
+
+
+def _written(scene: Scene) -> str:
     return yaml.dump(_model(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)
 
 
