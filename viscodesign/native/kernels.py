@@ -17,8 +17,11 @@ from viscodesign.storage.lru_cache import ONE_AT_A_TIME
 LANES = 8
 """Elements that a kernel treats at once, unless told otherwise."""
 OPTIMISE, GENERATE = 0, 0
-"""Levels of passes and of code generation. Formulas have few subexpressions to share; one level more
-of code generation takes five times as long and saves a tenth of a step: what 80,000 steps take."""
+"""Levels of passes and of code generation.
+
+Formulas have few subexpressions to share. One level more of code generation takes five times as
+long and saves a tenth of a step: what 80,000 steps take.
+"""
 
 
 class CompiledKernels:
