@@ -81,7 +81,8 @@ def effects_table() -> str:
 
 
 def _effect_row(effect: dict[str, Any]) -> tuple[str, ...]:
-    needs = f" Needs `{effect['needs']}`." if effect["needs"] else ""
+    needed = " and ".join(f"`{name}`" for name in effect["needs"])
+    needs = f" Needs {needed}." if needed else ""
     keys = [key for key in effect["keys"] if key != f"effects.{effect['name']}"]
     return (
         f"`{effect['name']}`",

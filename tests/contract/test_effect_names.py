@@ -22,7 +22,7 @@ def quoted(path: Path) -> Iterator[str]:
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     for node in ast.walk(tree):
         if isinstance(node, ast.AnnAssign) and getattr(node.target, "id", "") in TIES:
-            silent.add(id(node.value))
+            silent |= {id(part) for part in ast.walk(node.value or node)}
     for node in ast.walk(tree):
         if (
             isinstance(node, ast.Constant)

@@ -60,7 +60,7 @@ def made(name: str) -> tuple[Effect, SceneQuantities]:
 
 def joined(name: str, quantities: SceneQuantities) -> list[Effect]:
     """The effect with what it needs, and inertia, which gives every term something to push."""
-    names = {name, "inertia", catalogue()[name].needs}
+    names = {name, "inertia", *catalogue()[name].needs}
     return [kind.of(quantities) for other, kind in catalogue().items() if other in names]
 
 
@@ -256,7 +256,7 @@ class TipDrag(Effect):
     """Drag of the air around the tip."""
     name = "tip_drag"
     formula = "d l^2 / (E I t_s)"
-    needs = "inertia"
+    needs = ("inertia",)
     validity = "A tip in the air."
     keys = ("ambient.density",)
 

@@ -67,7 +67,7 @@ def _document(kind: type[Effect]) -> dict[str, Any]:
         "validity": kind.validity,
         "source": kind.source,
         "keys": _keys(kind),
-        "needs": kind.needs,
+        "needs": list(kind.needs),
         "switchable": kind.switchable,
         "decision": _decision(kind),
     }
@@ -99,8 +99,8 @@ def _decision(kind: type[Effect]) -> str:
         )
     if kind.indispensable is not Effect.indispensable:
         parts.append("It is included where the scene requires it.")
-    if kind.needs is not None:
-        parts.append(f"Without {kind.needs} it is not applicable.")
+    if kind.needs:
+        parts.append(f"Without {' and '.join(kind.needs)} it is not applicable.")
     if kind.companion is not None:
         parts.append(f"{kind.companion} is included with it.")
     if kind.free_with is not None:

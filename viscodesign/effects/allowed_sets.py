@@ -40,7 +40,7 @@ class AllowedSets:
         effect, choice = self.effects[name], self.quantities.scene.effects
         if not effect.switchable:
             return "on"
-        needing = [n for n, e in self.effects.items() if e.needs == name]
+        needing = [n for n, e in self.effects.items() if name in e.needs]
         mode, requested = choice.mode(name), any(choice.modes.get(n) == "on" for n in needing)
         # `others: off` does not apply to what an effect that is named `on` needs.
         return "on" if mode == "off" and requested and name not in choice.modes else mode
@@ -49,7 +49,7 @@ class AllowedSets:
     def everything(self) -> Names:
         """Names of all effects that the spec does not forbid and that act on something."""
         allowed = {n for n in self.present if self.mode(n) != "off"}
-        gone = {n for n in allowed if (needed := self.effects[n].needs) and needed not in allowed}
+        gone = {n for n in allowed if not allowed.issuperset(self.effects[n].needs)}
         return frozenset(allowed - gone)
 
     # -- one effect more or less ------------------------------------------------
@@ -57,13 +57,12 @@ class AllowedSets:
     def without(self, names: Names, *removed: str) -> Names:
         """A set less some effects, and less those that need them."""
         for name in removed:
-            names = frozenset(n for n in names if n != name and self.effects[n].needs != name)
+            names = frozenset(n for n in names if n != name and name not in self.effects[n].needs)
         return names
 
     def with_(self, names: Names, name: str) -> Names:
         """A set with one effect more, with what it needs and with its companions."""
-        needed = self.effects[name].needs
-        more = {name} if needed is None else {name, needed}
+        more = {name, *self.effects[name].needs}
         companions = {self.effects[n].companion for n in more - names} - {None}
         allowed = {n for n in companions if n in self.present and self.mode(n) != "off"}
         return names | more | allowed
@@ -102,17 +101,16 @@ class AllowedSets:
             for n in names
             if self.mode(n) == "on" or self.effects[n].indispensable(self.quantities)
         }
-        return own | {needed for n in own if (needed := self.effects[n].needs) is not None}
+        return own | {needed for n in own for needed in self.effects[n].needs}
 
     def leads(self, name: str) -> bool:
         """Whether it follows no other effect, whose omission might change what it does."""
         companions = {e.companion for e in self.effects.values()}
-        return self.effects[name].needs is None and name not in companions
+        return not self.effects[name].needs and name not in companions
 
     def acts_in(self, name: str, names: Names) -> bool:
         """Whether it has something to act on in a set of effects."""
-        needed = self.effects[name].needs
-        return needed is None or needed in names
+        return names.issuperset(self.effects[name].needs)
 
     def costs_nothing(self, name: str, names: Names) -> bool:
         """Whether the equations of a set become no harder with it."""

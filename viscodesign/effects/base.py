@@ -42,6 +42,8 @@ class Missed:
     """How far the effect may move the tip; infinite where the run cannot go on without it [m]."""
     time_s: float
     """Where the run showed it [s]."""
+    leaves_validity: bool = False
+    """Whether the run is outside of its model without the effect, however little the tip moves."""
 
 
 class Effect(ABC):
@@ -64,8 +66,8 @@ class Effect(ABC):
     """The weight, in words of the field."""
     switchable: ClassVar[bool] = True
     """Whether a spec may name it; loads that a spec states are always carried."""
-    needs: ClassVar[str | None] = None
-    """Another effect without which this one has nothing to act on."""
+    needs: ClassVar[tuple[str, ...]] = ()
+    """Other effects without each of which this one has nothing to act on."""
     companion: ClassVar[str | None] = None
     """Another effect that is included with this one, unless the spec switches it off."""
     free_with: ClassVar[str | None] = None

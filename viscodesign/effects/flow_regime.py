@@ -31,7 +31,7 @@ class FlowRegime(Effect):
     name: ClassVar[str] = "flow_regime"
     order: ClassVar[int] = 16
     formula: ClassVar[str] = "f Re/64 - 1 + K Re r/(32 L), at the largest flow"
-    needs: ClassVar[str] = "pressure_distribution"
+    needs: ClassVar[tuple[str, ...]] = ("pressure_distribution",)
     validity: ClassVar[str] = (
         "Smooth tubes, fully developed flow; no law is reliable between Re 2300 and 4000."
     )

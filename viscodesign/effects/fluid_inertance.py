@@ -20,7 +20,7 @@ class FluidInertance(Effect):
     name: ClassVar[str] = "fluid_inertance"
     order: ClassVar[int] = 17
     formula: ClassVar[str] = "(4/3) rho r^2 / (8 mu t_i)"
-    needs: ClassVar[str] = "pressure_distribution"
+    needs: ClassVar[tuple[str, ...]] = ("pressure_distribution",)
     # Its losses make the flows unknowns already, and inertance makes them smooth at rest.
     free_with: ClassVar[str] = "flow_regime"
     validity: ClassVar[str] = (

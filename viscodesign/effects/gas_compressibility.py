@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import ClassVar, Self
 
 import numpy as np
 
-from viscodesign.effects.base import Effect, Trait
+from viscodesign.effects.base import Effect, Missed, Trait
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.fluid import Gas
 from viscodesign.model.system import System
 from viscodesign.physics import gas, tube
-from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
+from viscodesign.physics.choking import CHOKING_MACH
+from viscodesign.postprocess.motion import Motion
+from viscodesign.postprocess.motion_limits import Limit, Peak
 from viscodesign.results.findings import Notice
+from viscodesign.solve.problem import Problem
+from viscodesign.storage.disk_arrays import blocks
 
 INCOMPRESSIBLE_MACH = 0.3
 """Mach number from which a gas can no longer be taken as incompressible."""
-CHOKING_MACH = 0.8
-"""Mach number near which a gas in a tube goes no faster, whatever drives it."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +55,7 @@ class GasCompressibility(Effect):
     formula: ClassVar[str] = "V_0 / (n_poly p_abs C)"
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.COMPRESSIBLE_FLUID})
     validity: ClassVar[str] = (
-        "A polytropic ideal gas of constant viscosity, far from choking (Mach number below 0.3)."
+        "A polytropic ideal gas of constant viscosity; alone, at Mach numbers below 0.3."
     )
     source: ClassVar[str] = "Ideal gas; Hagen-Poiseuille for each slice of a tube."
     keys: ClassVar[tuple[str, ...]] = (
@@ -72,6 +75,12 @@ class GasCompressibility(Effect):
     def present(self, quantities: SceneQuantities) -> bool:
         return self.is_gas
 
+    def indispensable(self, quantities: SceneQuantities) -> bool:
+        # A jump at the start drives a gas for an instant that no solved run is asked about.
+        if not self.is_gas or not quantities.graph.tubes:
+            return False
+        return bool(np.max(_mach(quantities, quantities.first_flows)) > INCOMPRESSIBLE_MACH)
+
     def weight(self, quantities: SceneQuantities) -> float:
         law, scene = quantities.bellow, quantities.scene
         absolute = scene.ambient_pressure + scene.gauge_pressure
@@ -89,16 +98,9 @@ class GasCompressibility(Effect):
         return EstimateTerm(fluid=PolytropicGas(self.exponent))
 
     def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
-        scene, is_active = quantities.scene, self.name in active
-        sound = scene.fluid.speed_of_sound
-        if sound is None:
+        scene, tubes = quantities.scene, quantities.graph.tubes
+        if self.name in active or scene.fluid.speed_of_sound is None:
             return
-        tubes = quantities.graph.tubes
-        radius = np.array([t.radius for t in tubes])
-
-        def mach(block: MotionBlock) -> np.ndarray:
-            thinness = self._thinness(block, scene.ambient_pressure) if is_active else 1.0
-            return np.asarray(tube.mean_speed(block.flow, radius) / thinness / sound)
 
         def too_fast(peak: Peak) -> Notice:
             name, is_choked = tubes[peak.column].name, peak.value > CHOKING_MACH
@@ -111,12 +113,29 @@ class GasCompressibility(Effect):
                 peak.time_s,
             )
 
-        yield Limit(mach, CHOKING_MACH if is_active else INCOMPRESSIBLE_MACH, too_fast)
+        yield Limit(lambda block: _mach(quantities, block.flow), INCOMPRESSIBLE_MACH, too_fast)
 
-    def _thinness(self, block: MotionBlock, ambient: float) -> np.ndarray:
-        """Density at the thinner end of each tube over that at ambient pressure (T, Q)."""
-        pressure = np.maximum(block.tube_pressure, -0.999 * ambient)
-        return np.asarray(gas.density_ratio(pressure, ambient, self.exponent))
+    def missed_in(
+        self, quantities: SceneQuantities, problem: Problem, motion: Motion
+    ) -> Missed | None:
+        """Gas that goes too fast to be taken as incompressible."""
+        fastest, way = Peak(), motion.largest_displacement(quantities.body.length)
+        for rows in blocks(len(motion.time), motion.time, motion.flow):
+            later = (motion.time[rows] > motion.time[0])[:, None]
+            fastest.update(motion.time[rows], _mach(quantities, motion.flow[rows]) * later)
+        if fastest.value <= INCOMPRESSIBLE_MACH or way == 0.0:
+            return None
+        name = quantities.graph.tubes[fastest.column].name
+        reason = f"the gas reaches Mach {fastest.value:.3g} in {name}"
+        squared = fastest.value**2
+        return Missed(reason, way * squared / (1 + squared), fastest.time_s, leaves_validity=True)
 
     def join(self, system: System) -> None:
         system.fluid = Gas(system.ambient, self.exponent)
+
+
+def _mach(quantities: SceneQuantities, flow: np.ndarray) -> np.ndarray:
+    """Mach number of flows at ambient density (T, Q)."""
+    radius = np.array([t.radius for t in quantities.graph.tubes])
+    sound = quantities.scene.fluid.speed_of_sound or math.inf
+    return np.asarray(tube.mean_speed(flow, radius) / sound)

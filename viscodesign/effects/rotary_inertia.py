@@ -25,7 +25,7 @@ class RotaryInertia(Effect):
     name: ClassVar[str] = "rotary_inertia"
     order: ClassVar[int] = 32
     formula: ClassVar[str] = "(t_s / t_i)^2 h_s^2 / (12 l^2)"
-    needs: ClassVar[str] = "inertia"
+    needs: ClassVar[tuple[str, ...]] = ("inertia",)
     validity: ClassVar[str] = "Homogeneous cross sections that stay plane; no shear."
     source: ClassVar[str] = "Rayleigh's beam."
     keys: ClassVar[tuple[str, ...]] = ("actuator.height",)

@@ -27,7 +27,7 @@ class TubeCompliance(Effect):
     name: ClassVar[str] = "tube_compliance"
     order: ClassVar[int] = 15
     formula: ClassVar[str] = "storage of all tubes / storage of all bellows"
-    needs: ClassVar[str] = "pressure_distribution"
+    needs: ClassVar[tuple[str, ...]] = ("pressure_distribution",)
     considers: ClassVar[str] = "gas_compressibility"
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.TUBE_STORAGE})
     validity: ClassVar[str] = (

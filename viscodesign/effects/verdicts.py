@@ -36,7 +36,8 @@ def _sentence(sets: AllowedSets, name: str, active: Names, moved: float, share: 
             return f"not applicable: replaced by {effect.replaced_by}"
         return f"not applicable: {reason}"
     if not sets.acts_in(name, active):
-        return f"neglected with {effect.needs}, without which it has nothing to act on; {reason}"
+        missing = " and ".join(n for n in effect.needs if n not in active)
+        return f"neglected with {missing}, without which it has nothing to act on; {reason}"
     if mode != "auto":
         return f"{'included' if mode == 'on' else 'neglected'}: set in the spec; {reason}"
     moves = f"{1e3 * moved:.3g} mm, {_of_accuracy(share)}"

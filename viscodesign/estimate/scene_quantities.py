@@ -6,7 +6,9 @@ import math
 
 import numpy as np
 
+from viscodesign.estimate.linear_network import LinearNetwork
 from viscodesign.estimate.motion_estimate import MotionEstimate
+from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.network_matrix import laplacian, settling_time
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
@@ -165,7 +167,24 @@ class SceneQuantities:
     @cached_property
     def slow_flows(self) -> np.ndarray:
         """Flows of all tubes that slow laminar flow would have (T, Q) [m3/s]."""
-        return self.bare_estimate.plus(EstimateTerm(distributed=True)).network.flows()
+        return self._slow_network.flows()
+
+    @property
+    def first_flows(self) -> np.ndarray:
+        """The same at the first instant, before and after a jump (n, Q) [m3/s]."""
+        time = self.bare_estimate.setting.time
+        return np.asarray(self.slow_flows[time == time[0]])
+
+    @cached_property
+    def slow_tube_pressures(self) -> np.ndarray:
+        """Mean gauge pressures of all tubes in the same flow (T, Q) [Pa]."""
+        network, _ = self._slow_network.averaged
+        assert isinstance(network, LinearNetwork)  # pressures are distributed
+        return network.tube_pressures(network.pressures())
+
+    @cached_property
+    def _slow_network(self) -> NetworkEstimate:
+        return self.bare_estimate.plus(EstimateTerm(distributed=True)).network
 
     @property
     def swing(self) -> float:

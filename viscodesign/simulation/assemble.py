@@ -13,10 +13,10 @@ from viscodesign.checks.motion_warnings import motion_notices
 from viscodesign.checks.scene_warnings import inlet_violations, verdict_notices
 from viscodesign.effects.select import Selection
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.model.graph import Graph
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import MotionBlock
 from viscodesign.postprocess.terminations import doubted_balance
+from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Accuracy, Cost, Trajectory
 from viscodesign.scene.reading.write import resolved_yaml
@@ -123,21 +123,10 @@ def _motion_blocks(quantities: SceneQuantities, motion: Motion) -> Iterator[Moti
             motion.pressure[rows],
             motion.volume[rows],
             motion.flow[rows],
-            _lower_ends(graph, motion, names, rows),
+            np.minimum(*end_pressures(graph, motion, names, rows)),
             motion["section_stretch"][rows],
             motion["section_turn"][rows],
         )
-
-
-def _lower_ends(graph: Graph, motion: Motion, inlets: tuple[str, ...], rows: slice) -> np.ndarray:
-    """Lower gauge pressure of each tube's ends (T, Q) [Pa]."""
-    columns = {
-        **dict(zip(graph.bellows, motion.pressure[rows].T, strict=True)),
-        **dict(zip(inlets, motion["inlet_pressure"][rows].T, strict=True)),
-        **dict(zip(graph.junctions, motion["junction_pressure"][rows].T, strict=True)),
-    }
-    lower = [np.minimum(columns[t.start], columns[t.end]) for t in graph.tubes]
-    return np.array(lower).T.reshape(len(motion.time[rows]), len(graph.tubes))
 
 
 def _thinned_shapes(motion: Motion) -> Iterator[Notice]:

@@ -44,7 +44,7 @@ def escalation(
     missed: list[tuple[str, Missed]] = []
     for effect in selection.neglected:
         found = effect.missed_in(quantities, run.problem, run.motion)
-        if found is not None and found.tip_m > allowed_m:
+        if found is not None and (found.tip_m > allowed_m or found.leaves_validity):
             missed.append((effect.name, found))
     # The most important one alone: with it, the others may no longer matter.
     for name, found in sorted(missed, key=lambda pair: -pair[1].tip_m):

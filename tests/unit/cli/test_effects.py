@@ -24,7 +24,7 @@ class Buoyancy(Gravity):
 
     name: ClassVar[str] = "buoyancy"
     formula: ClassVar[str] = "rho_a / rho"
-    needs: ClassVar[str] = "gravity"
+    needs: ClassVar[tuple[str, ...]] = ("gravity",)
     validity: ClassVar[str] = "A fluid at rest."
     source: ClassVar[str] = "Archimedes."
     keys: ClassVar[tuple[str, ...]] = ("ambient.density",)
@@ -95,7 +95,7 @@ def test_the_document_of_one(call: Call) -> None:
         "validity": "A fluid at rest.",
         "source": "Archimedes.",
         "keys": ["effects.buoyancy", "ambient.density"],
-        "needs": "gravity",
+        "needs": ["gravity"],
         "switchable": True,
     }
 

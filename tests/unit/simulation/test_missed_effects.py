@@ -19,6 +19,9 @@ from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.missed_effects import escalation
 from viscodesign.simulation.solve_once import Run, solve
 
+STIFF = "effects={gas_compressibility: off, others: auto}"
+"""The gas goes so fast that it would be called for, too; here it may not."""
+
 Solved = tuple[SceneQuantities, Selection, Run]
 
 
@@ -31,7 +34,7 @@ def solved(*overrides: str) -> Solved:
 
 @pytest.fixture(scope="module")
 def fast() -> Solved:
-    return solved(*LEFT_ITS_FLOOR)
+    return solved(*LEFT_ITS_FLOOR, STIFF)
 
 
 def test_fast_flow_calls_for_its_losses_once(fast: Solved) -> None:
@@ -47,8 +50,23 @@ def test_fast_flow_calls_for_its_losses_once(fast: Solved) -> None:
     assert escalation(quantities, found.selection, again) is None
 
 
+def test_a_gas_too_fast_for_its_model_calls_for_what_describes_it_however_little_it_moves() -> None:
+    quantities, selection, run = solved(*LEFT_ITS_FLOOR, "accuracy=20 %")
+    assert "gas_compressibility" not in selection.active
+    found = escalation(quantities, selection, run)
+    while found is not None and "gas_compressibility" not in found.selection.active:
+        selection = found.selection
+        run = solve(quantities, selection.effects, run.settings)
+        found = escalation(quantities, selection, run)
+    assert found is not None
+    (verdict,) = (v for v in found.selection.verdicts if v.name == "gas_compressibility")
+    assert "reaches Mach" in verdict.reason
+
+
 def test_what_the_spec_forbids_is_not_called_for(fast: Solved) -> None:
-    scene = leg(*LEFT_ITS_FLOOR, "effects={others: auto, flow_regime: off}")
+    scene = leg(
+        *LEFT_ITS_FLOOR, "effects={others: auto, gas_compressibility: off, flow_regime: off}"
+    )
     quantities = SceneQuantities(scene)
     selection = select_effects(quantities)
     assert escalation(quantities, selection, fast[2]) is None
@@ -90,7 +108,7 @@ def test_needed_and_free_effects_are_included_with_it() -> None:
 
 
 def test_a_repeated_run_says_why() -> None:
-    run = simulate(leg(*LEFT_ITS_FLOOR), verify=False)
+    run = simulate(leg(*LEFT_ITS_FLOOR, STIFF), verify=False)
     (rung,) = run.ladder
     assert (rung.tried, rung.solved) == ("flow_regime included, from the start", True)
     assert "times the largest pressure" in rung.reason

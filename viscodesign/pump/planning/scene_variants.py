@@ -83,7 +83,7 @@ def planned(scene: Scene) -> Scene:
     modes = dict(choice.modes)
     for name in (name for trait in COUNTED for name in names_with(trait)):
         needed = catalogue()[name].needs
-        possible = choice.mode(name) == "auto" and (needed is None or choice.mode(needed) != "off")
+        possible = choice.mode(name) == "auto" and all(choice.mode(n) != "off" for n in needed)
         if scene.fluid.is_gas and possible:
             modes[name] = "on"
     effects = choice.model_copy(update={"modes": modes})
