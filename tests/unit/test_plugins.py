@@ -53,7 +53,7 @@ def test_inputs_and_fluids_are_plugin_families() -> None:
     from viscodesign.scene.fluid import named_fluids
     from viscodesign.scene.input import INPUT_KINDS
 
-    assert set(named_fluids()) == {"air", "glycerol-water", "water"}
+    assert set(named_fluids()) == {"air", "glycerol", "glycerol-water", "silicone oil", "water"}
     assert {"constant", "step", "sine", "square", "table"} < set(INPUT_KINDS)
 
 

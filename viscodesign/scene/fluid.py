@@ -21,6 +21,25 @@ def named_fluids() -> dict[str, type[NamedFluid]]:
     return members(fluids_package, NamedFluid)  # type: ignore[type-abstract]
 
 
+def named_fluid(name: str) -> type[NamedFluid] | None:
+    """The fluid that a spec's name stands for; None for a name of the user's own."""
+    return next((found for kind in named_fluids().values() if (found := kind.called(name))), None)
+
+
+def _hint(name: str) -> str:
+    """What the name of an unknown fluid may have been meant to be."""
+    own, plain = named_fluids(), " ".join(name.lower().replace("-", " ").split())
+    for kind in own.values():
+        known = (kind.name, *kind.other_names)
+        if plain in known or (kind.graded_like and plain.startswith(known)):
+            return (
+                f"; state its viscosity at 25 degC, as in '{kind.graded_like}'"
+                if kind.graded_like
+                else f"; did you mean '{kind.name}'?"
+            )
+    return did_you_mean(name, own)
+
+
 class Fluid(SpecPart):
     """A named fluid of the library, or one with given properties."""
 
@@ -57,28 +76,31 @@ class Fluid(SpecPart):
             missing = "viscosity" if self.viscosity is None else "density"
             raise invalid_at(missing, "missing; a custom fluid needs both viscosity and density")
         given = (self.gas_constant, self.bulk_modulus, self.vapour_pressure)
-        if self.viscosity is None and self.name in named_fluids() and any(given):
+        if self.viscosity is None and named_fluid(self.name) and any(given):
             raise invalid(
                 f"the properties of {self.name} come from a library; to give one of them, "
                 "give viscosity and density as well"
             )
-        if self.viscosity is None and self.name not in named_fluids():
-            known = ", ".join(named_fluids())
+        if self.viscosity is None and not named_fluid(self.name):
+            known = ", ".join(kind.graded_like or name for name, kind in named_fluids().items())
             raise invalid(
                 f"unknown fluid '{self.name}' (known: {known}); give its viscosity and density"
-                + did_you_mean(self.name, named_fluids())
+                + _hint(self.name)
             )
         return self
 
     @property
     def library_knows_stiffness(self) -> bool:
         """Whether the library has a gas law or a bulk modulus of the fluid."""
-        return self.name in named_fluids() and named_fluids()[self.name].has_stiffness
+        known = named_fluid(self.name)
+        return known is not None and known.has_stiffness
 
     def properties(self, temperature: float, pressure: float) -> FluidProperties:
         """Properties at ``temperature`` [K] and absolute ``pressure`` [Pa]."""
         if self.viscosity is None or self.density is None:
-            known = named_fluids()[self.name].at(temperature, pressure, self.fraction)
+            kind = named_fluid(self.name)
+            assert kind is not None  # an unknown one was refused
+            known = kind.at(temperature, pressure, self.fraction)
         else:
             known = self._custom(self.viscosity, self.density, temperature)
         return self._with_exponent(known)

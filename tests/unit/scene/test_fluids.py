@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.scenes import leg
+from tests.unit.scene.round_trip import comes_back
 from viscodesign.errors import SpecError
 
 
@@ -40,3 +41,66 @@ def test_air_at_20_degrees() -> None:
 def test_refusals(overrides: list[str], words: str) -> None:
     with pytest.raises(SpecError, match=words):
         leg(*overrides)
+
+
+def oil(grade: float, celsius: float) -> tuple[float, float]:
+    """Kinematic viscosity [mm2/s] and density [kg/m3]."""
+    fluid = leg(f"fluid=silicone oil {grade:g} cSt", f"temperature={celsius} degC").fluid
+    return 1e6 * fluid.viscosity / fluid.density, fluid.density
+
+
+@pytest.mark.parametrize("grade", [20, 100, 350, 1000, 12500, 100000])
+def test_silicone_oils_are_graded_at_25_degrees(grade: float) -> None:
+    viscosity, density = oil(grade, 25)
+    assert viscosity == pytest.approx(grade, rel=1e-12)
+    assert 945 <= density <= 980
+
+
+@pytest.mark.parametrize("grade", [50, 100, 350, 1000])
+def test_silicone_oils_lose_as_much_with_heat_as_makers_say(grade: float) -> None:
+    """The viscosity-temperature coefficient 1 - nu(210 degF)/nu(100 degF) is 0.59 to 0.61."""
+    lost = 1 - oil(grade, 98.89)[0] / oil(grade, 37.78)[0]
+    assert lost == pytest.approx(0.60, abs=0.015)
+
+
+def test_a_cold_silicone_is_as_thick_as_a_rheometer_says() -> None:
+    """Polisil P10, 1180 mPa s at 25 degC and 3730 at -25 degC: Monteiro et al., The Journal of
+    Plastination, Influence of the temperature on the viscosity of different types of silicone."""
+    ratio = oil(1000, -25)[0] / oil(1000, 25)[0]
+    assert ratio * oil(1000, -25)[1] / oil(1000, 25)[1] == pytest.approx(3730 / 1180, rel=0.12)
+
+
+def test_densities_of_silicone_oils() -> None:
+    """Typical of makers' tables at 25 degC."""
+    for grade, density in ((50, 960), (100, 965), (1000, 971), (12500, 974)):
+        assert oil(grade, 25)[1] == pytest.approx(density, rel=2e-3)
+    assert oil(100, 35)[1] / oil(100, 25)[1] == pytest.approx(1 - 9.6e-3, abs=2e-4)
+
+
+@pytest.mark.parametrize(
+    ("name", "hint"),
+    [
+        ("silicone oil", "state its viscosity at 25 degC, as in 'silicone oil 1000 cSt'"),
+        ("PDMS", "as in 'silicone oil 1000 cSt'"),
+        ("Silicone oil 50 cst", "as in 'silicone oil 1000 cSt'"),
+        ("pure glycerol", "did you mean 'glycerol'"),
+        ("glycerine", "did you mean 'glycerol'"),
+        ("watr", "did you mean 'water'"),
+        ("silicone oil 5 cSt", "silicone oils are known from 20 to 100000 cSt; got 5 cSt"),
+    ],
+)
+def test_names_that_were_meant(name: str, hint: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        leg(f"fluid={name}", "temperature=20 degC")
+    assert hint in str(caught.value)
+
+
+def test_a_grade_survives_a_round_trip() -> None:
+    scene = leg("fluid=silicone oil 350 cSt", "temperature=20 degC")
+    assert scene.fluid.name == "silicone oil 350 cSt"
+    assert "silicone oil 350 cSt" in comes_back(scene)
+
+
+def test_an_own_fluid_may_be_called_like_a_grade() -> None:
+    own = leg("fluid={name: silicone oil 350 cSt, viscosity: 1, density: 900}").fluid
+    assert own.viscosity == 1

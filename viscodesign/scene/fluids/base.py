@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 from typing import ClassVar
 
@@ -45,6 +46,12 @@ class NamedFluid(ABC):
     """Highest temperature of the correlations [K]."""
     has_stiffness: ClassVar[bool] = True
     """Whether a gas constant or a bulk modulus is known."""
+    other_names: ClassVar[tuple[str, ...]] = ()
+    """What else it is called: a spec that says so is told its name."""
+    graded_like: ClassVar[str] = ""
+    """A name with a grade, of a fluid that comes in several: "silicone oil 1000 cSt"."""
+    grade: ClassVar[float] = 0.0
+    """Kinematic viscosity at 25 degC of one of these [cSt]."""
     is_mixture: ClassVar[bool] = False
     """Whether its properties depend on the mass fraction of a solute."""
 
@@ -69,6 +76,19 @@ class NamedFluid(ABC):
                 f"properties of {cls.name} are known; got {temperature:g} K",
             )
         return cls.properties(temperature, pressure, fraction or 0.0)
+
+    @classmethod
+    def called(cls, name: str) -> type[NamedFluid] | None:
+        """The fluid that a spec's name stands for, if it is this one or a grade of it."""
+        if not cls.graded_like:
+            return cls if name == cls.name else None
+        found = re.fullmatch(cls.pattern(), name)
+        return None if found is None else type(cls.__name__, (cls,), {"grade": float(found[1])})
+
+    @classmethod
+    def pattern(cls) -> str:
+        """Regular expression of a name with a grade [cSt]."""
+        return rf"^{cls.name} +([0-9]+(?:\.[0-9]+)?) *cSt$"
 
     @classmethod
     @abstractmethod

@@ -24,7 +24,15 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
     schema = Scene.model_json_schema(by_alias=True)
     definitions, properties = schema["$defs"], schema["properties"]
     properties["fluid"] = {
-        "anyOf": [{"enum": list(named_fluids())}, {"$ref": "#/$defs/Fluid"}],
+        "anyOf": [
+            {"enum": [name for name, kind in named_fluids().items() if not kind.graded_like]},
+            *(
+                {"type": "string", "pattern": kind.pattern()}
+                for kind in named_fluids().values()
+                if kind.graded_like
+            ),
+            {"$ref": "#/$defs/Fluid"},
+        ],
         "description": "A named fluid, or a mapping of properties",
     }
     mode = {"enum": ["auto", *_ON, *_OFF]}
