@@ -106,7 +106,8 @@ def _tip_error(trajectory: Trajectory) -> str:
     error = accuracy.estimated_tip_error_m
     if error is None:
         return f"{accuracy.method} ({requested})"
-    return f"{number(1e3 * error, 'mm')}, {percent(error, length)} of the length ({requested})"
+    stated = f"{number(1e3 * error, 'mm')}, {percent(error, length)} of the length ({requested})"
+    return f"{stated}, of a model that does not hold here" if trajectory.violations else stated
 
 
 def _outside(trajectory: Trajectory) -> Iterator[tuple[str, str]]:

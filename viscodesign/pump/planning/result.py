@@ -111,6 +111,12 @@ class PumpPlan:
         errors = [run.accuracy.estimated_tip_error_m for run in runs]
         return None if None in errors else sum(e for e in errors if e is not None)
 
+    @property
+    def validity(self) -> str:
+        """ "inside" where both runs stay within what their model describes, else "outside"."""
+        runs = (self.wanted_run, self.achievable_run)
+        return "outside" if "outside" in {run.validity for run in runs} else "inside"
+
     def profile(self, course: PumpCourse) -> Profile:
         """A course as what a board plays."""
         return Profile(self.inlets, self.servos, course.time, course.count, course.pressure)

@@ -141,6 +141,8 @@ def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
 def _draw_words(made: Figure, plan: PumpPlan) -> None:
     """How far the paths are apart, and how accurate that is."""
     total = "unknown" if plan.error_m is None else f"{1e3 * plan.error_m:.2g} mm"
+    if plan.validity == "outside":
+        total += ", outside of the model"
     lines = [
         f"tips apart by up to {1e3 * plan.deviation_m:.3g} mm",
         f"(errors of both runs: {total})",

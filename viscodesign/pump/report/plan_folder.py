@@ -89,6 +89,7 @@ def plan_document(plan: PumpPlan) -> dict[str, Any]:
             "wanted": asdict(plan.wanted_run.accuracy),
             "achievable": asdict(plan.achievable_run.accuracy),
             "tip_error_m": plan.error_m,
+            "validity": plan.validity,
         },
         "effects": [v.name for v in plan.wanted_run.effects if v.taken],
         "warnings": documents(plan.warnings),

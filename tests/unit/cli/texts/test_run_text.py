@@ -58,6 +58,9 @@ def test_a_run_outside_of_its_model_says_so(trajectory: Trajectory) -> None:
     assert "validity" not in _summary(trajectory)
     outside = replace(trajectory, violations=(*trajectory.warnings, trajectory.warnings[0]))
     assert "validity         outside of the model: negative_volume, reynolds;" in _summary(outside)
+    (stated,) = (line for line in _summary(outside).splitlines() if "tip error  " in line)
+    assert stated.endswith(", of a model that does not hold here")
+    assert "does not hold" not in _summary(trajectory)
 
 
 def test_retries_are_printed(trajectory: Trajectory) -> None:
