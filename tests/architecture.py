@@ -42,7 +42,8 @@ LAYERS = [
     ["native"],
     ["storage", "physics"],
     [
-        *("units", "common_units", "errors", "plugins", "interrupt"),
+        *("units", "common_units", "values"),
+        *("errors", "plugins", "interrupt"),
         *("lazy_dataclass", "lazy_names", "_version"),
     ],
 ]

@@ -18,7 +18,6 @@ NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 MAX_DIGITS = 300
 """Digits before or after the point up to which a number surely fits into a `float`."""
 
-_VALUE = re.compile(rf"\s*([+-]?{NUMBER})(?![\d.])\s*((?:[^\W\d]|%).*?)?\s*", re.DOTALL)
 _TOKEN = re.compile(rf"\s*({NUMBER}|[^\W\d]+|%|\*\*|[-^*/()])\s*")
 
 
@@ -50,12 +49,8 @@ class CommonUnit:
 ONE = CommonUnit(Fraction(1))
 
 
-def value_in_si(text: str, unit: str) -> float | None:
-    """The value of a number with a unit, in an SI unit; None where pint is to be asked."""
-    found = _VALUE.fullmatch(text)
-    if found is None:
-        return None
-    number, spelled = found.groups()
+def value_in_si(number: str, spelled: str, unit: str) -> float | None:
+    """The value of a number with a spelled unit, in an SI unit; None where pint is to be asked."""
     if not spelled:
         return float(number)
     try:
@@ -150,8 +145,8 @@ class _Table:
         if first.endswith("-"):
             self._prefixes |= dict.fromkeys((name[:-1] for name in names), Fraction(value))
         elif value.startswith("["):
-            base = ONE if value == "[]" else CommonUnit(Fraction(1), ((first, 1),))
-            self._units |= dict.fromkeys(names, base)
+            # Radians count as well, so that an angular speed is no frequency.
+            self._units |= dict.fromkeys(names, CommonUnit(Fraction(1), ((first, 1),)))
         else:
             self._units |= dict.fromkeys(names, self._derived(value))
 

@@ -11,7 +11,7 @@ import math
 import re
 from decimal import Decimal
 from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
@@ -19,15 +19,15 @@ from pydantic_core import PydanticCustomError, core_schema
 from viscodesign.common_units import definitions, value_in_si
 from viscodesign.errors import described
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.values.grammar import GrammarError, ValueText, parse_value_text
+from viscodesign.values.unit_hints import unit_hint
 
 if TYPE_CHECKING:
     import pint
 
 
-_ALLOWED = re.compile(r"[\w\s.+*/^()%°·-]{1,80}")
-"""Characters of a number with a unit."""
-_BARE_POWER = re.compile(r"(?<![0-9.][eE])(?<=[A-Za-zµμ])([23])(?![\w.])")
-"""The 2 of mm2 and the 3 of m3, but not the 3 of 1e3."""
+_NO_UNITS = ("dB", "decibel", "Np", "neper", "delta_degC", "delta_degF", "delta_celsius")
+"""Names that pint converts by a logarithm or without the zero of the scale."""
 
 
 @dataclass(frozen=True)
@@ -76,16 +76,21 @@ class QuantityKind:
         }
 
     def _read(self, text: str) -> float:
-        if not _ALLOWED.fullmatch(text):
-            raise self._invalid(f"'{text}' is not a number with a unit")
-        if not _starts_with_number(text):
-            raise self._invalid(f"'{text}' has no number")
-        plain = _BARE_POWER.sub(r"^\1", text)
-        value = value_in_si(plain, self.unit)
-        return self._by_pint(text, plain) if value is None else value
+        try:
+            found = parse_value_text(text)
+        except GrammarError as error:
+            if not str(error) and not any(char.isdigit() for char in text):
+                raise self._invalid(f"'{_shown(text)}' has no number") from None
+            raise self._unreadable(text, str(error)) from None
+        if found.unit and found.has_difference and self.unit == "K":
+            raise self._invalid(f"'{text}' is a difference of temperatures")
+        if found.unit in _NO_UNITS:
+            raise self._unreadable(text, f"'{found.unit}' is no unit that a value may have")
+        value = value_in_si(found.number, found.unit, self.unit)
+        return self._by_pint(text, found) if value is None else value
 
-    def _by_pint(self, text: str, plain: str) -> float:
-        quantity = self._quantity(text, plain)
+    def _by_pint(self, text: str, found: ValueText) -> float:
+        quantity = self._quantity(text, found)
         try:
             return self._in_si(quantity, text)
         except PydanticCustomError:
@@ -94,36 +99,48 @@ class QuantityKind:
             raise self._invalid(f"'{text}' has an unsupported unit") from error
 
     def _in_si(self, quantity: pint.Quantity[Any], text: str) -> float:
-        if quantity.dimensionless and self.unit not in ("1", "rad") and not _has_unit(text):
-            return float(quantity.magnitude)
+        """The magnitude in SI. Radians count as a unit: 60 rpm are not 6.28 Hz."""
         units = type(quantity)(Decimal(1), self.unit if self.unit != "1" else "")
-        if quantity.dimensionality != units.dimensionality:
-            raise self._invalid(f"'{text}' is {_dimension_words(quantity)}")
+        if quantity.dimensionality != units.dimensionality or (
+            _has_angle(quantity) != _has_angle(units)
+        ):
+            words = _dimension_words(quantity)
+            raise self._invalid(f"'{text}' is {words}{unit_hint(text, self)}")
         return float(quantity.to(units.units).magnitude)
 
-    def _quantity(self, text: str, plain: str) -> pint.Quantity[Any]:
-        """Text parsed by pint with the common units, or else with all units of pint.
-
-        ``plain``: the same with every power behind a sign.
-        """
+    def _quantity(self, text: str, found: ValueText) -> pint.Quantity[Any]:
+        """A value by pint with the common units, or else with all units of pint."""
         import pint
 
         try:
             try:
-                return common_units_registry().Quantity(plain)
+                return quantity_in(common_units_registry(), found)
             except pint.UndefinedUnitError:
-                return all_units_registry().Quantity(plain)
+                return quantity_in(all_units_registry(), found)
         except pint.UndefinedUnitError as error:
             names = error.args[0] if error.args else text
             name = names if isinstance(names, str) else ", ".join(names)
-            raise self._invalid(f"'{text}': unknown unit '{name}'") from error
+            raise self._invalid(
+                f"'{text}': unknown unit '{name}'{unit_hint(text, self)}"
+            ) from error
         except Exception as error:  # pint's tokenizer raises many types
-            raise self._invalid(f"'{text}' is not a number with a unit") from error
+            raise self._unreadable(text, "") from error
+
+    def _unreadable(self, text: str, why: str) -> PydanticCustomError:
+        reason = f": {why}" if why else ""
+        return self._invalid(f"'{_shown(text)}' is not one number and one unit{reason}")
 
     def _invalid(self, problem: str) -> PydanticCustomError:
+        """A fault; its problem stands apart, as a key may know a better example."""
+        context = {"message": self.explained(problem, self.example), "problem": problem}
+        return PydanticCustomError("quantity", "{message}", context)
+
+    def explained(self, problem: str, example: str) -> str:
+        """A problem, and what is expected instead, with an example."""
+        expected = "Expected" if problem.endswith("?") else "; expected"
         article = "an" if self.name[0] in "aeiou" else "a"
-        message = f"{problem}; expected {article} {self.name}, such as '{self.example}'"
-        return PydanticCustomError("quantity", "{message}", {"message": message})
+        space = " " if problem.endswith("?") else ""
+        return f"{problem}{space}{expected} {article} {self.name}, such as '{example}'"
 
 
 class ReferencedPressure(float):
@@ -151,6 +168,14 @@ class ReferencedPressureKind(QuantityKind):
 
     def parse(self, given: Any) -> ReferencedPressure:
         """A pressure with its reference."""
+        return self.parse_with_reference(given)
+
+    def has_reference(self, text: str) -> bool:
+        """Whether a text ends with a reference."""
+        return _WITH_REFERENCE.fullmatch(text.strip()) is not None
+
+    def parse_with_reference(self, given: Any) -> ReferencedPressure:
+        """A pressure with its reference."""
         if isinstance(given, ReferencedPressure):
             return given
         found = _WITH_REFERENCE.fullmatch(given.strip()) if isinstance(given, str) else None
@@ -170,16 +195,65 @@ class ReferencedPressureKind(QuantityKind):
         )
 
 
-def _starts_with_number(text: str) -> bool:
-    return bool(text.strip()) and text.strip()[0] in "+-.0123456789"
+class PressureLevelKind(ReferencedPressureKind):
+    """A level of an input, above the baseline; a scene makes absolute ones gauge before."""
+
+    def parse(self, given: Any) -> ReferencedPressure:
+        """A level above the baseline."""
+        level = self.parse_with_reference(given)
+        if level.reference == "abs":
+            raise self._invalid(f"'{given}' is absolute, which takes a scene's ambient pressure")
+        return level
+
+    def written(self, value: float) -> Any:
+        """With the word if it was given one."""
+        word = getattr(value, "reference", "")
+        return f"{float(value)!r} {self.unit}{' gauge' if word else ''}"
 
 
-def _has_unit(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return True
-    return False
+class ReferredPressureKind(QuantityKind):
+    """A pressure whose reference the key fixes: `gauge` or `abs` may stand behind it, or not."""
+
+    reference: ClassVar[str]
+    other: ClassVar[str]
+
+    def parse(self, given: Any) -> float:
+        """A pressure; refuses the other reference."""
+        found = _WITH_REFERENCE.fullmatch(given.strip()) if isinstance(given, str) else None
+        if found is None:
+            return super().parse(given)
+        if found[2][:3] != self.reference[:3]:
+            raise self._invalid(f"'{given}': this key is {self.reference}, {self.other}")
+        return super().parse(found[1])
+
+
+class GaugePressureKind(ReferredPressureKind):
+    """A pressure above that of the surroundings."""
+
+    reference = "gauge"
+    other = "so subtract the ambient pressure"
+
+
+class AbsolutePressureKind(ReferredPressureKind):
+    """A pressure above vacuum."""
+
+    reference = "abs"
+    other = "so add the ambient pressure"
+
+
+def _shown(text: str) -> str:
+    """A text short enough for a message, every odd character readable."""
+    clear = "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
+    return clear if len(clear) <= 60 else clear[:57] + "..."
+
+
+def quantity_in(registry: pint.UnitRegistry[Any], found: ValueText) -> pint.Quantity[Any]:
+    """A value as a quantity of a registry; only its unit is parsed, nothing is computed."""
+    return registry.Quantity(Decimal(found.number), registry.parse_units(found.unit))
+
+
+def _has_angle(quantity: pint.Quantity[Any]) -> bool:
+    return "radian" in dict(type(quantity)(1, quantity.units).to_root_units().unit_items())
 
 
 @cache
@@ -216,17 +290,24 @@ _KNOWN_DIMENSIONS = {
     "1 / [time]": "a frequency",
     "[length] / [time] ** 2": "an acceleration",
     "[mass] / [length] / [time]": "a dynamic viscosity",
+    "[current] * [time]": "a charge",
     "dimensionless": "a plain number",
 }
 
 
 def _dimension_words(quantity: pint.Quantity[Any]) -> str:
+    if _has_angle(quantity):
+        return "an angle" if quantity.dimensionless else "a quantity per angle or with an angle"
     dimension = str(quantity.dimensionality)
     return _KNOWN_DIMENSIONS.get(dimension, f"of dimension {dimension}")
 
 
 Length = Annotated[float, QuantityKind("length", "m", "37.5 mm")]
 Pressure = Annotated[float, QuantityKind("pressure", "Pa", "40 kPa")]
+GaugePressure = Annotated[float, GaugePressureKind("pressure", "Pa", "2 kPa")]
+AbsolutePressure = Annotated[float, AbsolutePressureKind("pressure", "Pa", "101.325 kPa")]
+PRESSURE_LEVEL = PressureLevelKind("pressure", "Pa", "25 kPa")
+PressureLevel = Annotated[float, PRESSURE_LEVEL]
 GaugeOrAbsolutePressure = Annotated[float, ReferencedPressureKind("pressure", "Pa", "25 kPa gauge")]
 Time = Annotated[float, QuantityKind("time", "s", "20 ms")]
 Frequency = Annotated[float, QuantityKind("frequency", "Hz", "0.5 Hz")]

@@ -11,18 +11,28 @@ from viscodesign.units import Density, Fraction, Length, Pressure, Time
 class Actuator(SpecPart):
     """The elastomer body, a beam that extends from its clamp along +z."""
 
-    length: Length = Field(gt=0, description="Length of the actuator, clamp to tip")
-    height: Length = Field(gt=0, description="Size along x, in the bending plane")
-    width: Length = Field(gt=0, description="Size perpendicular to the bending plane")
-    youngs_modulus: Pressure = Field(gt=0, description="Young's modulus of the elastomer")
+    length: Length = Field(
+        gt=0, description="Length of the actuator, clamp to tip", examples=["109 mm"]
+    )
+    height: Length = Field(
+        gt=0, description="Size along x, in the bending plane", examples=["30 mm"]
+    )
+    width: Length = Field(
+        gt=0, description="Size perpendicular to the bending plane", examples=["20 mm"]
+    )
+    youngs_modulus: Pressure = Field(
+        gt=0, description="Young's modulus of the elastomer", examples=["1.8 MPa"]
+    )
     density: Density = Field(gt=0, description="Density of the elastomer")
-    solid_fraction: Fraction = Field(gt=0, le=1, description="Solid fraction of the cross section")
+    solid_fraction: Fraction = Field(
+        gt=0, le=1, description="Solid fraction of the cross section", examples=["47 %"]
+    )
     extension_factor: Fraction = Field(
-        gt=0, description="Extension stiffness relative to a solid rectangle"
+        gt=0, description="Extension stiffness relative to a solid rectangle", examples=["0.53"]
     )
     bending_factor: Fraction = Field(
-        gt=0, description="Bending stiffness relative to a solid rectangle"
+        gt=0, description="Bending stiffness relative to a solid rectangle", examples=["0.55"]
     )
     damping_time: Time = Field(
-        1e-3, ge=0, description="Kelvin-Voigt retardation time of the elastomer"
+        1e-3, ge=0, description="Kelvin-Voigt retardation time of the elastomer", examples=["1 ms"]
     )

@@ -117,16 +117,24 @@ class Bellows(SpecPart):
     count: Annotated[int, Field(strict=True), AfterValidator(_paired)] = Field(
         description="Number of bellows, even"
     )
-    height: Length = Field(gt=0, description="Size along x")
-    width: Length = Field(gt=0, description="Size along z")
-    length: Length = Field(gt=0, description="Size along the flow")
+    height: Length = Field(gt=0, description="Size along x", examples=["10 mm"])
+    width: Length = Field(gt=0, description="Size along z", examples=["12 mm"])
+    length: Length = Field(gt=0, description="Size along the flow", examples=["18 mm"])
     area_per_pressure: AreaPerPressure = Field(gt=0, description="da1/dp")
-    angle_per_pressure: Angle = Field(description="dpsi/d(p'/E), bending of a section")
-    extension_per_pressure: Length = Field(description="dzeta/d(pbar/E), extension of a section")
+    angle_per_pressure: Angle = Field(
+        description="dpsi/d(p'/E), bending of a section", examples=["10.266 rad"]
+    )
+    extension_per_pressure: Length = Field(
+        description="dzeta/d(pbar/E), extension of a section", examples=["47 mm"]
+    )
     area_per_force: AreaPerForce = Field(0.0, description="da1/dN_e, feedback of normal force")
     area_per_moment: AreaPerMoment = Field(0.0, description="da1/dM_e, feedback of moment")
     collapse_fraction: Fraction = Field(
-        0.1, ge=0, lt=1, description="Minimum volume of a bellow relative to its rest volume"
+        0.1,
+        ge=0,
+        lt=1,
+        description="Minimum volume of a bellow relative to its rest volume",
+        examples=["10 %"],
     )
     curve: BellowCurve | None = Field(
         None, description="Measured curve of one bellow, replaces the linear coefficients"

@@ -16,6 +16,7 @@ from viscodesign.scene.common_period import no_period
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import Network
+from viscodesign.scene.pressure_levels import bare_levels_beyond
 from viscodesign.scene.pump import PARTS_PER_INLET, PumpSpec
 from viscodesign.scene.spec_part import KeyFault, faults_of
 
@@ -52,6 +53,8 @@ def _inputs(valid: Fields) -> Iterator[KeyFault]:
         yield from _syringe_fluids(valid["Scene", "fluid_choice"], inputs, several is None)
     if ("Scene", "pump") in valid:
         yield from _pump_parts(valid["Scene", "pump"], inputs)
+        if valid["Scene", "pump"] is not None and ("Scene", "ambient_pressure") in valid:
+            yield from _pump_levels(inputs, valid["Scene", "ambient_pressure"], several is None)
 
 
 def _fluid(valid: Fields) -> Iterator[KeyFault]:
@@ -140,3 +143,18 @@ def _pump_parts(pump: PumpSpec | None, inputs: Mapping[str, Input]) -> Iterator[
         for name in inputs:
             if name not in parts:
                 yield KeyFault(("pump", key), f"the inlet '{name}' has no {description}")
+
+
+def _pump_levels(
+    inputs: Mapping[str, Input], ambient: float, is_single: bool
+) -> Iterator[KeyFault]:
+    """Levels for a pump that may be meant as gauge or as absolute."""
+    for name, source in inputs.items():
+        place = ("input",) if is_single else ("inputs", name)
+        for key, level in bare_levels_beyond(ambient, source):
+            kpa, above = f"{level / 1e3:g} kPa", f"{(level - ambient) / 1e3:.4g} kPa"
+            yield KeyFault(
+                (*place, key),
+                f"{kpa} exceeds the ambient pressure of {ambient / 1e3:g} kPa: for the pump it "
+                f"may be gauge or absolute; write '{kpa} gauge', or '{kpa} abs' ({above} gauge)",
+            )

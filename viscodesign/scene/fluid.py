@@ -12,7 +12,7 @@ from viscodesign.plugins import members
 from viscodesign.scene.fluids import __name__ as fluids_package
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
 from viscodesign.scene.spec_part import SpecPart, invalid, invalid_at
-from viscodesign.units import Density, Fraction, GasConstant, Pressure, Viscosity
+from viscodesign.units import AbsolutePressure, Density, Fraction, GasConstant, Pressure, Viscosity
 
 
 @cache
@@ -52,18 +52,25 @@ class Fluid(SpecPart):
     gas_constant: GasConstant | None = Field(
         None, gt=0, description="Specific gas constant, for a gas"
     )
-    bulk_modulus: Pressure | None = Field(None, gt=0, description="Bulk modulus, for a liquid")
-    vapour_pressure: Pressure | None = Field(
-        None, ge=0, description="Absolute vapour pressure, for a liquid"
+    bulk_modulus: Pressure | None = Field(
+        None, gt=0, description="Bulk modulus, for a liquid", examples=["2.2 GPa"]
+    )
+    vapour_pressure: AbsolutePressure | None = Field(
+        None, ge=0, description="Absolute vapour pressure, for a liquid", examples=["2.3 kPa"]
     )
     fraction: Fraction | None = Field(
-        None, ge=0, le=1, description="Mass fraction of the solute, for a named mixture"
+        None,
+        ge=0,
+        le=1,
+        description="Mass fraction of the solute, for a named mixture",
+        examples=["50 %"],
     )
     polytropic_exponent: Fraction | None = Field(
         None,
         ge=1,
         le=5 / 3,
         description="Of a gas: 1 for isothermal (default), 1.4 for adiabatic air",
+        examples=["1.4"],
     )
 
     @model_validator(mode="after")

@@ -42,9 +42,13 @@ class TubeEntry(SpecPart):
 class TubeWall(SpecPart):
     """The elastic wall of all tubes."""
 
-    youngs_modulus: Pressure = Field(gt=0, description="Young's modulus of the tubes")
-    thickness: Length = Field(gt=0, description="Wall thickness")
-    poissons_ratio: Fraction = Field(0.5, ge=0, le=0.5, description="Poisson's ratio")
+    youngs_modulus: Pressure = Field(
+        gt=0, description="Young's modulus of the tubes", examples=["10 MPa"]
+    )
+    thickness: Length = Field(gt=0, description="Wall thickness", examples=["1 mm"])
+    poissons_ratio: Fraction = Field(
+        0.5, ge=0, le=0.5, description="Poisson's ratio", examples=["0.5"]
+    )
 
 
 class FeedLineSpec(SpecPart):
@@ -58,7 +62,9 @@ class Network(SpecPart):
     """A named chain with changes to single tubes, or any graph."""
 
     layout: Literal["straight", "crossed", "custom"]
-    tube_radius: Length | None = Field(None, gt=0, description="Inner radius of the tubes")
+    tube_radius: Length | None = Field(
+        None, gt=0, description="Inner radius of the tubes", examples=["0.325 mm"]
+    )
     tube_length: Length | None = Field(None, gt=0, description="Length of each tube")
     changes: dict[str, TubeChange] = Field(
         default_factory=dict, description="Changed tubes of a named layout, such as 'R1-R2'"
@@ -67,10 +73,14 @@ class Network(SpecPart):
     feed_line: FeedLineSpec | None = Field(None, description="Tube from the pump to each inlet")
     tube_wall: TubeWall | None = Field(None, description="Elastic wall of the tubes")
     entrance_loss: Fraction = Field(
-        0.5, ge=0, le=10, description="Entrance loss of a tube, in dynamic pressures"
+        0.5,
+        ge=0,
+        le=10,
+        description="Entrance loss of a tube, in dynamic pressures",
+        examples=["0.5"],
     )
     exit_loss: Fraction = Field(
-        1.0, ge=0, le=10, description="Exit loss of a tube, in dynamic pressures"
+        1.0, ge=0, le=10, description="Exit loss of a tube, in dynamic pressures", examples=["1.0"]
     )
 
     @model_validator(mode="after")

@@ -97,7 +97,9 @@ def _own_pins(given: Any) -> Any:
 class PumpSpec(SpecPart):
     """A syringe driven by a servo with rack and pinion."""
 
-    syringe_diameter: Length = Field(gt=0, description="Inner diameter of the barrel")
+    syringe_diameter: Length = Field(
+        gt=0, description="Inner diameter of the barrel", examples=["34.9 mm"]
+    )
     syringe_stroke: Length = Field(0.1045, gt=0)
     pinion_diameter: Length = Field(0.0296, gt=0, description="Pitch diameter")
     servo: Literal["ax12a", "ax18a"] = "ax18a"
@@ -127,6 +129,7 @@ class PumpSpec(SpecPart):
         None,
         gt=0,
         description="Filled barrel length at home; default: the withdrawn end of travel is full",
+        examples=["60 mm"],
     )
     sensor: Annotated[ByInlet[SensorSpec] | None, AfterValidator(_own_channels)] = Field(
         None, description="One for the first inlet, or one per inlet by name"

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator, model_validator
+from pydantic_core import PydanticCustomError
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.graph import Graph
@@ -18,15 +19,19 @@ from viscodesign.scene.cross_checks import SINGLE_INLET, cross_check
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
-from viscodesign.scene.input import AnyInput
+from viscodesign.scene.input import INPUT_KINDS, AnyInput
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import Network
+from viscodesign.scene.pressure_levels import with_levels_above
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.run import RunSettings
-from viscodesign.scene.spec_part import SpecPart, invalid, raise_faults
+from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_of, invalid, raise_faults
 from viscodesign.storage.cached_property import cached_property
-from viscodesign.units import Fraction, Pressure, Temperature
+from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
+
+STANDARD_ATMOSPHERE = 101325.0
+"""[Pa]"""
 
 
 @dataclass(frozen=True)
@@ -35,6 +40,17 @@ class Provenance:
 
     file: str = ""
     sha256: str = ""
+
+
+def _with_gauge_levels(baseline: float, given: Any, path: KeyPath) -> Any:
+    """An input as given, with its absolute levels above the absolute baseline [Pa]."""
+    kind = given.get("kind") if isinstance(given, dict) else None
+    if not isinstance(kind, str) or kind not in INPUT_KINDS:
+        return given
+    try:
+        return with_levels_above(baseline, INPUT_KINDS[kind], given)
+    except PydanticCustomError as error:
+        raise_faults(found._replace(path=(*path, *found.path)) for found in faults_of(error))
 
 
 class Scene(SpecPart):
@@ -50,10 +66,12 @@ class Scene(SpecPart):
     temperature: Temperature = Field(
         293.15, gt=0, description="Temperature of fluid and surroundings"
     )
-    gauge_pressure: Pressure = Field(
+    gauge_pressure: GaugePressure = Field(
         0.0, description="Baseline gauge pressure, to which the input adds"
     )
-    ambient_pressure: Pressure = Field(101325.0, gt=0, description="Absolute ambient pressure")
+    ambient_pressure: AbsolutePressure = Field(
+        STANDARD_ATMOSPHERE, gt=0, description="Absolute ambient pressure"
+    )
     input: AnyInput | None = Field(None, description="The input of a single inlet")
     several_inputs: dict[str, AnyInput] | None = Field(
         None, alias="inputs", description="One input per inlet, by name"
@@ -63,12 +81,30 @@ class Scene(SpecPart):
         default_factory=EffectsChoice, description="auto, or effect: auto | on | off"
     )
     accuracy: Fraction = Field(
-        0.005, ge=1e-7, le=0.2, description="Allowed tip error relative to the actuator length"
+        0.005,
+        ge=1e-7,
+        le=0.2,
+        description="Allowed tip error relative to the actuator length",
+        examples=["0.5 %"],
     )
     run: RunSettings = Field(description="Duration, outputs and initial state")
     pump: PumpSpec | None = Field(None, description="The syringe pump, for the pump commands")
 
     _source: Provenance = PrivateAttr(default_factory=Provenance)
+
+    @field_validator("input", "several_inputs", mode="before")
+    @classmethod
+    def _with_gauge_levels(cls, given: Any, info: ValidationInfo) -> Any:
+        """The inputs with their absolute levels as gauge above the baseline."""
+        if not isinstance(given, dict):
+            return given
+        ambient = info.data.get("ambient_pressure", STANDARD_ATMOSPHERE)
+        baseline = ambient + info.data.get("gauge_pressure", 0.0)
+        if info.field_name == "input":
+            return _with_gauge_levels(baseline, given, ())
+        return {
+            name: _with_gauge_levels(baseline, own, (str(name),)) for name, own in given.items()
+        }
 
     @field_validator("name")
     @classmethod

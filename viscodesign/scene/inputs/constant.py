@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from viscodesign.scene.inputs.base import PiecewiseLinear, points_of
-from viscodesign.units import Pressure
+from viscodesign.units import PressureLevel
 
 
 class ConstantInput(PiecewiseLinear):
@@ -16,7 +16,7 @@ class ConstantInput(PiecewiseLinear):
 
     name: ClassVar[str] = "constant"
     kind: Literal["constant"]
-    value: Pressure = Field(description="Gauge pressure above the baseline")
+    value: PressureLevel = Field(description="Gauge pressure above the baseline")
 
     def vertices(self, duration: float) -> np.ndarray:
         return np.array([(0.0, self.value), (duration, self.value)])

@@ -10,7 +10,7 @@ from pydantic import Field
 
 from viscodesign.scene.inputs.base import SWING_END, SmoothInput
 from viscodesign.storage.distinct import distinct
-from viscodesign.units import Pressure, Time
+from viscodesign.units import Pressure, PressureLevel, Time
 
 
 class DoubleSigmoidInput(SmoothInput):
@@ -24,7 +24,7 @@ class DoubleSigmoidInput(SmoothInput):
     name: ClassVar[str] = "double_sigmoid"
     coefficients: ClassVar[int] = 6
     kind: Literal["double_sigmoid"]
-    start: Pressure = Field(
+    start: PressureLevel = Field(
         description="Gauge pressure above the baseline before and after the pulse"
     )
     drop: Pressure = Field(description="Height of the fall")

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from viscodesign.scene.inputs.base import SWING_START, SmoothInput
-from viscodesign.units import Angle, Frequency, Pressure
+from viscodesign.units import Angle, Frequency, Pressure, PressureLevel
 
 
 class SineInput(SmoothInput):
@@ -21,7 +21,7 @@ class SineInput(SmoothInput):
     amplitude: Pressure = Field(description="Amplitude, half of the peak-to-peak value")
     frequency: Frequency = Field(gt=0, description="Frequency")
     phase: Angle = Field(0.0, description="Phase at t = 0")
-    mean: Pressure = Field(0.0, description="Mean gauge pressure above the baseline")
+    mean: PressureLevel = Field(0.0, description="Mean gauge pressure above the baseline")
 
     @property
     def period(self) -> float:

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear, periods_to_cover, points_of
 from viscodesign.scene.spec_part import invalid_at
-from viscodesign.units import Fraction, Frequency, Pressure
+from viscodesign.units import Fraction, Frequency, PressureLevel
 
 
 class SquareInput(PiecewiseLinear):
@@ -17,10 +17,12 @@ class SquareInput(PiecewiseLinear):
 
     name: ClassVar[str] = "square"
     kind: Literal["square"]
-    high: Pressure = Field(description="Gauge pressure above the baseline, first level")
-    low: Pressure = Field(description="Gauge pressure above the baseline, second level")
+    high: PressureLevel = Field(description="Gauge pressure above the baseline, first level")
+    low: PressureLevel = Field(description="Gauge pressure above the baseline, second level")
     frequency: Frequency = Field(gt=0, description="Frequency")
-    duty: Fraction = Field(0.5, gt=0, lt=1, description="Duty cycle, the high fraction of a period")
+    duty: Fraction = Field(
+        0.5, gt=0, lt=1, description="Duty cycle, the high fraction of a period", examples=["50 %"]
+    )
 
     @model_validator(mode="after")
     def _check_levels(self) -> SquareInput:

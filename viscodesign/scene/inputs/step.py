@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from viscodesign.scene.inputs.base import PiecewiseLinear
-from viscodesign.units import Pressure, Time
+from viscodesign.units import PressureLevel, Time
 
 
 class StepInput(PiecewiseLinear):
@@ -16,7 +16,7 @@ class StepInput(PiecewiseLinear):
 
     name: ClassVar[str] = "step"
     kind: Literal["step"]
-    value: Pressure = Field(description="Gauge pressure above the baseline after the step")
+    value: PressureLevel = Field(description="Gauge pressure above the baseline after the step")
     time: Time = Field(0.0, ge=0, description="Time of the step")
 
     def vertices(self, duration: float) -> np.ndarray:

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear, periods_to_cover, points_of
 from viscodesign.scene.spec_part import invalid
-from viscodesign.units import Pressure, Time
+from viscodesign.units import PressureLevel, Time
 
 
 class TrapezoidInput(PiecewiseLinear):
@@ -17,8 +17,8 @@ class TrapezoidInput(PiecewiseLinear):
 
     name: ClassVar[str] = "trapezoid"
     kind: Literal["trapezoid"]
-    high: Pressure = Field(description="Gauge pressure above the baseline while held")
-    low: Pressure = Field(0.0, description="Gauge pressure above the baseline at rest")
+    high: PressureLevel = Field(description="Gauge pressure above the baseline while held")
+    low: PressureLevel = Field(0.0, description="Gauge pressure above the baseline at rest")
     rise: Time = Field(ge=0, description="Time from low to high")
     hold: Time = Field(0.0, ge=0, description="Time at high")
     fall: Time = Field(ge=0, description="Time from high to low")

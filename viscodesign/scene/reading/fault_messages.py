@@ -13,7 +13,7 @@ from viscodesign.scene.cross_checks import cross_check
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.per_inlet import EACH, ONE
 from viscodesign.scene.reading.document import Document
-from viscodesign.scene.reading.field_lookup import field_at, keys_beside, quantity_of
+from viscodesign.scene.reading.field_lookup import example_of, field_at, keys_beside, quantity_of
 from viscodesign.scene.spec_part import KeyFault, KeyPath
 
 _BOUNDS = {
@@ -40,6 +40,38 @@ _EXPECTED = {
     "too_short": "a pair",
     "union_tag_not_found": "a mapping with the key 'kind'",
 }
+_CONVERSIONS = (
+    ("diameter", "radius", "half of the diameter"),
+    ("radius", "diameter", "twice the radius"),
+    ("area", "radius", "the root of area/pi"),
+    ("absolute_pressure", "gauge_pressure", "the absolute pressure less the ambient one"),
+    ("period", "frequency", "one over the period"),
+    ("kinematic_viscosity", "viscosity", "the kinematic viscosity times the density"),
+    ("pairs", "count", "twice the number of pairs"),
+)
+"""Words in a key, those of the quantity that a spec has instead, and how this is computed."""
+_SYNONYMS = {
+    "e": ("youngs_modulus",),
+    "modulus": ("youngs_modulus", "bulk_modulus"),
+    "stiffness": ("youngs_modulus", "bulk_modulus"),
+    "elastic_modulus": ("youngs_modulus",),
+    "rho": ("density",),
+    "mu": ("viscosity",),
+    "nu": ("poissons_ratio",),
+    "material_density": ("density",),
+    "number": ("count",),
+    "n": ("count",),
+    "depth": ("width", "length"),
+    "pressure": ("gauge_pressure", "value"),
+    "dt": ("output_interval",),
+    "time_step": ("output_interval",),
+    "end_time": ("duration",),
+    "t_end": ("duration",),
+    "mass": ("payload",),
+    "diameter": ("syringe_diameter",),
+    "tubes": ("changes",),
+}
+"""Names that others give to keys, in lower case."""
 _NOT_REPORTED = "default_factory_not_called"
 """A default that depends on another key, whose own fault is reported."""
 
@@ -93,7 +125,7 @@ def _message(
 ) -> str:
     kind, given = detail["type"], detail["input"]
     if kind == "quantity":
-        return str(context["message"])
+        return _invalid_quantity(context, path, document)
     if kind == "missing":
         pair = "; expected a pair" if path[-1].isdigit() else ""
         return "missing" + pair + _description(path, document)
@@ -112,11 +144,30 @@ def _message(
     return f"got {described(given)}; {detail['msg'][0].lower()}{detail['msg'][1:]}"
 
 
+def _invalid_quantity(context: dict[str, Any], path: KeyPath, document: Document) -> str:
+    """A problem of a value, with an example of what its key may have."""
+    found = field_at(path, document)
+    quantity = quantity_of(found) if found is not None else None
+    if found is None or quantity is None:
+        return str(context["message"])
+    return quantity.explained(str(context["problem"]), example_of(found, quantity))
+
+
 def _unknown_key(path: KeyPath, document: Document) -> str:
     known = keys_beside(path, document)
-    hint = did_you_mean(path[-1], known)
+    hint = _other_quantity(path[-1], known) or did_you_mean(path[-1], known)
     stop = "" if hint else "."
     return f"no such key{hint}" + (f"{stop} Allowed here: {', '.join(known)}" if known else "")
+
+
+def _other_quantity(given: str, known: list[str]) -> str:
+    """A hint for a key that is another quantity of the same thing, such as a diameter."""
+    for word, other, words in _CONVERSIONS:
+        for key in known if word in given else ():
+            if key in (given.replace(word, other), other):
+                return f"; did you mean '{key}', {words}?"
+    meant = next((key for key in _SYNONYMS.get(given.lower(), ()) if key in known), None)
+    return f"; did you mean '{meant}'?" if meant else ""
 
 
 def _out_of_bounds(
@@ -129,8 +180,8 @@ def _out_of_bounds(
     is_fraction = quantity is not None and quantity.unit == "1"
     unit = f" {quantity.unit}" if quantity is not None and not is_fraction else ""
     written = document.given(path)
-    is_bare = is_fraction and isinstance(written, (int, float)) and written > 1
-    percent = "; a percentage needs its sign, as in '50 %'" if is_bare else ""
+    is_bare = is_fraction and isinstance(written, (int, float)) and name in ("le", "lt")
+    percent = f"; a percentage needs its sign, as in '{written:g} %'" if is_bare else ""
     value = written if isinstance(written, (int, float, str)) else given
     return f"must be {words} {context[name]:g}{unit}; got {value!r}{percent}"
 
@@ -141,5 +192,5 @@ def _description(path: KeyPath, document: Document) -> str:
     if found is None or not found.description:
         return ""
     quantity = quantity_of(found)
-    example = f", such as '{quantity.example}'" if quantity is not None else ""
+    example = f", such as '{example_of(found, quantity)}'" if quantity is not None else ""
     return f"; {found.description[0].lower()}{found.description[1:]}{example}"

@@ -29,6 +29,11 @@ def quantity_of(found: FieldInfo) -> QuantityKind | None:
     return next((note for note in notes if isinstance(note, QuantityKind)), None)
 
 
+def example_of(found: FieldInfo, quantity: QuantityKind) -> str:
+    """An example of a field's value: its own, or else that of its kind."""
+    return str(found.examples[0]) if found.examples else quantity.example
+
+
 def keys_beside(path: KeyPath, document: Document) -> list[str]:
     """The keys that are allowed beside the last one of ``path``."""
     model = _model_at(path[:-1], document)

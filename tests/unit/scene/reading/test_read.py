@@ -76,7 +76,7 @@ def test_files_that_are_not_specs(tmp_path: Path, text: str | bytes, words: str)
         ("  length: 109 mm", "  length: [1, 2]", ["actuator.length", "a list is not a number"]),
         ("  length: 109 mm", "  length: mm", ["actuator.length", "has no number"]),
         ("  length: 109 mm", "  length:", ["actuator.length", "nothing is not a number"]),
-        ("  youngs_modulus: 1.8 MPa", "", ["actuator.youngs_modulus: missing", "'40 kPa'"]),
+        ("  youngs_modulus: 1.8 MPa", "", ["actuator.youngs_modulus: missing", "'1.8 MPa'"]),
         ("  layout: straight ", "  layout: strait ", ["must be one of straight, crossed, custom; got 'strait'", "did you mean 'straight'"]),
         ("  layout: straight ", "  layout: crossed\n  changes: {R1-R9: {length: 1 mm}} ", ["R1-R9", "no such tube"]),
         ("  kind: double_sigmoid", "  kind: doubel_sigmoid", ["did you mean 'double_sigmoid'"]),

@@ -1,0 +1,81 @@
+"""The likely slip behind a unit that is unknown or of the wrong kind."""
+
+from __future__ import annotations
+
+import re
+from typing import Protocol
+
+from viscodesign.common_units import value_in_si
+
+_MEANT = {
+    "K": {"C": "degC", "c": "degC", "F": "degF", "f": "degF", "deg": "degC", "°": "degC"},
+    "rad": {"degC": "deg", "degrees": "deg", "%": "deg"},
+    "Hz": {"rpm": "Hz"},
+    "J/(kg*K)": {"J/kg/C": "J/(kg*K)", "J/(kg*C)": "J/(kg*K)"},
+    "Pa*s": {"Pa": "Pa*s", "mPa": "mPa*s", "Pas": "Pa*s", "mPas": "mPa*s", "Pa/s": "Pa*s"},
+    "kg/m^3": {"kg": "kg/m^3", "g/cc": "g/cm^3", "kg/m": "kg/m^3"},
+}
+"""Units that are read as something else or as nothing, and what was meant, by SI unit."""
+_SPELLED = {
+    "m": "m mm cm um km inch",
+    "Pa": "Pa hPa kPa MPa mPa GPa bar mbar psi atm mmHg",
+    "s": "s ms us min h",
+    "Hz": "Hz kHz mHz",
+    "rad": "rad deg mrad",
+    "K": "K degC degF",
+    "N": "N mN kN",
+    "kg": "kg g mg",
+    "kg/m^3": "kg/m^3 g/cm^3 g/mL kg/L",
+    "Pa*s": "Pa*s mPa*s cP uPa*s",
+    "m^3": "mL L uL m^3 mm^3 cm^3",
+    "m/s": "m/s mm/s",
+    "V": "V mV",
+    "C": "mAh Ah C",
+}
+"""Spellings of the common units, by SI unit; the first that fits is suggested."""
+_KINEMATIC = {"cSt": 1e-6, "St": 1e-4, "mm^2/s": 1e-6, "mm2/s": 1e-6, "m^2/s": 1.0, "m2/s": 1.0}
+"""Units of kinematic viscosity [m2/s]."""
+_VALUE = re.compile(r"\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([^\W\d].*|%|°.*)\s*", re.DOTALL)
+
+
+class Wanted(Protocol):
+    """A kind of quantity."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def unit(self) -> str: ...
+
+
+def unit_hint(text: str, wanted: Wanted) -> str:
+    """'; did you mean ...?' for a value whose unit does not fit, or nothing."""
+    found = _VALUE.fullmatch(text)
+    if found is None:
+        return ""
+    number, spelled = found[1], found[2].strip()
+    if wanted.unit == "Pa*s" and spelled in _KINEMATIC:
+        return _by_density(number, spelled)
+    if re.search(r"\b(rpm|rps|rad ?/ ?s|deg ?/ ?s)\b", spelled) and wanted.unit == "Hz":
+        return " (an angular speed); a frequency is in Hz (1 Hz is 60 rpm, or 6.2832 rad/s)"
+    if re.search(r"\W*\b(abs|absolute|gauge|gage|rel)\b", spelled) and wanted.unit == "Pa":
+        return ": this key has no choice between gauge and absolute; leave the word out"
+    meant = _MEANT.get(wanted.unit, {}).get(spelled) or _other_case(spelled, wanted.unit)
+    return f"; did you mean '{number} {meant}'?" if meant else ""
+
+
+def _by_density(number: str, spelled: str) -> str:
+    kinematic = float(number) * _KINEMATIC[spelled]  # the grammar has read the number
+    return (
+        f": a kinematic viscosity; the dynamic one is this times the density, "
+        f"{1e6 * kinematic:.4g} mPa*s at 1000 kg/m^3"
+    )
+
+
+def _other_case(spelled: str, unit: str) -> str:
+    """The same letters in other cases as a common unit of this kind; the first letter's stays."""
+    names = _SPELLED.get(unit, "").split()
+    same = [name for name in names if name.lower() == spelled.lower() and name != spelled]
+    same.sort(key=lambda name: name[0] != spelled[0])
+    return next((name for name in same if value_in_si("1", name, unit) is not None), "") or next(
+        iter(same), ""
+    )
