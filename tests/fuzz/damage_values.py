@@ -125,9 +125,73 @@ def _move(rng: Random, tree: Any) -> None:
     parent[key] = value
 
 
+GRAMMAR_SLIPS = (
+    "{a} {b}{u}", "{a},{b}{u}", "{a}_{b}{u}", "{a}'{b}{u}", "{a}.{b}.{a}{u}", "{a}({b}){u}", "({a}){u}", "[{a}]{u}",
+    "{a}{u} +- {b}{u}", "{a} ± {b}{u}", "{a}{u} - {b}{u}", "{a}-{b}{u}", "{a}..{b}{u}", "{a} to {b}{u}",
+    "{a}/{b}{u}", "{a} {b}/{a}{u}", "{a}*{b}{u}", "{a} x {b}{u}", "{a}{u}*{b}", "{a}{u} {b}", "{a}{u}; {b}",
+    "{a}e{b}.5{u}", "{a} e{b}{u}", "{a}e {b}{u}", "{a}*10^{b}{u}", "{a}\u00a0{u}", "{a}\u202f{b}{u}", "\u2212{a}{u}",
+    "\uff11{u}", "\u0661{u}", "½{u}", "~{a}{u}", "<{a}{u}", "0x{a}{u}", "{a}:{b}{u}", "+-{a}{u}", "--{a}{u}",
+    "{a}+{b}{u}", "{a}**{b}{u}", "{a}^{b}{u}", "{u} {a}", "{a}{u}.{u}", "{a} ({u})", "{a} %{u}", "{a}\u200b{u}",
+)  # fmt: skip
+"""Texts with two numbers, or with one that is no plain number; none of them is a value."""
+
+
+def grammar_slip(rng: Random) -> str:
+    """A text outside of the grammar of values."""
+    first, second = rng.choice(["1", "37.5", "800", "-3"]), rng.choice(["2", "500", "16"])
+    return rng.choice(GRAMMAR_SLIPS).format(a=first, b=second, u=f" {rng.choice(UNITS[:20])}")
+
+
+def _grammar_slip(rng: Random, tree: Any) -> None:
+    """A number written as people write numbers, which no value may be."""
+    numbers = [p for p in places(tree) if _is_number(p[0][p[1]])]
+    if numbers:
+        parent, key = rng.choice(numbers)
+        parent[key] = grammar_slip(rng)
+
+
+def _other_prefix(rng: Random, tree: Any) -> None:
+    """Numbers with a wrong prefix or unit, such as metres for millimetres."""
+    numbers = [p for p in places(tree) if _is_number(p[0][p[1]])]
+    for parent, key in rng.sample(numbers, min(len(numbers), rng.choice([1, 1, 3]))):
+        parent[key] = float(f"{parent[key] * rng.choice([1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9]):.6g}")
+
+
+def _reference(rng: Random, tree: Any) -> None:
+    """A pressure, or something else, with a reference."""
+    numbers = [p for p in places(tree) if _is_number(p[0][p[1]])]
+    if numbers:
+        parent, key = rng.choice(numbers)
+        word = rng.choice(
+            ["abs", "gauge", "absolute", "rel", "ABS", "abs abs", "gauge abs", "(abs)"]
+        )
+        parent[key] = (
+            f"{rng.choice([1, 140, -3])} {rng.choice(['kPa', 'bar', 'Pa', 'm', ''])} {word}"
+        )
+
+
+def _both_outputs(rng: Random, tree: Any) -> None:
+    """Keys of outputs that exclude each other, by the million, or that coincide."""
+    run = tree.get("run") if isinstance(tree, dict) else None
+    if isinstance(run, dict):
+        run |= rng.choice(
+            [
+                {"output_interval": 0.1, "output_times": [0.1]},
+                {"output_times": [0.1, 0.1 + 1e-15, 0.2]},
+                {"output_times": None},
+                {"output_interval": None},
+            ]
+        )
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e15
+
+
 TREE_DAMAGES: list[Callable[[Random, Any], None]] = [
     _delete, _rename, _odd_key, _odd_value, _odd_value, _odd_value, _wrong_unit, _extreme_number,
     _wrap, _move, _other_number, _other_number, _extreme_number,
+    _grammar_slip, _grammar_slip, _other_prefix, _reference, _both_outputs,
 ]  # fmt: skip
 
 
@@ -176,6 +240,11 @@ def _word(rng: Random) -> str:
     return rng.choice(words)
 
 
+def _set_slip(rng: Random, tree: Any) -> str:
+    return f"{_path(rng, tree)}={grammar_slip(rng)}"
+
+
 OVERRIDES: list[Callable[[Random, Any], str]] = [
     _set_value, _set_value, _set_unit, _set_below, _set_elsewhere, _set_number, _set_number,
+    _set_slip,
 ]  # fmt: skip

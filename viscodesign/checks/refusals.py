@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from viscodesign.checks.plausibility import impossible_values, plausibility_notices
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -36,7 +37,7 @@ LIMITS = NumericLimits()
 def refuse_beyond_numbers(quantities: SceneQuantities) -> None:
     """Raise `SpecError` where sizes lie so far apart that no result would have a digit."""
     if faults := list(_numeric_faults(quantities)):
-        raise SpecError(faults)
+        raise SpecError(_with_likely_cause(faults, quantities))
 
 
 def refuse_unsolvable(quantities: SceneQuantities, active: frozenset[str]) -> None:
@@ -46,13 +47,27 @@ def refuse_unsolvable(quantities: SceneQuantities, active: frozenset[str]) -> No
     """
     for effect in every_effect(quantities).values():
         if faults := list(effect.refusals(quantities, active)):
-            raise SpecError(faults)
+            raise SpecError(_with_likely_cause(faults, quantities))
+
+
+def _with_likely_cause(faults: list[Fault], quantities: SceneQuantities) -> list[Fault]:
+    """Faults, and before them numbers that are hardly meant, from which they may follow."""
+    told = {fault.key for fault in faults}
+    causes = [
+        Fault(notice.message, notice.where)
+        for notice in plausibility_notices(quantities.scene)
+        if notice.code == "implausible_value" and notice.where not in told
+    ]
+    return [*causes, *faults]
 
 
 def _numeric_faults(quantities: SceneQuantities) -> Iterator[Fault]:
     """A fault for every number that lies too far from its neighbours."""
     if out_of_range := list(_sizes(quantities)):
         yield from out_of_range[:3]
+        return
+    if impossible := list(impossible_values(quantities.scene)):
+        yield from impossible
         return
     if contrasts := list(_contrast(quantities)):
         yield from contrasts

@@ -44,10 +44,14 @@ def level_keys(kind: type[Input]) -> list[str]:
     ]
 
 
+def levels_of(source: Input) -> list[tuple[str, float]]:
+    """Its levels above the baseline [Pa], by key."""
+    return [(key, getattr(source, key)) for key in level_keys(type(source))]
+
+
 def bare_levels_beyond(limit: float, source: Input) -> Iterator[tuple[str, float]]:
     """Levels above a limit [Pa] that say neither gauge nor absolute, by key."""
-    for key in level_keys(type(source)):
-        level = getattr(source, key)
+    for key, level in levels_of(source):
         if level > limit and not getattr(level, "reference", ""):
             yield key, float(level)
 

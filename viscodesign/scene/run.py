@@ -15,6 +15,10 @@ MAX_OUTPUTS = 10_000_000
 MAX_OUTPUT_TIMES = 1_000_000
 MAX_SHAPES = 20_000
 """Shapes after the first that are written unless `shape_every` is given."""
+OUTPUT_KEYS = ("output_interval", "output_times")
+"""Keys that exclude each other."""
+TIME_SPACING_REL_MIN = 1e-11
+"""Smallest spacing of output times relative to the duration: closer ones are one row of a table."""
 DEFAULT_OUTPUT_INTERVAL = 0.02
 """[s]"""
 
@@ -52,6 +56,20 @@ class RunSettings(SpecPart):
         "on the limit cycle of periodic inputs",
     )
 
+    @model_validator(mode="before")
+    @classmethod
+    def _one_choice_of_outputs(cls, given: Any) -> Any:
+        """Either an interval or times; a key without a value is not given."""
+        if not isinstance(given, dict):
+            return given
+        keys = [key for key in OUTPUT_KEYS if given.get(key) is not None]
+        if len(keys) == len(OUTPUT_KEYS):
+            raise invalid_at(
+                "output_times",
+                "given together with output_interval; they exclude each other, remove one of them",
+            )
+        return {key: value for key, value in given.items() if key in keys or key not in OUTPUT_KEYS}
+
     @model_validator(mode="after")
     def _check_outputs(self) -> RunSettings:
         if self.output_times is not None:
@@ -83,12 +101,25 @@ class RunSettings(SpecPart):
                     "output_times",
                     f"times must increase; time {k + 2} is {after:g} s after {before:g} s",
                 )
+        least = TIME_SPACING_REL_MIN * self.duration
+        for k, (before, after) in enumerate(itertools.pairwise(times)):
+            if after - before < least:
+                raise invalid_at(
+                    "output_times",
+                    f"times {k + 1} and {k + 2}, {before!r} s and {after!r} s, coincide: they are "
+                    f"{after - before:.2g} s apart; at least {least:.2g} s is needed, "
+                    f"{TIME_SPACING_REL_MIN:g} of the duration. Remove one of them",
+                )
         if times[0] < 0 or times[-1] > self.duration:
             raise invalid_at(
                 "output_times",
                 f"must be from 0 to the duration of {self.duration:g} s; got {times[0]:g} s to "
                 f"{times[-1]:g} s",
             )
+
+    def unwritten(self) -> tuple[str, ...]:
+        """Output times replace the interval."""
+        return () if self.output_times is None else ("output_interval",)
 
     @property
     def outputs(self) -> int:

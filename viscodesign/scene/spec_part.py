@@ -37,6 +37,10 @@ class SpecPart(BaseModel):
         ignored_types=(cached_property,),
     )
 
+    def unwritten(self) -> tuple[str, ...]:
+        """Fields that another one replaces, which a resolved spec leaves out."""
+        return ()
+
     @field_validator("*", mode="after")
     @classmethod
     def _keep_valid_field(cls, value: Any, info: ValidationInfo) -> Any:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
+from tests.unit.scene.round_trip import comes_back
 from viscodesign.errors import SpecError
 
 
@@ -53,6 +54,14 @@ def test_the_default_interval() -> None:
             ["run.output_interval: must be at most the duration 1 s; got 2 s"],
         ),
         ("duration: 1e6 s", ["run.output_interval: 5e+07 outputs; at most 10000000"]),
+        (
+            "duration: 8, output_interval: 1, output_times: [1]",
+            ["run.output_times: given together with output_interval; they exclude each other"],
+        ),
+        (
+            "duration: 8, output_times: [1, 1.00000000001]",
+            ["run.output_times: times 1 and 2, 1.0 s and 1.00000000001 s, coincide"],
+        ),
     ],
 )
 def test_faults(run: str, faults: list[str]) -> None:
@@ -62,3 +71,26 @@ def test_faults(run: str, faults: list[str]) -> None:
     assert len(found) == len(faults)
     for words, fault in zip(faults, found, strict=True):
         assert words in fault
+
+
+def test_times_that_can_be_told_apart_are_kept() -> None:
+    assert len(times("duration: 8 s, output_times: [1, 1.000000001, 1.000000002]")) == 3
+
+
+@pytest.mark.parametrize("nothing", ["null", "~", ""])
+def test_a_key_without_a_value_excludes_nothing(nothing: str) -> None:
+    found = times(f"duration: 8 s, output_interval: {nothing}, output_times: [1, 2]")
+    assert found.tolist() == [1.0, 2.0]
+
+
+def test_an_override_replaces_the_other_choice_of_the_file() -> None:
+    assert leg("run.output_times=[1, 2]").run.output_times == (1.0, 2.0)
+    both = ("run={duration: 8 s, output_times: [1, 2]}", "run.output_interval=1 s")
+    assert leg(*both).run.output_times is None
+    with pytest.raises(SpecError, match="exclude each other"):
+        leg("run.output_times=[1, 2]", "run.output_interval=1 s")
+
+
+def test_a_resolved_spec_has_one_choice() -> None:
+    assert "output_interval" not in comes_back(leg("run.output_times=[1, 2]"))
+    assert "output_times" not in comes_back(leg())

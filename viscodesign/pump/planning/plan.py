@@ -31,6 +31,7 @@ from viscodesign.pump.servo_motor import STEADY_SHARE
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.per_inlet import each
+from viscodesign.scene.pressure_levels import levels_of
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -179,7 +180,8 @@ def _notices(
             "compression are left out",
         )
     highest = max(float(d.pressure.max()) for d in demands)
-    if highest > ambient:
+    stated = [getattr(v, "reference", "") for s in scene.inputs.values() for _, v in levels_of(s)]
+    if highest > ambient and not any(stated):
         yield Notice(
             "gauge_or_absolute",
             f"the input reaches {highest / 1e3:.4g} kPa, taken as gauge; if absolute was meant, "

@@ -72,6 +72,12 @@ def pump_of(scene: Scene) -> PumpSpec:
             "Use a longer syringe, a smaller pinion_diameter or a shorter travel, or state "
             "filled_length"
         )
+    elif drive.filled_at_home > pump.syringe_stroke:
+        key = "pump.filled_length"
+        message = (
+            f"{1e3 * drive.filled_at_home:.4g} mm are longer than pump.syringe_stroke, the whole "
+            f"barrel of {1e3 * pump.syringe_stroke:.4g} mm"
+        )
     else:
         return pump
     raise SpecError([Fault(message, key, scene.source.file)])

@@ -164,7 +164,7 @@ def _other_quantity(given: str, known: list[str]) -> str:
     """A hint for a key that is another quantity of the same thing, such as a diameter."""
     for word, other, words in _CONVERSIONS:
         for key in known if word in given else ():
-            if key in (given.replace(word, other), other):
+            if key in (given.replace(word, other), other, f"tube_{other}"):
                 return f"; did you mean '{key}', {words}?"
     meant = next((key for key in _SYNONYMS.get(given.lower(), ()) if key in known), None)
     return f"; did you mean '{meant}'?" if meant else ""

@@ -13,6 +13,7 @@ from viscodesign.errors import Fault, SpecError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.reading.document import Document, parse_value, read_document
 from viscodesign.scene.reading.fault_messages import explain_cross_checks, explain_validation
+from viscodesign.scene.run import OUTPUT_KEYS
 from viscodesign.scene.scene import Provenance, Scene
 from viscodesign.scene.spec_part import VALID_FIELDS, KeyPath
 
@@ -111,7 +112,23 @@ def _override(document: Document, override: str) -> None:
             here = _put(document, parts[:depth], {}, place)
     if isinstance(here, list):
         _entry(here, parts[-1], place)
+    for other in _replaced_by(parts):
+        _remove(document, other)
     _put(document, parts, parse_value(value.strip(), place), place)
+
+
+def _replaced_by(path: KeyPath) -> list[KeyPath]:
+    """Keys of the file that an override takes the place of."""
+    if path[:-1] != ("run",) or path[-1] not in OUTPUT_KEYS:
+        return []
+    return [("run", key) for key in OUTPUT_KEYS if key != path[-1]]
+
+
+def _remove(document: Document, path: KeyPath) -> None:
+    """Take a key out of the document, unless another override has set it."""
+    parent = document.given(path[:-1])
+    if isinstance(parent, dict) and path not in document.overrides:
+        parent.pop(path[-1], None)
 
 
 def _entry(here: Any, part: str, place: str) -> Any:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import yaml
-from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from viscodesign.scene.effects_choice import OTHERS, EffectsChoice
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.reading.yaml_events import plain_value
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import SpecPart
 from viscodesign.storage.lru_cache import LruCache
 
 
@@ -50,12 +50,12 @@ def _written(scene: Scene) -> str:
     return yaml.dump(_model(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)
 
 
-def _model(part: BaseModel) -> dict[str, Any]:
+def _model(part: SpecPart) -> dict[str, Any]:
     """Fields under their YAML keys, without those that are unset."""
     data: dict[str, Any] = {}
     for name, found in type(part).model_fields.items():
         value = getattr(part, name)
-        if value is None and name != "gravity":
+        if (value is None and name != "gravity") or name in part.unwritten():
             continue
         data[found.alias or name] = _value(value, found)
     return data
@@ -67,10 +67,10 @@ def _value(value: Any, found: FieldInfo) -> Any:
         return "off"
     if isinstance(value, EffectsChoice):
         return {**value.modes, OTHERS: value.others}
-    if isinstance(value, BaseModel):
+    if isinstance(value, SpecPart):
         return _model(value)
     if isinstance(value, dict):
-        return {k: _model(v) if isinstance(v, BaseModel) else v for k, v in value.items()}
+        return {k: _model(v) if isinstance(v, SpecPart) else v for k, v in value.items()}
     if isinstance(value, tuple):
         return [_entry(v) for v in value]
     if quantity is not None and isinstance(value, float):
@@ -79,6 +79,6 @@ def _value(value: Any, found: FieldInfo) -> Any:
 
 
 def _entry(value: Any) -> Any:
-    if isinstance(value, BaseModel):
+    if isinstance(value, SpecPart):
         return _model(value)
     return _Row(value) if isinstance(value, tuple) else value

@@ -92,3 +92,13 @@ def test_scenes_that_cannot_be_planned_are_refused(
 def test_a_travel_that_empties_the_barrel_is_refused_with_a_remedy(part: str) -> None:
     with pytest.raises(SpecError, match=r"pump.syringe_stroke: .* draws the plunger out by"):
         pump_of(leg(f"pump={{syringe_diameter: 34.9 mm, home: 500, {part}}}"))
+
+
+@pytest.mark.parametrize("part", ["filled_length: 200 mm", "filled_length: 110 mm"])
+def test_a_filling_longer_than_the_barrel_is_refused_with_both_keys(part: str) -> None:
+    with pytest.raises(SpecError, match=r"pump.filled_length: .* longer than pump.syringe_stroke"):
+        pump_of(leg(f"pump={{syringe_diameter: 34.9 mm, {part}}}"))
+
+
+def test_a_filling_of_the_whole_barrel_is_planned() -> None:
+    pump_of(leg("pump={syringe_diameter: 34.9 mm, filled_length: 104.5 mm}"))
