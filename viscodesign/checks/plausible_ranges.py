@@ -41,7 +41,8 @@ class PlausibleRange:
 
 _LENGTH = (1e-3, 1e-9, 1e-6, 1e3)
 """Bare millimetres, Mm for mm, bare micrometres, kilometres."""
-_LONGEST = (0.0, 1e4)
+_LONGEST = (0.0, 1e6)
+"""A tube of 12 km is solved like any other; beyond, the unit is wrong."""
 _STIFF = (1e9, 1e3, 1e-3, 1e6, 1e-6)
 """mPa for MPa, kPa for MPa, GPa for MPa, bare MPa."""
 _FLUID = ("exponent", 1e-3, 1e3, 1e-6)
