@@ -7,7 +7,7 @@ all neglected effects together may move it by no more than a part of the request
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from viscodesign.effects.allowed_sets import AllowedSets, Names
@@ -82,14 +82,21 @@ class Selection:
         return self.members(self.everything - self.active)
 
     @property
+    def estimated_m(self) -> float:
+        """How far the tip moves with all neglected effects included, by the estimates [m]."""
+        return self.displacements.between(self.everything, self.active)
+
+    @property
     def neglected_m(self) -> float:
-        """How far the tip may move with all neglected effects included [m]."""
+        """What is stated of that where it is not measured [m]."""
+        return self.stated(NUMBERS.stated_per_estimated * self.estimated_m)
+
+    def stated(self, omitted_m: float) -> float:
+        """What is stated where neglected effects do so much [m]."""
         if self.active == self.everything:
             return 0.0
         quantities = self.sets.quantities
-        estimated = self.displacements.between(self.everything, self.active)
-        least = NUMBERS.least_stated * quantities.accuracy * quantities.body.length
-        return max(NUMBERS.stated_per_estimated * estimated, least)
+        return max(omitted_m, NUMBERS.least_stated * quantities.accuracy * quantities.body.length)
 
     @property
     def measurable(self) -> list[str]:
@@ -101,12 +108,12 @@ class Selection:
         """The effects with one switched, and with what it needs or what needs it."""
         return self.members(self.sets.flipped(self.active, name))
 
-    def grown(self, name: str, why: str) -> Selection | None:
-        """The selection with one effect more, its companions and what then costs nothing.
+    def grown(self, names: Iterable[str], why: str) -> Selection | None:
+        """The selection with more effects, their companions and what then costs nothing.
 
         None where that is forbidden, or nothing new.
         """
-        active = self.switched({name: True})
+        active = self.switched(dict.fromkeys(names, True))
         if active is None or active == self.active:
             return None
         active = self.sets.with_free(active)

@@ -6,8 +6,9 @@ Each part is measured or estimated separately, since each has its own remedy:
   Of the two solutions the finer one is kept; its error is a fraction of their distance.
   A solver that is exact in time needs no second solution.
 - **Space.** Again on a mesh of half the edges' length, with the previous tolerance.
-- **Neglected effects.** The distance of two estimates, one with everything that the spec
-  allows, one with the active effects.
+- **Neglected effects.** The distance to a solution with everything that the spec allows, on the
+  same mesh and with the same tolerance (`judged_effects`); where that is not to be had, of two
+  estimates, with and without them.
 
 A part that is too large is refined and measured again, until the sum is below the requested
 accuracy. The fractions are such that the sum is rarely below the true error and rarely ten
@@ -99,6 +100,9 @@ class Verifier:
         self.workspace = workspace or Workspace()
         self.effects = effects
         self.neglected_m = neglected_m
+        """What is stated of neglected effects [m]."""
+        self.measured_neglected = False
+        """Whether that is measured, rather than estimated."""
         self.progress = progress
         self.requested_m = quantities.accuracy * quantities.body.length
         self.spent_s = 0.0

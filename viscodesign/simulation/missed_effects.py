@@ -25,6 +25,14 @@ class EffectEscalation:
     time_s: float
     """Where the run called for it [s]."""
 
+    @classmethod
+    def of(
+        cls, selection: Selection, grown: Selection, reason: str, time_s: float
+    ) -> EffectEscalation:
+        """From one selection to a larger one."""
+        names = [e.name for e in grown.effects if e.name not in selection.active]
+        return cls(grown, f"{' and '.join(names)} included, from the start", reason, time_s)
+
     def attempt(self, solved: bool) -> RetryAttempt:
         """How it is reported once the run was solved again."""
         return RetryAttempt(self.time_s, self.added, solved, self.reason)
@@ -48,9 +56,7 @@ def escalation(
             missed.append((effect.name, found))
     # The most important one alone: with it, the others may no longer matter.
     for name, found in sorted(missed, key=lambda pair: -pair[1].tip_m):
-        grown = selection.grown(name, found.reason)
+        grown = selection.grown([name], found.reason)
         if grown is not None:
-            names = [e.name for e in grown.effects if e.name not in selection.active]
-            added = f"{' and '.join(names)} included, from the start"
-            return EffectEscalation(grown, added, found.reason, found.time_s)
+            return EffectEscalation.of(selection, grown, found.reason, found.time_s)
     return None

@@ -6,14 +6,22 @@ from viscodesign.effects.select import NUMBERS
 from viscodesign.postprocess.terminations import broken_balance
 from viscodesign.results.trajectory import Accuracy, Status
 from viscodesign.simulation.error_control import ERROR_CONTROL, ErrorParts, Verifier
+from viscodesign.simulation.judged_effects import JUDGING
 from viscodesign.simulation.solve_once import Run
 
 NOT_VERIFIED = "not verified"
 METHOD = (
     f"time: {ERROR_CONTROL.time_share:g} of the last change of the tip when the tolerance was "
     f"divided by ten; space: {ERROR_CONTROL.space_share:g} of its last change when the edge "
-    f"length was halved; neglected effects: {NUMBERS.stated_per_estimated:g} times the difference "
-    "between two estimates, with and without them"
+    "length was halved; neglected effects: "
+)
+ESTIMATED = (
+    f"{NUMBERS.stated_per_estimated:g} times the difference between two estimates, with and "
+    "without them"
+)
+MEASURED = (
+    f"{JUDGING.stated_per_measured:g} times the difference between two solutions, with and "
+    "without them"
 )
 
 
@@ -70,7 +78,7 @@ def accuracy_of(verifier: Verifier, parts: ErrorParts | None, verify: bool) -> A
     return Accuracy(
         verifier.requested_m,
         parts.total_m,
-        METHOD,
+        METHOD + (MEASURED if verifier.measured_neglected else ESTIMATED),
         time_m=parts.time_m,
         space_m=parts.space_m,
         omitted_m=parts.neglected_m,

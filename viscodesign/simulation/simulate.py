@@ -16,6 +16,7 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulation.assemble import cost_of, trajectory_of, uncertain_flows
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.error_control import ErrorParts, Verifier
+from viscodesign.simulation.judged_effects import JUDGING, EffectJudge
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
 from viscodesign.simulation.outcome import accuracy_of, outcome_of
@@ -57,7 +58,8 @@ def simulate(
         refuse_beyond_numbers(quantities)
         selection = select_effects(quantities)
         refuse_unsolvable(quantities, selection.active)
-    request = _Request(tolerance, verify, progress, workspace, watch)
+    judge = EffectJudge(quantities, progress, workspace)
+    request = _Request(tolerance, verify, progress, workspace, watch, judge)
     found = _solve_escalating(quantities, selection, request)
     selection, verifier, run = found.selection, found.verifier, found.run
     proof: tuple[EffectAblation, ...] = ()
@@ -90,6 +92,7 @@ class _Request:
     progress: Progress | None
     workspace: Workspace
     watch: Stopwatch
+    judge: EffectJudge
 
 
 @dataclass(frozen=True)
@@ -138,10 +141,31 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     )
     run = verifier.solve(settings)
     parts: ErrorParts | None = None
-    with request.watch("choose"):
-        more = escalation(quantities, selection, run)
-    if request.verify and run.is_complete and more is None:
+    more = _called_for(selection, run, verifier, request)
+    if request.verify and run.is_complete and more is None and not verifier.interrupted:
         run, parts = verifier.verify(run)
         with request.watch("choose"):
             more = None if verifier.interrupted else escalation(quantities, selection, run)
     return _SolvedScene(selection, verifier, run, parts, more)
+
+
+def _called_for(
+    selection: Selection, run: Run, verifier: Verifier, request: _Request
+) -> EffectEscalation | None:
+    """More effects that a run calls for; what those left out do goes into its error."""
+    with request.watch("choose"):
+        more = escalation(verifier.quantities, selection, run)
+        if more is not None or not (request.verify and run.is_complete):
+            return more
+        judge = request.judge
+        try:
+            found = judge.omission(selection, run)
+        except KeyboardInterrupt:  # before its first step: the run stays
+            verifier.interrupted = True
+            return None
+        verifier.interrupted = judge.interrupted
+        if found is None or judge.interrupted:
+            return None
+        verifier.neglected_m = selection.stated(JUDGING.stated_per_measured * found.tip_m)
+        verifier.measured_neglected = True
+        return judge.escalation(selection, found)

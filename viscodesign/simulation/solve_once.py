@@ -208,8 +208,17 @@ def flow_difference(coarse: Motion, fine: Motion) -> FlowDifference | None:
 
 def tip_difference(coarse: Motion, fine: Motion) -> float:
     """Largest distance between two tips over the output times that both reached [m]."""
+    return farthest_tip(coarse, fine)[0]
+
+
+def farthest_tip(coarse: Motion, fine: Motion) -> tuple[float, int]:
+    """The same, and the output at which they are that far apart."""
     both = min(len(coarse.tip), len(fine.tip))
-    apart = (
-        coarse.tip[rows, :2] - fine.tip[rows, :2] for rows in blocks(both, coarse.tip, fine.tip)
-    )
-    return max(float(np.max(np.hypot(part[:, 0], part[:, 1]))) for part in apart)
+    largest, worst = 0.0, 0
+    for rows in blocks(both, coarse.tip, fine.tip):
+        apart = coarse.tip[rows, :2] - fine.tip[rows, :2]
+        distance = np.hypot(apart[:, 0], apart[:, 1])
+        row = int(np.argmax(distance))
+        if not distance[row] <= largest:  # or it is no number
+            largest, worst = float(distance[row]), rows.start + row
+    return largest, worst

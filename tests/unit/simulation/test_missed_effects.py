@@ -97,14 +97,14 @@ def test_needed_and_free_effects_are_included_with_it() -> None:
     )
     selection = select_effects(quantities)
     assert not selection.active & {"pressure_distribution", "flow_regime", "fluid_inertance"}
-    grown = selection.grown("flow_regime", "it is asked for")
+    grown = selection.grown(["flow_regime"], "it is asked for")
     assert grown is not None
     assert grown.active - selection.active == {
         "pressure_distribution",
         "flow_regime",
         "fluid_inertance",
     }
-    assert grown.grown("flow_regime", "it is asked for") is None
+    assert grown.grown(["flow_regime"], "it is asked for") is None
 
 
 def test_a_repeated_run_says_why() -> None:
