@@ -149,7 +149,8 @@ CASES: tuple[Case, ...] = (
             f"bellows.count={COUNT}",
             CURVE,
             ALONE,
-            EXACT,
+            # The pressures behind a plunger are less accurate than the tip.
+            "accuracy=0.00002 %",
             f"fluid={{name: own, viscosity: {VISCOSITY}, density: 1000, bulk_modulus: {BULK!r}}}",
             f"input={{kind: syringe, diameter: {BORE!r}, start: {BARREL!r}, speeds: [[0, {SPEED!r}]]}}",
             "run={duration: 12 s, output_interval: 0.1 s}",

@@ -85,6 +85,11 @@ class ErrorParts:
         return self.time_m + self.space_m + self.neglected_m
 
 
+def with_less_tolerance(settings: Settings) -> Settings:
+    """The next finer settings in time."""
+    return replace(settings, tolerance=settings.tolerance / 10)
+
+
 class Verifier:
     """Solves one scene, estimates its error, and refines it until that is small enough."""
 
@@ -128,9 +133,15 @@ class Verifier:
             self.stalled = f"the limit of {run.problem.max_steps} steps (run.max_steps) was reached"
         return run
 
-    def verify(self, run: Run) -> tuple[Run, ErrorParts | None]:
-        """The finest solution, and its error; None where one of them ended early."""
+    def verify(self, run: Run, coarser: Run | None = None) -> tuple[Run, ErrorParts | None]:
+        """The finest solution, and its error; None where one of them ended early.
+
+        ``coarser``: a solution with ten times the tolerance on the same mesh, and with these
+        effects or more.
+        """
         refinement = _Refinement(self, run)
+        if coarser is not None:
+            refinement.compare_in_time(coarser)
         if not run.solution.asked_to_stop and refinement.is_sufficient():
             return run, refinement.parts
         while self.solutions <= ERROR_CONTROL.max_refinements and not self.stalled:
@@ -205,21 +216,33 @@ class _Refinement:
         settings = self.run.settings
         if self._is_in_space:
             return replace(settings, edges_per_section=2 * settings.edges_per_section)
-        return replace(settings, tolerance=settings.tolerance / 10)
+        return with_less_tolerance(settings)
 
     def add(self, finer: Run) -> None:
         """Adopt a finer solution, and estimate the error from its distance."""
-        verifier, is_in_space = self._verifier, self._is_in_space
-        distance = tip_difference(self.run.motion, finer.motion)
-        if not is_in_space:
-            verifier.flows_apart = flow_difference(self.run.motion, finer.motion)
-        self.run = finer
-        verifier.check_convergence("space" if is_in_space else "time", distance)
-        least = ERROR_CONTROL.least_share * verifier.requested_m
-        if is_in_space:
-            self._space_m = max(ERROR_CONTROL.space_share * distance, least)
-        else:
-            self._time_m = max(ERROR_CONTROL.time_share * distance, least, self._round_off_m)
+        coarser, self.run = self.run, finer
+        if not self._is_in_space:
+            self.compare_in_time(coarser)
+            return
+        distance = tip_difference(coarser.motion, finer.motion)
+        self._verifier.check_convergence("space", distance)
+        self._space_m = max(ERROR_CONTROL.space_share * distance, self._least_m)
+
+    def compare_in_time(self, coarser: Run) -> None:
+        """Estimate the error in time from the distance of a solution with larger tolerance."""
+        verifier, motion = self._verifier, self.run.motion
+        if self.run.is_exact_in_time:
+            return
+        distance = tip_difference(coarser.motion, motion)
+        if coarser.motion.flow.shape == motion.flow.shape:
+            verifier.flows_apart = flow_difference(coarser.motion, motion)
+        verifier.check_convergence("time", distance)
+        self._time_m = max(ERROR_CONTROL.time_share * distance, self._least_m, self._round_off_m)
+
+    @property
+    def _least_m(self) -> float:
+        """Least error in time or space that is stated [m]."""
+        return ERROR_CONTROL.least_share * self._verifier.requested_m
 
     def is_sufficient(self) -> bool:
         """Whether the tip is accurate enough, and the energy balance as good as it gets."""

@@ -15,7 +15,7 @@ from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.assemble import cost_of, trajectory_of, uncertain_flows
 from viscodesign.simulation.build_problem import suggest_settings
-from viscodesign.simulation.error_control import ErrorParts, Verifier
+from viscodesign.simulation.error_control import ErrorParts, Verifier, with_less_tolerance
 from viscodesign.simulation.judged_effects import JUDGING, EffectJudge
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
@@ -70,7 +70,7 @@ def simulate(
     with watch("read"):
         trajectory = trajectory_of(quantities, selection, run)
         doubts = tuple(uncertain_flows(trajectory, verifier))
-    is_only_solution = verifier.solutions == 1 and not (found.attempts or proof)
+    is_only_solution = verifier.solutions == 1 and not (found.attempts or proof or judge.has_solved)
     return replace(
         trajectory,
         warnings=(*trajectory.warnings, *doubts),
@@ -139,33 +139,41 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     verifier = Verifier(
         quantities, selection.effects, selection.neglected_m, request.progress, request.workspace
     )
-    run = verifier.solve(settings)
+    with request.watch("choose"):
+        whole = request.judge.everything(selection, settings) if request.verify else None
+    if whole is not None and whole.solution.asked_to_stop:
+        everything = selection.grown(selection.everything, "the run was stopped with all effects")
+        return _SolvedScene(everything or selection, verifier, whole, None, None)
+    run = verifier.solve(settings if whole is None else with_less_tolerance(settings))
     parts: ErrorParts | None = None
-    more = _called_for(selection, run, verifier, request)
+    with request.watch("choose"):
+        more = escalation(quantities, selection, run)
+    if request.verify and run.is_complete and more is None:
+        coarser, more = whole, None
+        if whole is not None:
+            coarser, more = _judged(selection, run, whole, verifier, request.judge)
     if request.verify and run.is_complete and more is None and not verifier.interrupted:
-        run, parts = verifier.verify(run)
+        run, parts = verifier.verify(run, coarser)
         with request.watch("choose"):
             more = None if verifier.interrupted else escalation(quantities, selection, run)
     return _SolvedScene(selection, verifier, run, parts, more)
 
 
-def _called_for(
-    selection: Selection, run: Run, verifier: Verifier, request: _Request
-) -> EffectEscalation | None:
-    """More effects that a run calls for; what those left out do goes into its error."""
-    with request.watch("choose"):
-        more = escalation(verifier.quantities, selection, run)
-        if more is not None or not (request.verify and run.is_complete):
-            return more
-        judge = request.judge
+def _judged(
+    selection: Selection, run: Run, whole: Run, verifier: Verifier, judge: EffectJudge
+) -> tuple[Run, EffectEscalation | None]:
+    """A coarser solution to compare with a run, and more effects where too much is left out."""
+    coarser, found = whole, judge.omission(run, whole)
+    if judge.is_too_much(found) and not run.solution.asked_to_stop:
         try:
-            found = judge.omission(selection, run)
-        except KeyboardInterrupt:  # before its first step: the run stays
+            alike = verifier.solve(whole.settings)
+        except KeyboardInterrupt:  # before its first step
             verifier.interrupted = True
-            return None
-        verifier.interrupted = judge.interrupted
-        if found is None or judge.interrupted:
-            return None
-        verifier.neglected_m = selection.stated(JUDGING.stated_per_measured * found.tip_m)
-        verifier.measured_neglected = True
-        return judge.escalation(selection, found)
+            return coarser, None
+        verifier.interrupted = alike.solution.asked_to_stop
+        if alike.is_complete:
+            coarser, found = alike, judge.omission(alike, whole)
+    verifier.neglected_m = selection.stated(JUDGING.stated_per_measured * found.tip_m)
+    verifier.measured_neglected = True
+    more = judge.escalation(selection, found) if judge.is_too_much(found) else None
+    return coarser, None if verifier.interrupted else more

@@ -98,8 +98,8 @@ def test_unverified_says_so_and_costs_nothing() -> None:
 class Stubborn(Verifier):
     """A verifier whose errors never fall: what a scene without a limit would do."""
 
-    def verify(self, run):  # type: ignore[no-untyped-def]
-        run, parts = super().verify(run)
+    def verify(self, run, coarser=None):  # type: ignore[no-untyped-def]
+        run, parts = super().verify(run, coarser)
         assert parts is not None
         return run, replace(parts, space_m=2 * self.requested_m)
 

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from tests.scenes import leg
 from viscodesign import simulate
-from viscodesign.effects.select import select_effects
+from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.simulation import judged_effects
+from viscodesign.simulation import error_control, judged_effects
 from viscodesign.simulation.build_problem import suggest_settings
+from viscodesign.simulation.error_control import with_less_tolerance
 from viscodesign.simulation.judged_effects import JUDGING, EffectJudge
 from viscodesign.simulation.solve_once import Run, Workspace, solve, tip_difference
 
 SHORT = ("run={duration: 2 s, output_interval: 0.1 s}", "effects=auto", "bellows.count=8")
 
 
-def judged() -> tuple[SceneQuantities, Any, Run]:
+def judged() -> tuple[SceneQuantities, Selection, Run]:
     quantities = SceneQuantities(leg(*SHORT))
     selection = select_effects(quantities)
     assert selection.neglected
@@ -30,19 +32,27 @@ def settings_of(quantities: SceneQuantities) -> Any:
     return suggest_settings(quantities, select_effects(quantities).effects)
 
 
+def whole(judge: EffectJudge, selection: Selection, run: Run) -> Run:
+    found = judge.everything(selection, run.settings)
+    assert found is not None
+    return found
+
+
 def test_the_distance_is_that_to_a_solution_with_everything() -> None:
     quantities, selection, run = judged()
-    found = EffectJudge(quantities, None, Workspace()).omission(selection, run)
-    assert found is not None
+    judge = EffectJudge(quantities, None, Workspace())
+    found = judge.omission(run, whole(judge, selection, run))
     everything = solve(quantities, selection.members(selection.everything), run.settings)
     assert found.tip_m == tip_difference(run.motion, everything.motion) > 0.0
     assert found.time_s in run.motion.time
 
 
 def test_it_is_what_a_run_states() -> None:
+    """The solution with everything comes first, then a finer one with fewer effects."""
     quantities, selection, run = judged()
-    found = EffectJudge(quantities, None, Workspace()).omission(selection, run)
-    assert found is not None
+    judge = EffectJudge(quantities, None, Workspace())
+    finer = solve(quantities, selection.effects, with_less_tolerance(run.settings))
+    found = judge.omission(finer, whole(judge, selection, run))
     accuracy = simulate(leg(*SHORT)).accuracy
     assert accuracy.omitted_m == selection.stated(JUDGING.stated_per_measured * found.tip_m)
     assert "between two solutions, with and without them" in accuracy.method
@@ -58,12 +68,29 @@ def test_everything_is_solved_once_whatever_is_judged(monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(judged_effects, "solve", counted)
     judge = EffectJudge(quantities, None, Workspace())
-    whole = selection.grown(selection.everything, "to see")
-    assert whole is not None
-    assert judge.omission(whole, run) is None
+    grown = selection.grown(selection.everything, "to see")
+    assert grown is not None
+    assert judge.everything(grown, run.settings) is None
     assert solved == []
-    assert judge.omission(selection, run) == judge.omission(selection, run) is not None
+    assert whole(judge, selection, run) is whole(judge, selection, run)
     assert len(solved) == 1
+
+
+def test_a_chosen_set_costs_two_solutions_where_everything_would_cost_two(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    tolerances: list[float] = []
+
+    def counted(quantities: Any, effects: Any, settings: Any, *more: Any) -> Run:
+        tolerances.append(settings.tolerance)
+        return solve(quantities, effects, settings, *more)
+
+    for module in (judged_effects, error_control):
+        monkeypatch.setattr(module, "solve", counted)
+    found = simulate(leg(*SHORT))
+    assert not found.ladder
+    in_time = tolerances[: 1 + (found.accuracy.time_m is not None)]
+    assert in_time[1] == pytest.approx(in_time[0] / 10)
 
 
 def test_a_scene_that_cannot_be_solved_with_everything_is_estimated(
@@ -80,14 +107,28 @@ def test_a_scene_that_cannot_be_solved_with_everything_is_estimated(
     assert "between two estimates, with and without them" in found.accuracy.method
 
 
-def test_an_interrupt_meanwhile_keeps_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interrupt_before_its_first_step_raises(monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(*_: Any) -> Run:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(judged_effects, "solve", interrupted)
-    found = simulate(leg(*SHORT))
-    assert found.status == "interrupted"
-    assert found.time[-1] == 2.0
+    with pytest.raises(KeyboardInterrupt):
+        simulate(leg(*SHORT))
+
+
+def test_an_interrupt_on_the_way_keeps_what_was_solved_with_everything(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def stopped(*arguments: Any) -> Run:
+        found = solve(*arguments)
+        return replace(found, solution=replace(found.solution, asked_to_stop=True))
+
+    monkeypatch.setattr(judged_effects, "solve", stopped)
+    scene = leg(*SHORT)
+    found = simulate(scene)
+    assert found.status != "complete"
+    selection = select_effects(SceneQuantities(scene))
+    assert {v.name for v in found.effects if v.taken} == selection.everything
 
 
 def test_without_verification_nothing_is_judged(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -110,4 +151,5 @@ def test_what_does_too_much_is_added_one_by_one_and_then_all() -> None:
     last = judge.escalation(selection, far)
     assert last is not None
     assert last.selection.active == selection.everything
-    assert judge.escalation(selection, judged_effects.Omission(1e-9, 0.5)) is None
+    assert judge.is_too_much(far)
+    assert not judge.is_too_much(judged_effects.Omission(1e-9, 0.5))
