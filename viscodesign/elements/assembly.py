@@ -8,9 +8,9 @@ from functools import partial
 import casadi as ca
 import numpy as np
 
-from viscodesign._version import __version__
 from viscodesign.elements import kinds as kinds_module
 from viscodesign.elements.kinds import (
+    MAX_KINDS,
     Elements,
     pull_of,
     push_of,
@@ -20,12 +20,13 @@ from viscodesign.elements.kinds import (
 )
 from viscodesign.elements.local_form import LINEAR, LocalForm
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.native.code_cache import cached, written_by
+from viscodesign.native.code_cache import written_by
 from viscodesign.native.derivatives import Differentiable
-from viscodesign.native.kernels import LANES, CompiledKernels, compile_if_missing
+from viscodesign.native.kernels import LANES, CompiledKernels, Wanted, compile_if_missing
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly, ElementTable, SourceTable
 from viscodesign.storage.cached_property import cached_property
+from viscodesign.storage.lru_cache import LruCache
 
 FEWEST_IN_LANES = 3
 """Elements of a kind from which it pays to treat several at once."""
@@ -67,8 +68,10 @@ class CompiledForm:
 
     def __init__(self, form: LocalForm) -> None:
         self.form = form
+        self._code = _kernels([*form.kinds, *form.sources], _functions, 2)
+        kernels, of_sources = self._code[: len(form.kinds)], self._code[len(form.kinds) :]
         patterns = [
-            _places(kind, own) for kind, own in zip(form.kinds, _patterns(form.kinds), strict=True)
+            _places(kind, _pattern(code)) for kind, code in zip(form.kinds, kernels, strict=True)
         ]
         rows = np.concatenate([own[0].ravel() for own in patterns] or [np.zeros(0, np.int64)])
         columns = np.concatenate([own[1].ravel() for own in patterns] or [np.zeros(0, np.int64)])
@@ -82,90 +85,47 @@ class CompiledForm:
         entries = np.full(len(rows), len(self.rows))
         entries[own] = place
         entries[driven] = len(self.rows) + 1 + drive_place
-        self._code: list[CompiledKernels] = []
         ends = np.cumsum([own[0].size for own in patterns])
         split = np.split(entries, ends[:-1]) if patterns else []
         shaped = [e.reshape(own[0].shape) for e, own in zip(split, patterns, strict=True)]
-        self._tables = self._compiled(
-            form.kinds,
-            _of_element,
-            shaped,
-            size,
-            len(self.rows),
-        )
+        self._tables = self._tabulated(form.kinds, kernels, shaped, size, len(self.rows))
         drives = [np.array(kind.rows, dtype=np.int64) for kind in form.sources]
-        self._sources = self._compiled(
-            form.sources,
-            _of_source,
-            drives,
-            form.drives,
-            form.drives,
-        )
+        self._sources = self._tabulated(form.sources, of_sources, drives, form.drives, form.drives)
         self.lu = SparseLU(size, self.rows, self.columns, weak=form.balances.weak)
         self._blank = self._assembled()
 
     @cached_property
     def differentiable(self) -> Differentiable:
         """What derivatives of its marches need; their kernels are compiled when first asked for."""
-        derived = [
-            *self._addresses(self.form.kinds, _derived_of_element, 4, alone=True),
-            *self._addresses(self.form.sources, _derived_of_source, 4, alone=True),
-        ]
-        kernels = [address for own in derived if own is not None for address in own]
+        derived = _kernels([*self.form.kinds, *self.form.sources], _derived, 4)
+        self._code += derived
         return Differentiable(
             lu=self.lu,
             mass=self.form.balances.mass,
             rows=self.rows.astype(np.int32),
             columns=self.columns.astype(np.int32),
-            kernels=np.array(kernels, dtype=np.int64),
+            kernels=np.array([a for c in derived if c for a in _addresses(c)], dtype=np.int64),
         )
 
-    def _addresses(
+    def _tabulated(
         self,
         kinds: Sequence[Elements],
-        functions_of: Callable[[Elements], Sequence[ca.Function]],
-        count: int,
-        *,
-        alone: bool = False,
-    ) -> list[tuple[int, ...] | None]:
-        """Addresses of ``count`` kernels of every kind that is not linear.
-
-        ``alone``: every kind is compiled by itself, once for all structures that have it; kinds
-        compiled together are loaded faster.
-        """
-        lanes = _lanes(kinds)
-        addresses: list[tuple[int, ...] | None] = [None] * len(kinds)
-        called = [k for k, kind in enumerate(kinds) if kind.law != LINEAR or kind.is_source]
-        together = [[k for k in called if lanes[k] == width] for width in sorted(set(lanes))]
-        for chosen in [[k] for k in called] if alone else filter(None, together):
-            laws = (f"{kinds[k].law} {kinds[k].time}" for k in chosen)
-            key = (written_by(kinds_module), f"{count} kernels each", *laws)
-            make = partial(_functions, [kinds[k] for k in chosen], functions_of)
-            code = compile_if_missing(make, count * len(chosen), key, lanes[chosen[0]])
-            self._code.append(code)
-            for i, k in enumerate(chosen):
-                addresses[k] = tuple(code.address(count * i + j) for j in range(count))
-        return addresses
-
-    def _compiled(
-        self,
-        kinds: Sequence[Elements],
-        functions_of: Callable[[Elements], tuple[ca.Function, ca.Function]],
+        kernels: Sequence[CompiledKernels | None],
         entries: Sequence[np.ndarray],
         spare_row: int,
         spare_entry: int,
     ) -> list[KindTable]:
-        """Tables of some kinds, compiled together for each number of lanes."""
-        addresses = self._addresses(kinds, functions_of, 2)
+        """Tables of some kinds around their kernels."""
+        given = zip(kinds, kernels, entries, map(_lanes, kinds), strict=True)
         return [
             KindTable(
-                addresses[k],
+                None if code is None else _addresses(code),
                 _in_lanes(np.array(kind.variables), width).astype(np.int32),
                 _in_lanes(np.array(kind.numbers, dtype=np.int64), width),
                 _in_lanes(np.array(kind.rows), width, spare_row).astype(np.int32),
                 _in_lanes(own, width, spare_entry).astype(np.int32),
             )
-            for k, (kind, own, width) in enumerate(zip(kinds, entries, _lanes(kinds), strict=True))
+            for kind, code, own, width in given
         ]
 
     def _assembled(self) -> Assembly:
@@ -194,58 +154,66 @@ class CompiledForm:
         return np.concatenate([np.zeros(0, dtype=np.int64), *own])
 
 
-def _of_element(kind: Elements) -> tuple[ca.Function, ca.Function]:
-    return value_of(kind.law), slopes_of(kind.law).function
+def _kernels(
+    kinds: Sequence[Elements],
+    functions_of: Callable[[Elements], Sequence[ca.Function]],
+    count: int,
+) -> list[CompiledKernels | None]:
+    """``count`` kernels of every kind that is not linear, compiled once for all structures."""
+    called = [kind for kind in kinds if kind.law != LINEAR or kind.is_source]
+    writer = written_by(kinds_module)
+    wanted = [
+        Wanted(
+            (writer, f"{count} kernels each", f"{kind.law} {kind.is_source} {kind.time}"),
+            count,
+            _lanes(kind),
+            partial(functions_of, kind),
+            partial(_pattern_bytes, kind),
+        )
+        for kind in called
+    ]
+    found = compile_if_missing(wanted)
+    for kernels in found:
+        _recent.keep(id(kernels), kernels)
+    made = iter(found)
+    return [next(made) if kind.law != LINEAR or kind.is_source else None for kind in kinds]
 
 
-def _of_source(kind: Elements) -> tuple[ca.Function, ca.Function]:
-    return value_of(kind.law), rate_of(kind.law, kind.time)
+_recent: LruCache[CompiledKernels] = LruCache(MAX_KINDS)
+"""Those of other structures stay loaded for the next one."""
 
 
-def _derived_of_element(kind: Elements) -> tuple[ca.Function, ...]:
-    return _derived(*_of_element(kind))
+def _addresses(code: CompiledKernels) -> tuple[int, ...]:
+    return tuple(code.address(k) for k in range(len(code)))
 
 
-def _derived_of_source(kind: Elements) -> tuple[ca.Function, ...]:
-    return _derived(*_of_source(kind))
+def _functions(kind: Elements) -> tuple[ca.Function, ca.Function]:
+    """Values and slopes of an element, or values and rates of a source."""
+    second = rate_of(kind.law, kind.time) if kind.is_source else slopes_of(kind.law).function
+    return value_of(kind.law), second
 
 
-def _derived(value: ca.Function, second: ca.Function) -> tuple[ca.Function, ...]:
+def _derived(kind: Elements) -> tuple[ca.Function, ...]:
     """In the order of `Differentiable.kernels`."""
+    value, second = _functions(kind)
     return pull_of(value), pull_of(second), push_of(value), push_of(second)
 
 
-def _lanes(kinds: Sequence[Elements]) -> list[int]:
-    """How many elements of each kind are treated at once."""
-    return [LANES if len(kind.rows) >= FEWEST_IN_LANES else 1 for kind in kinds]
+def _lanes(kind: Elements) -> int:
+    """How many elements of a kind are treated at once."""
+    return LANES if len(kind.rows) >= FEWEST_IN_LANES else 1
 
 
-def _functions(
-    kinds: Sequence[Elements], functions_of: Callable[[Elements], Sequence[ca.Function]]
-) -> list[ca.Function]:
-    return [function for kind in kinds for function in functions_of(kind)]
+def _pattern_bytes(kind: Elements) -> bytes:
+    """Kept beside the kernels: finding it means to differentiate the law."""
+    return b"" if kind.is_source else slopes_of(kind.law).pattern.tobytes()
 
 
-def _patterns(kinds: Sequence[Elements]) -> list[np.ndarray]:
-    """Result and variable of every entry of the kinds' Jacobians, each (2, z).
-
-    Kept between processes: differentiating the laws for it takes longer than all the rest.
-    """
-
-    def make() -> bytes:
-        found = [slopes_of(kind.law).pattern for kind in kinds]
-        sizes = np.array([len(found), *(own.shape[1] for own in found)], dtype=np.int64)
-        return b"".join(own.tobytes() for own in (sizes, *found))
-
-    laws = (str(kind.law) for kind in kinds)
-    writer = __version__, written_by(kinds_module), ca.CasadiMeta.version()
-    stored = np.frombuffer(cached(("patterns", *writer, *laws), make), dtype=np.int64)
-    count = int(stored[0])
-    found, first = [], 1 + count
-    for size in stored[1 : 1 + count].tolist():
-        found.append(stored[first : first + 2 * size].reshape(2, -1))
-        first += 2 * size
-    return found
+def _pattern(code: CompiledKernels | None) -> np.ndarray:
+    """Result and variable of every entry of a kind's Jacobian (2, z)."""
+    if code is None:
+        return np.zeros((2, 1), dtype=np.int64)
+    return np.frombuffer(code.told, dtype=np.int64).reshape(2, -1)
 
 
 def _places(kind: Elements, pattern: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -8,8 +8,9 @@ from weakref import WeakValueDictionary
 import casadi as ca
 
 from viscodesign._version import __version__
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native import ir_operations, ir_writer
-from viscodesign.native.code_cache import cached, digest, written_by
+from viscodesign.native.code_cache import digest, keep, kept, written_by
 from viscodesign.native.ir_writer import module_ir
 from viscodesign.native.machine import Loaded, load, object_code, this_machine
 from viscodesign.storage.lru_cache import ONE_AT_A_TIME
@@ -27,9 +28,11 @@ long and saves a tenth of a step: what 80,000 steps take.
 class CompiledKernels:
     """Machine code of some functions; it stays loaded as long as this object lives."""
 
-    def __init__(self, loaded: Loaded, names: Sequence[str]) -> None:
+    def __init__(self, loaded: Loaded, names: Sequence[str], told: bytes = b"") -> None:
         self._loaded = loaded
         self._names = tuple(names)
+        self.told = told
+        """What its maker told of the functions."""
 
     def __len__(self) -> int:
         return len(self._names)
@@ -40,6 +43,20 @@ class CompiledKernels:
         Arrays are laid out (entry, lane), and may begin at any multiple of 8 bytes.
         """
         return self._loaded[self._names[k]]
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """Kernels that are compiled and kept together, such as those of one law."""
+
+    key: tuple[str, ...]
+    """Tells them apart from all others."""
+    count: int
+    lanes: int
+    make: Callable[[], Sequence[ca.Function]]
+    """The functions; called only if there is no code for the key."""
+    tell: Callable[[], bytes] = bytes
+    """What is kept beside the code."""
 
 
 _LOADED: WeakValueDictionary[str, CompiledKernels] = WeakValueDictionary()
@@ -53,34 +70,55 @@ def compile_kernels(functions: Sequence[ca.Function], key: str, lanes: int) -> C
     Raises `NativeUnavailable`.
     """
     formulas = [function.serialize() for function in functions]
-    return compile_if_missing(lambda: functions, len(functions), (key, *formulas), lanes)
+    wanted = Wanted((key, *formulas), len(functions), lanes, lambda: functions)
+    return compile_if_missing([wanted])[0]
 
 
-def compile_if_missing(
-    make: Callable[[], Sequence[ca.Function]], count: int, key: tuple[str, ...], lanes: int
-) -> CompiledKernels:
-    """The same for ``count`` functions that are made only if there is no code for ``key``.
+def compile_if_missing(wanted: Sequence[Wanted]) -> list[CompiledKernels]:
+    """The same for many: each compiled by itself, and all that are not in memory loaded at once.
 
-    The key tells them apart from all others. Raises `NativeUnavailable`.
+    Raises `NativeUnavailable`.
     """
+    names = [digest((*own.key, *_setting(own.lanes))) for own in wanted]
+    with ONE_AT_A_TIME:
+        found = {name: kernels for name in names if (kernels := _LOADED.get(name))}
+        missing = {n: own for n, own in zip(names, wanted, strict=True) if n not in found}
+        if missing:
+            found |= _loaded(missing)
+        _LOADED.update(found)
+    return [found[name] for name in names]
+
+
+def _loaded(missing: dict[str, Wanted]) -> dict[str, CompiledKernels]:
+    """Load kernels by their digests."""
+    codes, told, symbols = [], {}, {}
+    for name, own in missing.items():
+        symbols[name] = [f"kernel{k}_{name}" for k in range(own.count)]
+        content = kept((name,))
+        if content is None:
+            content = _compiled(own, symbols[name])
+            keep((name,), content)
+        end = HEAD + int.from_bytes(content[:HEAD], "little")
+        told[name] = content[HEAD:end]
+        codes.append(content[end:])
+    loaded = load(codes, [symbol for own in symbols.values() for symbol in own])
+    return {name: CompiledKernels(loaded, symbols[name], told[name]) for name in missing}
+
+
+HEAD = 8
+"""Bytes before what is told and the code: the length of what is told."""
+
+
+def _compiled(wanted: Wanted, names: Sequence[str]) -> bytes:
+    """What is kept of them."""
+    told = wanted.tell()
+    ir = module_ir(wanted.make(), names, wanted.lanes, this_machine().vector_math)
+    code = object_code(ir, optimise=OPTIMISE, generate=GENERATE)
+    return len(told).to_bytes(HEAD, "little") + told + code
+
+
+def _setting(lanes: int) -> tuple[str, ...]:
+    """What code depends on besides its formulas."""
     settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}, casadi {ca.CasadiMeta.version()}"
     writer = written_by(ir_operations, ir_writer)
-    parts = (*key, __version__, writer, str(this_machine()), settings)
-    name = digest(parts)
-    with ONE_AT_A_TIME:
-        kernels = _LOADED.get(name)
-        if kernels is None:
-            kernels = _LOADED[name] = _compiled(make, count, parts, lanes)
-    return kernels
-
-
-def _compiled(
-    make: Callable[[], Sequence[ca.Function]], count: int, parts: tuple[str, ...], lanes: int
-) -> CompiledKernels:
-    names = [f"kernel{k}" for k in range(count)]
-
-    def code() -> bytes:
-        ir = module_ir(make(), names, lanes, this_machine().vector_math)
-        return object_code(ir, optimise=OPTIMISE, generate=GENERATE)
-
-    return CompiledKernels(load(cached(parts, code), names), names)
+    return __version__, writer, str(this_machine()), settings

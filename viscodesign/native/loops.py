@@ -116,7 +116,7 @@ class NativeLoops(Loops):
         settings = f"loops, levels {OPTIMISE} {GENERATE}, not unrolled"
         parts = (settings, __version__, str(this_machine()), ir)
         code = cached(parts, lambda: object_code(ir, optimise=OPTIMISE, generate=GENERATE))
-        self._loaded = load(code, list(SIGNATURES))
+        self._loaded = load([code], list(SIGNATURES))
         self._calls = {name: self._foreign(name) for name in SIGNATURES}
 
     def _foreign(self, name: str) -> Callable[..., int]:

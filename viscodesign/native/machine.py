@@ -85,7 +85,7 @@ def object_code(ir: str, *, optimise: int, generate: int) -> bytes:
     this_machine()
     with _refusals_as_unavailable(), _LOCK:
         llvm = _binding()
-        target = _target_machine(generate)
+        target = _code_generator(generate)
         module = llvm.parse_assembly(ir)
         module.triple = llvm.get_process_triple()
         module.data_layout = str(target.target_data)
@@ -100,13 +100,19 @@ def object_code(ir: str, *, optimise: int, generate: int) -> bytes:
         return bytes(target.emit_object(module))
 
 
-def load(code: bytes, names: Sequence[str]) -> Loaded:
-    """Load object code that defines functions of these names. Raises `NativeUnavailable`."""
+def load(codes: Sequence[bytes], names: Sequence[str]) -> Loaded:
+    """Load pieces of object code that define functions of these names, different ones each.
+
+    One piece more costs a tenth of loading it alone. Raises `NativeUnavailable`.
+    """
     this_machine()
     with _refusals_as_unavailable(), _LOCK:
         llvm = _binding()
         jit = llvm.create_lljit_compiler(_target_machine(2))
-        builder = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
+        builder = llvm.JITLibraryBuilder()
+        for code in codes:
+            builder.add_object_img(code)
+        builder.add_current_process()
         for name in names:
             builder.export_symbol(name)
         library = builder.link(jit, "viscodesign")
@@ -120,6 +126,12 @@ def _binding() -> Any:
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     return llvm
+
+
+@cache
+def _code_generator(level: int) -> Any:
+    """One for all modules: making one takes as long as compiling a small kernel."""
+    return _target_machine(level)
 
 
 def _target_machine(level: int) -> Any:

@@ -15,7 +15,12 @@ import numpy as np
 import pytest
 
 from viscodesign.native import code_cache, kernels, machine
-from viscodesign.native.kernels import CompiledKernels, compile_kernels
+from viscodesign.native.kernels import (
+    CompiledKernels,
+    Wanted,
+    compile_if_missing,
+    compile_kernels,
+)
 from viscodesign.native.unavailable import NativeUnavailable
 
 
@@ -47,11 +52,16 @@ def tripled(factor: float = 3.0) -> ca.Function:
 def use(factor: float = 3.0, key: str = "") -> CompiledKernels:
     """Compile or load a kernel, and check what it gives."""
     found = compile_kernels([tripled(factor)], key, 1)
-    x, out = np.array([5.0]), np.zeros(1)
+    assert value(found, 5.0) == factor * 5
+    return found
+
+
+def value(found: CompiledKernels, at: float) -> float:
+    """What the first of some kernels gives."""
+    x, out = np.array([at]), np.zeros(1)
     call = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 3)(found.address(0))
     call(x.ctypes.data, x.ctypes.data, out.ctypes.data)
-    assert out[0] == factor * 5
-    return found
+    return float(out[0])
 
 
 def only_file(folder: Path) -> Path:
@@ -69,6 +79,28 @@ def test_the_second_time_it_is_loaded(folder: Path, made: list[int]) -> None:
 def test_in_one_process_it_is_loaded_once(folder: Path) -> None:
     first = use()
     assert use() is first
+
+
+def test_of_many_only_new_ones_are_compiled_and_all_are_loaded_at_once(
+    folder: Path, made: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pieces: list[int] = []
+
+    def counted(codes: list[bytes], names: list[str]) -> machine.Loaded:
+        pieces.append(len(codes))
+        return machine.load(codes, names)
+
+    def wanted(factor: float) -> Wanted:
+        return Wanted((str(factor),), 1, 1, lambda: [tripled(factor)], str(factor).encode)
+
+    monkeypatch.setattr(kernels, "load", counted)
+    compile_if_missing([wanted(factor) for factor in (1.0, 2.0)])
+    assert (len(made), pieces) == (2, [2])
+    found = compile_if_missing([wanted(factor) for factor in (1.0, 2.0, 3.0, 1.0)])
+    assert (len(made), pieces) == (3, [2, 3])
+    assert [own.told for own in found] == [b"1.0", b"2.0", b"3.0", b"1.0"]
+    assert [value(own, 5.0) for own in found] == [5.0, 10.0, 15.0, 5.0]
+    assert len(list(folder.iterdir())) == 3
 
 
 def test_another_formula_key_version_or_machine_is_another_file(
@@ -266,6 +298,6 @@ def test_a_missing_symbol_is_unavailable() -> None:
         "  %y = call double @no_such_function(double %x)\n  ret double %y\n}\n"
     )
     with pytest.raises(NativeUnavailable):
-        machine.load(machine.object_code(ir, optimise=0, generate=1), ["f"])
+        machine.load([machine.object_code(ir, optimise=0, generate=1)], ["f"])
     with pytest.raises(NativeUnavailable, match="parsing"):
         machine.object_code("nonsense", optimise=0, generate=1)

@@ -8,7 +8,7 @@ from threading import Event
 
 import casadi as ca
 
-from viscodesign.native.kernels import LANES, CompiledKernels, compile_if_missing
+from viscodesign.native.kernels import LANES, CompiledKernels, Wanted, compile_if_missing
 from viscodesign.storage.lru_cache import LruCache
 
 formulas: LruCache[ca.Function] = LruCache(4)
@@ -29,7 +29,7 @@ def test_formulas_that_wait_for_kernels_and_kernels_that_wait_for_formulas() -> 
             other_began.set()
             return [formulas.get(exponent, lambda: power(exponent))]
 
-        return compile_if_missing(make, 1, ("powers", str(exponent)), LANES)
+        return compile_if_missing([Wanted(("powers", str(exponent)), 1, LANES, make)])[0]
 
     def formula_first() -> int:
         def make() -> ca.Function:
