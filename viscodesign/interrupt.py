@@ -7,9 +7,12 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType
+from typing import Any
 
 from viscodesign.lazy_dataclass import dataclass
 
+Handler = Callable[[int, FrameType | None], Any] | int
+"""A function of the signal's number and the frame, or one of `signal.SIG_DFL`, `SIG_IGN`."""
 STOP_SIGNALS = [
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if name in dir(signal)
 ]
@@ -44,34 +47,81 @@ class StopRequest:
         self.ask(signal.Signals(number).name)
 
 
-_open: list[StopRequest] = []
-"""Those of the main thread that listen to Ctrl-C, innermost last."""
+@dataclass
+class _Listeners:
+    """Those of the main thread that listen to Ctrl-C, innermost last."""
+
+    requests: list[StopRequest]
+    second: Handler
+    """What becomes of a second Ctrl-C, while the work is being stopped."""
+
+
+_open = _Listeners([], signal.SIG_DFL)
 
 
 @contextmanager
-def gentle_interrupt() -> Iterator[StopRequest]:
+def gentle_interrupt(*, second_raises: bool = False) -> Iterator[StopRequest]:
     """Note Ctrl-C instead of raising it; a second one ends the process at once.
 
     An exception raised while the integrator calls back is taken there for a failed
     step, which is tried again: the request would be lost. Only the main thread may
-    handle signals; in any other, nothing changes. Enclosing listeners are told, too.
+    handle signals; in any other, nothing changes. Enclosing listeners are told, too, and what
+    they were told before, those within know. With ``second_raises`` a second one goes where it
+    went before, which in Python raises: that a notebook asks twice ends no kernel.
     """
+    before = _handler_of(signal.SIGINT)
     request = StopRequest()
-
-    def note_once(number: int, frame: FrameType | None) -> None:
-        for listener in _open:
-            listener.note(number, frame)
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-    with _handled([signal.SIGINT], note_once) as handled:
-        if not handled:
-            yield request
-            return
-        _open.append(request)
+    if before is None:
+        yield request
+        return
+    if not _open.requests:
+        _open.second = before if second_raises else signal.SIG_DFL
+    elif _open.requests[-1].asked:
+        request.ask(_open.requests[-1].first)
+    with _handled([signal.SIGINT], _note_interrupt if not request.asked else _open.second):
+        _open.requests.append(request)
         try:
             yield request
         finally:
-            _open.pop()
+            _open.requests.pop()
+    if _open.requests and _open.requests[-1].asked:
+        signal.signal(signal.SIGINT, _open.second)
+
+
+def _note_interrupt(number: int, frame: FrameType | None) -> None:
+    """Signal handler: tell all who listen, and do nothing else."""
+    for listener in _open.requests:
+        listener.note(number, frame)
+    signal.signal(signal.SIGINT, _open.second)
+
+
+@contextmanager
+def ended_like_interrupts() -> Iterator[None]:
+    """Take a termination, or a terminal that was closed, as a Ctrl-C: what was computed is kept.
+
+    The first one alone: a shell may send the same again. What the process ignores (`nohup`) it
+    goes on ignoring.
+    """
+    numbers = [n for n in STOP_SIGNALS if n != signal.SIGINT and _handler_of(n) is not None]
+
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        for each in numbers:
+            signal.signal(each, signal.SIG_IGN)
+        if not _open.requests:
+            raise KeyboardInterrupt
+        _note_interrupt(number, frame)
+
+    with _handled(numbers, interrupt):
+        yield
+
+
+def _handler_of(number: int) -> Handler | None:
+    """What handles a signal; None where that is not ours to change: in other threads, where it is
+    ignored, or handled outside of Python."""
+    if threading.current_thread() is not threading.main_thread():
+        return None
+    handler = signal.getsignal(number)
+    return None if handler is signal.SIG_IGN else handler
 
 
 @contextmanager
@@ -86,16 +136,14 @@ def stop_on_signals(request: StopRequest | None = None) -> Iterator[StopRequest]
 
 
 @contextmanager
-def _handled(
-    numbers: Sequence[int], handler: Callable[[int, FrameType | None], None]
-) -> Iterator[bool]:
-    """Signals go to the handler, in the main thread alone; whether they do."""
+def _handled(numbers: Sequence[int], handler: Handler) -> Iterator[None]:
+    """Signals go to the handler, in the main thread alone."""
     if threading.current_thread() is not threading.main_thread():
-        yield False
+        yield
         return
     before = {number: signal.signal(number, handler) for number in numbers}
     try:
-        yield True
+        yield
     finally:
         for number, old in before.items():
             signal.signal(number, old)

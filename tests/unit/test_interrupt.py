@@ -46,7 +46,8 @@ sys.exit(main())
 """
 
 
-def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_long_run_stops_and_keeps_what_it_has(number: int, tmp_path: Path) -> None:
     spec, folder = CONFIGS / "workspace_middle.yaml", tmp_path / "run"
     words = ["simulate", str(spec), "-o", str(folder), "--no-plots"]
     words += ["--set", "run.duration=4000 s", "--set", "run.output_interval=1 s"]
@@ -58,7 +59,7 @@ def test_a_long_run_stops_and_keeps_what_it_has(tmp_path: Path) -> None:
     )
     assert process.stdout is not None
     assert process.stdout.readline() == "listening\n"
-    process.send_signal(signal.SIGINT)
+    process.send_signal(number)
     out, err = process.communicate(timeout=60)
     assert process.returncode == 130
     assert "interrupted" in err

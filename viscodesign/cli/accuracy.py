@@ -7,7 +7,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Force, Json, NoPlots, Overrides, Quiet, RunFolder, Spec
+from viscodesign.cli.options import (
+    Debug,
+    Force,
+    Json,
+    NoPlots,
+    Overrides,
+    PictureFormat,
+    Quiet,
+    RunFolder,
+    Spec,
+)
 from viscodesign.cli.simulate import folder_name
 from viscodesign.errors import InterruptedRunError, UsageError
 
@@ -37,6 +47,7 @@ def command(
         str, typer.Option("--limit", metavar="TIME", help="Time limit of the whole study.")
     ] = "60 s",
     no_plots: NoPlots = False,
+    picture_format: PictureFormat = "png",
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -46,8 +57,8 @@ def command(
 
     Solves a spec with every form of the model that it allows, with meshes, tolerances and
     solvers from coarse to fine, and compares each with a converged reference. Writes
-    accuracy.csv, accuracy.json and accuracy.png; a run's files in the same folder stay.
-    An interrupted study keeps what it measured.
+    accuracy.csv, accuracy.json and accuracy.png; a run's files in the same folder stay. An
+    interrupted study keeps what it measured.
     """
     budget_s = None if budget is None else _time("--budget", budget)
     limit_s = _time("--limit", limit)
@@ -63,7 +74,14 @@ def command(
     prepare_folder(folder, force=force)
     with progress(quiet, first="measuring") as advance:
         study = accuracy(scene, limit=limit_s, progress=advance)
-    files = write_study(study, folder, budget_s=budget_s, plots=not no_plots, force=force)
+    files = write_study(
+        study,
+        folder,
+        budget_s=budget_s,
+        plots=not no_plots,
+        force=force,
+        picture_format=picture_format,
+    )
     if json:
         document = study.document(budget_s)
         say(json_text({**document, "files": [str(file) for file in files]}))

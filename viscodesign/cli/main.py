@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import gc
 import os
 import sys
@@ -11,9 +12,11 @@ from collections.abc import Sequence
 
 from viscodesign.cli.output import ReaderGoneError, abandon_stdout, complain
 from viscodesign.errors import ViscodesignError
+from viscodesign.interrupt import ended_like_interrupts
 
 INTERNAL_ERROR = 1
 INTERRUPTED = 130
+OUTPUT_ERRORS = (errno.ENOSPC, errno.EIO, errno.EBADF)
 COLLECTED_AFTER = 500_000
 """Objects after which Python looks for cycles: what imports and a spec make stays anyway, and
 looking through it again and again takes a tenth of a short command."""
@@ -29,7 +32,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     gc.set_threshold(COLLECTED_AFTER)
     for variable, setting in ENVIRONMENT.items():
         os.environ.setdefault(variable, setting)  # before either is imported
-    status = _answer(sys.argv[1:])
+    with ended_like_interrupts():
+        status = _answer(sys.argv[1:])
     gc.freeze()  # or Python would look for cycles among everything once more before it ends
     return status
 
@@ -47,6 +51,12 @@ def _answer(words: list[str]) -> int:
         return _report("interrupted", INTERRUPTED, debug)
     except ViscodesignError as error:
         return _report(str(error), error.exit_code, debug)
+    except OSError as error:
+        if error.filename is None and error.errno in OUTPUT_ERRORS:
+            # typer's own texts, such as `--help`, onto a full disk or a terminal that was closed
+            abandon_stdout()
+            return _report(f"standard output: {error.strerror}", INTERNAL_ERROR, debug)
+        return _report(_internal(error, debug), INTERNAL_ERROR, debug)
     except Exception as error:
         return _report(_internal(error, debug), INTERNAL_ERROR, debug)
     if status == INTERRUPTED:

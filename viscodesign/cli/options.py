@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -30,6 +30,9 @@ RunFolder = Annotated[
     typer.Option("--output", "-o", metavar="DIR", help="Output folder; runs/<name> by default."),
 ]
 NoPlots = Annotated[bool, typer.Option("--no-plots", help="Skip the pictures.")]
+PictureFormat = Annotated[
+    Literal["png", "pdf", "svg"], typer.Option("--format", help="Format of the pictures.")
+]
 Force = Annotated[bool, typer.Option("--force", help="Write even if the folder holds other files.")]
 Quiet = Annotated[
     bool, typer.Option("--quiet", "-q", help="Print errors only (and the JSON document).")

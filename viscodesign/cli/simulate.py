@@ -4,12 +4,23 @@ from __future__ import annotations
 
 import re
 import time as clock
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Force, Json, NoPlots, Overrides, Quiet, RunFolder, Spec
+from viscodesign.cli.options import (
+    Debug,
+    Force,
+    Json,
+    NoPlots,
+    Overrides,
+    PictureFormat,
+    Quiet,
+    RunFolder,
+    Spec,
+)
 from viscodesign.errors import InterruptedRunError, ViscodesignError
 
 if TYPE_CHECKING:
@@ -43,6 +54,7 @@ def command(
         bool, typer.Option("--no-verify", help="Skip the estimate of the tip error.")
     ] = False,
     no_plots: NoPlots = False,
+    picture_format: PictureFormat = "png",
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -60,22 +72,31 @@ def command(
     from viscodesign.cli.progress import progress
     from viscodesign.cli.texts.ablation_text import ablation_lines
     from viscodesign.cli.texts.run_text import summary_lines
+    from viscodesign.interrupt import gentle_interrupt
     from viscodesign.report.folder import prepare_folder
-    from viscodesign.report.layout.undocumented import import_undocumented
     from viscodesign.report.run_folder import write_timed
 
     scene = load(spec, overrides or ())
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
     prepare_folder(folder, force=force)
     load_s = clock.perf_counter() - context.obj
-    with progress(quiet, "verifying and measuring effects" if prove else "verifying") as advance:
-        trajectory = solve(
-            scene, verify=not no_verify, prove=prove, progress=advance, scratch=folder
+    later = "verifying and measuring effects" if prove else "verifying"
+    with gentle_interrupt() as interrupt, progress(quiet, later) as advance:
+        trajectory = _kept(
+            lambda: solve(
+                scene, verify=not no_verify, prove=prove, progress=advance, scratch=folder
+            )
         )
     if not no_plots:
+        from viscodesign.report.layout.undocumented import import_undocumented
+
         import_undocumented()
     written = write_timed(
-        trajectory.with_time(load_s=load_s), folder, plots=not no_plots, force=force
+        trajectory.with_time(load_s=load_s),
+        folder,
+        plots=not no_plots,
+        force=force,
+        picture_format=picture_format,
     )
     trajectory, files = written.trajectory, written.files
     if json:
@@ -84,7 +105,7 @@ def command(
     elif not quiet:
         measured = ["", *ablation_lines(trajectory)] if prove else []
         say("\n".join([*summary_lines(trajectory, folder, files), *measured]))
-    _end(trajectory, folder)
+    _end(trajectory, folder, interrupted=interrupt.asked)
 
 
 def folder_name(name: str) -> str:
@@ -103,11 +124,23 @@ def _warn(trajectory: Trajectory, quiet: bool) -> None:
         complain("\n".join(found))
 
 
-def _end(trajectory: Trajectory, folder: Path) -> None:
+def _kept(solve: Callable[[], Trajectory]) -> Trajectory:
+    """A run, or as much of it as there was before an interrupt."""
+    from viscodesign.results.trajectory import RunInterruptedError
+
+    try:
+        return solve()
+    except RunInterruptedError as stopped:
+        if stopped.trajectory is None:
+            raise
+        return stopped.trajectory
+
+
+def _end(trajectory: Trajectory, folder: Path, *, interrupted: bool) -> None:
     """Report an incomplete run as an error, after its files are written."""
     kept = f"partial results are in {folder}"
     message = trajectory.failure or f"{trajectory.name}: the run is {trajectory.status}"
     if trajectory.status == "failed":
         raise RunFailedError(f"{message}\n{kept}")
-    if trajectory.status == "interrupted":
+    if interrupted or trajectory.status == "interrupted":
         raise InterruptedRunError(f"{message}\n{kept}")

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from viscodesign.report.csv_text import csv_table
-from viscodesign.report.folder import STUDY_FILES
+from viscodesign.report.folder import STUDY_FILES, Format
 from viscodesign.results.accuracy_points import POINT_COLUMNS
 from viscodesign.results.accuracy_study import AccuracyStudy
 
@@ -18,6 +18,7 @@ def write_study(
     budget_s: float | None = None,
     plots: bool = True,
     force: bool = False,
+    picture_format: Format = "png",
 ) -> list[Path]:
     """Write a study's files and return them; see `FileSet.write`."""
 
@@ -29,7 +30,9 @@ def write_study(
 
     drawer = draw if plots and study.points else None
     document = study.document(budget_s)
-    return STUDY_FILES.write(directory, points_csv(study), document, drawer, force=force)
+    return STUDY_FILES.write(
+        directory, points_csv(study), document, drawer, force=force, picture_format=picture_format
+    )
 
 
 def points_csv(study: AccuracyStudy) -> bytes:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args
 
 from viscodesign.errors import UsageError
 from viscodesign.lazy_dataclass import dataclass
@@ -17,6 +17,19 @@ from viscodesign.storage.atomic_files import (
 )
 
 PROBE = ".write-test"
+Format = Literal["png", "pdf", "svg"]
+"""Formats of the pictures."""
+FORMATS: tuple[Format, ...] = get_args(Format)
+
+
+def picture_name(name: str, picture_format: Format) -> str:
+    """The name of a picture in another format."""
+    return str(Path(name).with_suffix(f".{picture_format}"))
+
+
+def in_every_format(pictures: Iterable[str]) -> list[str]:
+    """Names of pictures in all formats."""
+    return [picture_name(name, each) for name in pictures for each in FORMATS]
 
 
 @dataclass(frozen=True)
@@ -28,9 +41,9 @@ class FileSet:
     picture: str
 
     @property
-    def names(self) -> tuple[str, str, str]:
-        """Of all its files."""
-        return self.table, self.document, self.picture
+    def names(self) -> tuple[str, ...]:
+        """Of all its files, pictures in every format."""
+        return self.table, self.document, *in_every_format([self.picture])
 
     def write(
         self,
@@ -40,6 +53,7 @@ class FileSet:
         draw: Callable[[Path], None] | None,
         *,
         force: bool = False,
+        picture_format: Format = "png",
     ) -> list[Path]:
         """Write the files and return them; those of an earlier set are replaced.
 
@@ -50,10 +64,11 @@ class FileSet:
         """
         folder = prepare_folder(directory, force=force)
         contents = {folder / self.table: [table], folder / self.document: [json_bytes(document)]}
-        picture = folder / self.picture
-        write_all(contents, first=lambda: remove_files([picture]))
+        old = [folder / name for name in in_every_format([self.picture])]
+        write_all(contents, first=lambda: remove_files(old))
         if draw is None:
             return list(contents)
+        picture = folder / picture_name(self.picture, picture_format)
         draw(picture)
         return [*contents, picture]
 
@@ -67,8 +82,7 @@ STUDY_FILES = FileSet("accuracy.csv", "accuracy.json", "accuracy.png")
 PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
 OUR_FILES = {
     *RUN_TABLES,
-    *RUN_PICTURES,
-    EFFECTS_PICTURE,
+    *in_every_format([*RUN_PICTURES, EFFECTS_PICTURE]),
     SUMMARY,
     *STUDY_FILES.names,
     *PLAN_FILES.names,

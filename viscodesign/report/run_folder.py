@@ -6,7 +6,7 @@ import time as clock
 from collections.abc import Iterator
 from pathlib import Path
 
-from viscodesign.interrupt import gentle_interrupt
+from viscodesign.interrupt import StopRequest, gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
@@ -14,7 +14,10 @@ from viscodesign.report.folder import (
     RUN_PICTURES,
     RUN_TABLES,
     SUMMARY,
+    Format,
+    in_every_format,
     json_bytes,
+    picture_name,
     prepare_folder,
     remove_files,
     text_bytes,
@@ -34,20 +37,33 @@ class WrittenRun:
 
 
 def write_run(
-    trajectory: Trajectory, directory: str | Path, *, plots: bool = True, force: bool = False
+    trajectory: Trajectory,
+    directory: str | Path,
+    *,
+    plots: bool = True,
+    force: bool = False,
+    picture_format: Format = "png",
 ) -> list[Path]:
     """Write a run's files and return them, as `write_timed` does."""
-    return write_timed(trajectory, directory, plots=plots, force=force).files
+    return write_timed(
+        trajectory, directory, plots=plots, force=force, picture_format=picture_format
+    ).files
 
 
 def write_timed(
-    trajectory: Trajectory, directory: str | Path, *, plots: bool = True, force: bool = False
+    trajectory: Trajectory,
+    directory: str | Path,
+    *,
+    plots: bool = True,
+    force: bool = False,
+    picture_format: Format = "png",
 ) -> WrittenRun:
     """Write a run's files, and how long that took; an earlier run's are replaced or removed.
 
     Tables come first, all or none, so that a failing picture cannot lose them; the summary
-    comes last: a folder that holds one is complete. Raises `UsageError` where the folder
-    cannot be written, or (without ``force``) holds files that are not ours.
+    comes last: a folder that holds one is complete. An interrupt leaves out pictures that are
+    not yet begun, and raises `KeyboardInterrupt` when all else is written. Raises `UsageError`
+    where the folder cannot be written, or (without ``force``) holds files that are not ours.
     """
     began = clock.perf_counter()
     folder = prepare_folder(directory, force=force)
@@ -58,20 +74,24 @@ def write_timed(
     )
     tables = [folder / name for name in RUN_TABLES]
     summary = folder / SUMMARY
-    old = [summary, *(folder / name for name in (*RUN_PICTURES, EFFECTS_PICTURE))]
+    old = [summary, *(folder / name for name in in_every_format([*RUN_PICTURES, EFFECTS_PICTURE]))]
+    # A run that took long to solve may take a while to write: it is not lost for an interrupt.
     with gentle_interrupt() as interrupt:
         write_all(dict(zip(tables, contents, strict=True)), first=lambda: remove_files(old))
+        pictures = list(_draw(trajectory, folder, picture_format, interrupt)) if plots else []
+        told = trajectory.with_time(write_s=clock.perf_counter() - began)
+        write_bytes(summary, json_bytes(told.summary()))
     if interrupt.asked:
-        # A run that took long to solve may take a while to write: it is not lost for that.
         raise KeyboardInterrupt
-    pictures = _draw(trajectory, folder) if plots else []
-    told = trajectory.with_time(write_s=clock.perf_counter() - began)
-    write_bytes(summary, json_bytes(told.summary()))
     return WrittenRun([*tables, *pictures, summary], told)
 
 
-def _draw(trajectory: Trajectory, folder: Path) -> list[Path]:
-    """Draw the pictures of a run; returns the files, in order."""
+def _draw(
+    trajectory: Trajectory, folder: Path, picture_format: Format, interrupt: StopRequest
+) -> Iterator[Path]:
+    """Draw the pictures of a run one by one, until an interrupt; yields the files, in order."""
+    if interrupt.asked:
+        return
     # Drawing is slow to import, and a run without pictures does not need it.
     from viscodesign.report.charts.effects import draw_effects
     from viscodesign.report.charts.pressures import draw_pressures
@@ -82,8 +102,11 @@ def _draw(trajectory: Trajectory, folder: Path) -> list[Path]:
     if trajectory.proof:
         drawers[EFFECTS_PICTURE] = draw_effects
     for name, draw in drawers.items():
-        draw(trajectory, folder / name)
-    return [folder / name for name in drawers]
+        if interrupt.asked:
+            return
+        file = folder / picture_name(name, picture_format)
+        draw(trajectory, file)
+        yield file
 
 
 def trajectory_lines(trajectory: Trajectory) -> Iterator[bytes]:

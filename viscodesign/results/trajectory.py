@@ -236,3 +236,11 @@ class Trajectory(MotionArrays):
 
         names, values = shape_columns(self)
         return pd.DataFrame(values, columns=names)
+
+
+class RunInterruptedError(KeyboardInterrupt):
+    """Ctrl-C ended a run; ``trajectory`` is what it came to, None before its first step."""
+
+    def __init__(self, trajectory: Trajectory | None) -> None:
+        self.trajectory = trajectory
+        super().__init__("interrupted" if trajectory is None else trajectory.failure or "")

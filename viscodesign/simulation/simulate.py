@@ -9,9 +9,10 @@ from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.interrupt import gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import EffectAblation, RetryAttempt
-from viscodesign.results.trajectory import Trajectory
+from viscodesign.results.trajectory import RunInterruptedError, Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.assemble import cost_of, trajectory_of, uncertain_flows
 from viscodesign.simulation.build_problem import suggest_settings
@@ -46,12 +47,32 @@ def simulate(
     accuracy. ``progress`` is called with the fraction done. ``scratch`` is a folder for the
     arrays of a long run, by default that of the system; nothing remains there.
 
-    A failure or an interrupt on the way raises nothing: the trajectory ends there, and says so.
-    Only an interrupt before the first step raises `KeyboardInterrupt`.
+    A failure on the way raises nothing: the trajectory ends there, and says so. Ctrl-C raises
+    `RunInterruptedError`, a `KeyboardInterrupt` that holds the trajectory as far as it came; a
+    second one while it is being read raises at once.
 
     Raises `SpecError` for a scene without a bounded solution, `SolveError` where not even an
     initial equilibrium exists.
     """
+    with gentle_interrupt(second_raises=True) as interrupt:
+        try:
+            trajectory = _simulated(scene, verify, prove, tolerance, progress, scratch)
+        except KeyboardInterrupt:  # before the first step
+            raise RunInterruptedError(None) from None
+    if interrupt.asked or trajectory.status == "interrupted":
+        raise RunInterruptedError(trajectory)
+    return trajectory
+
+
+def _simulated(
+    scene: Scene,
+    verify: bool,
+    prove: bool,
+    tolerance: float | None,
+    progress: Progress | None,
+    scratch: Path | None,
+) -> Trajectory:
+    """The trajectory, as far as it came before an interrupt."""
     watch = Stopwatch()
     with watch("choose"):
         quantities, workspace = SceneQuantities(scene), Workspace(ArrayStore(scratch), _PROBLEMS)

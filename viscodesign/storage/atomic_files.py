@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import fcntl
 import os
 import re
 import tempfile
@@ -17,6 +16,7 @@ from pathlib import Path
 from typing import IO
 
 from viscodesign.errors import UsageError
+from viscodesign.storage import file_locks
 
 TEMPORARY_SUFFIX = r"\.[a-z0-9_]{8}"
 """How the names of temporary files end."""
@@ -46,8 +46,10 @@ def replaced(path: Path) -> Iterator[IO[bytes]]:
             with os.fdopen(handle, "wb") as file:
                 yield file
                 file.flush()
-                # Still locked, so that nobody takes it for a leftover.
                 os.chmod(temporary, 0o666 & ~_umask())
+                if not file_locks.ARE_THERE:
+                    file.close()  # Windows moves no open file
+                # Elsewhere still locked, so that nobody takes it for a leftover.
                 os.replace(temporary, path)
                 temporary = None
         finally:
@@ -102,7 +104,7 @@ def _temporary_beside(path: Path) -> tuple[int, str]:
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
         # Some file systems have no locks; nothing is ever cleared there.
         with contextlib.suppress(OSError):
-            fcntl.flock(handle, fcntl.LOCK_EX)
+            file_locks.lock(handle)
         if os.path.exists(name):
             return handle, name
         # Another process took it for a leftover before it was locked.
@@ -115,5 +117,5 @@ def clear_leftovers(folder: Path, names: Iterable[str]) -> None:
     for file in folder.iterdir():
         if re.fullmatch(rf"\.({known}){TEMPORARY_SUFFIX}", file.name):
             with contextlib.suppress(OSError), file.open("r+b") as opened:
-                fcntl.flock(opened, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                file_locks.lock_free(opened.fileno())
                 file.unlink()

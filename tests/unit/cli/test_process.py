@@ -118,3 +118,26 @@ def test_a_verified_run_without_pictures_imports_nothing_heavy(tmp_path: Path) -
     call = [sys.executable, "-c", program, str(CONFIGS / "leg_16_straight_air.yaml"), str(tmp_path)]
     done = subprocess.run(call, capture_output=True, text=True, check=True)
     assert done.stdout == "0 []\n"
+
+
+CLOSED = pytest.mark.skipif(os.name != "posix", reason="closes outputs by a POSIX shell")
+
+
+@CLOSED
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-", "<&-", "<&- >&- 2>&-"])
+@pytest.mark.parametrize("words", ["--help", "init --list", "check {spec}", "effects --json"])
+def test_closed_outputs_change_no_exit_code(closed: str, words: str) -> None:
+    spec = CONFIGS / "leg_4_air.yaml"
+    line = f'"{sys.executable}" -m viscodesign {words.format(spec=spec)} {closed}'
+    done = subprocess.run(["sh", "-c", line], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@PIPES
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+@pytest.mark.parametrize("words", [["--help"], ["check", "--help"], ["--version"], ["schema"]])
+def test_a_full_disk_under_any_text_is_one_line(words: list[str]) -> None:
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([*COMMAND, *words], stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 1
+    assert done.stderr == "standard output: No space left on device\n"

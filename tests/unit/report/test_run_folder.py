@@ -67,7 +67,7 @@ def fill_disk(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
 def sketched(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pictures that cost no time."""
 
-    def sketch(_: Trajectory, folder: Path) -> list[Path]:
+    def sketch(_: Trajectory, folder: Path, *_others: object) -> list[Path]:
         for name in RUN_PICTURES:
             write_bytes(folder / name, b"a picture")
         return [folder / name for name in RUN_PICTURES]
@@ -130,7 +130,7 @@ def test_an_interrupt_while_drawing_keeps_the_tables_but_no_summary(
     assert write_run(run, tmp_path, plots=False)
 
 
-def test_an_interrupt_while_tables_are_written_waits_for_them(
+def test_an_interrupt_while_tables_are_written_waits_for_them_and_the_summary(
     run: Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(values: np.ndarray) -> bytes:
@@ -141,7 +141,7 @@ def test_an_interrupt_while_tables_are_written_waits_for_them(
     monkeypatch.setattr(files, "csv_rows", interrupted)
     with pytest.raises(KeyboardInterrupt):
         write_run(run, tmp_path)
-    assert names(tmp_path) == set(RUN_TABLES)
+    assert names(tmp_path) == {*RUN_TABLES, "summary.json"}
     assert len((tmp_path / "trajectory.csv").read_text().splitlines()) == len(run.time) + 1
 
 

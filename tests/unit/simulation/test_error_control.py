@@ -16,6 +16,7 @@ from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.motion import Motion, read_motion
+from viscodesign.results.trajectory import RunInterruptedError
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation import error_control as verifying
 from viscodesign.simulation import solve_once
@@ -166,6 +167,14 @@ def test_a_finer_solution_without_a_start_leaves_the_coarser_one(
     assert np.array_equal(run.tip, solutions[0].motion.tip)
 
 
+def interrupted_run(scene: Scene) -> Trajectory:
+    """What an interrupted simulation came to."""
+    with pytest.raises(RunInterruptedError) as stopped:
+        simulate(scene)
+    assert stopped.value.trajectory is not None
+    return stopped.value.trajectory
+
+
 @pytest.mark.parametrize("solved", [1, 2])
 def test_an_interrupt_between_two_solutions_keeps_the_one_before(
     solved: int, monkeypatch: pytest.MonkeyPatch
@@ -179,7 +188,7 @@ def test_an_interrupt_between_two_solutions_keeps_the_one_before(
         return solutions[-1]
 
     monkeypatch.setattr(verifying, "solve", interrupted)
-    run = simulate(leg(*SCENES["dynamic"]))
+    run = interrupted_run(leg(*SCENES["dynamic"]))
     assert run.status == "interrupted"
     assert np.array_equal(run.tip, solutions[-1].motion.tip)
 
@@ -190,7 +199,7 @@ def test_an_interrupt_while_a_solution_is_read_keeps_it(monkeypatch: pytest.Monk
         return read_motion(*arguments)
 
     monkeypatch.setattr(solve_once, "read_motion", interrupted)
-    run = simulate(leg(*SCENES["dynamic"]))
+    run = interrupted_run(leg(*SCENES["dynamic"]))
     assert run.status == "interrupted"
     assert len(run.time) == 41
 
@@ -211,6 +220,6 @@ def test_an_interrupt_before_more_effects_keeps_the_run_without_them(
 
     monkeypatch.setattr(verifying, "solve", interrupted)
     monkeypatch.setattr("viscodesign.simulation.simulate.escalation", more)
-    run = simulate(leg(*SCENES["dynamic"]))
+    run = interrupted_run(leg(*SCENES["dynamic"]))
     assert run.status == "interrupted"
     assert np.array_equal(run.tip, solutions[0].motion.tip)

@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from viscodesign.cli.options import Debug, Force, Json, NoPlots, Overrides, Quiet, RunFolder, Spec
+from viscodesign.cli.options import (
+    Debug,
+    Force,
+    Json,
+    NoPlots,
+    Overrides,
+    PictureFormat,
+    Quiet,
+    RunFolder,
+    Spec,
+)
 from viscodesign.cli.simulate import RunFailedError, folder_name
 from viscodesign.errors import PumpError
 
@@ -20,6 +30,7 @@ def command(
     overrides: Overrides = None,
     output: RunFolder = None,
     no_plots: NoPlots = False,
+    picture_format: PictureFormat = "png",
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -46,7 +57,9 @@ def command(
     prepare_folder(folder, force=force)
     with progress(quiet, "planning", first="planning") as advance:
         found = plan(scene, progress=advance)
-    files = write_plan(found, folder, plots=not no_plots, force=force)
+    files = write_plan(
+        found, folder, plots=not no_plots, force=force, picture_format=picture_format
+    )
     if json:
         say(json_text({**plan_document(found), "files": [str(file) for file in files]}))
     elif not quiet:

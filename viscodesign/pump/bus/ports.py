@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
+from viscodesign.errors import PumpError
 from viscodesign.lazy_dataclass import dataclass
 
 LATENCY = Path("/sys/bus/usb-serial/devices")
@@ -22,9 +25,22 @@ class Port:
     """What would make it better, or nothing."""
 
 
+@contextmanager
+def serial_library() -> Iterator[None]:
+    """Say what ports need where the library for them cannot be imported."""
+    try:
+        yield
+    except ImportError as error:
+        raise PumpError(
+            f"serial ports need pyserial, which cannot be imported here ({error}). Install it "
+            "with: pip install pyserial; planning and `--board simulated` work without it"
+        ) from error
+
+
 def ports() -> list[Port]:
-    """All serial ports that the system knows, by name."""
-    from serial.tools import list_ports
+    """All serial ports that the system knows, by name. Raises `PumpError` without pyserial."""
+    with serial_library():
+        from serial.tools import list_ports
 
     return [
         Port(

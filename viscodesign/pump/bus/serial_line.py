@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import os
-import termios
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -15,10 +14,16 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.bus.clock import Clock, WallClock
 from viscodesign.pump.bus.line import Line
 
+try:
+    import termios
+except ImportError:  # Windows, where the driver keeps DTR
+    termios = None  # type: ignore[assignment]
+
 SLICE = 0.005  # of waiting [s]: a deadline is passed by no more
 WRITE_TIMEOUT = 0.5  # [s]; 256 bytes take 0.27 s at 9600 baud.
 CFLAG = 2  # place of the control modes among the attributes of a terminal
-GONE = (OSError, serial.SerialException, termios.error)
+TERMINAL_ERRORS = () if termios is None else (termios.error,)
+GONE = (OSError, serial.SerialException, *TERMINAL_ERRORS)
 """What a port raises whose cable was pulled: by what was being done, one or another."""
 
 
@@ -38,11 +43,15 @@ class SerialLine(Line):
         try:
             self._serial.baudrate = baud
             self._serial.open()
+            self._keep_dtr_at_closing()
+        except (ValueError, *GONE) as error:
+            raise PumpError(_why_closed(port, baud, error)) from None
+
+    def _keep_dtr_at_closing(self) -> None:
+        if termios is not None:
             settings = termios.tcgetattr(self._serial)
             settings[CFLAG] &= ~termios.HUPCL
             termios.tcsetattr(self._serial, termios.TCSANOW, settings)
-        except (ValueError, *GONE) as error:
-            raise PumpError(_why_closed(port, baud, error)) from None
 
     def write(self, data: bytes) -> None:
         with self._port_errors():
@@ -101,7 +110,7 @@ def _why_closed(port: str, baud: int, error: BaseException) -> str:
     if number in (errno.EBUSY, errno.EAGAIN, errno.EWOULDBLOCK):
         users = ", ".join(users_of(port)) or "another program"
         return f"{port}: in use by {users}; close it, or wait for it to end"
-    if isinstance(error.__context__, termios.error) or number == errno.ENOTTY:
+    if isinstance(error.__context__, TERMINAL_ERRORS) or number == errno.ENOTTY:
         return f"{port}: not a serial port; `viscodesign pump ports` lists the available ones"
     return f"{port}: cannot be opened ({error})"
 

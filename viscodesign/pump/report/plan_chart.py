@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from matplotlib.lines import Line2D
 
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.report.layout.style import (
@@ -19,6 +18,9 @@ from viscodesign.report.layout.style import (
     picture,
     shown,
 )
+
+# isort: split
+from matplotlib.lines import Line2D
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

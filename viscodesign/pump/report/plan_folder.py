@@ -10,7 +10,7 @@ import numpy as np
 
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.report.csv_text import csv_table
-from viscodesign.report.folder import PLAN_FILES
+from viscodesign.report.folder import PLAN_FILES, Format
 from viscodesign.results.findings import documents, json_ready
 
 QUANTITIES = {
@@ -28,7 +28,12 @@ QUANTITIES = {
 
 
 def write_plan(
-    plan: PumpPlan, directory: str | Path, *, plots: bool = True, force: bool = False
+    plan: PumpPlan,
+    directory: str | Path,
+    *,
+    plots: bool = True,
+    force: bool = False,
+    picture_format: Format = "png",
 ) -> list[Path]:
     """Write a plan's files and return them; see `FileSet.write`."""
 
@@ -40,7 +45,10 @@ def write_plan(
 
     names, values = plan_columns(plan)
     table, drawer = csv_table(names, values.tolist()), draw if plots else None
-    return PLAN_FILES.write(directory, table, plan_document(plan), drawer, force=force)
+    document = plan_document(plan)
+    return PLAN_FILES.write(
+        directory, table, document, drawer, force=force, picture_format=picture_format
+    )
 
 
 def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:

@@ -14,7 +14,6 @@ from viscodesign.pump.bus import ports
 from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
 from viscodesign.pump.bus.clock import Clock, PacedClock, SteppedClock, WallClock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.bus.serial_line import SerialLine
 from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.sensors.base import BoardAnalog, PressureSource
 from viscodesign.pump.sensors.limit_switches import Switches
@@ -158,6 +157,13 @@ class Connection:
         return BoardAnalog(self.board, sensor.channel) if on_board else Phidget(sensor.channel)
 
 
+def _serial_line(port: str, baud: int, clock: Clock) -> Line:
+    """An open port; its library is imported here, where a port is used."""
+    with ports.serial_library():
+        from viscodesign.pump.bus.serial_line import SerialLine
+    return SerialLine(port, baud, clock)
+
+
 @contextlib.contextmanager
 def connected(
     address: BoardAddress,
@@ -181,7 +187,7 @@ def connected(
             line: Line = simulated_line(pump, clock, plant, ambient, poses=poses)
             kind = SimulatedArbotix if poses else kind
         else:
-            line = SerialLine(str(address.port), baud, clock)
+            line = _serial_line(str(address.port), baud, clock)
         how = {"board": address.board, "port": address.port, "baud": baud}
         log.event("opened", **how, simulated=kind.simulated)
         board = kind(LoggedLine(line, log), [] if pump is None else servo_ids(pump))

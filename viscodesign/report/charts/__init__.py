@@ -1,1 +1,3 @@
 """One picture a file."""
+
+import viscodesign.report.layout as _matplotlib_first  # noqa: F401

@@ -17,6 +17,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.font_manager import findfont, get_font
 
+from viscodesign.report.layout.drawing_library import plain_settings
 from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS
 from viscodesign.report.layout.png import png_bytes
 from viscodesign.results.trajectory import Trajectory
@@ -43,8 +44,11 @@ RC: Any = {
     "text.usetex": False,
     "svg.hashsalt": "viscodesign",  # the same picture is the same file
 }
-SAVING: Any = {"svg": {"metadata": {"Date": None}}}
-"""How other formats than PNG are written."""
+SAVING: Any = {
+    "svg": {"metadata": {"Date": None}},
+    "pdf": {"metadata": {"CreationDate": None}},
+}
+"""How other formats than PNG are written: the same picture is the same file."""
 INK = "#222222"
 GREY = "#8a8a8a"
 FAINT = "#b8b8b8"
@@ -67,9 +71,13 @@ BANNER_LINES = 3
 def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
     """A figure in inches, written completely to ``path`` at the end; leaves no global state.
 
-    The suffix of ``path`` determines the format (png, pdf, svg; png without one).
+    The suffix of ``path`` determines the format (png, pdf, svg; png without one). Settings of
+    the user's, such as a dark theme, do not show.
     """
-    with mpl.rc_context(RC):
+    settings: Any = mpl.rcParams
+    with mpl.rc_context():
+        dict.update(settings, plain_settings())  # valid already: checking all takes long
+        settings.update(RC)
         made = Figure(figsize=(width, height))
         canvas = FigureCanvasAgg(made)
         yield made
