@@ -41,9 +41,9 @@ class FileSet:
     picture: str
 
     @property
-    def names(self) -> tuple[str, ...]:
-        """Of all its files, pictures in every format."""
-        return self.table, self.document, *in_every_format([self.picture])
+    def names(self) -> tuple[str, str, str]:
+        """Of all its files, the picture as PNG."""
+        return self.table, self.document, self.picture
 
     def write(
         self,
@@ -82,7 +82,7 @@ STUDY_FILES = FileSet("accuracy.csv", "accuracy.json", "accuracy.png")
 PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
 OUR_FILES = {
     *RUN_TABLES,
-    *in_every_format([*RUN_PICTURES, EFFECTS_PICTURE]),
+    *in_every_format([*RUN_PICTURES, EFFECTS_PICTURE, STUDY_FILES.picture, PLAN_FILES.picture]),
     SUMMARY,
     *STUDY_FILES.names,
     *PLAN_FILES.names,
