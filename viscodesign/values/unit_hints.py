@@ -38,7 +38,7 @@ _KINEMATIC = {"cSt": 1e-6, "St": 1e-4, "mm^2/s": 1e-6, "mm2/s": 1e-6, "m^2/s": 1
 _VALUE = re.compile(r"\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([^\W\d].*|%|°.*)\s*", re.DOTALL)
 
 
-class Wanted(Protocol):
+class KeyKind(Protocol):
     """A kind of quantity."""
 
     @property
@@ -47,7 +47,7 @@ class Wanted(Protocol):
     def unit(self) -> str: ...
 
 
-def unit_hint(text: str, wanted: Wanted) -> str:
+def unit_hint(text: str, wanted: KeyKind) -> str:
     """'; did you mean ...?' for a value whose unit does not fit, or nothing."""
     found = _VALUE.fullmatch(text)
     if found is None:
