@@ -91,7 +91,7 @@ def killed_at(moment: int, run: Trajectory, folder: Path) -> bool:
 def test_a_writer_killed_between_any_two_steps_leaves_whole_files(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def sketch(_: Trajectory, folder: Path) -> list[Path]:
+    def sketch(_: Trajectory, folder: Path, *__: object) -> list[Path]:
         for name in RUN_PICTURES:
             write_bytes(folder / name, b"a picture")
         return [folder / name for name in RUN_PICTURES]

@@ -12,7 +12,7 @@ def import_undocumented() -> None:
     They take nearly half of its import. For processes that draw and end, where nobody asks for
     `help` on an artist; nothing changes where matplotlib draws already.
     """
-    if "matplotlib.artist" in sys.modules:
+    if "matplotlib.figure" in sys.modules:
         return
     from matplotlib.artist import Artist
 
