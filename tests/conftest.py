@@ -28,11 +28,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_configure() -> None:
-    """Time no example, and let Ctrl-C reach the programs under test.
+    """Time no example, and let signals reach the programs under test.
 
-    On a busy machine an example may take any time. A shell starts what it runs in the background with the signal ignored, and children
-    inherit that: the tests of Ctrl-C would wait for ever.
+    On a busy machine an example may take any time. A shell starts what it runs in the background
+    with that signal ignored, and `nohup` that of a closed terminal. Children inherit it: the tests
+    of signals would wait for ever.
     """
+    if signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     settings.register_profile("untimed", deadline=None)

@@ -104,6 +104,14 @@ class EffectJudge:
             return None
         return EffectEscalation.of(selection, grown, reason, found.time_s)
 
+    def completion(self, selection: Selection, run: Run) -> EffectEscalation | None:
+        """All effects, where a run without some ends early and one with all of them does not."""
+        reason = "the run ends early without effects with which it does not"
+        grown = selection.grown(selection.everything, reason)
+        if grown is None:
+            return None
+        return EffectEscalation.of(selection, grown, reason, float(run.motion.time[-1]))
+
     @property
     def has_solved(self) -> bool:
         """Whether there was a solution beside those of the chosen effects."""

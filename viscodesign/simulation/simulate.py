@@ -169,10 +169,12 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     parts: ErrorParts | None = None
     with request.watch("choose"):
         more = escalation(quantities, selection, run)
-    if request.verify and run.is_complete and more is None:
-        coarser, more = whole, None
-        if whole is not None:
+    coarser = whole
+    if whole is not None and more is None:
+        if run.is_complete:
             coarser, more = _judged(selection, run, whole, verifier, request.judge)
+        elif not run.solution.interrupted:
+            more = request.judge.completion(selection, run)
     if request.verify and run.is_complete and more is None and not verifier.interrupted:
         run, parts = verifier.verify(run, coarser)
         with request.watch("choose"):

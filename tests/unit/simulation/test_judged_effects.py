@@ -153,3 +153,23 @@ def test_what_does_too_much_is_added_one_by_one_and_then_all() -> None:
     assert last.selection.active == selection.everything
     assert judge.is_too_much(far)
     assert not judge.is_too_much(judged_effects.Omission(1e-9, 0.5))
+
+
+def test_a_run_that_ends_early_for_want_of_effects_is_solved_with_all(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A spec of which everything completes, and the chosen set is made to fail."""
+    chosen = select_effects(SceneQuantities(leg(*SHORT))).active
+    failure = SolveError("ends", quantity="volume", where="R", time_s=1.0, remedy="None.")
+
+    def fails(quantities: SceneQuantities, effects: Any, *more: Any) -> Run:
+        run = solve(quantities, effects, *more)
+        if {effect.name for effect in effects} != chosen:
+            return run
+        return replace(run, motion=replace(run.motion, failure=failure))
+
+    monkeypatch.setattr(error_control, "solve", fails)
+    found = simulate(leg(*SHORT))
+    assert found.status == "complete"
+    assert {v.name for v in found.effects if v.taken} > chosen
+    assert "ends early without effects" in found.ladder[0].reason

@@ -49,7 +49,10 @@ def test_a_snapping_bellow_starts_on_its_first_stable_branch(pressure: float) ->
     assert run.pressure == pytest.approx(pressure, abs=1e-6)
     area = (run.volume - 0.010 * 0.012 * 0.018) / 0.018
     assert np.max(np.abs(area)) <= 5e-5
-    assert np.sign(area[-1, 0]) == np.sign(pressure)
+    if pressure:
+        assert np.sign(area[-1, 0]) == np.sign(pressure)
+    else:
+        assert abs(area[-1, 0]) <= 1e-15
 
 
 def test_a_start_beyond_the_snap_is_refused_with_a_remedy() -> None:
