@@ -2,15 +2,16 @@
 
 A number outside of its usual range gets a warning with the likely slip, one outside of the
 possible range is refused. Ranges are wide on purpose: they catch slips of prefix, unit and
-exponent, and judge no design. `PAPER` are the actuators of the paper, 109 mm long with sixteen
-bellows; materials are round numbers around the values that tables of properties agree on.
+exponent, and judge no design. `PAPER` is the actuator of the paper, 109 mm long with sixteen
+bellows. The bounds are our choice: round numbers around what the words of each range name, taken
+from no table.
 """
 
 from __future__ import annotations
 
 from viscodesign.lazy_dataclass import dataclass
 
-PAPER = "the paper's leg and its pump, a hundred times smaller to thirty times larger"
+PAPER = "the paper's leg and its pump, from far smaller ones to a few metres"
 CHANNELS = "the paper's tubes, from capillaries of microfluidics to hoses"
 ELASTOMERS = "gels of silicone (some kPa) to the hardest polyurethanes and nylons (some 100 MPa)"
 TUBE_WALLS = "soft silicone (some 100 kPa) to steel (200 GPa)"
