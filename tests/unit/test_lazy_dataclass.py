@@ -5,12 +5,14 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import pickle
+import re
 import subprocess
 import sys
 from dataclasses import FrozenInstanceError, field, fields, replace
 
 import pytest
 
+from tests.architecture import PACKAGE
 from viscodesign.lazy_dataclass import LazyMethod, dataclass
 
 MOST_TEXTS = 320
@@ -167,3 +169,9 @@ def test_importing_a_command_compiles_few_methods() -> None:
         [sys.executable, "-c", COUNT_TEXTS], capture_output=True, text=True, check=True
     )
     assert int(found.stdout) < MOST_TEXTS
+
+
+def test_the_package_takes_no_other_decorator() -> None:
+    other = re.compile(r"^from dataclasses import .*\bdataclass\b", re.MULTILINE)
+    found = {path.name for path in PACKAGE.rglob("*.py") if other.search(path.read_text())}
+    assert found <= {"lazy_dataclass.py"}

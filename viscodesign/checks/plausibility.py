@@ -10,7 +10,7 @@ from viscodesign.checks.plausible_ranges import RANGES, PlausibleRange
 from viscodesign.errors import Fault
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice
-from viscodesign.scene.pressure_levels import levels_of
+from viscodesign.scene.pressure_levels import bare_levels
 from viscodesign.scene.scene import Scene
 
 _PREFIXES = {-9: "n", -6: "u", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
@@ -184,8 +184,7 @@ def _bare_levels(scene: Scene) -> Iterator[Notice]:
     """Levels above ambient that look like absolute pressures of the surroundings."""
     ambient = scene.ambient_pressure
     for name, source in scene.inputs.items():
-        levels = [level for _, level in levels_of(source)]
-        bare = [float(v) for v in levels if not getattr(v, "reference", "") and v]
+        bare = [level for _, level in bare_levels(source) if level]
         if bare and min(bare) > 0.5 * ambient and max(bare) > ambient:
             highest = max(bare)
             yield Notice(

@@ -95,8 +95,7 @@ class Selection:
         """What is stated where neglected effects do so much [m]."""
         if self.active == self.everything:
             return 0.0
-        quantities = self.sets.quantities
-        return max(omitted_m, NUMBERS.least_stated * quantities.accuracy * quantities.body.length)
+        return max(omitted_m, NUMBERS.least_stated * self.sets.quantities.requested_m)
 
     @property
     def measurable(self) -> list[str]:
@@ -136,8 +135,7 @@ class Selection:
 
 def _fewest(sets: AllowedSets, displacements: TipDisplacements) -> Names:
     """The fewest effects whose omissions fit into their part of the accuracy."""
-    quantities = sets.quantities
-    share = NUMBERS.accuracy_share * (quantities.accuracy * quantities.body.length)
+    share = NUMBERS.accuracy_share * sets.quantities.requested_m
     names, spent = sets.everything, 0.0
     kept = sets.kept(names)
     # What one effect does may depend on another that a first pass neglects.

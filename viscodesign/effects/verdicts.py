@@ -14,7 +14,7 @@ def verdict(
     effect, quantities, present = sets.effects[name], sets.quantities, name in sets.present
     acts = present and sets.acts_in(name, active)
     moved = displacements.between(active, sets.flipped(active, name)) if acts else 0.0
-    share = moved / (quantities.accuracy * quantities.body.length)
+    share = moved / quantities.requested_m
     return Verdict(
         name=name,
         mode=sets.mode(name),  # type: ignore[arg-type]

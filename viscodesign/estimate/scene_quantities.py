@@ -34,6 +34,11 @@ class SceneQuantities:
         """Tip error asked for, in actuator lengths."""
         return self.scene.accuracy
 
+    @property
+    def requested_m(self) -> float:
+        """The same as a length [m]."""
+        return self.accuracy * self.body.length
+
     @cached_property
     def graph(self) -> Graph:
         """The network as a graph."""

@@ -16,7 +16,7 @@ from viscodesign.scene.common_period import no_period
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import Network
-from viscodesign.scene.pressure_levels import bare_levels_beyond
+from viscodesign.scene.pressure_levels import bare_levels
 from viscodesign.scene.pump import PARTS_PER_INLET, PumpSpec
 from viscodesign.scene.spec_part import KeyFault, faults_of
 
@@ -151,7 +151,8 @@ def _pump_levels(
     """Levels for a pump that may be meant as gauge or as absolute."""
     for name, source in inputs.items():
         place = ("input",) if is_single else ("inputs", name)
-        for key, level in bare_levels_beyond(ambient, source):
+        above_ambient = [(key, level) for key, level in bare_levels(source) if level > ambient]
+        for key, level in above_ambient:
             kpa, above = f"{level / 1e3:g} kPa", f"{(level - ambient) / 1e3:.4g} kPa"
             yield KeyFault(
                 (*place, key),

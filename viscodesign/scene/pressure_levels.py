@@ -7,7 +7,7 @@ Heights such as an amplitude or a drop have no reference.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from pydantic_core import PydanticCustomError
@@ -49,11 +49,14 @@ def levels_of(source: Input) -> list[tuple[str, float]]:
     return [(key, getattr(source, key)) for key in level_keys(type(source))]
 
 
-def bare_levels_beyond(limit: float, source: Input) -> Iterator[tuple[str, float]]:
-    """Levels above a limit [Pa] that say neither gauge nor absolute, by key."""
-    for key, level in levels_of(source):
-        if level > limit and not getattr(level, "reference", ""):
-            yield key, float(level)
+def stated_reference(level: float) -> str:
+    """The reference that a level was given with; empty for a bare one."""
+    return level.reference if isinstance(level, ReferencedPressure) else ""
+
+
+def bare_levels(source: Input) -> list[tuple[str, float]]:
+    """Its levels [Pa] that say neither gauge nor absolute, by key."""
+    return [(key, float(level)) for key, level in levels_of(source) if not stated_reference(level)]
 
 
 def _row_above(baseline: float, row: Any, path: KeyPath, faults: list[KeyFault]) -> Any:

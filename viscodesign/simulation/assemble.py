@@ -50,7 +50,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
         width=scene.actuator.height,
         classification=found,
         effects=selection.verdicts,
-        accuracy=Accuracy(quantities.accuracy * quantities.body.length, None, NOT_VERIFIED),
+        accuracy=Accuracy(quantities.requested_m, None, NOT_VERIFIED),
         cost=cost_of(run),
         invariants=motion.invariants,
         warnings=_merged(

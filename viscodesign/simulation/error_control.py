@@ -7,8 +7,8 @@ Each part is measured or estimated separately, since each has its own remedy:
   A solver that is exact in time needs no second solution.
 - **Space.** Again on a mesh of half the edges' length, with the previous tolerance.
 - **Neglected effects.** The distance to a solution with everything that the spec allows, on the
-  same mesh and with the same tolerance (`judged_effects`); where that is not to be had, of two
-  estimates, with and without them.
+  same mesh (`judged_effects`); where that is not to be had, of two estimates, with and without
+  them.
 
 A part that is too large is refined and measured again, until the sum is below the requested
 accuracy. The fractions are such that the sum is rarely below the true error and rarely ten
@@ -109,7 +109,7 @@ class Verifier:
         self.measured_neglected = False
         """Whether that is measured, rather than estimated."""
         self.progress = progress
-        self.requested_m = quantities.accuracy * quantities.body.length
+        self.requested_m = quantities.requested_m
         self.spent_s = 0.0
         self.solutions = 0
         self.steps = 0

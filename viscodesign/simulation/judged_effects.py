@@ -13,11 +13,11 @@ that solved as coarsely too, to tell what the effects do from the error of the s
 from __future__ import annotations
 
 import contextlib
-from dataclasses import dataclass
 
 from viscodesign.effects.select import NUMBERS, Selection
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.missed_effects import EffectEscalation
 from viscodesign.simulation.solve_once import Progress, Run, Workspace, farthest_tip, solve
@@ -66,7 +66,8 @@ class EffectJudge:
         None where nothing is left out, or next to nothing by the estimates, or where no such
         solution reaches the end. Raises `KeyboardInterrupt` before its first step.
         """
-        if not selection.neglected or selection.estimated_m <= self._spared_m:
+        spared_m = JUDGING.least_share * self._quantities.requested_m
+        if not selection.neglected or selection.estimated_m <= spared_m:
             return None
         if not self._tried:
             self._tried = True
@@ -85,7 +86,7 @@ class EffectJudge:
 
     def is_too_much(self, found: Omission) -> bool:
         """Whether it is more than the part of the accuracy that omissions may spend."""
-        return not found.tip_m <= NUMBERS.accuracy_share * self._accuracy_m
+        return not found.tip_m <= NUMBERS.accuracy_share * self._quantities.requested_m
 
     def escalation(self, selection: Selection, found: Omission) -> EffectEscalation | None:
         """More effects, where those left out do too much; None where the spec forbids them.
@@ -99,29 +100,15 @@ class EffectJudge:
         chosen = [max(does, key=lambda name: does[name])] if single else sorted(does)
         off = f"{1e3 * found.tip_m:.3g} mm"
         reason = f"the effects left out together move the tip by {off}, as computed with them"
-        grown = selection.grown(chosen, reason)
-        if grown is None:
-            return None
-        return EffectEscalation.of(selection, grown, reason, found.time_s)
+        return EffectEscalation.of(selection, chosen, reason, found.time_s)
 
     def completion(self, selection: Selection, run: Run) -> EffectEscalation | None:
         """All effects, where a run without some ends early and one with all of them does not."""
         reason = "the run ends early without effects with which it does not"
-        grown = selection.grown(selection.everything, reason)
-        if grown is None:
-            return None
-        return EffectEscalation.of(selection, grown, reason, float(run.motion.time[-1]))
+        ended_s = float(run.motion.time[-1])
+        return EffectEscalation.of(selection, selection.everything, reason, ended_s)
 
     @property
     def has_solved(self) -> bool:
         """Whether there was a solution beside those of the chosen effects."""
         return self._tried
-
-    @property
-    def _accuracy_m(self) -> float:
-        return self._quantities.accuracy * self._quantities.body.length
-
-    @property
-    def _spared_m(self) -> float:
-        """Estimated omission up to which none is measured [m]."""
-        return JUDGING.least_share * self._accuracy_m

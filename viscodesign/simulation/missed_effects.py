@@ -6,6 +6,8 @@ neglected effect looks at it and says whether it matters (`Effect.missed_in`).
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from viscodesign.effects.base import Missed
 from viscodesign.effects.select import NUMBERS, Selection
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -27,9 +29,12 @@ class EffectEscalation:
 
     @classmethod
     def of(
-        cls, selection: Selection, grown: Selection, reason: str, time_s: float
-    ) -> EffectEscalation:
-        """From one selection to a larger one."""
+        cls, selection: Selection, more: Iterable[str], reason: str, time_s: float
+    ) -> EffectEscalation | None:
+        """From a selection to one with more effects; None where that is forbidden or not new."""
+        grown = selection.grown(more, reason)
+        if grown is None:
+            return None
         names = [e.name for e in grown.effects if e.name not in selection.active]
         return cls(grown, f"{' and '.join(names)} included, from the start", reason, time_s)
 
@@ -48,7 +53,7 @@ def escalation(
     """
     if run.solution.asked_to_stop:
         return None
-    allowed_m = NUMBERS.accuracy_share * quantities.accuracy * quantities.body.length
+    allowed_m = NUMBERS.accuracy_share * quantities.requested_m
     missed: list[tuple[str, Missed]] = []
     for effect in selection.neglected:
         found = effect.missed_in(quantities, run.problem, run.motion)
@@ -56,7 +61,7 @@ def escalation(
             missed.append((effect.name, found))
     # The most important one alone: with it, the others may no longer matter.
     for name, found in sorted(missed, key=lambda pair: -pair[1].tip_m):
-        grown = selection.grown([name], found.reason)
-        if grown is not None:
-            return EffectEscalation.of(selection, grown, found.reason, found.time_s)
+        more = EffectEscalation.of(selection, [name], found.reason, found.time_s)
+        if more is not None:
+            return more
     return None

@@ -163,8 +163,9 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     with request.watch("choose"):
         whole = request.judge.everything(selection, settings) if request.verify else None
     if whole is not None and whole.solution.asked_to_stop:
-        everything = selection.grown(selection.everything, "the run was stopped with all effects")
-        return _SolvedScene(everything or selection, verifier, whole, None, None)
+        selection = selection.grown(selection.everything, "the run was stopped") or selection
+        verifier.neglected_m = selection.neglected_m
+        return _SolvedScene(selection, verifier, whole, None, None)
     run = verifier.solve(settings if whole is None else with_less_tolerance(settings))
     parts: ErrorParts | None = None
     with request.watch("choose"):

@@ -214,11 +214,10 @@ def tip_difference(coarse: Motion, fine: Motion) -> float:
 def farthest_tip(coarse: Motion, fine: Motion) -> tuple[float, int]:
     """The same, and the output at which they are that far apart."""
     both = min(len(coarse.tip), len(fine.tip))
-    largest, worst = 0.0, 0
+    farthest: list[tuple[float, int]] = []
     for rows in blocks(both, coarse.tip, fine.tip):
         apart = coarse.tip[rows, :2] - fine.tip[rows, :2]
         distance = np.hypot(apart[:, 0], apart[:, 1])
         row = int(np.argmax(distance))
-        if not distance[row] <= largest:  # or it is no number
-            largest, worst = float(distance[row]), rows.start + row
-    return largest, worst
+        farthest.append((float(distance[row]), rows.start + row))
+    return farthest[int(np.argmax([distance for distance, _ in farthest]))]

@@ -31,7 +31,7 @@ from viscodesign.pump.servo_motor import STEADY_SHARE
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pressure_levels import levels_of
+from viscodesign.scene.pressure_levels import levels_of, stated_reference
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -180,7 +180,7 @@ def _notices(
             "compression are left out",
         )
     highest = max(float(d.pressure.max()) for d in demands)
-    stated = [getattr(v, "reference", "") for s in scene.inputs.values() for _, v in levels_of(s)]
+    stated = [stated_reference(v) for s in scene.inputs.values() for _, v in levels_of(s)]
     if highest > ambient and not any(stated):
         yield Notice(
             "gauge_or_absolute",

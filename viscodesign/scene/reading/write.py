@@ -37,13 +37,13 @@ _Dumper.add_representer(_Row, _on_one_line)
 _Dumper.add_representer(str, _in_quotes_where_needed)
 
 
+_LATEST: LruCache[str] = LruCache(16)
+"""Texts of the latest scenes: equal ones have the same."""
+
+
 def resolved_yaml(scene: Scene) -> str:
     """The resolved spec; loading it gives an equal scene."""
     return _LATEST.get(scene.digest, lambda: _written(scene))
-
-
-_LATEST: LruCache[str] = LruCache(16)
-"""Texts of the latest scenes: equal ones have the same."""
 
 
 def _written(scene: Scene) -> str:
