@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.compiled.problem_trace import ProblemTrace
+from viscodesign.errors import Fault
 from viscodesign.lazy_dataclass import dataclass
 
 SX = ca.SX
@@ -71,6 +73,22 @@ class NumberSlopes:
         return unflattened(found, self.shapes)
 
 
+@dataclass(frozen=True)
+class Stuck:
+    """Free numbers that can move to neither side: beside their value, other formulas hold."""
+
+    places: dict[int, str]
+    """By the position of each: where, in words."""
+
+    def faults(self, names: Sequence[str], values: np.ndarray, what: str) -> list[Fault]:
+        """``what`` cannot be had of each, and what to do."""
+        hint = "has other formulas beside it; give another value"
+        return [
+            Fault(f"{what} at {values[k]:g}: {place} {hint}", names[k])
+            for k, place in self.places.items()
+        ]
+
+
 class Branch:
     """Numbers of a problem as functions of the free ones, valid near some values.
 
@@ -78,7 +96,8 @@ class Branch:
     initial_piece (c,), stops (m + 1,)), all dense.
     """
 
-    def __init__(self, trace: ProblemTrace) -> None:
+    def __init__(self, trace: ProblemTrace, stuck: Stuck) -> None:
+        self.stuck = stuck
         self.parameter_names = trace.parameter_names
         self.structure = trace.structure
         symbols, names = trace.symbols, [*ProblemNumbers._fields]

@@ -84,6 +84,8 @@ class Tape:
     """Formulas of numbers that somebody tried to copy: see `Traced.__reduce_ex__`."""
     is_paused: bool = False
     """Whether decisions are not noted."""
+    meetings: list[tuple[SX, SX]] = field(default_factory=list)
+    """Formulas of two numbers each that count as one."""
     _noted: dict[Hashable, Condition] = field(default_factory=dict)
 
     def note_order(self, less: Known, more: Known) -> None:
@@ -107,6 +109,16 @@ class Tape:
         kept = [condition for condition in every if condition.is_equality or condition.is_tight]
         kept += _chained(orders) if len(orders) > MOST_PAIRS else orders
         return ca.vertcat(SX(0, 1), *(condition.margin for condition in kept))
+
+    def parting(self, symbols: SX, values: np.ndarray) -> list[int]:
+        """Positions of the free numbers, at values (f,), that move apart what counts as one."""
+        if not self.meetings:
+            return []
+        ends = [ca.vertcat(*formulas) for formulas in zip(*self.meetings, strict=True)]
+        function = ca.Function("slopes", [symbols], [ca.jacobian(end, symbols) for end in ends])
+        one, other = (np.array(slopes) for slopes in function(values))
+        moves = np.abs(other - one) > ROUNDING * (np.abs(one) + np.abs(other))
+        return np.flatnonzero(np.any(moves, axis=0)).tolist()
 
     def blocked(self, symbols: SX, values: np.ndarray) -> Iterator[Blocked]:
         """What stops free numbers at values (f,) that just meet conditions."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -13,7 +15,7 @@ from pydantic_core import PydanticCustomError
 from viscodesign.compiled.conditions import Tape
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.scene_fields import parts_in
-from viscodesign.compiled.traced import formula_of, free_numbers, matrix_of
+from viscodesign.compiled.traced import formula_of, free_numbers, matrix_of, value_of
 from viscodesign.effects.base import Effect
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -24,15 +26,19 @@ from viscodesign.model.rod import Body
 from viscodesign.model.structure import structure_of
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes
+from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import faults_of
 from viscodesign.simulation.build_problem import (
     Settings,
     assemble,
+    corners_of,
     pieces_between,
     resolvable_body,
     sizes_of,
     stops_of,
 )
+from viscodesign.solve.problem import SAME_TIME
+from viscodesign.storage.distinct import distinct
 
 SX = ca.SX
 
@@ -40,6 +46,7 @@ UNTRACEABLE = (TypeError, AttributeError, NotImplementedError)
 """What formulas raise that need plain numbers."""
 INPUT, SCENE = "the input", "the scene"
 """What is traced, in words."""
+CORNERS = "the input, two corners of which meet there,"
 LAWS = "a law of the fluid or of the bellows' walls"
 
 
@@ -96,6 +103,7 @@ class ProblemTrace:
         self.parameters = ca.vertcat(*map(formula_of, numbers.values()))
         tape.place = INPUT
         stops = stops_of(scene)
+        _note_merged(scene, scene.run.duration, tape)
         pieces, initial = pieces_between(scene, stops)
         self.stops, self.pieces = matrix_of(stops), matrix_of(pieces)
         self.initial_piece = matrix_of(initial)
@@ -140,6 +148,13 @@ def traced(keys: FreeKeys, values: np.ndarray, frozen: FrozenParts) -> ProblemTr
 def constant_fault(key: str, place: str) -> Fault:
     """That a number stands in formulas as a constant."""
     return Fault(f"cannot be free: {place} holds its value as a constant", key)
+
+
+def _note_merged(scene: Scene, duration: Any, tape: Tape) -> None:
+    """Note which corners count as one although their times differ."""
+    for one, other in itertools.pairwise(distinct(corners_of(scene, duration))):
+        if value_of(other) - value_of(one) <= SAME_TIME * value_of(duration):
+            tape.meetings.append((formula_of(one), formula_of(other)))
 
 
 def _validate_again(part: BaseModel, base: BaseModel, path: tuple[str, ...]) -> None:

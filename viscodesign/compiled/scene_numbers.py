@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from viscodesign.compiled.branch import Branch
+from viscodesign.compiled.branch import Branch, NumberSlopes, Stuck
 from viscodesign.compiled.branch import ProblemNumbers as ProblemNumbers
 from viscodesign.compiled.free_keys import FreeKeys
-from viscodesign.compiled.problem_trace import FrozenParts, ProblemTrace, traced
+from viscodesign.compiled.problem_trace import CORNERS, FrozenParts, ProblemTrace, traced
 from viscodesign.effects.catalogue import catalogue
 from viscodesign.effects.select import Selection
 from viscodesign.errors import Fault, SpecError
@@ -35,9 +35,10 @@ class SceneNumbers:
     an input. Where one passes another, the start or the end of the run, or where anything else is
     decided otherwise, other formulas hold: they are made when they are first asked for, which takes
     about as long as the first ones did, and the count of stretches may then be another. At a value
-    where two formulas meet, the derivatives are those of one side. `push_forward` and `pull_back`
-    multiply by the derivatives, which are sparse; ``branch.function`` has the formulas near the
-    scene's own numbers as a CasADi function.
+    where two formulas meet, the derivatives are those of one side; at one that has formulas of its
+    own, as where two corners are one, there are none, and `SpecError` names it. `push_forward` and
+    `pull_back` multiply by the derivatives, which are sparse; ``branch.function`` has the formulas
+    near the scene's own numbers as a CasADi function.
 
     Safe in threads. Raises `SpecError` for keys that cannot be free: see `FreeKeys`; where nothing
     in the equations depends on a number; or where its value stands in a formula as a constant.
@@ -56,6 +57,8 @@ class SceneNumbers:
         """(f,) The scene's own numbers [SI]."""
         self._frozen = FrozenParts.of(quantities, selection.effects, settings)
         self.branch = self._branch_at(self.values)
+        if faults := self.branch.stuck.faults(self.names, self.values, "cannot be free"):
+            raise SpecError(faults)
         used = zip(self.names, self.branch.is_used, strict=True)
         if unused := [name for name, is_used in used if not is_used]:
             raise SpecError([_unused_fault(name, selection) for name in unused])
@@ -85,20 +88,17 @@ class SceneNumbers:
 
     def jacobian_at(self, values: Sequence[float] | np.ndarray) -> ProblemNumbers:
         """Their derivatives, each with one more axis of length f."""
-        given = np.asarray(values, dtype=float)
-        return self._branch(given).slopes(given).dense()
+        return self._slopes(values).dense()
 
     def push_forward(
         self, values: Sequence[float] | np.ndarray, dots: np.ndarray
     ) -> ProblemNumbers:
         """Rates of the numbers where the values change at rates ``dots`` (f,)."""
-        given = np.asarray(values, dtype=float)
-        return self._branch(given).slopes(given).push_forward(dots)
+        return self._slopes(values).push_forward(dots)
 
     def pull_back(self, values: Sequence[float] | np.ndarray, bars: ProblemNumbers) -> np.ndarray:
         """Gradient (f,) of the sum of ``bars`` times the numbers."""
-        given = np.asarray(values, dtype=float)
-        return self._branch(given).slopes(given).pull_back(bars)
+        return self._slopes(values).pull_back(bars)
 
     def scene(self, values: Sequence[float] | np.ndarray) -> Scene:
         """The scene with these values, validated like a loaded one."""
@@ -111,6 +111,14 @@ class SceneNumbers:
         return parse_scene(text, known=known_effects()).with_source(self.keys.scene.source)
 
     # -- formulas -----------------------------------------------------------------
+
+    def _slopes(self, values: Sequence[float] | np.ndarray) -> NumberSlopes:
+        """The derivatives at values (f,). Raises `SpecError` where a number has none."""
+        given = np.asarray(values, dtype=float)
+        branch = self._branch(given)
+        if faults := branch.stuck.faults(self.names, given, "has no derivative"):
+            raise SpecError(faults)
+        return branch.slopes(given)
 
     def _branch(self, values: np.ndarray) -> Branch:
         """The formulas that hold at values (f,)."""
@@ -137,23 +145,22 @@ class SceneNumbers:
     def _branch_at(self, values: np.ndarray) -> Branch:
         with ONE_AT_A_TIME:
             trace = traced(self.keys, values, self._frozen)
-            self._refuse_stuck(trace, values)
-            return Branch(trace)
+            return Branch(trace, self._stuck(trace, values))
 
-    def _refuse_stuck(self, trace: ProblemTrace, values: np.ndarray) -> None:
-        """Refuse a number that the formulas, or its range, let move to neither side."""
+    def _stuck(self, trace: ProblemTrace, values: np.ndarray) -> Stuck:
+        """Numbers that the formulas, or their range, let move to neither side."""
         bounds = [number.bounds for number in self.keys.numbers]
         below = np.array([v <= b.low for v, b in zip(values, bounds, strict=True)])
         above = np.array([v >= b.high for v, b in zip(values, bounds, strict=True)])
-        places = dict.fromkeys(self.names, "")
+        places = dict.fromkeys(range(len(values)), "")
         for end in trace.tape.blocked(trace.symbols, values):
             below[end.number] |= end.slope > 0.0 or end.condition.is_equality
             above[end.number] |= end.slope < 0.0 or end.condition.is_equality
-            places[self.names[end.number]] = end.condition.place
-        if stuck := np.flatnonzero(below & above).tolist():
-            message = "cannot be free at {:g}: {} has other formulas beside it; give another value"
-            faults = [(self.names[k], values[k]) for k in stuck]
-            raise SpecError([Fault(message.format(v, places[name]), name) for name, v in faults])
+            places[end.number] = end.condition.place
+        for k in trace.tape.parting(trace.symbols, values):
+            below[k] = above[k] = True
+            places[k] = CORNERS
+        return Stuck({k: places[k] for k in np.flatnonzero(below & above).tolist()})
 
 
 def _unused_fault(name: str, selection: Selection) -> Fault:

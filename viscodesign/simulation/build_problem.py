@@ -232,8 +232,13 @@ def stops_of(scene: Scene, duration: float | None = None) -> np.ndarray:
     ``duration``: that of the run unless told otherwise [s].
     """
     duration = scene.run.duration if duration is None else duration
+    return merged(corners_of(scene, duration), duration)
+
+
+def corners_of(scene: Scene, duration: float) -> np.ndarray:
+    """Zero, the corners of all inputs, and the end, in any order [s]."""
     corners = [np.array(source.corners(duration)) for source in scene.inputs.values()]
-    return merged(np.concatenate([[0.0], *corners, [duration]]), duration)
+    return np.concatenate([[0.0], *corners, [duration]])
 
 
 def pieces_between(scene: Scene, stops: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

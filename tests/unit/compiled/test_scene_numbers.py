@@ -153,6 +153,20 @@ def test_beyond_a_corner_other_formulas_hold(kind: str, key: str, beyond: float)
     assert_equal(of_build(numbers, numbers.at(numbers.values)), here.rebuilt(here.scene), 1e-12)
 
 
+@pytest.mark.parametrize("key", ["rise", "hold", "rest"])
+@pytest.mark.parametrize("value", [0.0, 1e-14])
+def test_where_corners_meet_there_are_values_but_no_derivatives(key: str, value: float) -> None:
+    here, name = small(f"input={INPUTS['trapezoid']}"), f"input.{key}"
+    numbers = here.numbers("input.high", name)
+    wanted = here.rebuilt(numbers.scene([9e3, value]))
+    for _ in range(2):  # made, and found again
+        assert_equal(of_build(numbers, numbers.at([9e3, value])), wanted, 1e-12)
+        with pytest.raises(SpecError, match=f"{name}: has no derivative at .*the input") as refused:
+            numbers.jacobian_at([9e3, value])
+        assert [fault.key for fault in refused.value.faults] == [name]
+    numbers.jacobian_at([9e3, 1e-3])
+
+
 def test_several_inlets_have_keys_of_their_own() -> None:
     here = case(CONFIGS / "antagonistic_two_inlets.yaml")
     numbers = here.numbers("inputs.left.amplitude", "inputs.right.phase")
