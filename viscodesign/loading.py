@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from viscodesign.effects.catalogue import effect_names
+from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.json_schema import spec_schema
-from viscodesign.scene.reading.read import KnownEffects, load_scene
+from viscodesign.scene.reading.read import KnownEffects, Overrides, load_scene, scene_of
+from viscodesign.scene.reading.sources import ReadSpec, SpecSource
+from viscodesign.scene.reading.write import plain_part
 from viscodesign.scene.scene import Scene
 
 
@@ -17,9 +20,29 @@ def known_effects() -> KnownEffects:
     return KnownEffects(effect_names())
 
 
-def load(path: str | Path, overrides: Sequence[str] = ()) -> Scene:
-    """Read a spec; ``overrides`` are 'key.path=value'. Raises `SpecError` with all faults."""
-    return load_scene(path, overrides, known_effects())
+def load(source: SpecSource, overrides: Overrides = ()) -> Scene:
+    """Read a spec.
+
+    ``source``: a path, an open file, the text of a spec (a string with a line break, or in
+    braces), or a mapping of its keys; names of tables are relative to the file, or else to the
+    current folder. ``overrides``: values by key, such as ``{"network.tube_length": 0.2}``, or
+    texts 'network.tube_length=0.2 m'. Numbers are SI, texts may have a unit.
+
+    Raises `SpecError` with all faults.
+    """
+    return load_scene(source, overrides, known_effects())
+
+
+def replaced(scene: Scene, changes: Mapping[str, Any]) -> Scene:
+    """A scene with other values of some keys, checked like a loaded one."""
+    folder = Path(scene.source.file).parent
+    spec = ReadSpec(Document("", plain_part(scene)), folder, scene.source)
+    return scene_of(spec, changes, known_effects())
+
+
+def checked(scene: Scene) -> Scene:
+    """A scene whose values nobody has checked, checked like a loaded one."""
+    return replaced(scene, {})
 
 
 def schema() -> dict[str, Any]:

@@ -191,7 +191,12 @@ class ReferencedPressureKind(QuantityKind):
     ) -> core_schema.CoreSchema:
         del handler  # a plain float would lose the reference
         return core_schema.no_info_plain_validator_function(
-            self.parse, json_schema_input_schema=core_schema.float_schema()
+            self.parse,
+            json_schema_input_schema=core_schema.float_schema(),
+            # A number alone would lose it, too.
+            serialization=core_schema.plain_serializer_function_ser_schema(
+                self.written, when_used="json"
+            ),
         )
 
 

@@ -12,7 +12,6 @@ from viscodesign.compiled.free_number import ABOVE_ZERO, FreeNumber
 from viscodesign.compiled.scene_fields import (
     NumberField,
     TableField,
-    copied,
     is_given,
     number_fields,
     replaced,
@@ -21,7 +20,7 @@ from viscodesign.compiled.scene_fields import (
 from viscodesign.errors import Fault, SpecError, did_you_mean
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.spec_part import KeyPath
+from viscodesign.scene.spec_part import KeyPath, copied
 from viscodesign.storage.cached_property import cached_property
 
 FROZEN_SECTIONS = {

@@ -13,7 +13,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.network import TubeChange
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.spec_part import KeyPath
+from viscodesign.scene.spec_part import KeyPath, copied
 from viscodesign.units import QuantityKind
 
 
@@ -142,11 +142,3 @@ def replaced(value: Any, tree: Any) -> Any:
     # Of all mappings only that of changed tubes lets a key be new.
     changes = {k: replaced(value.get(k, TubeChange()), below) for k, below in tree.items()}
     return {**value, **changes}
-
-
-def copied(part: BaseModel, changes: dict[str, Any]) -> Any:
-    """A copy that is not validated, without what was derived from its former values."""
-    copy = part.model_copy(update=changes)
-    for derived in set(vars(copy)) - set(type(part).model_fields):
-        del vars(copy)[derived]
-    return copy

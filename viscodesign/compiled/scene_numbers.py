@@ -102,13 +102,9 @@ class SceneNumbers:
 
     def scene(self, values: Sequence[float] | np.ndarray) -> Scene:
         """The scene with these values, validated like a loaded one."""
-        from viscodesign.loading import known_effects
-        from viscodesign.scene.reading.read import parse_scene
-        from viscodesign.scene.reading.write import resolved_yaml
+        from viscodesign.loading import checked
 
-        placed = self.keys.placed([float(value) for value in values])
-        text = resolved_yaml(placed).encode()
-        return parse_scene(text, known=known_effects()).with_source(self.keys.scene.source)
+        return checked(self.keys.placed([float(value) for value in values]))
 
     # -- formulas -----------------------------------------------------------------
 

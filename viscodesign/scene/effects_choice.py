@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, Literal
 
-from pydantic import Field, ValidationInfo, model_validator
+from pydantic import Field, ValidationInfo, model_serializer, model_validator
 
 from viscodesign.errors import did_you_mean, not_among
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, raise_faults, switch
@@ -37,6 +37,14 @@ class EffectsChoice(SpecPart):
     def mode(self, name: str) -> Mode:
         """The mode of an effect."""
         return self.modes.get(name, self.others)
+
+    def _keys_with(self, fields: Mapping[str, Any]) -> dict[str, Any]:
+        modes, others = fields.get("modes", self.modes), fields.get("others", self.others)
+        return {**modes, OTHERS: others}
+
+    @model_serializer
+    def _as_in_a_spec(self) -> dict[str, str]:
+        return {**self.modes, OTHERS: self.others}
 
 
 def _mode(given: Any) -> str | None:

@@ -8,7 +8,14 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from viscodesign.scene.per_inlet import ByInlet, in_order, named
-from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
+from viscodesign.scene.spec_part import (
+    KeyFault,
+    SpecPart,
+    copied,
+    invalid,
+    invalid_at,
+    raise_faults,
+)
 from viscodesign.units import (
     Charge,
     Force,
@@ -156,12 +163,12 @@ class PumpSpec(SpecPart):
             least = f"the ambient pressure of {ambient / 1e3:g} kPa" if absolute else "0 kPa gauge"
             given = f"{limit / 1e3:g} kPa {'abs' if absolute else 'gauge'}"
             raise invalid_at("max_pressure", f"must be above {least}; got {given}")
-        return self.model_copy(update={"max_pressure": gauge})
+        return copied(self, {"max_pressure": ReferencedPressure.of(gauge, "gauge")})
 
     def in_order_of(self, inlets: tuple[str, ...]) -> PumpSpec:
         """The pump with its parts per inlet in the order of the inlets."""
         parts = {name: in_order(getattr(self, name), inlets) for name in PARTS_PER_INLET}
-        return self.model_copy(update=parts)
+        return copied(self, parts)
 
     @model_validator(mode="after")
     def _check_travel(self) -> PumpSpec:

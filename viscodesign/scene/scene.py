@@ -5,9 +5,9 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Self
 
-from pydantic import Field, PrivateAttr, ValidationInfo, field_validator, model_validator
+from pydantic import BaseModel, Field, PrivateAttr, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from viscodesign.lazy_dataclass import dataclass
@@ -29,6 +29,7 @@ from viscodesign.scene.run import RunSettings
 from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_of, invalid, raise_faults
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
+from viscodesign.upward import module_above
 
 STANDARD_ATMOSPHERE = 101325.0
 """[Pa]"""
@@ -174,7 +175,7 @@ class Scene(SpecPart):
     @cached_property
     def digest(self) -> bytes:
         """SHA-256 of all of its keys and values, tables included: equal for equal scenes alone."""
-        return hashlib.sha256(repr(self).encode()).digest()
+        return hashlib.sha256(BaseModel.__repr__(self).encode()).digest()
 
     @property
     def source(self) -> Provenance:
@@ -186,3 +187,35 @@ class Scene(SpecPart):
         copy = self.model_copy()
         copy._source = source
         return copy
+
+    def replace(self, changes: Mapping[str, Any]) -> Scene:
+        """A new scene with other values of some keys, checked like a loaded one.
+
+        ``changes``: values by key, such as ``{"network.tube_length": 0.2}``; a number is SI, a
+        text may have a unit. Raises `SpecError` with all faults.
+        """
+        found: Scene = module_above("loading").replaced(self, changes)
+        return found
+
+    def _updated(self, fields: Mapping[str, Any]) -> Self:
+        keys = {name: found.alias or name for name, found in type(self).model_fields.items()}
+        found: Self = module_above("loading").replaced(
+            self, {keys[name]: value for name, value in fields.items()}
+        )
+        return found
+
+    def __repr__(self) -> str:
+        fluid, network = self.fluid_choice.name, self.network.layout
+        driven = " and ".join(source.name for source in self.inputs.values())
+        return (
+            f"<Scene {self.name}: {self.bellows.count} bellows, {network}, {fluid}, "
+            f"{driven} for {self.run.duration:g} s>"
+        )
+
+    def __str__(self) -> str:
+        return repr(self)
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the resolved spec, section by section."""
+        shown: str = module_above("report.notebook").scene_html(self)
+        return shown

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, NamedTuple, Self, TypeVar
 
-from pydantic import BaseModel, ConfigDict, ValidationInfo, field_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    SerializerFunctionWrapHandler,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_serializer,
+)
 from pydantic_core import PydanticCustomError
 
+from viscodesign.errors import Fault, SpecError, did_you_mean
 from viscodesign.storage.cached_property import cached_property
 
 KeyPath = tuple[str, ...]
@@ -41,6 +50,61 @@ class SpecPart(BaseModel):
         """Fields that another one replaces, which a resolved spec leaves out."""
         return ()
 
+    def model_dump(self, **options: Any) -> dict[str, Any]:
+        """The part as plain data in SI, under the keys of a spec: `load` reads a scene's again.
+
+        ``options`` are pydantic's. What is not set is left out.
+        """
+        return super().model_dump(**{"by_alias": True, **options})
+
+    def model_dump_json(self, **options: Any) -> str:
+        """The same as JSON text."""
+        return super().model_dump_json(**{"by_alias": True, **options})
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """A copy; with ``update``, fields and their new values, it is checked like a new one.
+
+        Raises `SpecError` where a value is not allowed.
+        """
+        if not update:
+            return super().model_copy(deep=deep)
+        fields = type(self).model_fields
+        keys = {found.alias or name: name for name, found in fields.items()}
+        if unknown := [key for key in update if key not in {*fields, *keys}]:
+            raise SpecError(
+                [Fault(f"no such key{did_you_mean(key, keys)}", key) for key in unknown]
+            )
+        return self._updated({keys.get(key, key): value for key, value in update.items()})
+
+    def copy(self, **options: Any) -> Self:
+        """The same as `model_copy`."""
+        return self.model_copy(**options)
+
+    def _updated(self, fields: Mapping[str, Any]) -> Self:
+        """A checked copy with these fields."""
+        try:
+            return type(self).model_validate(self._keys_with(fields))
+        except ValidationError as error:
+            raise SpecError(list(_plain_faults(error))) from None
+
+    def _keys_with(self, fields: Mapping[str, Any]) -> dict[str, Any]:
+        """All keys that are set, as they are validated, with other values of these fields."""
+        return {
+            found.alias or name: fields[name] if name in fields else getattr(self, name)
+            for name, found in type(self).model_fields.items()
+            if name in fields or not is_unset(self, name)
+        }
+
+    @model_serializer(mode="wrap")
+    def _without_unset(self, plain: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """All fields but those that are not set."""
+        data: dict[str, Any] = plain(self)
+        for name, found in type(self).model_fields.items():
+            if is_unset(self, name):
+                data.pop(name, None)
+                data.pop(found.alias or name, None)
+        return data
+
     @field_validator("*", mode="after")
     @classmethod
     def _keep_valid_field(cls, value: Any, info: ValidationInfo) -> Any:
@@ -53,6 +117,33 @@ class SpecPart(BaseModel):
         if valid is not None:
             valid[cls.__name__, info.field_name] = value
         return value
+
+
+PartT = TypeVar("PartT", bound=BaseModel)
+
+
+def is_unset(part: SpecPart, name: str) -> bool:
+    """Whether a field has nothing to say: it is None as by default, or another one replaces it."""
+    found = type(part).model_fields[name]
+    is_default = getattr(part, name) is None and found.default is None
+    return is_default or name in part.unwritten()
+
+
+def copied(part: PartT, changes: Mapping[str, Any]) -> PartT:
+    """A copy with other values that are not validated; what followed from its former ones is gone."""
+    copy = BaseModel.model_copy(part, update=changes)
+    for derived in set(vars(copy)) - set(type(part).model_fields):
+        del vars(copy)[derived]
+    return copy
+
+
+def _plain_faults(error: ValidationError) -> Iterator[Fault]:
+    """The faults of a part by itself, which has no file."""
+    for detail in error.errors(include_url=False):
+        path = tuple(map(str, detail["loc"]))
+        told = (detail.get("ctx") or {}).get("faults") or [KeyFault((), detail["msg"])]
+        for fault in told:
+            yield Fault(fault.message, ".".join((*path, *fault.path)))
 
 
 def invalid(message: str) -> PydanticCustomError:

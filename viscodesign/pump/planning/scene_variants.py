@@ -18,6 +18,7 @@ from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import copied
 
 COUNTED = (Trait.COMPRESSIBLE_FLUID, Trait.TUBE_STORAGE)
 """What a plunger feels even where the tip does not."""
@@ -92,8 +93,8 @@ def planned(scene: Scene) -> Scene:
         possible = choice.mode(name) == "auto" and all(choice.mode(n) != "off" for n in needed)
         if scene.fluid.is_gas and possible:
             modes[name] = "on"
-    effects = choice.model_copy(update={"modes": modes})
-    return with_outputs(scene.model_copy(update={"effects": effects}), _times(scene))
+    effects = copied(choice, {"modes": modes})
+    return with_outputs(copied(scene, {"effects": effects}), _times(scene))
 
 
 def _times(scene: Scene) -> np.ndarray:
@@ -111,22 +112,22 @@ def _times(scene: Scene) -> np.ndarray:
 def with_outputs(scene: Scene, times: np.ndarray) -> Scene:
     """The scene with outputs at these times (T,) [s], the last of them its end."""
     update = {"duration": float(times[-1]), "output_times": tuple(times.tolist())}
-    return scene.model_copy(update={"run": scene.run.model_copy(update=update)})
+    return copied(scene, {"run": copied(scene.run, update)})
 
 
 def with_effects_of(scene: Scene, found: Trajectory) -> Scene:
     """The scene with just the effects that a run of it took."""
     known = effect_names()
     modes = {v.name: "on" if v.taken else "off" for v in found.effects if v.name in known}
-    effects = scene.effects.model_copy(update={"modes": modes, "others": "auto"})
-    return scene.model_copy(update={"effects": effects})
+    effects = copied(scene.effects, {"modes": modes, "others": "auto"})
+    return copied(scene, {"effects": effects})
 
 
 def with_inputs(scene: Scene, inputs: Mapping[str, Input]) -> Scene:
     """The scene with other inputs at its inlets."""
     if scene.several_inputs is not None:
-        return scene.model_copy(update={"several_inputs": dict(inputs)})
-    return scene.model_copy(update={"input": next(iter(inputs.values()))})
+        return copied(scene, {"several_inputs": dict(inputs)})
+    return copied(scene, {"input": next(iter(inputs.values()))})
 
 
 def with_pressures(scene: Scene, time: np.ndarray, pressure: np.ndarray) -> Scene:
@@ -182,10 +183,10 @@ def scaled(scene: Scene, *, pressure: float = 1.0, time: float = 1.0) -> Scene:
         "output_times": tuple(time * t for t in run.output_times or ()) or None,
     }
     inputs = {
-        name: source.model_copy(update=scaled_fields(source, pressure=pressure, time=time))
+        name: copied(source, scaled_fields(source, pressure=pressure, time=time))
         for name, source in scene.inputs.items()
     }
-    slowed = scene.model_copy(update={"run": run.model_copy(update=changes)})
+    slowed = copied(scene, {"run": copied(run, changes)})
     return with_inputs(slowed, inputs)
 
 

@@ -12,6 +12,7 @@ from viscodesign.pump.planning.limits import infeasible, verdict
 from viscodesign.pump.planning.motion import RequestedMotion, run_model, shares_a_network
 from viscodesign.pump.planning.scene_variants import ramped, scaled
 from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.spec_part import copied
 
 Variation = Mapping[str, float]
 """What is changed: factors of all pressures (`pressure`) and times (`time`), the duration of every
@@ -43,7 +44,7 @@ class Trials:
     def pump_of(self, case: Variation) -> PumpSpec:
         """The pump of a variation."""
         own = {key.removeprefix("pump."): case[key] for key in case if key.startswith("pump.")}
-        return self.pump.model_copy(update=own)
+        return copied(self.pump, own)
 
     def demands(self, case: Variation) -> tuple[PumpDemand, ...]:
         """What a variation asks, through the coupled model; empty where that fails."""

@@ -27,6 +27,7 @@ from viscodesign.pump.sessions.connection import (
 )
 from viscodesign.scene.pump import MAX_SERVO_COUNTS, PumpSpec
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import copied
 
 HIGHEST_ID = 252
 """253 is the ArbotiX itself."""
@@ -125,7 +126,7 @@ def _against_switches(link: Connection, pump: PumpSpec, confirm: Confirm) -> Cal
         "the plunger moves slowly to both ends, until their switches are pressed; vent it "
         "first\nMove the plunger?",
     )
-    free = pump.model_copy(update={"travel": (0, MAX_SERVO_COUNTS)})
+    free = copied(pump, {"travel": (0, MAX_SERVO_COUNTS)})
     switches, no_sensor = Switches.of(pump, link.servos), PressureReadings([None], 0.0)
     moved = ServoPump(link.board, free, link.servos, no_sensor, switches, link.clock)
     with stop_on_signals() as request:

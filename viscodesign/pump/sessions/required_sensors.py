@@ -7,6 +7,7 @@ from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pump import SensorSpec
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import copied
 
 BOARD_CHANNELS = 8
 """Analog inputs of a board."""
@@ -31,7 +32,7 @@ def with_sensors(scene: Scene, *, simulated: bool, without: bool) -> Scene:
     free = set(range(BOARD_CHANNELS)) - {sensor.channel for sensor in own}
     every = [*own, *(SensorSpec(channel=channel) for channel in sorted(free))]
     chosen = None if without else dict(zip(inlets, every, strict=False))
-    return scene.model_copy(update={"pump": pump.model_copy(update={"sensor": chosen})})
+    return copied(scene, {"pump": copied(pump, {"sensor": chosen})})
 
 
 def _refusal(blind: list[str], inlets: tuple[str, ...]) -> str:

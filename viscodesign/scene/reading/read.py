@@ -1,9 +1,9 @@
-"""From a YAML file to a scene; all faults of the file are reported at once."""
+"""From a spec to a scene; all faults of the file are reported at once."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,14 +11,27 @@ from pydantic import ValidationError
 
 from viscodesign.errors import Fault, SpecError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.scene.reading.document import Document, parse_value, read_document
+from viscodesign.scene.reading.document import Document, parse_value
 from viscodesign.scene.reading.fault_messages import explain_cross_checks, explain_validation
+from viscodesign.scene.reading.sources import (
+    ReadSpec,
+    SpecSource,
+    plain_value_of,
+    read_spec,
+    text_spec,
+)
+from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.run import OUTPUT_KEYS
 from viscodesign.scene.scene import Provenance, Scene
 from viscodesign.scene.spec_part import VALID_FIELDS, KeyPath
 
-MAX_SPEC_BYTES = 4 << 20
-"""Enough for the rows of a table in a resolved spec."""
+IGNORED_PREFIX = "x-"
+"""How top-level keys begin that a spec keeps for itself, such as values that anchors name."""
+OVERRIDE_FORM = "must have the form key.path=value"
+PYTHON_OVERRIDES = "overrides"
+"""Where faults of values are that a script gave."""
+Overrides = Sequence[str] | Mapping[str, Any]
+"""Texts 'key.path=value', or values by key."""
 
 
 @dataclass(frozen=True)
@@ -29,38 +42,47 @@ class KnownEffects:
 
 
 def load_scene(
-    path: str | Path, overrides: Sequence[str] = (), known: KnownEffects | None = None
+    source: SpecSource, overrides: Overrides = (), known: KnownEffects | None = None
 ) -> Scene:
-    """Read a file, apply overrides and validate. Raises `SpecError` with all faults."""
-    file = Path(path)
-    text = _read(file)
-    return parse_scene(text, str(path), file.parent, overrides, known)
+    """Read a spec, apply overrides and validate. Raises `SpecError` with all faults."""
+    return scene_of(read_spec(source), overrides, known)
 
 
 def parse_scene(
     text: bytes,
     shown: str = "",
     folder: Path | None = None,
-    overrides: Sequence[str] = (),
+    overrides: Overrides = (),
     known: KnownEffects | None = None,
 ) -> Scene:
     """The scene of a spec's text; ``shown`` names it in faults, ``folder`` has its tables."""
-    document = read_document(text, shown)
-    for override in overrides:
-        _override(document, override)
+    file = (folder or Path()) / shown if shown else None
+    return scene_of(text_spec(text, shown, file), overrides, known)
+
+
+def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | None = None) -> Scene:
+    """The scene of a spec with some keys overridden. Raises `SpecError` with all faults."""
+    document = spec.document
+    _apply(document, overrides)
     valid: dict[tuple[str, str | None], Any] = {}
-    context: dict[str, Any] = {"folder": folder or Path(), VALID_FIELDS: valid}
+    context: dict[str, Any] = {"folder": spec.folder, VALID_FIELDS: valid}
     if known is not None:
         context |= {"effect_names": known.names}
+    data = {k: v for k, v in document.data.items() if not k.startswith(IGNORED_PREFIX)}
     try:
-        scene = Scene.model_validate(document.data, context=context)
+        scene = Scene.model_validate(data, context=context)
     except ValidationError as error:
         faults = explain_validation(error, document)
         faults += explain_cross_checks(_with_defaults(valid, document), document)
         raise SpecError(_in_order([*document.faults, *faults])) from None
     if document.faults:
         raise SpecError(_in_order(document.faults))
-    return scene.with_source(Provenance(shown, hashlib.sha256(text).hexdigest()))
+    return scene.with_source(spec.provenance or _resolved_only(scene))
+
+
+def _resolved_only(scene: Scene) -> Provenance:
+    """Of a scene that no file has: the resolved spec is the first text of it."""
+    return Provenance("", hashlib.sha256(resolved_yaml(scene).encode()).hexdigest())
 
 
 def _in_order(faults: Sequence[Fault]) -> list[Fault]:
@@ -80,30 +102,25 @@ def _with_defaults(
     return defaults | valid
 
 
-def _read(file: Path) -> bytes:
-    try:
-        with file.open("rb") as stream:
-            content = stream.read(MAX_SPEC_BYTES + 1)
-    except IsADirectoryError:
-        raise SpecError([Fault("is a folder; expected a YAML file", file=str(file))]) from None
-    except FileNotFoundError:
-        message = "No such file; create one with 'viscodesign init'"
-        raise SpecError([Fault(message, file=str(file))]) from None
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-        reason = getattr(error, "strerror", None) or "not a file name"
-        raise SpecError([Fault(f"cannot be read: {reason}", file=str(file))]) from error
-    if len(content) > MAX_SPEC_BYTES:
-        raise SpecError([Fault(f"is larger than {MAX_SPEC_BYTES >> 20} MiB", file=str(file))])
-    return content
+def _apply(document: Document, overrides: Overrides) -> None:
+    """Lay overrides over a document, in order."""
+    if isinstance(overrides, Mapping):
+        for key, value in overrides.items():
+            _override(document, str(key), plain_value_of(value, str(key)), PYTHON_OVERRIDES)
+        return
+    for text in [overrides] if isinstance(overrides, str) else overrides:
+        key, equals, value = text.partition("=")
+        place = f"--set {text}"
+        if not equals:
+            raise SpecError([Fault(OVERRIDE_FORM, file=place)])
+        _override(document, key, parse_value(value.strip(), place), place)
 
 
-def _override(document: Document, override: str) -> None:
-    """Apply `key.path=value`; faults below that key name the override instead of a line."""
-    key, equals, value = override.partition("=")
-    place = f"--set {override}"
+def _override(document: Document, key: str, value: Any, place: str) -> None:
+    """Set the value at `key.path`; faults below that key name the override instead of a line."""
     parts = tuple(key.strip().split("."))
-    if not equals or not all(parts):
-        raise SpecError([Fault("must have the form key.path=value", file=place)])
+    if not all(parts):
+        raise SpecError([Fault(OVERRIDE_FORM, file=place)])
     here: Any = document.data
     for depth, part in enumerate(parts[:-1], start=1):
         here = _entry(here, part, place)
@@ -114,7 +131,7 @@ def _override(document: Document, override: str) -> None:
         _entry(here, parts[-1], place)
     for other in _replaced_by(parts):
         _remove(document, other)
-    _put(document, parts, parse_value(value.strip(), place), place)
+    _put(document, parts, value, place)
 
 
 def _replaced_by(path: KeyPath) -> list[KeyPath]:

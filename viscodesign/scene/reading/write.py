@@ -47,11 +47,13 @@ def resolved_yaml(scene: Scene) -> str:
 
 
 def _written(scene: Scene) -> str:
-    return yaml.dump(_model(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)
+    return yaml.dump(plain_part(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)
 
 
-def _model(part: SpecPart) -> dict[str, Any]:
-    """Fields under their YAML keys, without those that are unset."""
+def plain_part(part: SpecPart) -> dict[str, Any]:
+    """A part as a spec has it: fields under their YAML keys, without those that are unset."""
+    if isinstance(part, EffectsChoice):
+        return {**part.modes, OTHERS: part.others}
     data: dict[str, Any] = {}
     for name, found in type(part).model_fields.items():
         value = getattr(part, name)
@@ -65,12 +67,10 @@ def _value(value: Any, found: FieldInfo) -> Any:
     quantity = quantity_of(found)
     if value is None:
         return "off"
-    if isinstance(value, EffectsChoice):
-        return {**value.modes, OTHERS: value.others}
     if isinstance(value, SpecPart):
-        return _model(value)
+        return plain_part(value)
     if isinstance(value, dict):
-        return {k: _model(v) if isinstance(v, SpecPart) else v for k, v in value.items()}
+        return {k: plain_part(v) if isinstance(v, SpecPart) else v for k, v in value.items()}
     if isinstance(value, tuple):
         return [_entry(v) for v in value]
     if quantity is not None and isinstance(value, float):
@@ -80,5 +80,5 @@ def _value(value: Any, found: FieldInfo) -> Any:
 
 def _entry(value: Any) -> Any:
     if isinstance(value, SpecPart):
-        return _model(value)
+        return plain_part(value)
     return _Row(value) if isinstance(value, tuple) else value
