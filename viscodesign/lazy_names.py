@@ -1,10 +1,11 @@
-"""Packages that import their public names when these are first asked for."""
+"""Imports when something is first asked for: public names of a package, rooms above a method."""
 
 from __future__ import annotations
 
 import importlib
 import sys
 from collections.abc import Callable, Mapping
+from typing import Any
 
 
 def lazy_names(
@@ -26,3 +27,12 @@ def lazy_names(
         return sorted(sys.modules[package].__all__)
 
     return get, names
+
+
+def module_above(name: str) -> Any:
+    """A module of the package by its name in it, such as ``report.run_folder``.
+
+    For methods of plain data that a room above carries out, and that a user looks for where the
+    data are: `Trajectory.save`. `tests/unit/test_architecture.py` lists the modules that have some.
+    """
+    return importlib.import_module(f"viscodesign.{name}")

@@ -20,6 +20,11 @@ from tests.architecture import (
 
 # Arrows that still point up, to be mended; none may be added.
 ALLOWED_UP: set[Arrow] = set()
+# Plain data with methods that a room above carries out.
+WITH_METHODS_ABOVE = {
+    "viscodesign.results.trajectory",
+    "viscodesign.scene.scene",
+}
 
 
 @pytest.mark.parametrize("module", [m for m in modules() if m not in FACADES])
@@ -31,6 +36,18 @@ def test_imports_point_down(module: str) -> None:
         if not other or other == own or (own, other) in ALLOWED_UP:
             continue
         assert RANK[other] >= RANK[own], f"{module} imports {name}, which stands above it"
+
+
+def test_methods_that_a_room_above_carries_out_stand_in_plain_data() -> None:
+    targets = {}
+    for name, path in modules().items():
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "module_above":
+                (target,) = node.args
+                assert isinstance(target, ast.Constant), name
+                targets.setdefault(name, set()).add(f"viscodesign.{target.value}")
+    assert set(targets) <= WITH_METHODS_ABOVE
+    assert set().union(*targets.values()) <= set(modules())
 
 
 def test_every_room_is_there() -> None:

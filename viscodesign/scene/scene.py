@@ -11,6 +11,7 @@ from pydantic import BaseModel, Field, PrivateAttr, ValidationInfo, field_valida
 from pydantic_core import PydanticCustomError
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.lazy_names import module_above
 from viscodesign.model.graph import Graph
 from viscodesign.scene.actuator import Actuator
 from viscodesign.scene.bellows import Bellows
@@ -29,7 +30,6 @@ from viscodesign.scene.run import RunSettings
 from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_of, invalid, raise_faults
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
-from viscodesign.upward import module_above
 
 STANDARD_ATMOSPHERE = 101325.0
 """[Pa]"""

@@ -130,7 +130,7 @@ def is_unset(part: SpecPart, name: str) -> bool:
 
 
 def copied(part: PartT, changes: Mapping[str, Any]) -> PartT:
-    """A copy with other values that are not validated; what followed from its former ones is gone."""
+    """A copy with other values, not validated, without what followed from its former ones."""
     copy = BaseModel.model_copy(part, update=changes)
     for derived in set(vars(copy)) - set(type(part).model_fields):
         del vars(copy)[derived]

@@ -47,7 +47,9 @@ def resolved_yaml(scene: Scene) -> str:
 
 
 def _written(scene: Scene) -> str:
-    return yaml.dump(plain_part(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)
+    return yaml.dump(
+        plain_part(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100
+    )
 
 
 def plain_part(part: SpecPart) -> dict[str, Any]:
