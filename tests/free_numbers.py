@@ -82,7 +82,12 @@ class Case:
         pieces, initial = pieces_between(scene, stops)
         named = system.numbers().items()
         parameters = np.array([v for name, v in named if not name.startswith(FROZEN)])
-        return dict(parameters=parameters, pieces=pieces, initial_piece=initial, stops=stops)
+        found = dict(parameters=parameters, pieces=pieces, initial_piece=initial, stops=stops)
+        cycle_stops, cycle_pieces = np.zeros(0), np.zeros((0, len(initial)))
+        if scene.run.start == "periodic":
+            cycle_stops = stops_of(scene, scene.period)
+            cycle_pieces, _ = pieces_between(scene, cycle_stops)
+        return {**found, "cycle_pieces": cycle_pieces, "cycle_stops": cycle_stops}
 
 
 def _pattern(key: str) -> str:

@@ -34,10 +34,10 @@ ANY_ERROR = 1e30
 @pytest.mark.parametrize("config", CONFIGS_TRIED)
 def test_derivatives_equal_differences_and_each_other(config: str) -> None:
     for quantities, problem in problems(config):
-        steady = quantities.scene.run.start == "equilibrium"
+        start = quantities.scene.run.start
         members = Members.of(quantities)
         columns = list(places_of(problem, members))
-        function = MotionFunction(problem, ANY_ERROR, members, columns, steady=steady)
+        function = MotionFunction(problem, ANY_ERROR, members, columns, start=start)
         check(function, numbers_of(quantities, problem), problem)
 
 

@@ -26,6 +26,18 @@ class ProblemNumbers(NamedTuple):
     """(c,): those just before t = 0."""
     stops: np.ndarray
     """(m + 1,): 0, every corner of an input, and the end of the run [s]."""
+    cycle_pieces: np.ndarray = np.zeros((0, 0))
+    """Those of one period of the inputs, where a run starts on its limit cycle; else none."""
+    cycle_stops: np.ndarray = np.zeros(0)
+    """The same of one period [s]."""
+
+    def zeros(self) -> ProblemNumbers:
+        """As many numbers, all zero."""
+        return ProblemNumbers(*(np.zeros_like(part) for part in self))
+
+    def plus(self, other: ProblemNumbers) -> ProblemNumbers:
+        """The sum, number by number."""
+        return ProblemNumbers(*(one + more for one, more in zip(self, other, strict=True)))
 
     def flat(self) -> np.ndarray:
         """All of them in a row (n,)."""
@@ -93,7 +105,7 @@ class Branch:
     """Numbers of a problem as functions of the free ones, valid near some values.
 
     ``function`` is a CasADi function: values (f,) -> (parameters (p,), pieces (m, c),
-    initial_piece (c,), stops (m + 1,)), all dense.
+    initial_piece (c,), stops (m + 1,), and pieces and stops of a cycle), all dense.
     """
 
     def __init__(self, trace: ProblemTrace, stuck: Stuck) -> None:
@@ -101,10 +113,14 @@ class Branch:
         self.parameter_names = trace.parameter_names
         self.structure = trace.structure
         symbols, names = trace.symbols, [*ProblemNumbers._fields]
-        results = [trace.parameters, trace.pieces, trace.initial_piece, trace.stops]
+        results = [
+            *(trace.parameters, trace.pieces, trace.initial_piece, trace.stops),
+            *(trace.cycle_pieces, trace.cycle_stops),
+        ]
         self.function = ca.Function("scene_numbers", [symbols], results, ["values"], names)
         self._shapes = tuple(
-            p.shape if k == "pieces" else p.shape[:1] for k, p in zip(names, results, strict=True)
+            part.shape if name.endswith("pieces") else part.shape[:1]
+            for name, part in zip(names, results, strict=True)
         )
         # In rows, as numpy has them.
         flat = ca.densify(ca.vertcat(*(ca.vec(part.T) for part in results)))

@@ -141,12 +141,6 @@ class CompiledFunction:
                 f"tolerance: must be above 0 and below {LARGEST_TOLERANCE:g}; got {tolerance!r}"
             )
         self._made_of = (scene, free, outputs, tolerance)
-        if scene.run.start == "periodic":
-            raise SpecError.plain(
-                "run.start: 'periodic' has no derivatives; a compiled function starts in "
-                "equilibrium or at rest. Use run.start: equilibrium and a run.duration of so many "
-                "periods that the last one repeats"
-            )
         quantities = SceneQuantities(scene)
         refuse_beyond_numbers(quantities)
         self._selection = select_effects(quantities)
@@ -379,19 +373,19 @@ def _motion(
     numbers: ProblemNumbers,
 ) -> tuple[DifferentiableMotion, ChosenOutputs]:
     """How the columns are solved for, and how outputs are read from them."""
-    members, steady = Members.of(quantities), quantities.scene.run.start == "equilibrium"
+    members, start = Members.of(quantities), quantities.scene.run.start
     chosen = ChosenOutputs(problem, members, outputs)
     columns, tolerance = chosen.columns, settings.tolerance
     reason = ""
     if problem.equations.states.count:
         try:
-            own = MotionFunction(problem, tolerance, members, columns, steady=steady)
+            own = MotionFunction(problem, tolerance, members, columns, start=start)
             own.solve(numbers, recorded=False)  # its equations may be singular at the start
             return own, chosen
         except NativeUnavailable as error:
             reason = str(error)
     solver = suitable_solver(problem, settings.solver, settings.is_free)
     integrated = IntegratedMotion(
-        problem, tolerance, solver, members, columns, steady=steady, reason=reason
+        problem, tolerance, solver, members, columns, start=start, reason=reason
     )
     return integrated, chosen

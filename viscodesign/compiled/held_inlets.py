@@ -68,7 +68,7 @@ class HeldInlets:
         self._tolerance = settings.tolerance
         self._columns = list(places_of(self._problem, members))
         self._motion = MotionFunction(
-            self._problem, settings.tolerance, members, self._columns, steady=True
+            self._problem, settings.tolerance, members, self._columns, start="equilibrium"
         )
 
     def begin(self, parameters: np.ndarray, inlets: Inlets | None) -> ControlState:
@@ -96,7 +96,6 @@ class HeldInlets:
             (state.time, numbers.pieces[0]),
             np.array([end]),
             state.size,
-            recorded=False,
         )
         return self._state(problem, numbers, end, part.end, part.size)
 

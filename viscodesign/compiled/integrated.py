@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import casadi as ca
 import numpy as np
 
-from viscodesign.compiled.problem_at import problem_at, stretch_of
+from viscodesign.compiled.problem_at import cycle_at, problem_at, stretch_of
 from viscodesign.compiled.reading import Members, ReadColumns, Reading
 from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.scene_numbers import ProblemNumbers
@@ -19,6 +19,7 @@ from viscodesign.compiled.symbols import Symbols
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.solve.limit_cycle import limit_cycle
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start, equilibrium, rest
 from viscodesign.solve.transient import integrate
@@ -50,11 +51,11 @@ class IntegratedMotion:
         members: Members,
         columns: Sequence[str],
         *,
-        steady: bool,
+        start: str,
         reason: str = "",
     ) -> None:
         self._problem, self._tolerance, self._solver = problem, tolerance, solver
-        self._steady, self._reason = steady, reason
+        self._begins, self._reason = start, reason
         self.times = problem.schedule.edges[problem.schedule.outputs]
         """(T,) output times [s]."""
         self._reading = Reading(problem, members, columns)
@@ -77,8 +78,7 @@ class IntegratedMotion:
         """
         del recorded
         problem = problem_at(self._problem, self.times, numbers)
-        begin = equilibrium if self._steady else _rest
-        start = begin(problem, 0.0, numbers.initial_piece)
+        start = self._start(problem, numbers)
         found = integrate(problem, start, self._tolerance, solver=self._solver)
         if found.interrupted:
             raise KeyboardInterrupt
@@ -87,6 +87,15 @@ class IntegratedMotion:
         columns = np.concatenate([found.states, found.algebraics])[:, problem.schedule.outputs]
         read = self._reading(problem, self.times, numbers, columns.T)
         return SolvedColumns(read, found.work.steps)
+
+    def _start(self, problem: Problem, numbers: ProblemNumbers) -> Start:
+        if self._begins == "rest":
+            return rest(problem, numbers.initial_piece)
+        found = equilibrium(problem, 0.0, numbers.initial_piece)
+        if self._begins == "periodic":
+            one = cycle_at(problem, numbers)
+            return limit_cycle(one, found, self._tolerance, self._solver).start
+        return found
 
     def pull_back(
         self, solved: SolvedColumns, numbers: ProblemNumbers, weights: np.ndarray
@@ -97,10 +106,10 @@ class IntegratedMotion:
         rows = solved.read.rows[1:]
         passed = -_solved(self._jacobians(rows), z_bar, transposed=True)
         _, _, more_piece, more = self._residual.pull_back(rows, passed)
-        pieces = np.zeros_like(numbers.pieces)
-        np.add.at(pieces, stretch_of(self.times, numbers), piece_bar + more_piece)
-        still = np.zeros_like(numbers.initial_piece), np.zeros_like(numbers.stops)
-        return ProblemNumbers(parameters + more, pieces, *still)
+        slopes = numbers.zeros()
+        slopes.parameters[:] = parameters + more
+        np.add.at(slopes.pieces, stretch_of(self.times, numbers), piece_bar + more_piece)
+        return slopes
 
     def push_forward(
         self, solved: SolvedColumns, numbers: ProblemNumbers, dots: ProblemNumbers
@@ -126,10 +135,6 @@ class IntegratedMotion:
     def _refuse_moving(self) -> None:
         if self._problem.equations.states.count:
             raise NativeUnavailable(f"derivatives of a motion need native code: {self._reason}")
-
-
-def _rest(problem: Problem, _: float, piece: np.ndarray) -> Start:
-    return rest(problem, piece)
 
 
 def _solved(jacobians: np.ndarray, right: np.ndarray, *, transposed: bool) -> np.ndarray:

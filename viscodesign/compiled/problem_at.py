@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from viscodesign.compiled.scene_numbers import ProblemNumbers
+from viscodesign.simulation.build_problem import one_period
 from viscodesign.solve.problem import SAME_TIME, Problem, Schedule
 
 
@@ -18,6 +19,12 @@ def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> 
     if floor is not None:
         floor *= equations.rest_amounts[0] / problem.equations.rest_amounts[0]
     return replace(problem, equations=equations, schedule=schedule, floor_volume=floor)
+
+
+def cycle_at(problem: Problem, numbers: ProblemNumbers) -> Problem:
+    """The same problem over one period of the inputs, whose end is the only output."""
+    own = numbers.cycle_stops, numbers.cycle_pieces, numbers.initial_piece
+    return replace(problem, schedule=one_period(*own))
 
 
 def stretch_of(times: np.ndarray, numbers: ProblemNumbers) -> np.ndarray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -15,7 +16,7 @@ from pydantic_core import PydanticCustomError
 from viscodesign.compiled.conditions import Tape
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.scene_fields import parts_in
-from viscodesign.compiled.traced import formula_of, free_numbers, matrix_of, value_of
+from viscodesign.compiled.traced import formula_of, free_numbers, known, matrix_of, value_of
 from viscodesign.effects.base import Effect
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -26,6 +27,7 @@ from viscodesign.model.rod import Body
 from viscodesign.model.structure import structure_of
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes
+from viscodesign.scene.common_period import no_period
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import faults_of
 from viscodesign.simulation.build_problem import (
@@ -107,6 +109,13 @@ class ProblemTrace:
         pieces, initial = pieces_between(scene, stops)
         self.stops, self.pieces = matrix_of(stops), matrix_of(pieces)
         self.initial_piece = matrix_of(initial)
+        self.cycle_stops, self.cycle_pieces = SX(0, 1), SX(0, len(initial))
+        if scene.run.start == "periodic":
+            period = _period(scene, keys.placed(values.tolist()), tape)
+            stops = stops_of(scene, period)
+            _note_merged(scene, period, tape)
+            pieces, _ = pieces_between(scene, stops)
+            self.cycle_stops, self.cycle_pieces = matrix_of(stops), matrix_of(pieces)
 
     def _system(self, quantities: SceneQuantities, frozen: FrozenParts) -> System:
         effects = (self._effect(kind, quantities) for kind in frozen.effects)
@@ -148,6 +157,21 @@ def traced(keys: FreeKeys, values: np.ndarray, frozen: FrozenParts) -> ProblemTr
 def constant_fault(key: str, place: str) -> Fault:
     """That a number stands in formulas as a constant."""
     return Fault(f"cannot be free: {place} holds its value as a constant", key)
+
+
+def _period(scene: Scene, plain: Scene, tape: Tape) -> Any:
+    """The period of all inputs, which meet as those of ``plain`` do, the same scene in numbers."""
+    period, own = plain.period, []
+    if period is None:
+        reason = no_period(plain.inputs)
+        raise SpecError.plain(f"run.start: 'periodic' needs inputs that repeat; {reason}")
+    for name, source in plain.inputs.items():
+        each: Any = scene.inputs[name].period
+        if source.period is not None and math.isfinite(source.swing_time()):
+            own.append(round(period / source.period) * each)
+    for other in own[1:]:
+        tape.note_equal(known(own[0]), known(other))
+    return own[0]
 
 
 def _note_merged(scene: Scene, duration: Any, tape: Tape) -> None:

@@ -7,6 +7,7 @@ import numpy as np
 
 from viscodesign.compiled.reading import parameter_names
 from viscodesign.compiled.row_functions import RowFunction
+from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.symbols import Symbols
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.lazy_dataclass import dataclass
@@ -27,7 +28,7 @@ MAX_CORRECTIONS = 8
 
 
 @dataclass(frozen=True)
-class FoundStart:
+class FoundEquilibrium:
     """Where a run starts, and the unknowns that it follows from."""
 
     start: Start
@@ -59,18 +60,18 @@ class StartFunction:
         piece_now = problem.schedule.initial_piece
         self._near = static_equilibrium(problem, 0.0, piece_now) if steady else None
 
-    def __call__(self, problem: Problem) -> FoundStart:
+    def __call__(self, problem: Problem, numbers: ProblemNumbers) -> FoundEquilibrium:
         """Raises `SolveError` where there is none."""
-        piece = problem.schedule.initial_piece
+        piece = numbers.initial_piece
         if self._near is not None:
             unknowns = self._nearby(problem, self._near)
             if unknowns is None:
                 unknowns = static_equilibrium(problem, 0.0, piece)
             rows = self._rows(problem, unknowns)
             states = problem.equations.states.count
-            return FoundStart(Start(*np.split(self._start(*rows)[0], [states])), unknowns)
+            return FoundEquilibrium(Start(*np.split(self._start(*rows)[0], [states])), unknowns)
         start = rest(problem, piece)
-        return FoundStart(start, _rest_unknowns(problem, start))
+        return FoundEquilibrium(start, _rest_unknowns(problem, start))
 
     def _nearby(self, problem: Problem, near: np.ndarray) -> np.ndarray | None:
         """The equilibrium on the same branch as one of other numbers; None if it is too far."""
@@ -104,25 +105,37 @@ class StartFunction:
         return found
 
     def pull_back(
-        self, problem: Problem, found: FoundStart, weights: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Slopes of weights (nx + nz,) times the start, by first coefficients and parameters."""
+        self,
+        problem: Problem,
+        found: FoundEquilibrium,
+        numbers: ProblemNumbers,
+        weights: np.ndarray,
+    ) -> ProblemNumbers:
+        """Slopes of weights (nx + nz,) times the start by all numbers."""
         rows = self._rows(problem, found.unknowns)
         own, piece, parameters = self._start.pull_back(rows, weights[None])
         passed = self._solve(rows, own[0], transposed=True)
         _, more_piece, more = self._residual.pull_back(rows, -passed[None])
-        return (piece + more_piece)[0], (parameters + more)[0]
+        slopes = numbers.zeros()
+        slopes.initial_piece[:] = (piece + more_piece)[0]
+        slopes.parameters[:] = (parameters + more)[0]
+        return slopes
 
     def push_forward(
-        self, problem: Problem, found: FoundStart, piece: np.ndarray, parameters: np.ndarray
+        self,
+        problem: Problem,
+        found: FoundEquilibrium,
+        numbers: ProblemNumbers,
+        dots: ProblemNumbers,
     ) -> np.ndarray:
-        """Rates (d, nx + nz) of the start for rates (d, ...) of both."""
-        count = len(parameters)
+        """Rates (d, nx + nz) of the start along d directions, the first axis of all ``dots``."""
+        del numbers
+        count, given = len(dots.parameters), [dots.initial_piece, dots.parameters]
         rows = [np.repeat(row, count, axis=0) for row in self._rows(problem, found.unknowns)]
         still = np.zeros((count, len(found.unknowns)))
-        defect = self._residual.push_forward(rows, [still, piece, parameters])
+        defect = self._residual.push_forward(rows, [still, *given])
         own = -self._solve(self._rows(problem, found.unknowns), defect.T).T
-        return self._start.push_forward(rows, [own, piece, parameters])
+        return self._start.push_forward(rows, [own, *given])
 
     def _rows(self, problem: Problem, unknowns: np.ndarray) -> list[np.ndarray]:
         parameters = problem.equations.parameter_values

@@ -217,8 +217,13 @@ def schedule(scene: Scene) -> Schedule:
 def cycle_schedule(scene: Scene, period: float) -> Schedule:
     """One period of all inputs, whose end is the only output."""
     stops = stops_of(scene, period)
-    times = np.linspace(0.0, period, EDGES_PER_CYCLE)
-    found = Schedule.of(times, stops, *pieces_between(scene, stops))
+    return one_period(stops, *pieces_between(scene, stops))
+
+
+def one_period(stops: np.ndarray, pieces: np.ndarray, initial_piece: np.ndarray) -> Schedule:
+    """The same of coefficients (m, c) between ``stops`` (m + 1,), the last of which is the end."""
+    times = np.linspace(0.0, stops[-1], EDGES_PER_CYCLE)
+    found = Schedule.of(times, stops, pieces, initial_piece)
     return replace(found, outputs=found.outputs[-1:])
 
 

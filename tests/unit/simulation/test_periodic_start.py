@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import in_order, leg
-from viscodesign import Scene, compile, simulate
+from viscodesign import Scene, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -147,9 +147,3 @@ def test_periods_that_do_not_meet_are_refused() -> None:
     inputs = f"inputs={{left: {waves[0]}, right: {waves[1]}}}"
     with pytest.raises(SpecError, match=r"'left' 1 s, 'right' 0\.707107 s\) do not meet"):
         leg(inputs, "run.start=periodic", config="antagonistic_two_inlets")
-
-
-def test_a_compiled_function_refuses_it() -> None:
-    scene = leg(sine(0.5), run(1, 0.5, "periodic"))
-    with pytest.raises(SpecError, match=r"run\.start.*run\.start: equilibrium"):
-        compile(scene, ["input.mean"], ["tip_x_m"])

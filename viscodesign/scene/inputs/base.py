@@ -131,7 +131,7 @@ class PiecewiseLinear(Input):
 
     def pieces(self, edges: np.ndarray) -> np.ndarray:
         middles = (edges[:-1] + edges[1:]) / 2
-        starts, values, slopes = self._lines(float(edges[-1]))
+        starts, values, slopes = self._lines(edges[-1])
         index = np.searchsorted(starts, middles, side="right") - 1
         reference = edges[:-1]
         at_start = values[index] + slopes[index] * (reference - starts[index])
