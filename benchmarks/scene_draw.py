@@ -163,8 +163,7 @@ def _loads(random: np.random.Generator, body: Spec, bellows: Spec) -> tuple[Spec
     force = random.uniform(-0.3, 0.3) * stiffness * lift if random.random() < 0.25 else 0.0
     tilt = {"hanging": 0.0, "horizontal": math.pi / 2, "tilted": 0.6}
     loads: Spec = {"payload": payload, "tip_force": {"x": force, "z": 0.0}}
-    if kind != "weightless":
-        loads["gravity"] = {"tilt": tilt[str(kind)]}
+    loads["gravity"] = "off" if kind == "weightless" else {"tilt": tilt[str(kind)]}
     return loads, lift
 
 

@@ -149,7 +149,7 @@ def test_jacobian_equals_differences(name: str) -> None:
 @pytest.mark.parametrize("name", [n for n in EFFECTS if n not in ("gravity", "tip_load")])
 def test_no_force_at_rest_but_steady_load(name: str) -> None:
     """Without pressure and load a straight rod stays where it is."""
-    still = scene_of(name, "input={kind: constant, value: 0}", "loads=null")
+    still = scene_of(name, "input={kind: constant, value: 0}", "loads={gravity: off}")
     quantities = SceneQuantities(still)
     problem = build(quantities, joined(name, quantities), Settings(1, 1e-6))
     equations = problem.equations
@@ -210,7 +210,7 @@ def _rates(
         ("gravity", "loads.gravity.acceleration=0"),
         ("damping", "actuator.damping_time=0"),
         ("feedback", "bellows={area_per_force: 0, area_per_moment: 0}"),
-        ("tip_load", "loads={tip_force: {x: 0, z: 0}, payload: 0}"),
+        ("tip_load", "loads={gravity: off, tip_force: {x: 0, z: 0}, payload: 0}"),
     ],
 )
 def test_vanishes_with_its_parameter(name: str, override: str) -> None:

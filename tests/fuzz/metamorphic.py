@@ -78,7 +78,7 @@ def mirrored(rng: Random, spec: Spec) -> Spec:
         for end in ("from", "to"):
             tube[end] = tube[end].translate(swap)
     loads = spec["loads"]
-    if "gravity" in loads:
+    if loads["gravity"] != "off":
         loads["gravity"]["tilt"] *= -1
     if "tip_force" in loads:
         loads["tip_force"]["x"] *= -1

@@ -132,7 +132,7 @@ def _surroundings(rng: Random) -> Spec:
 
 
 def _loads(rng: Random) -> Spec:
-    found: Spec = {}
+    found: Spec = {"gravity": "off"}
     if chance_of(rng, 0.5):
         found["gravity"] = {"tilt": share(rng, 0.0, 2 * math.pi)}
         if chance_of(rng, 0.1):

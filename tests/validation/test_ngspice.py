@@ -63,7 +63,7 @@ def test_network_against_a_circuit_simulator(config: str, tmp_path: Path) -> Non
         "effects={pressure_distribution: on, others: off}",
         "run={duration: 4 s, output_interval: 0.1 s}",
         "gauge_pressure=0",
-        "loads=null",
+        "loads={gravity: off}",
         "accuracy=0.001 %",
         config=config,
     )

@@ -41,7 +41,7 @@ def check(scene: Scene) -> Check:
     verdicts, active = selection.verdicts, selection.active
     refuse_unsolvable(quantities, active)
     found = classification(quantities, active)
-    found = replace(found, warnings=(*verdict_notices(verdicts), *found.warnings))
+    found = replace(found, warnings=(*verdict_notices(quantities, verdicts), *found.warnings))
     return Check(scene.name, found, verdicts, found.warnings, tuple(_facts(quantities)))
 
 

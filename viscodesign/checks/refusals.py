@@ -22,8 +22,6 @@ class NumericLimits:
     """Of a number in SI units, and of its inverse."""
     resistance_ratio: float = 1e13
     """Of two tubes in one network, that double precision still carries."""
-    load: float = 1e5
-    """Force over EI/l2 beyond which a rod would turn within a thousandth of its length."""
     rod_turn: float = 400.0
     """Of the whole rod [rad]: every radian asks for an edge, twice as many to verify."""
     section_turn: float = 30.0
@@ -73,7 +71,7 @@ def _numeric_faults(quantities: SceneQuantities) -> Iterator[Fault]:
         yield from contrasts
         return
     for effect in every_effect(quantities).values():
-        if quantities.scene.effects.mode(effect.name) != "off":
+        if not effect.switchable or quantities.scene.effects.mode(effect.name) != "off":
             yield from effect.numeric_faults(quantities)
     yield from _rod(quantities)
     yield from _work(quantities)
@@ -124,15 +122,6 @@ def _rod(quantities: SceneQuantities) -> Iterator[Fault]:
             "check the pressures, youngs_modulus and extension_per_pressure",
             "bellows.extension_per_pressure",
         )
-    unit = quantities.bending_force
-    loads = {"loads.tip_force": quantities.tip_force, "loads.gravity": quantities.weight}
-    for key, load in loads.items():
-        if not load <= LIMITS.load * unit:
-            yield Fault(
-                f"{load:.3g} N is {load / unit:.3g} times EI/l2 = {unit:.3g} N; a rod with this "
-                f"load bends too sharply to be resolved (at most {LIMITS.load:g} times)",
-                key,
-            )
 
 
 def _turn(quantities: SceneQuantities) -> Iterator[Fault]:

@@ -22,17 +22,31 @@ def scene_notices(quantities: SceneQuantities, active: frozenset[str]) -> Iterat
     yield from _network_notices(quantities)
 
 
-def verdict_notices(verdicts: Iterable[Verdict]) -> Iterator[Notice]:
-    """Effects that a spec switches off although its scene needs them."""
+def verdict_notices(quantities: SceneQuantities, verdicts: Iterable[Verdict]) -> Iterator[Notice]:
+    """Effects that a spec switches off although its scene needs them, and changed defaults."""
+    effects = every_effect(quantities)
     for verdict in verdicts:
+        changed = effects[verdict.name].changed_default(quantities)
         if verdict.mode == "off" and not verdict.taken and verdict.budget_share > 1.0:
             yield Notice(
                 "needed_effect_off",
                 f"effects.{verdict.name} is off, but it would move the tip by about "
                 f"{1e3 * verdict.contribution_m:.3g} mm, {verdict.budget_share:.3g} times the "
-                "requested accuracy; use auto",
+                "requested accuracy; use auto" + (f". {changed}" if changed else ""),
                 f"effects.{verdict.name}",
             )
+        elif verdict.taken and changed and not _says_its_version(quantities):
+            yield Notice(
+                "changed_default",
+                f"{verdict.name} moves the tip by about {1e3 * verdict.contribution_m:.3g} mm: "
+                f"{changed}, or accept the default with `spec: 1`",
+                effects[verdict.name].keys[0],
+            )
+
+
+def _says_its_version(quantities: SceneQuantities) -> bool:
+    """Whether the spec was written for the keys of today."""
+    return "spec" in quantities.scene.model_fields_set
 
 
 def inlet_violations(quantities: SceneQuantities) -> Iterator[Notice]:

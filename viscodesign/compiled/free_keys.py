@@ -28,6 +28,7 @@ FROZEN_SECTIONS = {
     "effects": "which effects are included stays as it was chosen",
     "name": "it is no number of the equations",
     "pump": "no equation contains the pump's data",
+    "spec": "it is the version of the keys",
     "run": "times of the run and of its outputs stay as they are",
 }
 """Keys of a spec below which nothing can be free, and why."""

@@ -142,6 +142,14 @@ class Effect(ABC):
         del quantities
         return iter(())
 
+    def changed_default(self, quantities: SceneQuantities) -> str:
+        """What the spec leaves unsaid and earlier versions took otherwise, and what to write.
+
+        Empty where the spec says it.
+        """
+        del quantities
+        return ""
+
     def refusals(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Fault]:
         """Why the scene has no bounded solution with these effects."""
         del quantities, active

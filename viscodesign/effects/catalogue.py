@@ -25,6 +25,11 @@ def effect_names() -> tuple[str, ...]:
     return tuple(name for name, kind in catalogue().items() if kind.switchable)
 
 
+def keys_of_fixed_effects() -> dict[str, tuple[str, ...]]:
+    """Effects that a spec cannot switch, and the keys that decide them."""
+    return {name: kind.keys for name, kind in catalogue().items() if not kind.switchable}
+
+
 def every_effect(quantities: SceneQuantities) -> dict[str, Effect]:
     """All effects of a scene by name, whether they act on something or not."""
     return {name: kind.of(quantities) for name, kind in catalogue().items()}

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import ClassVar, Self
 
 import casadi as ca
 
 from viscodesign.effects.base import Effect
+from viscodesign.effects.load_limit import load_faults
+from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
@@ -47,6 +50,17 @@ class Gravity(Effect):
     def estimate_term(self) -> EstimateTerm:
         down = (math.sin(self.tilt), math.cos(self.tilt))
         return EstimateTerm(acceleration=(self.acceleration * down[0], self.acceleration * down[1]))
+
+    def numeric_faults(self, quantities: SceneQuantities) -> Iterator[Fault]:
+        return load_faults(quantities, quantities.weight, "loads.gravity")
+
+    def changed_default(self, quantities: SceneQuantities) -> str:
+        if "gravity" in quantities.scene.loads.model_fields_set:
+            return ""
+        return (
+            "`loads.gravity` is not stated, which up to version 0.9 meant weightless and now "
+            "means Earth's gravity along the hanging actuator. State `on` or `off`"
+        )
 
     def join(self, system: System) -> None:
         acceleration = system.parameter("gravity.acceleration", self.acceleration)

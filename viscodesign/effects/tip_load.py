@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import ClassVar, Self
 
 from viscodesign.effects.base import Effect
+from viscodesign.effects.load_limit import load_faults
+from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
@@ -51,6 +54,9 @@ class TipLoad(Effect):
 
     def estimate_term(self) -> EstimateTerm:
         return EstimateTerm(tip_force=(self.force_x, self.force_z), tip_mass=self.payload)
+
+    def numeric_faults(self, quantities: SceneQuantities) -> Iterator[Fault]:
+        return load_faults(quantities, quantities.tip_force, "loads.tip_force")
 
     def join(self, system: System) -> None:
         if self.payload:

@@ -22,6 +22,9 @@ from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
 
+SUDDEN_SHARE = 0.3
+"""Swing of a rod that its weight meets at once, in parts of the accuracy, that is negligible."""
+
 
 @dataclass(frozen=True, eq=False)
 class SceneQuantities:
@@ -261,7 +264,23 @@ class SceneQuantities:
     @property
     def suddenly_loaded(self) -> bool:
         """Whether loads meet a rod that was straight and at rest before."""
-        return self.scene.run.start == "rest" and self.tip_force + self.weight > 0.0
+        if self.scene.run.start != "rest":
+            return False
+        return self.tip_force > 0.0 or self._largest_drop > SUDDEN_SHARE * self.requested_m
+
+    @property
+    def _largest_drop(self) -> float:
+        """Bound of the tip's swing when the weight meets a straight rod at rest [m].
+
+        Twice the static deflection, with all of the weight at the tip. An upright rod may topple.
+        """
+        gravity, body = self.scene.loads.gravity, self.body
+        if gravity is None:
+            return 0.0
+        along, across = math.cos(gravity.tilt), abs(math.sin(gravity.tilt))
+        bending = (1.0 if along < 0.0 else across) * body.length**3 / (3 * body.bending_stiffness)
+        stretching = abs(along) * body.length / body.extension_stiffness
+        return 2.0 * self.weight * (bending + stretching)
 
     @property
     def load_force(self) -> float:

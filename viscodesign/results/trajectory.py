@@ -178,6 +178,14 @@ class Trajectory(MotionArrays):
         that of a model that does not hold."""
         return "outside" if self.violations else "inside"
 
+    @property
+    def error_qualifier(self) -> str:
+        """Of which model the stated error is, in words; empty where the scene had its choice."""
+        if self.violations:
+            return "of a model that does not hold here"
+        pinned = any(v.present and not v.taken and v.mode == "off" for v in self.effects)
+        return "of the model as pinned" if pinned else ""
+
     def with_time(self, **parts: float) -> Trajectory:
         """The same with parts of its cost replaced: ``load_s``, ``write_s`` [s]."""
         return replace(self, cost=replace(self.cost, **parts))  # type: ignore[arg-type]

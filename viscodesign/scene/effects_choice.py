@@ -56,10 +56,13 @@ def _mode(given: Any) -> str | None:
 
 def _faults(given: dict[Any, Any], context: dict[str, Any]) -> Iterator[KeyFault]:
     """Unknown names and modes; names are checked only if the known ones are in the context."""
-    known = context.get("effect_names")
+    known, fixed = context.get("effect_names"), context.get("fixed_effects", {})
     for name, value in given.items():
         mode, path = _mode(value), (str(name),)
-        if known is not None and name not in (*known, OTHERS):
+        if name in fixed:
+            keys = " and ".join(f"`{key}`" for key in fixed[name])
+            yield KeyFault(path, f"cannot be switched: {keys} decide it; remove this line")
+        elif known is not None and name not in (*known, OTHERS):
             yield KeyFault(path, f"no such effect{did_you_mean(name, known)}")
         elif mode is None:
             yield KeyFault(path, not_among(value, MODES))

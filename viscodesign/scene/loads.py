@@ -35,7 +35,10 @@ class TipForce(SpecPart):
 class Loads(SpecPart):
     """Gravity, a force on the tip and a payload."""
 
-    gravity: GravityLoad | None = Field(None, description="off, on, or {acceleration, tilt}")
+    gravity: GravityLoad | None = Field(
+        default_factory=GravityLoad,
+        description="off, on, or {acceleration, tilt}; default: hanging in Earth's gravity",
+    )
     tip_force: TipForce = Field(default_factory=TipForce)
     payload: Mass = Field(0.0, ge=0, description="Mass at the tip")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Mapping
-from typing import Any, Self
+from typing import Any, Literal, Self
 
 from pydantic import BaseModel, Field, PrivateAttr, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
@@ -28,6 +28,7 @@ from viscodesign.scene.pressure_levels import with_levels_above
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_of, invalid, raise_faults
+from viscodesign.scene.spec_version import SPEC_VERSION, version_problem
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
 
@@ -57,6 +58,7 @@ def _with_gauge_levels(baseline: float, given: Any, path: KeyPath) -> Any:
 class Scene(SpecPart):
     """A validated scene in SI units; the keys are those of the YAML spec."""
 
+    spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
     name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
     actuator: Actuator = Field(description="The elastomer body: size, stiffness, mass")
     bellows: Bellows = Field(description="Number, size and measured coefficients of the bellows")
@@ -106,6 +108,13 @@ class Scene(SpecPart):
         return {
             name: _with_gauge_levels(baseline, own, (str(name),)) for name, own in given.items()
         }
+
+    @field_validator("spec", mode="before")
+    @classmethod
+    def _known_version(cls, given: Any) -> Any:
+        if problem := version_problem(given):
+            raise invalid(problem)
+        return given
 
     @field_validator("name")
     @classmethod

@@ -55,7 +55,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
         invariants=motion.invariants,
         warnings=_merged(
             (
-                *verdict_notices(selection.verdicts),
+                *verdict_notices(quantities, selection.verdicts),
                 *found.warnings,
                 *_start_notices(quantities, selection, run),
             ),

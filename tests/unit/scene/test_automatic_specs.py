@@ -35,8 +35,8 @@ def test_an_automatic_spec_differs_in_its_effects_only(name: str) -> None:
 def test_resolved_specs_differ_in_their_effects_only(name: str) -> None:
     texts = [resolved_yaml(leg(config=stem)) for stem in (name, f"{name}_auto")]
     own, other = (_without_effects(text) for text in texts)
-    assert own[0] == f"name: {name}"
-    assert other == [f"name: {name}_auto", *own[1:]]
+    assert own[:2] == ["spec: 1", f"name: {name}"]
+    assert other == ["spec: 1", f"name: {name}_auto", *own[2:]]
 
 
 @pytest.mark.parametrize("name", PINNED)

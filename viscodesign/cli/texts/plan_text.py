@@ -98,8 +98,7 @@ def _outcome(plan: PumpPlan) -> Iterator[str]:
     """What the actuator would do with what the pump can deliver."""
     error = plan.error_m
     total = "unknown" if error is None else number(1e3 * error, "mm")
-    if plan.validity == "outside":
-        total += ", of a model that does not hold here"
+    total = ", ".join(filter(None, (total, plan.error_qualifier)))
     yield "what the pump would do"
     deviation = number(1e3 * plan.deviation_m, "mm")
     life = plan.limits["battery_life_s"]

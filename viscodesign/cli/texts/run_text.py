@@ -107,7 +107,7 @@ def _tip_error(trajectory: Trajectory) -> str:
     if error is None:
         return f"{accuracy.method} ({requested})"
     stated = f"{number(1e3 * error, 'mm')}, {percent(error, length)} of the length ({requested})"
-    return f"{stated}, of a model that does not hold here" if trajectory.violations else stated
+    return ", ".join(filter(None, (stated, trajectory.error_qualifier)))
 
 
 def _outside(trajectory: Trajectory) -> Iterator[tuple[str, str]]:

@@ -112,6 +112,12 @@ class PumpPlan:
         return None if None in errors else sum(e for e in errors if e is not None)
 
     @property
+    def error_qualifier(self) -> str:
+        """Of which model that error is, in words."""
+        runs = (self.wanted_run, self.achievable_run)
+        return next((run for run in runs if run.violations), self.wanted_run).error_qualifier
+
+    @property
     def validity(self) -> str:
         """ "inside" where both runs stay within what their model describes, else "outside"."""
         runs = (self.wanted_run, self.achievable_run)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping, Sequence
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.run import OUTPUT_KEYS
 from viscodesign.scene.scene import Provenance, Scene
 from viscodesign.scene.spec_part import VALID_FIELDS, KeyPath
+from viscodesign.scene.spec_version import version_problem
 
 IGNORED_PREFIX = "x-"
 """How top-level keys begin that a spec keeps for itself, such as values that anchors name."""
@@ -39,6 +41,8 @@ class KnownEffects:
     """Names that `effects:` may contain."""
 
     names: tuple[str, ...]
+    fixed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Others that cannot be switched, and the keys that decide them."""
 
 
 def load_scene(
@@ -64,10 +68,11 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
     """The scene of a spec with some keys overridden. Raises `SpecError` with all faults."""
     document = spec.document
     _apply(document, overrides)
+    _refuse_other_version(document)
     valid: dict[tuple[str, str | None], Any] = {}
     context: dict[str, Any] = {"folder": spec.folder, VALID_FIELDS: valid}
     if known is not None:
-        context |= {"effect_names": known.names}
+        context |= {"effect_names": known.names, "fixed_effects": known.fixed}
     data = {k: v for k, v in document.data.items() if not k.startswith(IGNORED_PREFIX)}
     try:
         scene = Scene.model_validate(data, context=context)
@@ -83,6 +88,14 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
 def _resolved_only(scene: Scene) -> Provenance:
     """Of a scene that no file has: the resolved spec is the first text of it."""
     return Provenance("", hashlib.sha256(resolved_yaml(scene).encode()).hexdigest())
+
+
+def _refuse_other_version(document: Document) -> None:
+    """Raise `SpecError` for keys of another version: faults of single keys would mislead."""
+    problem = version_problem(document.data["spec"]) if "spec" in document.data else ""
+    if problem:
+        file, line = document.place(("spec",))
+        raise SpecError([Fault(problem, "spec", file, line)])
 
 
 def _in_order(faults: Sequence[Fault]) -> list[Fault]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from viscodesign.cli.texts.check_text import (
     verdict_lines,
 )
 from viscodesign.cli.texts.run_text import MOST_RETRIES, summary_lines
-from viscodesign.results.findings import Classification, RetryAttempt, Scales
+from viscodesign.results.findings import Classification, RetryAttempt, Scales, Verdict
 from viscodesign.results.trajectory import Accuracy, Trajectory
 
 FILES = [Path("runs/leg/trajectory.csv"), Path("runs/leg/summary.json")]
@@ -61,6 +62,16 @@ def test_a_run_outside_of_its_model_says_so(trajectory: Trajectory) -> None:
     (stated,) = (line for line in _summary(outside).splitlines() if "tip error  " in line)
     assert stated.endswith(", of a model that does not hold here")
     assert "does not hold" not in _summary(trajectory)
+
+
+def test_an_error_of_pinned_effects_says_so(trajectory: Trajectory) -> None:
+    def stated(mode: Literal["auto", "off"], *, present: bool = True) -> str:
+        own = Verdict("x", mode, False, 0.1, "f", "why", present=present)
+        run = replace(trajectory, effects=(own,), violations=())
+        return next(line for line in _summary(run).splitlines() if "tip error  " in line)
+
+    assert stated("off") == f"{stated('auto')}, of the model as pinned"
+    assert stated("off", present=False) == stated("auto")
 
 
 def test_retries_are_printed(trajectory: Trajectory) -> None:
