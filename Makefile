@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 .PHONY: run test lint check clean
 
 run: $(VENV)/.main
-	$(BIN)/viscodesign simulate configs/leg_16_straight_air.yaml
+	$(BIN)/viscodesign simulate configs/leg.yaml
 
 test: $(VENV)/.dev
 	$(BIN)/python -m pytest -n 2 --dist worksteal

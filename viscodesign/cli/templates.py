@@ -9,7 +9,7 @@ from pathlib import Path
 from viscodesign.errors import UsageError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
 
-DEFAULT = "leg_16_straight_air"
+DEFAULT = "leg"
 
 PACKAGE = Path(__file__).resolve().parents[1]
 FOLDERS = (PACKAGE / "configs", PACKAGE.parent / "configs")

@@ -43,7 +43,7 @@ def call(capsys: pytest.CaptureFixture[str]) -> Call:
 
 @pytest.fixture
 def leg() -> Path:
-    """The default spec."""
+    """The paper's leg, as published."""
     return CONFIGS / "leg_16_straight_air.yaml"
 
 

@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from viscodesign import check, load, simulate
 from viscodesign.cli import templates
 from viscodesign.errors import ViscodesignError
+from viscodesign.scene.effects_choice import EffectsChoice
 
 from .conftest import CONFIGS
 
@@ -39,3 +41,12 @@ def test_no_specs_anywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(templates, "FOLDERS", (tmp_path,))
     with pytest.raises(ViscodesignError, match="install viscodesign again"):
         templates.templates()
+
+
+def test_the_first_leg_is_sound() -> None:
+    """Its choice of effects is free, and nothing is to be warned of."""
+    scene = load(templates.template(templates.DEFAULT).path)
+    assert scene.effects == EffectsChoice()
+    assert check(scene).warnings == ()
+    run = simulate(scene, verify=False)
+    assert (run.status, run.validity, run.warnings) == ("complete", "inside", ())
