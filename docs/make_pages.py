@@ -1,6 +1,7 @@
 """Fill the computed parts of these pages: python docs/make_pages.py [PAGE ...]
 
-Without a page it fills all, which solves many scenes; `effects` and `quantities` take a moment.
+Without a page it fills all, which solves many scenes; `effects`, `keys` and `quantities` take a
+moment.
 A page is written by hand except for blocks between `<!-- made: NAME -->` and `<!-- made: end -->`;
 these are replaced. Pictures go to docs/published_and_called_for/.
 """
@@ -17,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from keys_table import HEAD, sections
 from tip_pair import draw_tips
 
 from viscodesign import AccuracyStudy, Trajectory, accuracy, load, simulate
@@ -36,6 +38,7 @@ def main(names: list[str]) -> None:
     """Fill the pages with these names, or all."""
     makers: dict[str, Callable[[], dict[str, str]]] = {
         "effects": lambda: {"effects": effects_table()},
+        "keys": lambda: {"keys": keys_tables()},
         "quantities": lambda: {"quantities": quantities_table(), "metrics": metrics_table()},
         "accuracy": lambda: {"accuracy": accuracy_block()},
         "published_and_called_for": comparison_blocks,
@@ -67,6 +70,14 @@ def quantities_table() -> str:
 def metrics_table() -> str:
     """Every metric of a run."""
     return table(("metric", "what it is"), list(metric_table()))
+
+
+def keys_tables() -> str:
+    """Every key of a spec, section by section."""
+    parts = []
+    for heading, summary, rows in sections():
+        parts += [f"## {heading}", *([summary] if summary else []), table(HEAD, rows)]
+    return "\n\n".join(parts)
 
 
 # -- the table of effects ----------------------------------------------------------------

@@ -12,6 +12,7 @@ import pytest
 
 from tests.architecture import modules, room_of
 from tests.scenes import ROOT
+from viscodesign.effects.catalogue import catalogue
 
 DOCS = ROOT / "docs"
 PAGES = [*ROOT.glob("*.md"), *DOCS.glob("*.md"), ROOT / "tests" / "fuzz" / "README.md"]
@@ -31,6 +32,24 @@ def test_the_table_of_effects_lists_the_catalogue(make_pages: ModuleType) -> Non
     page = (DOCS / "effects.md").read_text(encoding="utf-8")
     blocks = {name: text for _, name, text in make_pages.blocks_of(page)}
     assert blocks["effects"] == make_pages.effects_table()
+
+
+def test_the_page_of_keys_lists_the_models(make_pages: ModuleType) -> None:
+    """Filled anew by `python docs/make_pages.py keys`."""
+    page = (DOCS / "keys.md").read_text(encoding="utf-8")
+    blocks = {name: text for _, name, text in make_pages.blocks_of(page)}
+    assert blocks["keys"] == make_pages.keys_tables()
+
+
+def test_every_key_says_what_it_means(make_pages: ModuleType) -> None:
+    rows = [row for _, _, rows in make_pages.sections() for row in rows]
+    assert len(rows) > 100
+    assert [row[0] for row in rows if not row[1]] == []
+
+
+def test_keys_that_effects_read_exist(make_pages: ModuleType) -> None:
+    keys = {row[0].strip("`") for _, _, rows in make_pages.sections() for row in rows}
+    assert {key for effect in catalogue().values() for key in effect.keys} <= keys
 
 
 def test_every_block_is_filled_and_every_picture_exists(make_pages: ModuleType) -> None:

@@ -27,7 +27,14 @@ class FluidInertance(Effect):
         "The velocity profile of steady laminar flow; no pressure waves within a tube."
     )
     source: ClassVar[str] = "Momentum of a parabolic profile."
-    keys: ClassVar[tuple[str, ...]] = ("fluid.density", "network")
+    keys: ClassVar[tuple[str, ...]] = (
+        "fluid.density",
+        "network.tube_radius",
+        "network.tube_length",
+        "network.changes",
+        "network.tubes",
+        "network.feed_line",
+    )
 
     inertances: dict[str, float]
     delay: float

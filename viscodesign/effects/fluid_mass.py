@@ -30,7 +30,12 @@ class FluidMass(Effect):
         "The fluid of a section is spread evenly along its axis; that in the tubes is neglected."
     )
     source: ClassVar[str] = "Lagrange's equations with the mass that each bellow holds."
-    keys: ClassVar[tuple[str, ...]] = ("fluid", "bellows.height", "bellows.width", "bellows.length")
+    keys: ClassVar[tuple[str, ...]] = (
+        "fluid.density",
+        "bellows.height",
+        "bellows.width",
+        "bellows.length",
+    )
 
     density: float
     amount: float

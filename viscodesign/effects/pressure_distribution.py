@@ -25,7 +25,16 @@ class PressureDistribution(Effect):
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.DISTRIBUTED_PRESSURE})
     validity: ClassVar[str] = "Slow laminar flow of a Newtonian fluid in slender tubes."
     source: ClassVar[str] = "Hagen and Poiseuille; the paper, equation (1)."
-    keys: ClassVar[tuple[str, ...]] = ("network", "fluid", "temperature")
+    keys: ClassVar[tuple[str, ...]] = (
+        "network.layout",
+        "network.tube_radius",
+        "network.tube_length",
+        "network.changes",
+        "network.tubes",
+        "network.feed_line",
+        "fluid.viscosity",
+        "temperature",
+    )
 
     resistances: dict[str, float]
 

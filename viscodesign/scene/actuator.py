@@ -25,13 +25,20 @@ class Actuator(SpecPart):
     )
     density: Density = Field(gt=0, description="Density of the elastomer")
     solid_fraction: Fraction = Field(
-        gt=0, le=1, description="Solid fraction of the cross section", examples=["47 %"]
+        gt=0,
+        le=1,
+        description="Solid part of the cross section (height x width), for the mass",
+        examples=["47 %"],
     )
     extension_factor: Fraction = Field(
-        gt=0, description="Extension stiffness relative to a solid rectangle", examples=["0.53"]
+        gt=0,
+        description="Stiffness in tension, EA, relative to a solid rectangle of height x width",
+        examples=["0.53"],
     )
     bending_factor: Fraction = Field(
-        gt=0, description="Bending stiffness relative to a solid rectangle", examples=["0.55"]
+        gt=0,
+        description="Bending stiffness, EI, relative to a solid rectangle of height x width",
+        examples=["0.55"],
     )
     damping_time: Time = Field(
         1e-3, ge=0, description="Kelvin-Voigt retardation time of the elastomer", examples=["1 ms"]

@@ -120,15 +120,23 @@ class Bellows(SpecPart):
     height: Length = Field(gt=0, description="Size along x", examples=["10 mm"])
     width: Length = Field(gt=0, description="Size along z", examples=["12 mm"])
     length: Length = Field(gt=0, description="Size along the flow", examples=["18 mm"])
-    area_per_pressure: AreaPerPressure = Field(gt=0, description="da1/dp")
+    area_per_pressure: AreaPerPressure = Field(
+        gt=0, description="Growth of one bellow's section (height x width) per pressure, da1/dp"
+    )
     angle_per_pressure: Angle = Field(
-        description="dpsi/d(p'/E), bending of a section", examples=["10.266 rad"]
+        description="Turn of a section per (left minus right pressure)/E, dpsi/d(p'/E)",
+        examples=["10.266 rad"],
     )
     extension_per_pressure: Length = Field(
-        description="dzeta/d(pbar/E), extension of a section", examples=["47 mm"]
+        description="Lengthening of a section per (left plus right pressure)/E, dzeta/d(pbar/E)",
+        examples=["47 mm"],
     )
-    area_per_force: AreaPerForce = Field(0.0, description="da1/dN_e, feedback of normal force")
-    area_per_moment: AreaPerMoment = Field(0.0, description="da1/dM_e, feedback of moment")
+    area_per_force: AreaPerForce = Field(
+        0.0, description="Growth of a bellow's section per tension of the rod, da1/dN_e"
+    )
+    area_per_moment: AreaPerMoment = Field(
+        0.0, description="Growth of a left bellow's section per moment of the rod, da1/dM_e"
+    )
     collapse_fraction: Fraction = Field(
         0.1,
         ge=0,

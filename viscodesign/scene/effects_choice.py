@@ -18,8 +18,8 @@ OTHERS = "others"
 class EffectsChoice(SpecPart):
     """A mode for each named effect, and one for all others."""
 
-    modes: dict[str, Mode] = Field(default_factory=dict)
-    others: Mode = "auto"
+    modes: dict[str, Mode] = Field(default_factory=dict, description="Mode of each named effect")
+    others: Mode = Field("auto", description="Mode of all other effects")
 
     @model_validator(mode="before")
     @classmethod

@@ -39,7 +39,9 @@ class Loads(SpecPart):
         default_factory=GravityLoad,
         description="off, on, or {acceleration, tilt}; default: hanging in Earth's gravity",
     )
-    tip_force: TipForce = Field(default_factory=TipForce)
+    tip_force: TipForce = Field(
+        default_factory=TipForce, description="Force on the tip, of constant direction"
+    )
     payload: Mass = Field(0.0, ge=0, description="Mass at the tip")
 
     @field_validator("gravity", mode="before")

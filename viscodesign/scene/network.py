@@ -26,8 +26,8 @@ MAX_TUBES = 20_000
 class TubeChange(SpecPart):
     """Changed dimensions of one tube of a named layout."""
 
-    length: Length | None = Field(None, gt=0)
-    radius: Length | None = Field(None, gt=0)
+    length: Length | None = Field(None, gt=0, description="Length, instead of tube_length")
+    radius: Length | None = Field(None, gt=0, description="Inner radius, instead of tube_radius")
 
 
 class TubeEntry(SpecPart):
@@ -61,7 +61,10 @@ class FeedLineSpec(SpecPart):
 class Network(SpecPart):
     """A named chain with changes to single tubes, or any graph."""
 
-    layout: Literal["straight", "crossed", "custom"]
+    layout: Literal["straight", "crossed", "custom"] = Field(
+        description="How the bellows are joined: one chain down the right side and up the left, "
+        "one that crosses over after every pair, or the tubes that are listed"
+    )
     tube_radius: Length | None = Field(
         None, gt=0, description="Inner radius of the tubes", examples=["0.325 mm"]
     )

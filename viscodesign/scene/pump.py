@@ -56,7 +56,7 @@ def _ids(given: Any) -> Any:
 class SensorSpec(SpecPart):
     """The pressure sensor's analog channel."""
 
-    channel: int = Field(ge=0, le=7)
+    channel: int = Field(ge=0, le=7, description="Analog input that it is connected to")
     on: Literal["auto", "board", "phidget"] = Field(
         "auto",
         description="Where it is connected; auto: the board, or a kit if the board has no pins",
@@ -66,9 +66,11 @@ class SensorSpec(SpecPart):
 class LimitSwitchSpec(SpecPart):
     """Digital inputs that stop the plunger at the ends of its travel."""
 
-    low: str
-    high: str
-    normally: Literal["closed", "open"] = "closed"
+    low: str = Field(description="Digital input of the switch at the withdrawn end, such as D1")
+    high: str = Field(description="Digital input of the switch at the pushed end, such as D2")
+    normally: Literal["closed", "open"] = Field(
+        "closed", description="State of the switches while the plunger is between them"
+    )
 
 
 def _own_channels(given: Any) -> Any:
@@ -107,14 +109,16 @@ class PumpSpec(SpecPart):
     syringe_diameter: Length = Field(
         gt=0, description="Inner diameter of the barrel", examples=["34.9 mm"]
     )
-    syringe_stroke: Length = Field(0.1045, gt=0)
+    syringe_stroke: Length = Field(0.1045, gt=0, description="Usable stroke of the plunger")
     pinion_diameter: Length = Field(0.0296, gt=0, description="Pitch diameter")
-    servo: Literal["ax12a", "ax18a"] = "ax18a"
+    servo: Literal["ax12a", "ax18a"] = Field("ax18a", description="Model of the servo")
     servo_id: Annotated[int | dict[str, int], BeforeValidator(_ids)] = Field(
         1, description="One id, or one per inlet by name"
     )
-    supply_voltage: Voltage = Field(11.1, gt=0)
-    dead_volume: Volume = Field(5e-6, ge=0)
+    supply_voltage: Voltage = Field(11.1, gt=0, description="Voltage at the servos")
+    dead_volume: Volume = Field(
+        5e-6, ge=0, description="Volume between plunger and inlet that it cannot displace"
+    )
     battery_capacity: Charge = Field(
         450e-3 * 3600, gt=0, description="Battery capacity, shared by all servos"
     )
@@ -128,7 +132,9 @@ class PumpSpec(SpecPart):
     home: int = Field(
         200, ge=0, le=MAX_SERVO_COUNTS, description="Servo counts with the plunger at its start"
     )
-    travel: tuple[int, int] = (100, 1000)
+    travel: tuple[int, int] = Field(
+        (100, 1000), description="Lowest and highest servo counts that the plunger may have"
+    )
     push: Literal["up", "down"] = Field(
         "up", description="Direction of the servo counts as the plunger is pushed in"
     )

@@ -64,7 +64,8 @@ class Scene(SpecPart):
     bellows: Bellows = Field(description="Number, size and measured coefficients of the bellows")
     network: Network = Field(description="The tubes that connect the bellows")
     fluid_choice: Fluid = Field(
-        alias="fluid", description="air, water, or a mapping of name, viscosity, density"
+        alias="fluid",
+        description="A named fluid, such as air or water, or a mapping of name, viscosity, density",
     )
     temperature: Temperature = Field(
         293.15, gt=0, description="Temperature of fluid and surroundings"

@@ -50,7 +50,7 @@ def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
     for depth, part in enumerate(path):
         model = _model_in(annotation, document.given(path[:depth]))
         if model is None:
-            annotation = _entry_of(annotation)
+            annotation = entry_of(annotation)
         elif part in _fields(model):
             annotation = _fields(model)[part].annotation
         else:
@@ -60,19 +60,19 @@ def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
 
 def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
     """The model of an annotation; of the input kinds, the given one."""
-    kinds = [a for a in _alternatives(annotation) if isinstance(a, type)]
+    kinds = [a for a in alternatives(annotation) if isinstance(a, type)]
     models = [a for a in kinds if issubclass(a, BaseModel)]
     if models and all(issubclass(model, Input) for model in models):
         kind = given.get("kind") if isinstance(given, dict) else None
         return INPUT_KINDS.get(kind) if isinstance(kind, str) else None
-    if len(kinds) < len(_alternatives(annotation)) and is_by_inlet(given):
+    if len(kinds) < len(alternatives(annotation)) and is_by_inlet(given):
         return None
     return models[0] if len(models) == 1 else None
 
 
-def _entry_of(annotation: Any) -> Any:
+def entry_of(annotation: Any) -> Any:
     """The type of the entries of a mapping or a list."""
-    for alternative in _alternatives(annotation):
+    for alternative in alternatives(annotation):
         if get_origin(alternative) is dict:
             return get_args(alternative)[1]
         if get_origin(alternative) is tuple:
@@ -89,11 +89,11 @@ def _notes(annotation: Any) -> list[Any]:
     return []
 
 
-def _alternatives(annotation: Any) -> list[Any]:
+def alternatives(annotation: Any) -> list[Any]:
     """The members of a union, however nested and annotated."""
     origin = get_origin(annotation)
     if origin is Annotated:
-        return _alternatives(get_args(annotation)[0])
+        return alternatives(get_args(annotation)[0])
     if origin in (Union, UnionType):
-        return [a for member in get_args(annotation) for a in _alternatives(member)]
+        return [a for member in get_args(annotation) for a in alternatives(member)]
     return [annotation]
