@@ -44,7 +44,7 @@ Example:
   viscodesign init leg.yaml
   viscodesign check leg.yaml
   viscodesign simulate leg.yaml -o runs/leg"""
-COMMANDS = ("init", "check", "classify", "simulate", "accuracy", "effects", "schema")
+COMMANDS = ("init", "check", "classify", "simulate", "report", "accuracy", "effects", "schema")
 """In the order of `--help`; every module has a `command` and an `EXAMPLE`."""
 PUMP = "pump"
 

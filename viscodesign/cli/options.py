@@ -30,6 +30,7 @@ RunFolder = Annotated[
     typer.Option("--output", "-o", metavar="DIR", help="Output folder; runs/<name> by default."),
 ]
 NoPlots = Annotated[bool, typer.Option("--no-plots", help="Skip the pictures.")]
+NoReport = Annotated[bool, typer.Option("--no-report", help="Skip the page, report.html.")]
 PictureFormat = Annotated[
     Literal["png", "pdf", "svg"], typer.Option("--format", help="Format of the pictures.")
 ]

@@ -15,6 +15,7 @@ from viscodesign.cli.options import (
     Force,
     Json,
     NoPlots,
+    NoReport,
     Overrides,
     PictureFormat,
     Quiet,
@@ -54,6 +55,7 @@ def command(
         bool, typer.Option("--no-verify", help="Skip the estimate of the tip error.")
     ] = False,
     no_plots: NoPlots = False,
+    no_report: NoReport = False,
     picture_format: PictureFormat = "png",
     force: Force = False,
     json: Json = False,
@@ -62,9 +64,9 @@ def command(
 ) -> None:
     """Simulate a spec and write its motion.
 
-    Writes CSV tables, pictures, the resolved spec and a summary to one folder.
-    Files of an earlier run in the same folder are replaced. A failed or interrupted run
-    keeps what it computed, labelled as such.
+    Writes CSV tables, pictures, a page that shows the motion, the resolved spec and a
+    summary to one folder. Files of an earlier run in the same folder are replaced. A failed
+    or interrupted run keeps what it computed, labelled as such.
     """
     from viscodesign import load
     from viscodesign import simulate as solve
@@ -95,6 +97,7 @@ def command(
         trajectory.with_time(load_s=load_s),
         folder,
         plots=not no_plots,
+        report=not no_report,
         force=force,
         picture_format=picture_format,
     )

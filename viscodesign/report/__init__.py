@@ -1,1 +1,1 @@
-"""Tables, files and pictures of a run; reads trajectories and nothing else."""
+"""Tables, pictures, films and the page of a run; reads trajectories and their specs."""

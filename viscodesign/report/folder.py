@@ -78,12 +78,14 @@ RUN_PICTURES = ("tip.png", "pressures.png", "shapes.png")
 EFFECTS_PICTURE = "effects.png"
 """Drawn where a run measured its effects."""
 SUMMARY = "summary.json"
+PAGE = "report.html"
 STUDY_FILES = FileSet("accuracy.csv", "accuracy.json", "accuracy.png")
 PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
 OUR_FILES = {
     *RUN_TABLES,
     *in_every_format([*RUN_PICTURES, EFFECTS_PICTURE, STUDY_FILES.picture, PLAN_FILES.picture]),
     SUMMARY,
+    PAGE,
     *STUDY_FILES.names,
     *PLAN_FILES.names,
 }

@@ -11,6 +11,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
     EFFECTS_PICTURE,
+    PAGE,
     RUN_PICTURES,
     RUN_TABLES,
     SUMMARY,
@@ -41,12 +42,18 @@ def write_run(
     directory: str | Path,
     *,
     plots: bool = True,
+    report: bool = True,
     force: bool = False,
     picture_format: Format = "png",
 ) -> list[Path]:
     """Write a run's files and return them, as `write_timed` does."""
     return write_timed(
-        trajectory, directory, plots=plots, force=force, picture_format=picture_format
+        trajectory,
+        directory,
+        plots=plots,
+        report=report,
+        force=force,
+        picture_format=picture_format,
     ).files
 
 
@@ -55,15 +62,17 @@ def write_timed(
     directory: str | Path,
     *,
     plots: bool = True,
+    report: bool = True,
     force: bool = False,
     picture_format: Format = "png",
 ) -> WrittenRun:
     """Write a run's files, and how long that took; an earlier run's are replaced or removed.
 
     Tables come first, all or none, so that a failing picture cannot lose them; the summary
-    comes last: a folder that holds one is complete. An interrupt leaves out pictures that are
-    not yet begun, and raises `KeyboardInterrupt` when all else is written. Raises `UsageError`
-    where the folder cannot be written, or (without ``force``) holds files that are not ours.
+    comes last: a folder that holds one is complete. ``plots`` and ``report`` ask for pictures and
+    page. An interrupt leaves out those that are not yet begun, and raises `KeyboardInterrupt`
+    when all else is written. Raises `UsageError` where the folder cannot be written, or (without
+    ``force``) holds files that are not ours.
     """
     began = clock.perf_counter()
     folder = prepare_folder(directory, force=force)
@@ -74,11 +83,14 @@ def write_timed(
     )
     tables = [folder / name for name in RUN_TABLES]
     summary = folder / SUMMARY
-    old = [summary, *(folder / name for name in in_every_format([*RUN_PICTURES, EFFECTS_PICTURE]))]
+    drawn = in_every_format([*RUN_PICTURES, EFFECTS_PICTURE])
+    old = [summary, *(folder / name for name in (*drawn, PAGE))]
     # A run that took long to solve may take a while to write: it is not lost for an interrupt.
     with gentle_interrupt() as interrupt:
         write_all(dict(zip(tables, contents, strict=True)), first=lambda: remove_files(old))
         pictures = list(_draw(trajectory, folder, picture_format, interrupt)) if plots else []
+        if report and not interrupt.asked:
+            pictures.append(_write_page(trajectory, folder / PAGE))
         told = trajectory.with_time(write_s=clock.perf_counter() - began)
         write_bytes(summary, json_bytes(told.summary()))
     if interrupt.asked:
@@ -107,6 +119,13 @@ def _draw(
         file = folder / picture_name(name, picture_format)
         draw(trajectory, file)
         yield file
+
+
+def _write_page(trajectory: Trajectory, file: Path) -> Path:
+    from viscodesign.report.page.page import write_page
+    from viscodesign.report.page.shown_run import ShownRun
+
+    return write_page(ShownRun.of(trajectory), file)
 
 
 def trajectory_lines(trajectory: Trajectory) -> Iterator[bytes]:

@@ -17,7 +17,7 @@ from viscodesign.results.trajectory import Trajectory
 from .conftest import CONFIGS, Call
 
 SHORT = ("--set", "run.duration=0.1 s", "--no-plots")
-TABLES = {"trajectory.csv", "shape.csv", "summary.json", "spec.yaml"}
+TABLES = {"trajectory.csv", "shape.csv", "summary.json", "spec.yaml", "report.html"}
 
 
 def _names(folder: Path) -> set[str]:

@@ -11,7 +11,7 @@ import pytest
 
 from tests.scenes import ROOT
 from tests.trajectories import made_run
-from viscodesign.report.folder import FORMATS, RUN_PICTURES, RUN_TABLES, picture_name
+from viscodesign.report.folder import FORMATS, PAGE, RUN_PICTURES, RUN_TABLES, picture_name
 from viscodesign.report.run_folder import write_run
 
 DRAWS = (
@@ -102,7 +102,7 @@ def test_pictures_in_every_format(kind: str, tmp_path: Path) -> None:
     chosen = next(each for each in FORMATS if each == kind)
     written = write_run(run, tmp_path, picture_format=chosen)
     pictures = [picture_name(name, chosen) for name in RUN_PICTURES]
-    assert [file.name for file in written] == [*RUN_TABLES, *pictures, "summary.json"]
+    assert [file.name for file in written] == [*RUN_TABLES, *pictures, PAGE, "summary.json"]
     assert {file.name for file in tmp_path.iterdir()} == {file.name for file in written}
     for name in pictures:
         assert (tmp_path / name).read_bytes().startswith(BEGINNINGS[kind])

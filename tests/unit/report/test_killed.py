@@ -21,12 +21,12 @@ from tests.trajectories import made_run
 from viscodesign import load
 from viscodesign.cli.main import main
 from viscodesign.report import run_folder as files
-from viscodesign.report.folder import RUN_PICTURES, RUN_TABLES, prepare_folder
+from viscodesign.report.folder import PAGE, RUN_PICTURES, RUN_TABLES, prepare_folder
 from viscodesign.report.run_folder import write_run
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import replaced, write_bytes
 
-EVERY = {*RUN_TABLES, *RUN_PICTURES, "summary.json"}
+EVERY = {*RUN_TABLES, *RUN_PICTURES, PAGE, "summary.json"}
 MOMENTS = 12
 
 
@@ -58,6 +58,8 @@ def assert_whole(folder: Path, rows: int, is_picture: Callable[[bytes], Any] = p
             assert len(np.unique(table(content)[:, 0])) == rows
         elif name == "spec.yaml":
             assert content.endswith(b"\n")
+        elif name == PAGE:
+            assert content.endswith(b"</html>")
         else:
             is_picture(content)
 

@@ -18,14 +18,14 @@ from tests.scenes import CONFIGS, leg
 from viscodesign import Trajectory, classify, load, simulate
 from viscodesign.errors import UsageError
 from viscodesign.report.charts.quadrants import draw_plane
-from viscodesign.report.folder import RUN_PICTURES, RUN_TABLES, SUMMARY
+from viscodesign.report.folder import PAGE, RUN_PICTURES, RUN_TABLES, SUMMARY
 from viscodesign.report.layout.snapshots import normals, outline, spread_instants
 from viscodesign.report.run_folder import write_run
 from viscodesign.results.findings import Classification, Notice
 from viscodesign.storage import atomic_files as atomic
 
 PNG = b"\x89PNG"
-ALL = {*RUN_TABLES, *RUN_PICTURES, SUMMARY}
+ALL = {*RUN_TABLES, *RUN_PICTURES, PAGE, SUMMARY}
 
 
 @cache

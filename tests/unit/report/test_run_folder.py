@@ -25,7 +25,13 @@ from tests.unit.report.conftest import Made
 from viscodesign.errors import UsageError
 from viscodesign.report import run_folder as files
 from viscodesign.report.csv_text import csv_rows, csv_table
-from viscodesign.report.folder import EFFECTS_PICTURE, RUN_PICTURES, RUN_TABLES, prepare_folder
+from viscodesign.report.folder import (
+    EFFECTS_PICTURE,
+    PAGE,
+    RUN_PICTURES,
+    RUN_TABLES,
+    prepare_folder,
+)
 from viscodesign.report.run_folder import write_run
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import write_bytes
@@ -77,8 +83,8 @@ def sketched(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_all_files_are_written_and_returned_in_order(run: Trajectory, tmp_path: Path) -> None:
     written = write_run(run, tmp_path / "deep" / "run")
-    assert [file.name for file in written] == [*RUN_TABLES, *RUN_PICTURES, "summary.json"]
-    assert names(tmp_path / "deep" / "run") == {*RUN_TABLES, *RUN_PICTURES, "summary.json"}
+    assert [file.name for file in written] == [*RUN_TABLES, *RUN_PICTURES, PAGE, "summary.json"]
+    assert names(tmp_path / "deep" / "run") == {*RUN_TABLES, *RUN_PICTURES, PAGE, "summary.json"}
     assert (written[2]).read_text() == run.spec_text
     assert json.loads(written[-1].read_text())["name"] == run.name
 
@@ -89,7 +95,7 @@ def test_files_may_be_read_by_those_who_may_read_new_files(run: Trajectory, tmp_
         assert file.stat().st_mode == (tmp_path / "plain").stat().st_mode
 
 
-@pytest.mark.parametrize("name", [*RUN_TABLES, *RUN_PICTURES, "summary.json"])
+@pytest.mark.parametrize("name", [*RUN_TABLES, *RUN_PICTURES, PAGE, "summary.json"])
 @pytest.mark.usefixtures("sketched")
 def test_a_full_disk_leaves_whole_files_alone(
     run: Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
@@ -97,7 +103,7 @@ def test_a_full_disk_leaves_whole_files_alone(
     fill_disk(monkeypatch, name)
     with pytest.raises(UsageError, match=rf"{name}: No space.*Free some space"):
         write_run(run, tmp_path)
-    order = [*RUN_PICTURES, "summary.json"]
+    order = [*RUN_PICTURES, PAGE, "summary.json"]
     expected = {*RUN_TABLES, *order[: order.index(name)]} if name in order else set()
     assert names(tmp_path) == expected
 
@@ -145,12 +151,19 @@ def test_an_interrupt_while_tables_are_written_waits_for_them_and_the_summary(
     assert len((tmp_path / "trajectory.csv").read_text().splitlines()) == len(run.time) + 1
 
 
+def test_an_old_page_goes_when_none_is_made(run: Trajectory, tmp_path: Path) -> None:
+    write_run(run, tmp_path, plots=False)
+    assert PAGE in names(tmp_path)
+    write_run(run, tmp_path, plots=False, report=False)
+    assert names(tmp_path) == {*RUN_TABLES, "summary.json"}
+
+
 @pytest.mark.usefixtures("sketched")
 def test_old_pictures_go_when_none_are_drawn(run: Trajectory, tmp_path: Path) -> None:
     write_run(run, tmp_path)
     (tmp_path / "notes.txt").write_text("kept beside a run")
     write_run(run, tmp_path, plots=False)
-    assert names(tmp_path) == {*RUN_TABLES, "summary.json", "notes.txt"}
+    assert names(tmp_path) == {*RUN_TABLES, PAGE, "summary.json", "notes.txt"}
 
 
 def test_effects_are_drawn_only_where_they_were_measured(run: Trajectory, tmp_path: Path) -> None:
@@ -159,17 +172,18 @@ def test_effects_are_drawn_only_where_they_were_measured(run: Trajectory, tmp_pa
         *RUN_TABLES,
         *RUN_PICTURES,
         EFFECTS_PICTURE,
+        PAGE,
         "summary.json",
     ]
     assert (tmp_path / EFFECTS_PICTURE).read_bytes().startswith(b"\x89PNG")
     assert EFFECTS_PICTURE not in {file.name for file in write_run(run, tmp_path)}
-    assert names(tmp_path) == {*RUN_TABLES, *RUN_PICTURES, "summary.json"}
+    assert names(tmp_path) == {*RUN_TABLES, *RUN_PICTURES, PAGE, "summary.json"}
 
 
 def test_an_old_picture_of_effects_is_removed_when_none_is_drawn(tmp_path: Path) -> None:
     write_run(ablated_run(), tmp_path)
     write_run(ablated_run(), tmp_path, plots=False)
-    assert names(tmp_path) == {*RUN_TABLES, "summary.json"}
+    assert names(tmp_path) == {*RUN_TABLES, PAGE, "summary.json"}
 
 
 def test_a_picture_of_effects_alone_is_accepted(tmp_path: Path) -> None:

@@ -1,0 +1,286 @@
+"""The page as a reader sees and drives it, in headless Chromium."""
+
+from __future__ import annotations
+
+import csv
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.scenes import CONFIGS
+from tests.trajectories import VERDICTS, ablated_run, made_run, with_two_inlets
+from viscodesign import load, simulate
+from viscodesign.report.run_folder import write_run
+from viscodesign.results.findings import Notice
+
+from .conftest import Open
+
+DRAWN = """chart => {
+  const svg = chart.querySelector("svg[data-domain]");
+  const [t0, t1, v0, v1] = svg.dataset.domain.split(" ").map(Number);
+  const [x0, x1, y0, y1] = svg.dataset.range.split(" ").map(Number);
+  const curves = [...svg.querySelectorAll("path.curve, path.path:not(.sketched)")].map((path) => [
+    path.dataset.name || "tip",
+    path.getAttribute("d").split(/[ML]/).slice(1).map((pair) => pair.split(" ").map(Number))
+      .map(([x, y]) => [t0 + (x - x0) / (x1 - x0) * (t1 - t0), v0 + (y - y0) / (y1 - y0) * (v1 - v0)]),
+  ]);
+  return [curves, [(t1 - t0) / (x1 - x0), (v0 - v1) / (y1 - y0)].map(Math.abs)];
+}"""
+"""Curves of a chart, back from pixels to their units, and a pixel in each of these."""
+ROUNDING = 0.0051
+"""Coordinates are written to a hundredth of a pixel [pixel]."""
+Drawn = tuple[dict[str, np.ndarray], tuple[float, float]]
+
+
+def drawn(page: Any, selector: str) -> list[Drawn]:
+    found = [chart.evaluate(DRAWN) for chart in page.query_selector_all(selector)]
+    return [({name: np.array(points) for name, points in curves}, px) for curves, px in found]
+
+
+def columns(file: Path) -> dict[str, np.ndarray]:
+    with file.open() as lines:
+        rows = list(csv.reader(lines))
+    return dict(zip(rows[0], np.array(rows[1:], dtype=float).T, strict=True))
+
+
+def test_what_is_drawn_is_the_table(open_page: Open, tmp_path: Path) -> None:
+    run = made_run()
+    write_run(run, tmp_path, plots=False, report=False)
+    page, written = open_page(run), columns(tmp_path / "trajectory.csv")
+    tip, right, left, flow = drawn(page, ".chart")
+    for (found, pixel), name, column, factor in (
+        (tip, "x", "tip_x_m", 1e3),
+        (tip, "z", "tip_z_m", 1e3),
+        (right, "inlet", "inlet_pressure_pa", 1e-3),
+        (right, "R3", "pressure_R3_pa", 1e-3),
+        (left, "L8", "pressure_L8_pa", 1e-3),
+        (flow, "R1-R2", "flow_R1-R2_m3_s", 1e6),
+    ):
+        expected = written["time_s"], factor * written[column]
+        for curve, values, size in zip(found[name].T, expected, pixel, strict=True):
+            np.testing.assert_allclose(curve, values, rtol=0, atol=ROUNDING * size)
+    ((path, pixel),) = drawn(page, "#tip-path")
+    expected = 1e3 * written["tip_x_m"], 1e3 * written["tip_z_m"]
+    for curve, values in zip(path["tip"].T, expected, strict=True):
+        np.testing.assert_allclose(curve, values, rtol=0, atol=ROUNDING * pixel[0])
+
+
+def test_the_values_at_an_instant_are_those_of_the_table(open_page: Open, tmp_path: Path) -> None:
+    run = made_run()
+    write_run(run, tmp_path, plots=False, report=False)
+    page, written = open_page(run), columns(tmp_path / "trajectory.csv")
+    page.click("#instant summary")
+    for row in (0, 123, 400):
+        page.evaluate("row => seek(player, row)", row)
+        cells = page.eval_on_selector_all(
+            "#instant tr", "rows => rows.map(row => [...row.cells].map(cell => cell.textContent))"
+        )
+        shown = {name: float(text.replace("\N{MINUS SIGN}", "-")) for name, text in cells}
+        for name, column, factor, rounding in (
+            ("time [s]", "time_s", 1.0, 0.005),
+            ("tip x [mm]", "tip_x_m", 1e3, 0.0005),
+            ("pressure, inlet [kPa]", "inlet_pressure_pa", 1e-3, 0.0005),
+            ("pressure, L5 [kPa]", "pressure_L5_pa", 1e-3, 0.00051),
+            ("flow, inlet-R1 [mL/s]", "flow_inlet-R1_m3_s", 1e6, 0.000051),
+        ):
+            assert shown[name] == pytest.approx(factor * written[column][row], abs=rounding), name
+
+
+def test_a_bellow_is_where_its_section_is(open_page: Open) -> None:
+    run = made_run()
+    page = open_page(run)
+    page.evaluate("seek(player, 100)")
+    tip = page.eval_on_selector(
+        "#actuator .tip", "tip => [tip.cx.baseVal.value, tip.cy.baseVal.value]"
+    )
+    np.testing.assert_allclose(tip, 1e3 * run.tip[100, :2], atol=0.003)
+    boxes = page.eval_on_selector_all(
+        "#actuator .bellow",
+        "all => all.map(e => e.getBBox()).map(b => [b.x + b.width / 2, b.y + b.height / 2])",
+    )
+    middle = 1e3 * run.shape[100, 4 + 8 * np.arange(8)]
+    between = (np.array(boxes[:8]) + np.array(boxes[8:])) / 2
+    assert np.all(np.hypot(*(between - middle).T) < 2)
+    assert len({cell.get_attribute("fill") for cell in page.query_selector_all(".bellow")}) > 8
+
+
+def test_keys_slider_speed_and_play_move_the_time(open_page: Open) -> None:
+    page = open_page(made_run())
+
+    def clock() -> str:
+        return str(page.text_content("#clock"))
+
+    assert clock() == "t = 0.00 s"
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Shift+ArrowRight")
+    assert clock() == "t = 0.22 s"
+    page.keyboard.press("End")
+    assert clock() == "t = 8.00 s"
+    page.keyboard.press("Home")
+    page.focus("#time")
+    page.keyboard.press("ArrowRight")
+    assert (clock(), page.get_attribute("#time", "aria-valuetext")) == ("t = 0.02 s",) * 2
+    page.fill("#time", "200")
+    assert clock() == "t = 4.00 s"
+    page.keyboard.press("+")
+    assert page.input_value("#speed") == "2"
+    page.keyboard.press("Space")
+    assert page.text_content("#play") == "Pause"
+    page.wait_for_function("player.row > 205")
+    page.click("#play")
+    assert page.text_content("#play") == "Play"
+    chart = page.query_selector(".chart svg[data-domain]").bounding_box()
+    page.mouse.click(chart["x"] + 52 + (chart["width"] - 62) / 2, chart["y"] + 60)
+    assert clock() == "t = 4.00 s"
+
+
+def test_a_warning_leads_to_its_time(open_page: Open) -> None:
+    page = open_page(
+        made_run(
+            warnings=(
+                Notice("late", "after the end", "", 99.0),
+                Notice("cavitation", "near", "inlet", 1.0),
+            )
+        )
+    )
+    page.click("#warnings button")
+    assert page.text_content("#clock") == "t = 1.00 s"
+    assert "not shown" in str(page.text_content("#warnings li"))
+
+
+@pytest.mark.parametrize("width", [320, 375, 1200])
+def test_no_screen_is_too_narrow(open_page: Open, width: int) -> None:
+    page = open_page(ablated_run(), width)
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_texts_of_a_spec_do_nothing(open_page: Open) -> None:
+    attack = (
+        "</script><script>window.hit=1</script><img src=http://localhost/x onerror='window.hit=1'>"
+    )
+    run = made_run()
+    hostile = replace(
+        with_two_inlets(run, -0.5),
+        name=attack,
+        failure=attack,
+        status="failed",
+        version=attack,
+        inlets=(attack, "right"),
+        tubes=tuple(f"{attack}-{name}" for name in run.tubes),
+        warnings=(Notice(attack, attack, attack, 1.0),),
+        violations=(Notice(attack, attack, attack, 1.0),),
+        effects=tuple(replace(row, reason=attack, name=attack) for row in VERDICTS),
+        spec_text=f"name: {attack}",
+        settings={attack: attack},
+        provenance={"python": attack, "packages": {attack: attack}},
+    )
+    page = open_page(hostile)
+    assert page.evaluate("window.hit") is None
+    assert page.text_content("h1") == attack
+    assert attack in page.text_content("#warnings")
+    assert page.query_selector("img") is None
+    assert len(page.query_selector_all("script")) == 2
+
+
+def test_a_failed_run_looks_like_one(open_page: Open) -> None:
+    part = made_run(time=np.linspace(0, 1.23, 62), status="failed", failure="no step was found")
+    page = open_page(part)
+    assert page.title() == "FAILED: leg_made_up"
+    alert = page.text_content("[role=alert]")
+    assert "failed: it ended at t = 1.23 s" in alert
+    assert "no step was found" in alert
+    assert page.text_content("#clock") == "t = 1.23 s"
+    assert "part that was computed" in page.text_content("#metrics")
+
+
+def test_an_interrupted_run_says_so(open_page: Open) -> None:
+    page = open_page(made_run(time=np.linspace(0, 1.23, 62), status="interrupted"))
+    assert page.title() == "INTERRUPTED: leg_made_up"
+    assert "interrupted: it ended at t = 1.23 s" in page.text_content("[role=alert]")
+
+
+def test_one_output_time_has_no_player_and_no_sketch(open_page: Open) -> None:
+    page = open_page(made_run(time=np.zeros(1), inlet=lambda t: 0 * t + 2e4))
+    assert not page.is_visible("#player")
+    assert not page.is_visible("#sketch-body")
+    assert page.is_visible("#actuator svg")
+    places = [dot.bounding_box() for dot in page.query_selector_all(".chart .dot")]
+    assert len(places) > 16
+    assert all(place["width"] > 4 for place in places)
+
+
+def test_nothing_computed_is_no_empty_picture(open_page: Open) -> None:
+    run = made_run(time=np.linspace(0, 1, 5), status="failed", failure="no start")
+    empty = {name: values[:0] for name, values in run.arrays.items()}
+    page = open_page(_without_metrics(run.with_arrays(**empty)))
+    assert "Nothing was computed" in page.text_content("#motion")
+    assert not page.is_visible("#player")
+
+
+def _without_metrics(run: Any) -> Any:
+    from viscodesign.report.page.shown_run import ShownRun
+
+    class Bare(type(run)):  # type: ignore[misc]
+        metrics: dict[str, float] = {}  # noqa: RUF012
+
+    return ShownRun.of(Bare(**{name: getattr(run, name) for name in run.__dataclass_fields__}))
+
+
+SKETCHED = {
+    "leg_16_crossed_air": ("run.duration=2 s", "run.output_interval=5 ms"),
+    "branched_tree": ("run.duration=1 s",),
+    "antagonistic_two_inlets": ("run.duration=2 s",),
+}
+
+
+@pytest.mark.parametrize("name", SKETCHED)
+def test_the_sketch_is_the_quasi_static_linear_solution(open_page: Open, name: str) -> None:
+    linear = ("effects={others: off, pressure_distribution: on}", "loads.gravity=off")
+    run = simulate(load(CONFIGS / f"{name}.yaml", [*linear, *SKETCHED[name]]), verify=False)
+    page = open_page(run)
+    found = page.evaluate("({x: [...sketch.motion.x], z: [...sketch.motion.z]})")
+    distance = np.hypot(found["x"] - run.tip[:, 0], found["z"] - run.tip[:, 1])
+    assert distance.max() < 1e-3 * run.length
+    assert np.ptp(run.tip[:, 0]) > 0.02 * run.length
+
+
+def test_a_slider_is_a_design_of_its_own(open_page: Open) -> None:
+    """Twice the viscosity and half the tubes are the tool's own solution of that spec."""
+    linear = (
+        "effects={others: off, pressure_distribution: on}",
+        "run.duration=2 s",
+        "run.output_interval=5 ms",
+    )
+    spec = CONFIGS / "leg_16_crossed_air.yaml"
+    page = open_page(simulate(load(spec, linear), verify=False))
+    change = (
+        "network={layout: straight, tube_radius: 0.325 mm, tube_length: 75 mm}",
+        "input.start=20.205 kPa",
+        "input.drop=70.65 kPa",
+    )
+    other = simulate(load(spec, [*linear, *change]), verify=False)
+    page.check("#sketch-straight")
+    page.fill("#sketch-length_factor", "0.5")
+    page.fill("#sketch-amplitude", "0.5")
+    assert "75 mm" in page.text_content("#sliders")
+    found = page.evaluate("({x: [...sketch.motion.x], z: [...sketch.motion.z]})")
+    distance = np.hypot(found["x"] - other.tip[:, 0], found["z"] - other.tip[:, 1])
+    assert distance.max() < 1e-3 * other.length
+    page.click("#sketch-reset")
+    assert page.evaluate(
+        "JSON.stringify(sketch.choice) === JSON.stringify(unchanged(sketch.numbers))"
+    )
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_readable_by_screen_readers_and_by_weak_eyes(open_page: Open, scheme: str) -> None:
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe")
+    run = ablated_run(time=np.linspace(0, 1.23, 62), status="failed", failure="it broke")
+    page = open_page(run, color_scheme=scheme, bypass_csp=True)
+    found = axe.Axe().run(page).response["violations"]
+    told = [(row["id"], [node["html"][:120] for node in row["nodes"]]) for row in found]
+    assert told == [], json.dumps(told, indent=1)

@@ -1,0 +1,107 @@
+"""The data of the page, as one JSON document."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from viscodesign.report.page.packed_arrays import packed, packed_coordinates
+from viscodesign.report.page.shown_rows import (
+    ShownRows,
+    shown_points,
+    shown_rows,
+    shown_tubes,
+)
+from viscodesign.report.page.shown_run import ShownRun
+from viscodesign.report.page.sketch_numbers import scene_of, sketch_numbers, why_not
+from viscodesign.scene.scene import Scene
+from viscodesign.storage.disk_arrays import rows_at
+
+MOST_SPEC_CHARACTERS = 60_000
+MOST_WARNINGS = 200
+MOST_DRAWN_TUBES = 128
+"""As `actuator.js` has it."""
+
+
+def page_data(run: ShownRun) -> dict[str, Any]:
+    """All that the page shows of a run."""
+    scene = scene_of(run)
+    data: dict[str, Any] = {
+        "summary": _short(run.summary),
+        "spec": _spec(run.spec_text),
+        "length": run.length,
+        "width": run.width,
+        "inlets": run.inlets,
+        "bellows": run.bellows,
+        "all_tubes": tube_ends(run, scene),
+        "total_rows": len(run.time),
+        "notes": [],
+    }
+    return {**data, **_motion(run, scene)} if len(run.time) else data
+
+
+def _motion(run: ShownRun, scene: Scene | None) -> dict[str, Any]:
+    chosen = shown_rows(run)
+    shapes = run.shapes_at(chosen.rows)
+    kept, shape_of = np.unique(shapes, return_inverse=True)
+    tubes = shown_tubes(run)
+    return {
+        "notes": list(_notes(run, chosen, tubes)),
+        "rows": packed(chosen.rows, "f8"),
+        "time": packed(run.time[chosen.rows], "f8"),
+        "tip": packed(rows_at(run.tip, chosen.rows), "f8"),
+        "inlet_pressure": packed(rows_at(run.inlet_pressure, chosen.rows), "f8"),
+        "pressure": packed(rows_at(run.pressure, chosen.rows)),
+        "flow": packed(rows_at(run.flow, chosen.rows)[:, tubes]),
+        "tubes": [run.tubes[k] for k in tubes],
+        "arc": packed(run.arc[shown_points(run)], "f8"),
+        "shape": packed_coordinates(rows_at(run.shape, kept)[:, shown_points(run)]),
+        "shape_of": packed(shape_of, "f8"),
+        "sketch": _sketch(run, scene, chosen),
+    }
+
+
+def _notes(run: ShownRun, chosen: ShownRows, tubes: np.ndarray) -> Sequence[str]:
+    notes = [chosen.note] if chosen.note else []
+    if len(tubes) < len(run.tubes):
+        notes.append(
+            f"flows are shown of {len(tubes)} of {len(run.tubes):,} tubes, those with the largest"
+        )
+    if len(run.tubes) > MOST_DRAWN_TUBES:
+        notes.append(f"the {len(run.tubes):,} tubes are not drawn at the actuator")
+    if len(run.shape_rows) < len(run.time):
+        notes.append(
+            f"shapes are stored at {len(run.shape_rows):,} of {len(run.time):,} output times "
+            "(run.shape_every); between them the nearest is drawn"
+        )
+    return notes
+
+
+def _sketch(run: ShownRun, scene: Scene | None, chosen: ShownRows) -> dict[str, Any]:
+    reason = why_not(run, scene)
+    if scene is None or reason:
+        return {"reason": reason}
+    return sketch_numbers(run, scene, from_start=chosen.from_start)
+
+
+def _short(summary: Any) -> dict[str, Any]:
+    """The summary with as many warnings as anybody reads."""
+    warnings = summary.get("warnings", [])
+    more = len(warnings) - MOST_WARNINGS
+    return {**summary, "warnings": warnings[:MOST_WARNINGS], "more_warnings": max(more, 0)}
+
+
+def _spec(text: str) -> str:
+    if len(text) <= MOST_SPEC_CHARACTERS:
+        return text
+    return f"{text[:MOST_SPEC_CHARACTERS]}\n... ({len(text):,} characters, all in spec.yaml)\n"
+
+
+def tube_ends(run: ShownRun, scene: Scene | None) -> list[list[str]]:
+    """Both ends of every tube: of the spec's network, else as far as the names tell."""
+    if scene is not None:
+        return [[tube.start, tube.end] for tube in scene.graph.tubes]
+    pairs = (name.split("#")[0].split("-") for name in run.tubes)
+    return [pair for pair in pairs if len(pair) == 2]

@@ -1,0 +1,98 @@
+"""What the live sketch needs of a spec: a linear network, and what pressures do to sections."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+from viscodesign.errors import ViscodesignError
+from viscodesign.model.graph import Tube, crossed_order, straight_order
+from viscodesign.physics import bellow
+from viscodesign.report.page.shown_run import ShownRun
+from viscodesign.scene.inputs.syringe import SyringeInput
+from viscodesign.scene.reading.read import parse_scene
+from viscodesign.scene.scene import Scene
+
+MOST_BELLOWS = 256
+"""Beyond these a sketch no longer follows a slider at once."""
+
+
+def scene_of(run: ShownRun) -> Scene | None:
+    """The scene of a run; None where its spec is not one of this version."""
+    try:
+        return parse_scene(run.spec_text.encode("utf-8", "backslashreplace"))
+    except ViscodesignError:
+        return None
+
+
+def why_not(run: ShownRun, scene: Scene | None) -> str:
+    """Why there is no sketch of a run; empty where there is one."""
+    if scene is None:
+        return "its spec is not one of this version"
+    if len(run.time) < 2:
+        return "it has one output time only"
+    if any(isinstance(source, SyringeInput) for source in scene.inputs.values()):
+        return "a syringe prescribes its volume, and the pressure follows from the design"
+    if scene.bellows.curve is not None:
+        return "its bellows follow a measured curve, and the sketch is linear"
+    if len(run.bellows) > MOST_BELLOWS:
+        return f"it has more than {MOST_BELLOWS} bellows"
+    return ""
+
+
+def sketch_numbers(run: ShownRun, scene: Scene, *, from_start: bool) -> dict[str, Any]:
+    """The numbers of `sketch_model.js`, in SI.
+
+    ``from_start``: whether the first output time is shown; else the shown part is taken to
+    repeat itself.
+    """
+    body, cells, graph = scene.actuator, scene.bellows, scene.graph
+    section = body.length / graph.sections
+    modulus = body.youngs_modulus
+    stores_gas = any(
+        row["name"] == "gas_compressibility" and row["taken"] for row in run.summary["effects"]
+    )
+    return {
+        "length": body.length,
+        "sections": graph.sections,
+        "curvature_per_pressure": bellow.curvature_per_pressure(
+            cells.angle_per_pressure, modulus, section
+        ),
+        "stretch_per_pressure": bellow.stretch_per_pressure(
+            cells.extension_per_pressure, modulus, section
+        ),
+        "compliance": bellow.compliance(cells.length, cells.area_per_pressure),
+        "rest_volume": bellow.rest_volume(cells.height, cells.width, cells.length),
+        "polytropic_exponent": scene.fluid.polytropic_exponent if stores_gas else None,
+        "viscosity": scene.fluid.viscosity,
+        "ambient": scene.ambient_pressure,
+        "gauge": scene.gauge_pressure,
+        "start": scene.run.start if from_start else "periodic",
+        "inlets": list(graph.inlets),
+        "bellows": list(graph.bellows),
+        "junctions": list(graph.junctions),
+        "layout": scene.network.layout,
+        "tubes": _layouts(scene),
+    }
+
+
+def _layouts(scene: Scene) -> dict[str, list[list[Any]]]:
+    """Tubes [from, to, length, radius] of the spec's layout, and of the other named one."""
+    own, graph = scene.network.layout, scene.graph
+    found: dict[str, list[list[Any]]] = {own: _ends(graph.tubes)}
+    if own == "custom":
+        return found
+    orders = {"straight": straight_order, "crossed": crossed_order}
+    lines = graph.tubes[: -len(graph.bellows)]
+    chain = graph.tubes[-len(graph.bellows) :]
+    for name, order in orders.items():
+        nodes = [chain[0].start, *order(graph.sections)]
+        sizes = [(tube.length, tube.radius) for tube in chain]
+        swapped = [[*ends, *size] for ends, size in zip(pairwise(nodes), sizes, strict=True)]
+        found.setdefault(name, [*_ends(lines), *swapped])
+    return found
+
+
+def _ends(tubes: Sequence[Tube]) -> list[list[Any]]:
+    return [[tube.start, tube.end, tube.length, tube.radius] for tube in tubes]
