@@ -1,21 +1,19 @@
-"""How long should the tubes be? The width of the tip's sweep against their length.
+"""How long should the tubes be, and which fluid fills them? The tip's loop in one table.
 
 Run it from anywhere: python examples/sweep_tube_length.py
 """
 
 from pathlib import Path
 
-import numpy as np
+from viscodesign import load, sweep
 
-from viscodesign import load, simulate
+SPEC = Path(__file__).parent.parent / "configs" / "leg_4_air.yaml"
 
-SPEC = Path(__file__).parent.parent / "configs" / "leg_16_straight_air.yaml"
+scene = load(SPEC, ["run.output_interval=50 ms"])
+table = sweep(scene, {"network.tube_length": "10 mm..160 mm:5:log", "fluid": ["air", "water"]})
 
-print("tube length [mm]   t_f [s]   sweep in x [mm]   stated error [mm]")
-for length in (10, 20, 37.5, 75, 150):
-    scene = load(SPEC, [f"network.tube_length={length} mm", "run.output_interval=50 ms"])
-    found = simulate(scene)
-    sweep = np.ptp(found.tip[:, 0]) * 1e3
-    error = (found.accuracy.estimated_tip_error_m or 0.0) * 1e3
-    t_f = found.classification.scales.t_f
-    print(f"{length:16.1f}   {t_f:7.3f}   {sweep:15.1f}   {error:17.3f}")
+print("tube length [mm]   fluid   loop [mm x mm]   left column late by [s]")
+for row in table.frame().itertuples():
+    length, fluid = row[2] * 1e3, row[3]
+    size = f"{row.loop_width_m * 1e3:.1f} x {row.loop_height_m * 1e3:.1f}"
+    print(f"{length:16.0f}   {fluid:5}   {size:>14}   {row.column_lag_s:10.3f}")

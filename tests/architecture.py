@@ -26,7 +26,7 @@ LAYERS = [
     ["pump.ax.protocol"],
     ["pump.bus"],
     ["pump"],
-    ["studies"],
+    ["studies", "exploration"],
     ["compiled"],
     ["simulation"],
     ["checks", "loading"],

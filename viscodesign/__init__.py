@@ -5,9 +5,9 @@
     trajectory.frame()
 
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
-follows its motion, `compile` makes a function of its numbers with derivatives, `accuracy`
-measures what accuracy costs in time, `plan` turns its pressures into a pump's motion. Nothing
-here prints.
+follows its motion, `compile` makes a function of its numbers with derivatives, `sweep` puts many
+designs in one table, `accuracy` measures what accuracy costs in time, `plan` turns its pressures
+into a pump's motion. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -24,11 +24,13 @@ if TYPE_CHECKING:
     from viscodesign.compiled.function import Batch as Batch
     from viscodesign.compiled.function import CompiledFunction as CompiledFunction
     from viscodesign.compiled.function import compile as compile
+    from viscodesign.exploration.sweep import sweep as sweep
     from viscodesign.loading import load as load
     from viscodesign.pump.planning.plan import plan as plan
     from viscodesign.pump.planning.result import PumpPlan as PumpPlan
     from viscodesign.results.accuracy_study import AccuracyStudy as AccuracyStudy
     from viscodesign.results.findings import Classification as Classification
+    from viscodesign.results.sweep_table import Sweep as Sweep
     from viscodesign.results.trajectory import Trajectory as Trajectory
     from viscodesign.scene.scene import Scene as Scene
     from viscodesign.simulation.simulate import simulate as simulate
@@ -42,6 +44,7 @@ _HOMES = {
     "CompiledFunction": ".compiled.function",
     "PumpPlan": ".pump.planning.result",
     "Scene": ".scene.scene",
+    "Sweep": ".results.sweep_table",
     "Trajectory": ".results.trajectory",
     "accuracy": ".studies.accuracy",
     "check": ".checks.check",
@@ -50,6 +53,7 @@ _HOMES = {
     "load": ".loading",
     "plan": ".pump.planning.plan",
     "simulate": ".simulation.simulate",
+    "sweep": ".exploration.sweep",
 }
 """Where each name is imported from when it is first asked for: `--help` needs none of them."""
 

@@ -44,7 +44,10 @@ Example:
   viscodesign init leg.yaml
   viscodesign check leg.yaml
   viscodesign simulate leg.yaml -o runs/leg"""
-COMMANDS = ("init", "check", "classify", "simulate", "report", "accuracy", "effects", "schema")
+COMMANDS = (
+    *("init", "check", "classify", "simulate", "report", "accuracy", "sweep"),
+    *("effects", "schema"),
+)
 """In the order of `--help`; every module has a `command` and an `EXAMPLE`."""
 PUMP = "pump"
 

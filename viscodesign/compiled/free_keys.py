@@ -91,6 +91,12 @@ class FreeKeys:
         found: Scene = replaced(self.scene, tree)
         return found
 
+    def validated(self, values: Sequence[float] | np.ndarray) -> Scene:
+        """The scene with other values, validated like a loaded one."""
+        from viscodesign.loading import checked
+
+        return checked(self.placed([float(value) for value in values]))
+
     # -- from keys to numbers -----------------------------------------------------
 
     def _expanded(self, key: str) -> list[FreeNumber]:

@@ -102,9 +102,7 @@ class SceneNumbers:
 
     def scene(self, values: Sequence[float] | np.ndarray) -> Scene:
         """The scene with these values, validated like a loaded one."""
-        from viscodesign.loading import checked
-
-        return checked(self.keys.placed([float(value) for value in values]))
+        return self.keys.validated(values)
 
     # -- formulas -----------------------------------------------------------------
 

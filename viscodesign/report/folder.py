@@ -81,15 +81,20 @@ SUMMARY = "summary.json"
 PAGE = "report.html"
 STUDY_FILES = FileSet("accuracy.csv", "accuracy.json", "accuracy.png")
 PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
+SWEEP_FILES = FileSet("sweep.csv", "sweep.json", "sweep.png")
+SENSITIVITY_FILES = FileSet("sensitivity.csv", "sensitivity.json", "sensitivity.png")
+FILE_SETS = (STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES)
+SWEEP_ROWS = "sweep.rows.jsonl"
+"""Rows of a sweep as they are computed."""
 OUR_FILES = {
     *RUN_TABLES,
-    *in_every_format([*RUN_PICTURES, EFFECTS_PICTURE, STUDY_FILES.picture, PLAN_FILES.picture]),
+    *in_every_format([*RUN_PICTURES, EFFECTS_PICTURE, *(own.picture for own in FILE_SETS)]),
     SUMMARY,
     PAGE,
-    *STUDY_FILES.names,
-    *PLAN_FILES.names,
+    SWEEP_ROWS,
+    *(name for own in FILE_SETS for name in own.names),
 }
-DOCUMENTS = {SUMMARY, STUDY_FILES.document, PLAN_FILES.document}
+DOCUMENTS = {SUMMARY, *(own.document for own in FILE_SETS)}
 """At least one of these is in every complete folder of ours."""
 
 

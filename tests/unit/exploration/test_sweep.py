@@ -1,0 +1,215 @@
+"""Sweeps: rows by a compiled function and by `simulate`, folders, failures and what is refused."""
+
+from __future__ import annotations
+
+import json
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.scenes import CONFIGS, ROOT, leg
+from viscodesign import Scene, simulate, sweep
+from viscodesign.errors import SpecError, UsageError
+from viscodesign.exploration.design_solver import DesignSolver
+from viscodesign.exploration.designs import latin_hypercube
+from viscodesign.exploration.swept_keys import swept_keys
+from viscodesign.results.metrics import METRIC_NAMES
+
+COARSE = ("run={duration: 4 s, output_interval: 200 ms}",)
+QUASI_STATIC = (*COARSE, "effects={pressure_distribution: on, damping: on, others: off}")
+
+
+def scene(*overrides: str) -> Scene:
+    """A leg of four bellows that is solved in milliseconds."""
+    return leg(*QUASI_STATIC, *overrides, config="leg_4_air")
+
+
+def lines(folder: Path) -> list[Any]:
+    """Rows as they were kept."""
+    text = (folder / "sweep.rows.jsonl").read_text()
+    return [json.loads(line) for line in text.splitlines()[1:]]
+
+
+# -- numbers ----------------------------------------------------------------------
+
+
+def test_a_row_is_what_simulate_says() -> None:
+    table = sweep(scene(), {"network.tube_radius": [0.3e-3, 0.4e-3], "fluid": ["air", "water"]})
+    assert table.status == "complete"
+    frame = table.frame()
+    assert list(zip(frame["network.tube_radius_m"], frame["fluid"], strict=True)) == [
+        (0.3e-3, "air"), (0.3e-3, "water"), (0.4e-3, "air"), (0.4e-3, "water"),
+    ]  # fmt: skip
+    run = simulate(scene("network.tube_radius=0.4 mm", "fluid=water"), verify=False)
+    assert frame.loc[3, list(METRIC_NAMES)].to_numpy(float) == pytest.approx(
+        np.array(list(run.metrics.values())), rel=1e-12, nan_ok=True
+    )
+
+
+def test_compiled_rows_are_those_of_simulate() -> None:
+    """To the accuracy of the scene, of which effects that `simulate` leaves out take a part."""
+    given = leg(*COARSE, "effects={inertia: off, others: auto}", config="leg_4_air")
+    over = {"network.tubes[*].length": "20 mm..80 mm", "input.start": "5 kPa..15 kPa"}
+    keys = swept_keys(given, over)
+    rows = list(enumerate(latin_hypercube(keys, 3, 0)))
+    tables = [DesignSolver(given, keys, {(): n}).solve(rows) for n in (1000, 1)]
+    tip = [METRIC_NAMES.index(f"tip_{axis}_{end}_m") for axis in "xz" for end in ("min", "max")]
+    compiled, simulated = (np.array([r.metrics for r in table])[:, tip] for table in tables)
+    assert compiled == pytest.approx(simulated, abs=given.accuracy * given.actuator.length)
+    assert all(c.effects >= s.effects for c, s in zip(*tables, strict=True))
+
+
+def test_the_same_seed_draws_the_same_designs() -> None:
+    keys = swept_keys(
+        scene(), {"network.tubes[*].length": "10 mm..80 mm:log", "fluid": "air,water"}
+    )
+    one, same, other = (latin_hypercube(keys, 10, seed) for seed in (1, 1, 2))
+    assert one == same != other
+    lengths = np.array([design[:4] for design in one])
+    # One in each tenth of the range, by ratios.
+    parts = np.sort((np.log(lengths / 0.01) / np.log(8) * 10).astype(int), axis=0)
+    assert np.array_equal(parts, np.tile(np.arange(10)[:, None], 4))
+    assert Counter(design[4] for design in one) == {"air": 5, "water": 5}
+
+
+def test_failed_rows_are_named_and_the_others_go_on() -> None:
+    table = sweep(scene(), ["network.tube_radius=-1 mm,0.3 mm", "fluid=air,whater"])
+    assert [r.row for r in table.failures] == [0, 1, 3]
+    assert "above 0 m; got -0.001 m" in table.failures[0].failure
+    assert table.failures[2].failure.startswith("fluid: unknown fluid 'whater'")
+    assert table.words(3) == "network.tube_radius=0.0003 m, fluid=whater"
+    assert np.isfinite(table.results[2].metrics[0])
+    assert table.frame()["status"].tolist() == ["failed", "failed", "complete", "failed"]
+
+
+def test_hardly_meant_values_are_warned_of() -> None:
+    table = sweep(scene(), {"network.tube_radius": [0.3e-3, 0.4]})
+    assert [w.where for w in table.warnings] == ["network.tube_radius"]
+
+
+def test_a_solver_can_be_sent_to_another_process() -> None:
+    keys = swept_keys(scene(), {"network.tube_radius": "0.3 mm,0.4 mm"})
+    solver = DesignSolver(scene(), keys, {(): 2})
+    rows = [(0, (0.3e-3,))]
+    assert pickle.loads(pickle.dumps(solver)).solve(rows) == solver.solve(rows)
+
+
+# -- folders ----------------------------------------------------------------------
+
+RADII = {"network.tube_radius": [0.3e-3, 0.35e-3, 0.4e-3]}
+
+
+def test_the_same_sweep_computes_no_row_twice(tmp_path: Path) -> None:
+    first = sweep(scene(), RADII, folder=tmp_path)
+    again = sweep(scene(), RADII, folder=tmp_path)
+    assert (first.computed, again.computed) == (3, 0)
+    assert again.results == first.results
+
+
+def test_a_torn_line_is_computed_again(tmp_path: Path) -> None:
+    first = sweep(scene(), RADII, folder=tmp_path)
+    kept = tmp_path / "sweep.rows.jsonl"
+    kept.write_bytes(kept.read_bytes()[:-20])
+    again = sweep(scene(), RADII, folder=tmp_path)
+    assert again.computed == 1
+    assert again.results == first.results
+    assert Counter(row for row, *_ in lines(tmp_path)) == {0: 1, 1: 1, 2: 1}
+
+
+@pytest.mark.parametrize(
+    ("other", "over"),
+    [(scene, {"network.tube_radius": [0.3e-3]}), (lambda: scene("fluid=water"), RADII)],
+)
+def test_another_sweep_in_the_folder_is_refused_by_name(
+    other: Any, over: dict[str, Any], tmp_path: Path
+) -> None:
+    sweep(scene(), RADII, folder=tmp_path)
+    with pytest.raises(UsageError, match=r"another sweep: leg_4_air over network.tube_radius, 3"):
+        sweep(other(), over, folder=tmp_path)
+    assert len(lines(tmp_path)) == 3
+    assert sweep(other(), over, folder=tmp_path, force=True).computed == len(
+        over["network.tube_radius"]
+    )
+
+
+def test_an_interrupt_keeps_what_is_there(tmp_path: Path) -> None:
+    def interrupt(fraction: float) -> None:
+        if fraction > 0:
+            signal.raise_signal(signal.SIGINT)
+
+    # Rows are handed over after a moment: more than one may be done by then.
+    table = sweep(scene(), {"network.tube_radius": np.linspace(0.3e-3, 0.4e-3, 16)},
+                  folder=tmp_path, workers=1, progress=interrupt)  # fmt: skip
+    assert table.status == "interrupted"
+    assert table.missing
+    assert [found[0] for found in lines(tmp_path)] == sorted(table.results)
+
+
+def test_killed_at_any_moment_it_goes_on(tmp_path: Path) -> None:
+    spec = tmp_path / "leg.yaml"
+    text = (CONFIGS / "leg_4_air.yaml").read_text()
+    spec.write_text(text)
+    words = [
+        *(sys.executable, "-m", "viscodesign", "sweep", str(spec), "-o", str(tmp_path / "out")),
+        *(
+            "--over",
+            "network.tube_radius=0.3 mm..0.5 mm:50",
+            "--over",
+            "input.start=5 kPa..9 kPa:8",
+        ),
+        *("--no-plots", "--json", "--workers", "2"),
+        *(word for change in QUASI_STATIC for word in ("--set", change)),
+    ]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    killed = subprocess.Popen(words, env=environment, stdout=subprocess.DEVNULL)
+    kept = tmp_path / "out" / "sweep.rows.jsonl"
+    while killed.poll() is None and not (kept.exists() and kept.read_bytes().count(b"\n") > 1):
+        time.sleep(0.02)
+    killed.kill()
+    killed.wait()
+    before = {row for row, *_ in lines(tmp_path / "out")}
+    done = subprocess.run(words, env=environment, capture_output=True, text=True, check=True)
+    document = json.loads(done.stdout)
+    assert document["status"] == "complete"
+    assert document["cost"]["computed"] == 400 - len(before) < 400
+    assert sorted(row for row, *_ in lines(tmp_path / "out")) == list(range(400))
+
+
+# -- what is refused --------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("over", "options", "words"),
+    [
+        ({}, {}, "no key varies"),
+        ([], {}, "no key varies"),
+        ("network.tub_length=1 mm,2 mm", {}, "no such key; did you mean 'tube_length'"),
+        ("network.tubes[R7-R8].length=1 mm,2 mm", {}, "no such tube"),
+        ("name=a,b", {}, "cannot vary: it changes no number of a run"),
+        ("pump.syringe_stroke=1 mm,2 mm", {}, "cannot vary: a run does not contain the pump"),
+        ("fluid=whater,ayr", {}, "unknown fluid 'whater'"),
+        ("bellows.count=5", {}, "5 is odd"),
+        ("network.tube_radius=0.2 mm..0.4 mm", {}, "a grid needs the number of values"),
+        ("network.tube_radius=0.2 mm..0.4 mm:3", {"sample": 5}, "without :3"),
+        ("network.tube_radius=0.2 mm..0.4 mm", {"sample": 0}, "sample: must be from 1"),
+        ("network.tubes[*].length=1 mm..2 mm:40", {}, "combinations are more than 1,000,000"),
+        (
+            ["network.tube_length=1 mm,2 mm", "network.tubes[R1-R2].length=1 mm,2 mm"],
+            {},
+            "overlaps with network.tube_length",
+        ),
+        ("network.tube_radius=1 mm", {"workers": 0}, "workers: must be at least 1; got 0"),
+    ],
+)
+def test_what_is_refused(over: Any, options: dict[str, Any], words: str) -> None:
+    with pytest.raises((SpecError, UsageError), match=words):
+        sweep(scene(), over, **options)
