@@ -16,6 +16,7 @@ at once, so it is not used.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import field, replace
 from typing import Any
 
@@ -34,6 +35,11 @@ from viscodesign.scene.reading.yaml_events import (
 from viscodesign.scene.spec_part import KeyPath
 
 MAX_NODES = 400_000
+MERGE_KEY = "<<"
+"""Whose value is a mapping, or several, that give what a mapping has not got itself."""
+MERGES_MAPPINGS = (
+    "'<<' merges mappings; expected an alias of one, such as '*base', or a list of them"
+)
 
 
 @dataclass
@@ -142,11 +148,15 @@ class _Builder:
     def _mapping(self, path: KeyPath, depth: int) -> dict[str, Any]:
         data: dict[str, Any] = {}
         lines: dict[str, int] = {}
+        merged: list[int] = []
         while not self._collection_ends():
             event = self.events[self.next]
             key = self._key()
             if key is None:
                 self._refuse(event, path, "a key must be a word, not a list or a mapping")
+                self._skip()
+            elif key == MERGE_KEY and not getattr(event, "style", None):
+                merged.append(self.next)
                 self._skip()
             elif key in lines:
                 problem = f"duplicate key, first defined on line {lines[key]}"
@@ -155,7 +165,38 @@ class _Builder:
             else:
                 lines[key] = self.document.lines[(*path, key)] = line_of(event)
                 data[key] = self.value((*path, key), depth + 1)
+        behind = self.next
+        for at in merged:
+            self.next = at
+            self._merge(data, path, depth)
+        self.next = behind
         return data
+
+    def _merge(self, data: dict[str, Any], path: KeyPath, depth: int) -> None:
+        """Add the keys of the mapping, or the list of mappings, that comes next; own ones stay."""
+        event, lines = self.events[self.next], self.document.lines
+        for given, own in self._merged_mappings(path, depth):
+            if given is None:
+                self._refuse(event, (*path, MERGE_KEY), MERGES_MAPPINGS)
+                continue
+            new = {key for key in given if key not in data}
+            data |= {key: given[key] for key in given if key in new}
+            lines |= {at: line for at, line in own.items() if at[len(path)] in new}
+
+    def _merged_mappings(
+        self, path: KeyPath, depth: int
+    ) -> Iterator[tuple[dict[str, Any] | None, dict[KeyPath, int]]]:
+        """Each mapping to be merged with the lines of its keys; None for what is none."""
+        outer = self.document.lines
+        is_list = isinstance(self.events[self.next], yaml.SequenceStartEvent)
+        self.next += is_list
+        while not (is_list and self._collection_ends()):
+            self.document.lines = {}
+            given = self.value(path, depth + 1)
+            own, self.document.lines = self.document.lines, outer
+            yield (given, own) if isinstance(given, dict) else (None, {})
+            if not is_list:
+                return
 
     def _key(self) -> str | None:
         """The next key; None if it is not a word."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
@@ -12,6 +13,7 @@ from viscodesign.errors import Fault, SpecError
 MAX_DEPTH = 32
 TOO_DEEP = f"nested too deeply, more than {MAX_DEPTH} levels"
 _INTEGER = re.compile(r"[-+]?[0-9]+")
+_NOT_FINITE = {".inf": math.inf, "+.inf": math.inf, "-.inf": -math.inf, ".nan": math.nan}
 _NUMBER = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
 
 
@@ -25,7 +27,7 @@ def plain_value(text: str) -> Any:
         return int(text) if len(text) < 100 else float(text)
     if _NUMBER.fullmatch(text):
         return float(text)
-    return text
+    return _NOT_FINITE.get(text.lower(), text)
 
 
 def event_lists(text: str, file: str) -> list[list[yaml.Event]]:
@@ -45,7 +47,7 @@ def event_lists(text: str, file: str) -> list[list[yaml.Event]]:
                 if problem:
                     raise SpecError([Fault(problem, file=file, line=line_of(event))])
     except yaml.YAMLError as error:
-        raise SpecError([_syntax_fault(error, file)]) from error
+        raise SpecError([_syntax_fault(error, file, text)]) from error
     return documents
 
 
@@ -67,7 +69,7 @@ def _anchor_problem(event: yaml.Event, anchors: dict[str, int]) -> str:
     return ""
 
 
-def _syntax_fault(error: yaml.YAMLError, file: str) -> Fault:
+def _syntax_fault(error: yaml.YAMLError, file: str, text: str) -> Fault:
     mark = getattr(error, "problem_mark", None)
     line = mark.line + 1 if mark else None
     problem = getattr(error, "problem", None) or "invalid syntax"
@@ -75,7 +77,16 @@ def _syntax_fault(error: yaml.YAMLError, file: str) -> Fault:
         problem = "contains bytes that are not text"
     if "nesting depth" in problem:  # the parser's own limit, from PyYAML 6.0.4 on
         return Fault(TOO_DEEP, file=file, line=line)
+    if line is not None and _is_indented_by_tab(text, line):
+        problem = "indented with a tab, which YAML does not allow; use spaces"
     return Fault(f"not YAML: {problem}", file=file, line=line)
+
+
+def _is_indented_by_tab(text: str, line: int) -> bool:
+    """Whether a line (from 1) begins with white space that contains a tab."""
+    lines = text.splitlines()
+    found = lines[line - 1] if line <= len(lines) else ""
+    return "\t" in found[: len(found) - len(found.lstrip())]
 
 
 def line_of(event: yaml.Event) -> int:
