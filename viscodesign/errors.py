@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Sequence
+from dataclasses import field
 from typing import Any
 
 from viscodesign.lazy_dataclass import dataclass
@@ -13,6 +14,12 @@ class ViscodesignError(Exception):
     """Base of every error that is reported to the user."""
 
     exit_code = 1
+    kind = "other"
+    """What failed, in one word: the ``type`` of its document."""
+
+    def document(self) -> dict[str, Any]:
+        """The error for a program: type, exit code, message, and what else is known of it."""
+        return {"type": self.kind, "exit_code": self.exit_code, "message": str(self)}
 
 
 @dataclass(frozen=True)
@@ -23,6 +30,21 @@ class Fault:
     key: str = ""
     file: str = ""
     line: int | None = None
+    given: Any = field(default=None, compare=False)
+    """The value that was given, plain data; None where there is none."""
+    allowed: str = field(default="", compare=False)
+    """What the key may have instead, in words; empty where it is no matter of one value."""
+
+    def document(self) -> dict[str, Any]:
+        """The fault for a program, under the names of its fields."""
+        return {
+            "file": self.file or None,
+            "line": self.line,
+            "key": self.key or None,
+            "given": self.given,
+            "allowed": self.allowed or None,
+            "message": self.message,
+        }
 
     def __str__(self) -> str:
         place = self.file
@@ -50,6 +72,7 @@ class SpecError(ViscodesignError):
     """A spec that cannot be run; holds every fault that was found."""
 
     exit_code = 2
+    kind = "spec"
 
     def __init__(self, faults: Sequence[Fault]) -> None:
         self.faults = list(faults)
@@ -57,6 +80,10 @@ class SpecError(ViscodesignError):
         if len(self.faults) > MAX_LISTED_FAULTS:
             lines.append(f"and {len(self.faults) - MAX_LISTED_FAULTS} more errors")
         super().__init__("\n".join(lines))
+
+    def document(self) -> dict[str, Any]:
+        """With all faults, each by file, line, key, what is given and what is allowed."""
+        return {**super().document(), "faults": [fault.document() for fault in self.faults]}
 
     @classmethod
     def plain(cls, message: str) -> SpecError:
@@ -68,12 +95,14 @@ class UsageError(ViscodesignError):
     """A command cannot be carried out as given, such as writing into an existing file."""
 
     exit_code = 2
+    kind = "usage"
 
 
 class SolveError(ViscodesignError):
     """The solver cannot continue: which quantity, where, when, and what to change."""
 
     exit_code = 3
+    kind = "solve"
 
     def __init__(
         self,
@@ -92,17 +121,24 @@ class SolveError(ViscodesignError):
         """The message without its remedy."""
         super().__init__(f"{message}. {remedy}" if remedy else message)
 
+    def document(self) -> dict[str, Any]:
+        """With quantity, place, time and remedy."""
+        known = {"quantity": self.quantity, "where": self.where, "time_s": self.time_s}
+        return {**super().document(), **known, "remedy": self.remedy or None}
+
 
 class PumpError(ViscodesignError):
     """The pump or its serial port failed."""
 
     exit_code = 4
+    kind = "pump"
 
 
 class InterruptedRunError(ViscodesignError):
     """The user interrupted; partial results are kept."""
 
     exit_code = 130
+    kind = "interrupted"
 
 
 def described(given: Any) -> str:

@@ -18,7 +18,8 @@ from viscodesign.cli.options import (
     RunFolder,
     Spec,
 )
-from viscodesign.cli.simulate import folder_name
+from viscodesign.cli.output import complain
+from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError, UsageError
 
 if TYPE_CHECKING:
@@ -62,15 +63,18 @@ def command(
     """
     budget_s = None if budget is None else _time("--budget", budget)
     limit_s = _time("--limit", limit)
-    from viscodesign import accuracy, load
+    from viscodesign import accuracy
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
+    from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.texts.accuracy_text import cost_lines
     from viscodesign.report.accuracy_folder import write_study
     from viscodesign.report.folder import prepare_folder
 
-    scene = load(spec, overrides or ())
-    folder = output if output is not None else Path("runs") / folder_name(scene.name)
+    scene = read_scene(spec, overrides)
+    folder, remark = folder_for(scene, output)
+    if remark and not quiet:
+        complain(remark)
     prepare_folder(folder, force=force)
     with progress(quiet, first="measuring") as advance:
         study = accuracy(scene, limit=limit_s, progress=advance)

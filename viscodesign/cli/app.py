@@ -55,14 +55,19 @@ PUMP = "pump"
 def app_for(words: Sequence[str]) -> typer.Typer:
     """All commands; or only one, where a command line begins with its name."""
     first = words[0] if words else ""
-    return app_with([first] if first in COMMANDS else [*COMMANDS, PUMP])
+    if first in COMMANDS:
+        return app_with([first])
+    return app_with([*COMMANDS, PUMP], completion=True)
 
 
-def app_with(names: Sequence[str]) -> typer.Typer:
-    """These commands: those that are not needed take longer to set up than a small scene."""
+def app_with(names: Sequence[str], *, completion: bool = False) -> typer.Typer:
+    """These commands: those that are not needed take longer to set up than a small scene.
+
+    With ``completion`` shells can ask what may stand on a command line.
+    """
     app = typer.Typer(
         name="viscodesign",
-        add_completion=False,
+        add_completion=completion,
         no_args_is_help=True,
         rich_markup_mode=None,
         pretty_exceptions_enable=False,

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Spec
+from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Specs
+from viscodesign.cli.output import json_text, write_text
+from viscodesign.cli.specs import SpecResult, read_scene, run_specs
 
 if TYPE_CHECKING:
     from viscodesign import Check
@@ -12,34 +15,36 @@ if TYPE_CHECKING:
 EXAMPLE = """\b
 Examples:
   viscodesign check leg.yaml
-  viscodesign check leg.yaml --set fluid=water --json"""
+  viscodesign check leg.yaml --set fluid=water --json
+  viscodesign check configs/*.yaml"""
 
 
 def command(
-    spec: Spec,
+    specs: Specs,
     overrides: Overrides = None,
     output: Output = None,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Validate a spec and weigh every effect.
+    """Validate specs and weigh every effect.
 
     Prints timescales, the decision on every effect, facts of the network and warnings;
-    solves nothing. With -o also writes DIR/check.json. A valid spec with warnings exits
-    with 0.
+    solves nothing. `-` reads a spec from standard input. With -o also writes DIR/check.json.
+    A valid spec with warnings exits with 0; of several specs the largest exit code counts.
     """
-    from viscodesign import check, load
-    from viscodesign.cli.output import json_text, say, write_text
 
-    found = check(load(spec, overrides or ()))
-    document = json_text(found.document())
-    if output is not None:
-        write_text(output / "check.json", document + "\n", overwrite=True)
-    if json:
-        say(document)
-    elif not quiet:
-        say("\n".join(_lines(found)))
+    def run(spec: Path) -> SpecResult:
+        from viscodesign import check
+
+        found = check(read_scene(spec, overrides))
+        return SpecResult(found.document(), [] if json or quiet else _lines(found))
+
+    def keep(document: dict[str, Any]) -> None:
+        if output is not None:
+            write_text(output / "check.json", json_text(document) + "\n", overwrite=True)
+
+    run_specs(specs, run, json=json, quiet=quiet, debug=_debug, keep=keep)
 
 
 def _lines(found: Check) -> list[str]:

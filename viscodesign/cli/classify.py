@@ -40,13 +40,16 @@ def command(
     Prints timescales, ratios and quadrant of each spec; solves nothing. With -o also writes
     DIR/classification.json. --set applies to every spec.
     """
-    from viscodesign import classify, load
+    from viscodesign import classify
     from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.cli.specs import read_scene
     from viscodesign.results.findings import classification_document
+    from viscodesign.results.provenance import provenance
 
     picture = _picture(plot)
-    found = [classify(load(spec, overrides or ())) for spec in specs]
-    document = json_text({"specs": [classification_document(c) for c in found]})
+    found = [classify(read_scene(spec, overrides)) for spec in specs]
+    documents = [classification_document(c) for c in found]
+    document = json_text({"specs": documents, "provenance": provenance()})
     if output is not None:
         write_text(output / "classification.json", document + "\n", overwrite=True)
     if picture is not None:

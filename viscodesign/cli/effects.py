@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from viscodesign.cli.completion import effect_names
 from viscodesign.cli.options import Debug, Json, Output, Quiet
 
 if TYPE_CHECKING:
@@ -22,7 +23,8 @@ Examples:
 
 def command(
     name: Annotated[
-        str | None, typer.Argument(metavar="NAME", help="The effect to describe.")
+        str | None,
+        typer.Argument(metavar="NAME", help="The effect to describe.", autocompletion=effect_names),
     ] = None,
     output: Output = None,
     json: Json = False,

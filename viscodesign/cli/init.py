@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from viscodesign.cli.completion import template_names
 from viscodesign.cli.options import Debug, Json, Output, Quiet
 from viscodesign.cli.templates import DEFAULT
 
@@ -24,7 +25,13 @@ def command(
         Path, typer.Argument(metavar="PATH", help="File to write, or its folder.")
     ] = DEFAULT_PATH,
     name: Annotated[
-        str, typer.Option("--template", metavar="NAME", help="Bundled spec to copy.")
+        str,
+        typer.Option(
+            "--template",
+            metavar="NAME",
+            help="Bundled spec to copy.",
+            autocompletion=template_names,
+        ),
     ] = DEFAULT,
     listing: Annotated[bool, typer.Option("--list", help="List the templates and exit.")] = False,
     force: Annotated[bool, typer.Option("--force", help="Overwrite PATH if it exists.")] = False,

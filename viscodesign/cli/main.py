@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import gc
 import os
@@ -9,13 +10,33 @@ import sys
 import time as clock
 import traceback
 from collections.abc import Sequence
+from typing import Any
 
-from viscodesign.cli.output import ReaderGoneError, abandon_stdout, complain
+import typer
+
+from viscodesign.cli.failures import (
+    INTERNAL_ERROR,
+    INTERRUPTED,
+    Failure,
+    failure_of,
+    plain_failure,
+)
+from viscodesign.cli.output import (
+    ReaderGoneError,
+    abandon_stdout,
+    asks_for,
+    begin_speaking,
+    complain,
+    has_spoken,
+    json_text,
+    say,
+)
 from viscodesign.errors import ViscodesignError
 from viscodesign.interrupt import ended_like_interrupts
 
-INTERNAL_ERROR = 1
-INTERRUPTED = 130
+CommandLineError: Any = typer.BadParameter.__mro__[2]
+"""Base of what typer raises for a command line that it cannot parse; it has no public name."""
+
 OUTPUT_ERRORS = (errno.ENOSPC, errno.EIO, errno.EBADF)
 COLLECTED_AFTER = 500_000
 """Objects after which Python looks for cycles: what imports and a spec make stays anyway, and
@@ -39,29 +60,48 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _answer(words: list[str]) -> int:
-    debug = _asks_for_debug(words)
     _replace_closed_streams()
+    begin_speaking()
+    failure = _failure_of(words)
+    if failure is None:
+        return 0
+    if failure.error is not None and asks_for("--debug", words):
+        traceback.print_exception(failure.error)
+    if failure.message:
+        complain(failure.message)
+    if asks_for("--json", words) and not has_spoken():
+        # Where standard output is what failed, the exit code has to do.
+        with contextlib.suppress(ReaderGoneError, ViscodesignError):
+            say(json_text({"error": failure.document}))
+    return failure.status
+
+
+def _failure_of(words: list[str]) -> Failure | None:
+    """Run a command; how it failed, or None."""
     try:
         status = _run(words)
     except ReaderGoneError:
         # `viscodesign check leg.yaml | head -1`: the reader has all it needs.
         abandon_stdout()
-        return 0
-    except KeyboardInterrupt:
-        return _report("interrupted", INTERRUPTED, debug)
-    except ViscodesignError as error:
-        return _report(str(error), error.exit_code, debug)
-    except OSError as error:
-        if error.filename is None and error.errno in OUTPUT_ERRORS:
-            # typer's own texts, such as `--help`, onto a full disk or a terminal that was closed
-            abandon_stdout()
-            return _report(f"standard output: {error.strerror}", INTERNAL_ERROR, debug)
-        return _report(_internal(error, debug), INTERNAL_ERROR, debug)
-    except Exception as error:
-        return _report(_internal(error, debug), INTERNAL_ERROR, debug)
+        return None
+    except CommandLineError as error:
+        error.show()
+        return plain_failure("usage", error.exit_code, error.format_message(), told=True)
+    except (KeyboardInterrupt, Exception) as error:
+        return _output_failure(error) or failure_of(error, asks_for("--debug", words))
     if status == INTERRUPTED:
-        complain("interrupted")
-    return status
+        return plain_failure("interrupted", status, "interrupted")
+    return plain_failure("other", status, "failed", told=True) if status else None
+
+
+def _output_failure(error: BaseException) -> Failure | None:
+    """What typer's own texts meet, such as `--help`, on a full disk or a closed terminal."""
+    if not isinstance(error, OSError) or error.filename is not None:
+        return None
+    if error.errno not in OUTPUT_ERRORS:
+        return None
+    abandon_stdout()
+    return plain_failure("output", INTERNAL_ERROR, f"standard output: {error.strerror}", error)
 
 
 def _replace_closed_streams() -> None:
@@ -72,7 +112,7 @@ def _replace_closed_streams() -> None:
 
 
 def _run(words: list[str]) -> int:
-    """Let typer find and call the command; it prints usage errors itself.
+    """Let typer find and call the command; returns its exit code.
 
     A command finds in its context when it was called.
     """
@@ -82,29 +122,8 @@ def _run(words: list[str]) -> int:
     from viscodesign.cli.app import app_for
 
     try:
-        get_command(app_for(words))(args=words, prog_name="viscodesign", obj=began)
+        command = get_command(app_for(words))
+        found = command(args=words, prog_name="viscodesign", obj=began, standalone_mode=False)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else INTERNAL_ERROR
-    return 0
-
-
-def _asks_for_debug(words: list[str]) -> bool:
-    """Whether `--debug` is among the options.
-
-    Read from the command line itself, so that it holds for errors in parsing, too.
-    """
-    options = words[: words.index("--")] if "--" in words else words
-    return "--debug" in options
-
-
-def _report(message: str, status: int, debug: bool) -> int:
-    if debug:
-        traceback.print_exc()
-    complain(message)
-    return status
-
-
-def _internal(error: Exception, debug: bool) -> str:
-    first = str(error).partition("\n")[0]
-    text = f"internal error: {type(error).__name__}: {first}".removesuffix(": ")
-    return text if debug else f"{text} (run again with --debug for the traceback)"
+    return found if isinstance(found, int) else 0

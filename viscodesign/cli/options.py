@@ -7,14 +7,27 @@ from typing import Annotated, Literal
 
 import typer
 
-Spec = Annotated[Path, typer.Argument(metavar="SPEC", help="Spec (YAML file).")]
-Specs = Annotated[list[Path], typer.Argument(metavar="SPEC", help="Specs (YAML files).")]
+from viscodesign.cli.completion import override_keys, spec_files
+
+Spec = Annotated[
+    Path,
+    typer.Argument(
+        metavar="SPEC", help="Spec (YAML file); - is standard input.", autocompletion=spec_files
+    ),
+]
+Specs = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="SPEC", help="Specs (YAML files); - is standard input.", autocompletion=spec_files
+    ),
+]
 Overrides = Annotated[
     list[str] | None,
     typer.Option(
         "--set",
         metavar="KEY=VALUE",
         help="Override a spec key, such as `run.duration=2 s`; repeatable.",
+        autocompletion=override_keys,
     ),
 ]
 Json = Annotated[

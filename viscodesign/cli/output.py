@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import contextlib
+import contextvars
 import json
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,11 +18,35 @@ class ReaderGoneError(Exception):
     """The reader of standard output has closed it."""
 
 
+_HAS_SPOKEN = contextvars.ContextVar("has_spoken", default=False)
+"""Whether this command has printed its document."""
+
+
+def asks_for(option: str, words: Sequence[str]) -> bool:
+    """Whether an option such as `--debug` is on the command line.
+
+    Read from the command line itself, so that it holds for errors in parsing, too.
+    """
+    options = words[: words.index("--")] if "--" in words else words
+    return option in options
+
+
+def begin_speaking() -> None:
+    """Begin the output of a command."""
+    _HAS_SPOKEN.set(False)
+
+
+def has_spoken() -> bool:
+    """Whether this command has printed anything on standard output."""
+    return _HAS_SPOKEN.get()
+
+
 def say(text: str = "") -> None:
     """Print one line (or several) on standard output.
 
     Delivered at once, so that a closed pipe or a full disk is noticed here.
     """
+    _HAS_SPOKEN.set(True)
     try:
         print(_printable(text, sys.stdout.encoding), flush=True)
     except BrokenPipeError as error:

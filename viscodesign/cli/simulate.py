@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 import time as clock
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -20,29 +19,36 @@ from viscodesign.cli.options import (
     PictureFormat,
     Quiet,
     RunFolder,
-    Spec,
+    Specs,
 )
+from viscodesign.cli.output import complain
+from viscodesign.cli.specs import SpecResult, read_scene, run_specs
 from viscodesign.errors import InterruptedRunError, ViscodesignError
+from viscodesign.lazy_dataclass import dataclass
 
 if TYPE_CHECKING:
+    from viscodesign.report.run_folder import WrittenRun
     from viscodesign.results.trajectory import Trajectory
+    from viscodesign.scene.scene import Scene
 
 EXAMPLE = """\b
 Examples:
   viscodesign simulate leg.yaml
   viscodesign simulate leg.yaml -o runs/water --set fluid=water
-  viscodesign simulate leg.yaml --prove"""
+  viscodesign simulate leg.yaml --prove
+  viscodesign simulate configs/leg_*.yaml --no-plots"""
 
 
 class RunFailedError(ViscodesignError):
     """The solver stopped before the end of the run; partial results are on disk."""
 
     exit_code = 3
+    kind = "solve"
 
 
 def command(
     context: typer.Context,
-    spec: Spec,
+    specs: Specs,
     overrides: Overrides = None,
     output: RunFolder = None,
     prove: Annotated[
@@ -62,62 +68,113 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Simulate a spec and write its motion.
+    """Simulate specs and write their motions.
 
     Writes CSV tables, pictures, a page that shows the motion, the resolved spec and a
-    summary to one folder. Files of an earlier run in the same folder are replaced. A failed
-    or interrupted run keeps what it computed, labelled as such.
+    summary to one folder for each spec; `-` reads a spec from standard input. In runs,
+    results of another spec with the same name are kept; in a folder given by -o, an earlier
+    run is replaced. A failed run, or one interrupted by Ctrl-C, keeps what it computed,
+    labelled as such. One spec that fails does not stop the others; the exit code is then the
+    largest.
     """
-    from viscodesign import load
+    options = RunOptions(
+        prove, not no_verify, not no_plots, not no_report, picture_format, force, json, quiet
+    )
+    begun = Beginnings(context.obj)
+    taken: set[Path] = set()
+
+    def run(spec: Path) -> SpecResult:
+        from viscodesign.cli.run_folders import folder_for
+
+        began, scene = next(begun), read_scene(spec, overrides)
+        folder, remark = folder_for(scene, output, taken if len(specs) > 1 else None)
+        taken.add(folder)
+        if remark and not quiet:
+            complain(remark)
+        return _simulated(scene, folder, options, began)
+
+    run_specs(specs, run, json=json, quiet=quiet, debug=_debug)
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """What the command line asks of every spec."""
+
+    prove: bool
+    verify: bool
+    plots: bool
+    report: bool
+    picture_format: Literal["png", "pdf", "svg"]
+    force: bool
+    json: bool
+    quiet: bool
+
+
+class Beginnings:
+    """When each spec was begun: the first one with the command itself [s]."""
+
+    def __init__(self, first: float) -> None:
+        self._first: float | None = first
+
+    def __next__(self) -> float:
+        began, self._first = self._first, None
+        return clock.perf_counter() if began is None else began
+
+
+def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) -> SpecResult:
+    """Simulate one scene and write its files."""
     from viscodesign import simulate as solve
-    from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.texts.ablation_text import ablation_lines
-    from viscodesign.cli.texts.run_text import summary_lines
     from viscodesign.interrupt import gentle_interrupt
     from viscodesign.report.folder import prepare_folder
     from viscodesign.report.run_folder import write_timed
 
-    scene = load(spec, overrides or ())
-    folder = output if output is not None else Path("runs") / folder_name(scene.name)
-    prepare_folder(folder, force=force)
-    load_s = clock.perf_counter() - context.obj
-    later = "verifying and measuring effects" if prove else "verifying"
-    with gentle_interrupt() as interrupt, progress(quiet, later) as advance:
+    prepare_folder(folder, force=options.force)
+    load_s = clock.perf_counter() - began
+    later = "verifying and measuring effects" if options.prove else "verifying"
+    with gentle_interrupt() as interrupt, progress(options.quiet, later) as advance:
         trajectory = _kept(
             lambda: solve(
-                scene, verify=not no_verify, prove=prove, progress=advance, scratch=folder
+                scene,
+                verify=options.verify,
+                prove=options.prove,
+                progress=advance,
+                scratch=folder,
             )
         )
-    if not no_plots:
+    if options.plots:
         from viscodesign.report.layout.undocumented import import_undocumented
 
         import_undocumented()
     written = write_timed(
         trajectory.with_time(load_s=load_s),
         folder,
-        plots=not no_plots,
-        report=not no_report,
-        force=force,
-        picture_format=picture_format,
+        plots=options.plots,
+        report=options.report,
+        force=options.force,
+        picture_format=options.picture_format,
     )
+    return _result(written, folder, options, interrupted=interrupt.asked)
+
+
+def _result(
+    written: WrittenRun, folder: Path, options: RunOptions, *, interrupted: bool
+) -> SpecResult:
+    from viscodesign.cli.texts.ablation_text import ablation_lines
+    from viscodesign.cli.texts.run_text import summary_lines
+
     trajectory, files = written.trajectory, written.files
-    if json:
-        say(json_text({**trajectory.summary(), "files": [str(file) for file in files]}))
-        _warn(trajectory, quiet)
-    elif not quiet:
-        measured = ["", *ablation_lines(trajectory)] if prove else []
-        say("\n".join([*summary_lines(trajectory, folder, files), *measured]))
-    _end(trajectory, folder, interrupted=interrupt.asked)
-
-
-def folder_name(name: str) -> str:
-    """A scene's name as the name of a folder."""
-    return re.sub(r"[^\w.+-]+", "_", name).strip("._") or "run"
+    document = {**trajectory.summary(), "files": [str(file) for file in files]}
+    error = _incomplete(trajectory, folder, interrupted=interrupted)
+    if options.json:
+        _warn(trajectory, options.quiet)
+        return SpecResult(document, (), error)
+    measured = ["", *ablation_lines(trajectory)] if options.prove else []
+    lines = [*summary_lines(trajectory, folder, files), *measured]
+    return SpecResult(document, lines, error)
 
 
 def _warn(trajectory: Trajectory, quiet: bool) -> None:
-    from viscodesign.cli.output import complain
     from viscodesign.cli.texts.ablation_text import wrongly_neglected_lines
     from viscodesign.cli.texts.check_text import notice_lines
 
@@ -139,11 +196,14 @@ def _kept(solve: Callable[[], Trajectory]) -> Trajectory:
         return stopped.trajectory
 
 
-def _end(trajectory: Trajectory, folder: Path, *, interrupted: bool) -> None:
-    """Report an incomplete run as an error, after its files are written."""
+def _incomplete(
+    trajectory: Trajectory, folder: Path, *, interrupted: bool
+) -> ViscodesignError | None:
+    """An incomplete run as an error, to be raised when its files are written."""
     kept = f"partial results are in {folder}"
     message = trajectory.failure or f"{trajectory.name}: the run is {trajectory.status}"
     if trajectory.status == "failed":
-        raise RunFailedError(f"{message}\n{kept}")
+        return RunFailedError(f"{message}\n{kept}")
     if interrupted or trajectory.status == "interrupted":
-        raise InterruptedRunError(f"{message}\n{kept}")
+        return InterruptedRunError(f"{message}\n{kept}")
+    return None

@@ -18,7 +18,7 @@ from viscodesign.cli.options import (
     RunFolder,
     Spec,
 )
-from viscodesign.cli.simulate import folder_name
+from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError, UsageError, ViscodesignError, not_among
 
 if TYPE_CHECKING:
@@ -87,10 +87,10 @@ def command(
     others go on. The same command continues what was interrupted or killed; --force replaces
     another sweep in the folder.
     """
-    from viscodesign import load
     from viscodesign import sweep as solve
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
+    from viscodesign.cli.run_folders import folder_name
     from viscodesign.cli.texts.check_text import notice_lines
     from viscodesign.cli.texts.sweep_text import sweep_lines
     from viscodesign.report.sweep_folder import write_sweep
@@ -98,7 +98,7 @@ def command(
 
     if metric not in METRIC_NAMES:
         raise UsageError(f"--metric: {not_among(metric, METRIC_NAMES)}")
-    scene = load(spec, overrides or ())
+    scene = read_scene(spec, overrides)
     folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_sweep"
     with progress(quiet, first="sweeping") as advance:
         found = solve(

@@ -17,6 +17,7 @@ from viscodesign.results.accuracy_points import (
     Reference,
 )
 from viscodesign.results.findings import json_ready
+from viscodesign.results.provenance import provenance
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -49,6 +50,8 @@ class AccuracyStudy:
     """What was not measured, and why."""
     limit_s: float
     spent_s: float
+    resolved_sha256: str = ""
+    """SHA-256 of the resolved spec, with all overrides."""
 
     @property
     def requested_m(self) -> float:
@@ -110,6 +113,7 @@ class AccuracyStudy:
             "name": self.name,
             "version": self.version,
             "spec_sha256": self.spec_sha256,
+            "resolved_sha256": self.resolved_sha256,
             "status": self.status,
             "reference": None if self.reference is None else _reference_document(self.reference),
             "requested": {"tip_error_m": self.requested_m, "tip_error_rel": self.requested_rel},
@@ -132,6 +136,7 @@ class AccuracyStudy:
             "notes": self.notes,
             "limit_s": self.limit_s,
             "spent_s": self.spent_s,
+            "provenance": provenance(),
         }
         return dict(json_ready(document))
 

@@ -14,6 +14,7 @@ from typing import Any, Literal
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.results.provenance import provenance
 
 
 @dataclass(frozen=True)
@@ -172,4 +173,5 @@ def check_document(
         **classification_document(found),
         "effects": documents(verdicts),
         "facts": list(facts),
+        "provenance": provenance(),
     }

@@ -6,6 +6,7 @@ the command line prints it, and a script reads it.
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping
 from dataclasses import asdict, field, replace
 from typing import TYPE_CHECKING, Any, Literal
@@ -209,6 +210,7 @@ class Trajectory(MotionArrays):
             "name": self.name,
             "version": self.version,
             "spec_sha256": self.spec_sha256,
+            "resolved_sha256": hashlib.sha256(self.spec_text.encode()).hexdigest(),
             "status": self.status,
             "failure": self.failure,
             **{

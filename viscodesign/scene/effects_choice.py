@@ -61,8 +61,10 @@ def _faults(given: dict[Any, Any], context: dict[str, Any]) -> Iterator[KeyFault
         mode, path = _mode(value), (str(name),)
         if name in fixed:
             keys = " and ".join(f"`{key}`" for key in fixed[name])
-            yield KeyFault(path, f"cannot be switched: {keys} decide it; remove this line")
+            problem = f"cannot be switched: {keys} decide it; remove this line"
+            yield KeyFault(path, problem, f"no value; {keys} decide it")
         elif known is not None and name not in (*known, OTHERS):
-            yield KeyFault(path, f"no such effect{did_you_mean(name, known)}")
+            allowed = f"one of the effects {', '.join(known)}"
+            yield KeyFault(path, f"no such effect{did_you_mean(name, known)}", allowed)
         elif mode is None:
-            yield KeyFault(path, not_among(value, MODES))
+            yield KeyFault(path, not_among(value, MODES), f"one of {', '.join(MODES)}")

@@ -33,6 +33,8 @@ class KeyFault(NamedTuple):
 
     path: KeyPath
     message: str
+    allowed: str = ""
+    """What the key may have, where its field does not say so."""
 
 
 class SpecPart(BaseModel):

@@ -18,11 +18,11 @@ from viscodesign.postprocess.motion_limits import MotionBlock
 from viscodesign.postprocess.terminations import doubted_balance
 from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.results.findings import Notice
+from viscodesign.results.provenance import provenance
 from viscodesign.results.trajectory import Accuracy, Cost, Trajectory
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.simulation.error_control import ERROR_CONTROL, Verifier
 from viscodesign.simulation.outcome import NOT_VERIFIED
-from viscodesign.simulation.provenance import provenance
 from viscodesign.simulation.solve_once import Run
 from viscodesign.storage.disk_arrays import blocks
 

@@ -13,6 +13,7 @@ from viscodesign.interrupt import gentle_interrupt
 from viscodesign.model.rod import MINIMUM_EDGES
 from viscodesign.results.accuracy_points import Model, Point, with_dominated
 from viscodesign.results.accuracy_study import AccuracyStudy
+from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.solve_once import Progress
@@ -89,6 +90,7 @@ def _empty(runs: TimedRuns, models: tuple[Model, ...], notes: tuple[str, ...]) -
         notes=notes,
         limit_s=runs.limit_s,
         spent_s=runs.spent_s,
+        resolved_sha256=resolved_sha256(scene),
     )
 
 

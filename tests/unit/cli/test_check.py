@@ -59,7 +59,7 @@ def test_all_faults_of_a_file_at_once(call: Call, leg: Path, tmp_path: Path) -> 
 
 
 def test_a_missing_file(call: Call, tmp_path: Path) -> None:
-    outcome = call("check", tmp_path / "none.yaml", "--json")
+    outcome = call("check", tmp_path / "none.yaml")
     assert (outcome.status, outcome.out) == (2, "")
     assert "none.yaml" in outcome.err
 

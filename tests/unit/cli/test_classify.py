@@ -41,7 +41,7 @@ def test_an_unknown_kind_of_picture(call: Call, leg: Path, tmp_path: Path) -> No
 
 
 def test_one_bad_spec_fails_the_command(call: Call, leg: Path, tmp_path: Path) -> None:
-    outcome = call("classify", leg, tmp_path / "none.yaml", "--json")
+    outcome = call("classify", leg, tmp_path / "none.yaml")
     assert (outcome.status, outcome.out) == (2, "")
 
 

@@ -75,7 +75,7 @@ def test_debug_shows_the_traceback(
         ("classify",),
         ("check", "leg.yaml", "--nonsense"),
         ("check", "leg.yaml", "--set"),
-        ("simulate", "a.yaml", "b.yaml"),
+        ("accuracy", "a.yaml", "b.yaml"),
     ],
 )
 def test_wrong_usage_is_2_and_leaves_stdout_empty(call: Call, words: tuple[str, ...]) -> None:

@@ -11,8 +11,10 @@ from pathlib import Path
 import pytest
 
 from tests.trajectories import ABLATIONS, ablated_run, made_run
-from viscodesign.cli.simulate import folder_name
+from viscodesign import load
+from viscodesign.cli.run_folders import folder_name
 from viscodesign.results.trajectory import Trajectory
+from viscodesign.scene.reading.write import resolved_yaml
 
 from .conftest import CONFIGS, Call
 
@@ -74,10 +76,11 @@ def test_the_folder_is_named_by_the_scene(
     trajectory: Trajectory,
     solved: Callable[[Trajectory], None],
 ) -> None:
-    solved(trajectory)
+    solved(replace(trajectory, spec_text=resolved_yaml(load(leg))))
     monkeypatch.chdir(tmp_path)
     assert call("simulate", leg, "--no-plots", "-q") == call("simulate", leg, "--no-plots", "-q")
     assert _names(tmp_path / "runs" / "leg_16_straight_air") == TABLES
+    assert _names(tmp_path / "runs") == {"leg_16_straight_air"}
 
 
 @pytest.mark.parametrize(("status", "code"), [("failed", 3), ("interrupted", 130)])

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from viscodesign.cli.options import (
     Debug,
     Force,
@@ -15,7 +13,9 @@ from viscodesign.cli.options import (
     RunFolder,
     Spec,
 )
-from viscodesign.cli.simulate import RunFailedError, folder_name
+from viscodesign.cli.output import complain
+from viscodesign.cli.simulate import RunFailedError
+from viscodesign.cli.specs import read_scene
 from viscodesign.errors import PumpError
 
 EXAMPLE = """\b
@@ -43,17 +43,20 @@ def command(
     a limit is exceeded; and simulates what the pump would do instead. Writes plan.csv,
     plan.json and plan.png. Exits with 4 where the plan is infeasible.
     """
-    from viscodesign import load, plan
+    from viscodesign import plan
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
+    from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.texts.plan_text import plan_lines
     from viscodesign.pump.planning.scene_variants import pump_of
     from viscodesign.pump.report.plan_folder import plan_document, write_plan
     from viscodesign.report.folder import prepare_folder
 
-    scene = load(spec, overrides or ())
+    scene = read_scene(spec, overrides)
     pump_of(scene)
-    folder = output if output is not None else Path("runs") / folder_name(scene.name)
+    folder, remark = folder_for(scene, output)
+    if remark and not quiet:
+        complain(remark)
     prepare_folder(folder, force=force)
     with progress(quiet, "planning", first="planning") as advance:
         found = plan(scene, progress=advance)

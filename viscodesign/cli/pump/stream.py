@@ -62,17 +62,17 @@ def command(
     where it is; pressed again within 3 s, it drops the torque. Writes record.csv, with the
     simulator's columns, record.json and log.jsonl (every byte) to one folder.
     """
-    from viscodesign import load
     from viscodesign.cli.confirm import asking
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.simulate import folder_name
+    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.live_view import live_view
     from viscodesign.pump import BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse_stream
     from viscodesign.pump.sessions.streaming import StreamSession
 
-    scene = load(spec, overrides or ())
+    scene = read_scene(spec, overrides)
     address = BoardAddress(board, port, baud, pace, log)
     with progress(quiet, "planning", "planning") as advance:
         # `on_stop` is one of the words, as the session checks.

@@ -70,10 +70,10 @@ def command(
     --tolerance it is refused. Shows the plan and asks before anything moves. Nothing
     monitors the pump while the board plays: Ctrl-C halts it after the current move.
     """
-    from viscodesign import load
     from viscodesign.cli.confirm import asking
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
+    from viscodesign.cli.specs import read_scene
     from viscodesign.pump import BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse_upload
     from viscodesign.pump.sessions.uploading import UploadSession, refuse_board
@@ -82,7 +82,7 @@ def command(
     address = BoardAddress(board, port, baud, log=log)
     playable = port is not None or address.simulated
     _refuse_options(play, loop, playable or bool(export or picture or dry_run))
-    scene = load(spec, overrides or ())
+    scene = read_scene(spec, overrides)
     playback: Playback = "loop" if loop else "once" if play else "none"
     with progress(quiet, "planning and fitting", "planning") as advance:
         session = UploadSession(scene, tolerance, playback, achievable, advance)

@@ -32,6 +32,7 @@ from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pressure_levels import levels_of, stated_reference
+from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -83,6 +84,7 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         numbers={d.inlet: _numbers(d) for d in demands},
         limits=_limits(demands),
         warnings=(*_notices(requested.scene, demands, achieved), *run.warnings),
+        resolved_sha256=resolved_sha256(scene),
     )
 
 

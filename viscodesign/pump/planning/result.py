@@ -88,6 +88,8 @@ class PumpPlan:
     numbers: Mapping[str, Mapping[str, float]]  # inlet -> its drive, by names with units
     limits: Mapping[str, float]  # what holds for all inlets, by names with units
     warnings: tuple[Notice, ...]
+    resolved_sha256: str = ""
+    """SHA-256 of the resolved spec, with all overrides."""
 
     @property
     def infeasible(self) -> tuple[PumpVerdict, ...]:

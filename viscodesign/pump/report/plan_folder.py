@@ -76,6 +76,7 @@ def plan_document(plan: PumpPlan) -> dict[str, Any]:
         "name": plan.name,
         "version": plan.version,
         "spec_sha256": plan.spec_sha256,
+        "resolved_sha256": plan.resolved_sha256,
         "status": plan.status,
         "failure": plan.failure,
         "feasible": plan.is_feasible,

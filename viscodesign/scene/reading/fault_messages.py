@@ -12,6 +12,7 @@ from viscodesign.errors import Fault, described, did_you_mean, not_among
 from viscodesign.scene.cross_checks import cross_check
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.per_inlet import EACH, ONE
+from viscodesign.scene.reading.allowed_values import allowed_at
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.field_lookup import example_of, field_at, keys_beside, quantity_of
 from viscodesign.scene.spec_part import KeyFault, KeyPath
@@ -79,10 +80,10 @@ _NOT_REPORTED = "default_factory_not_called"
 def explain_validation(error: ValidationError, document: Document) -> list[Fault]:
     """Every fault within a section."""
     return [
-        _located(KeyFault((*_key_path(detail, document), *path), message), document)
+        _located(found._replace(path=(*_key_path(detail, document), *found.path)), document)
         for detail in error.errors(include_url=False)
         if detail["type"] != _NOT_REPORTED
-        for path, message in _key_faults(detail, document)
+        for found in _key_faults(detail, document)
     ]
 
 
@@ -95,7 +96,9 @@ def explain_cross_checks(
 
 def _located(fault: KeyFault, document: Document) -> Fault:
     file, line = document.place(fault.path)
-    return Fault(fault.message, ".".join(fault.path), file, line)
+    allowed = fault.allowed or allowed_at(fault.path, document)
+    given = document.given(fault.path)
+    return Fault(fault.message, ".".join(fault.path), file, line, given, allowed)
 
 
 def _key_path(detail: ErrorDetails, document: Document) -> KeyPath:

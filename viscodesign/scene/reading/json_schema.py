@@ -6,7 +6,7 @@ from typing import Any
 
 from viscodesign.scene.effects_choice import OTHERS
 from viscodesign.scene.fluid import named_fluids
-from viscodesign.scene.reading.read import KnownEffects
+from viscodesign.scene.reading.read import IGNORED_PREFIX, KnownEffects
 from viscodesign.scene.scene import Scene
 
 _ON = ["on", "yes", True]
@@ -54,6 +54,7 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
     gravity = definitions["Loads"]["properties"]["gravity"]
     gravity["anyOf"] = [{"enum": [*_ON, *_OFF, None]}, {"$ref": "#/$defs/GravityLoad"}]
     schema["oneOf"] = [{"required": ["input"]}, {"required": ["inputs"]}]
+    schema["patternProperties"] = {f"^{IGNORED_PREFIX}": {}}
     _move_bounds(schema)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",

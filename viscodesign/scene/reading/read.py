@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 from pathlib import Path
@@ -21,7 +20,7 @@ from viscodesign.scene.reading.sources import (
     read_spec,
     text_spec,
 )
-from viscodesign.scene.reading.write import resolved_yaml
+from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.run import OUTPUT_KEYS
 from viscodesign.scene.scene import Provenance, Scene
 from viscodesign.scene.spec_part import VALID_FIELDS, KeyPath
@@ -87,7 +86,7 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
 
 def _resolved_only(scene: Scene) -> Provenance:
     """Of a scene that no file has: the resolved spec is the first text of it."""
-    return Provenance("", hashlib.sha256(resolved_yaml(scene).encode()).hexdigest())
+    return Provenance("", resolved_sha256(scene))
 
 
 def _refuse_other_version(document: Document) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from typing import Any
 
 import yaml
@@ -44,6 +45,11 @@ _LATEST: LruCache[str] = LruCache(16)
 def resolved_yaml(scene: Scene) -> str:
     """The resolved spec; loading it gives an equal scene."""
     return _LATEST.get(scene.digest, lambda: _written(scene))
+
+
+def resolved_sha256(scene: Scene) -> str:
+    """SHA-256 of the resolved spec as a file: equal for runs of the same values alone."""
+    return hashlib.sha256(resolved_yaml(scene).encode()).hexdigest()
 
 
 def _written(scene: Scene) -> str:
