@@ -10,6 +10,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
+from viscodesign.postprocess.spline_rates import spline_rates
 from viscodesign.solve.algebraic_polish import polish
 from viscodesign.solve.problem import Problem, evaluate_along, section_strains
 from viscodesign.solve.transient import Solution
@@ -74,9 +75,7 @@ class Outputs:
             return self["flow"]
         if len(self.time) < 2:
             return np.zeros((len(self.time), len(self.problem.flow_shares)))
-        from scipy.interpolate import CubicSpline
-
-        rates = CubicSpline(self.time, self["volume"], axis=0)(self.time, 1)
+        rates = spline_rates(self.time, self["volume"])
         return np.asarray(rates @ self.problem.flow_shares.T)
 
 
