@@ -39,20 +39,21 @@ LARGEST_LOAD = 0.5
 """Largest load times length squared over bending stiffness."""
 
 Spec = dict[str, Any]
+Range = tuple[float, float]
 
 
 def draw(seed: int, index: int) -> Spec:
     """A complete spec in SI units as a plain mapping."""
     random = np.random.default_rng((seed, index))
-    high = _log(random, 1e3, 80e3)
-    count = 2 * round(_log(random, 1, 32))
+    high = log_uniform(random, 1e3, 80e3)
+    count = 2 * round(log_uniform(random, 1, 32))
     body = _body(random)
-    bellows = _bellows(random, body, count, high)
+    bellows = bellows_of(random, body, count, high)
     loads, lift = _loads(random, body, bellows)
     body["youngs_modulus"] *= lift
-    _keep_coefficients(bellows, lift)
-    _feed_back(random, body, bellows)
-    swing = _log(random, 1e-3, 100.0)
+    keep_coefficients(bellows, lift)
+    feed_back(random, body, bellows)
+    swing = log_uniform(random, 1e-3, 100.0)
     source, duration = _input(random, high, swing)
     return {
         "name": f"scene_{index}",
@@ -64,7 +65,7 @@ def draw(seed: int, index: int) -> Spec:
         "input": source,
         "loads": loads,
         "effects": "auto",
-        "accuracy": _log(random, 2e-3, 2e-2),
+        "accuracy": log_uniform(random, 2e-3, 2e-2),
         "run": {
             "duration": duration,
             "output_interval": duration / 200,
@@ -73,32 +74,32 @@ def draw(seed: int, index: int) -> Spec:
     }
 
 
-def _log(random: np.random.Generator, low: float, high: float) -> float:
+def log_uniform(random: np.random.Generator, low: float, high: float) -> float:
     return float(np.exp(random.uniform(math.log(low), math.log(high))))
 
 
 def _body(random: np.random.Generator) -> Spec:
-    length = _log(random, 5e-3, 1.0)
+    length = log_uniform(random, 5e-3, 1.0)
     height = length * random.uniform(0.1, 0.35)
     body = {
         "length": length,
         "height": height,
         "width": height * random.uniform(0.5, 1.0),
-        "youngs_modulus": _log(random, 20e3, 100e6),
+        "youngs_modulus": log_uniform(random, 20e3, 100e6),
         "density": random.uniform(900, 1300),
         "solid_fraction": random.uniform(0.4, 1.0),
         "extension_factor": random.uniform(0.4, 1.0),
         "bending_factor": random.uniform(0.4, 1.0),
     }
-    return {**body, "damping_time": _elastic_time(body) * _log(random, 0.01, 0.1)}
+    return {**body, "damping_time": elastic_time(body) * log_uniform(random, 0.01, 0.1)}
 
 
-def _mass(body: Spec) -> float:
+def mass(body: Spec) -> float:
     section = body["height"] * body["width"] * body["solid_fraction"]
     return float(body["density"] * section * body["length"])
 
 
-def _bending_stiffness(body: Spec) -> float:
+def bending_stiffness(body: Spec) -> float:
     second_moment = body["width"] * body["height"] ** 3 / 12
     return float(body["youngs_modulus"] * second_moment * body["bending_factor"])
 
@@ -108,12 +109,24 @@ def _extension_stiffness(body: Spec) -> float:
     return float(body["youngs_modulus"] * area * body["extension_factor"])
 
 
-def _elastic_time(body: Spec) -> float:
-    return math.sqrt(_mass(body) * body["length"] ** 3 / _bending_stiffness(body))
+def elastic_time(body: Spec) -> float:
+    return math.sqrt(mass(body) * body["length"] ** 3 / bending_stiffness(body))
 
 
-def _bellows(random: np.random.Generator, body: Spec, count: int, high: float) -> Spec:
-    """Coefficients from their effect at the high pressure."""
+def bellows_of(
+    random: np.random.Generator,
+    body: Spec,
+    count: int,
+    high: float,
+    *,
+    volume: Range = (0.1, 1.5),
+    angle: Range = (0.1, 2.5),
+    stretch: Range = (0.02, 0.14),
+) -> Spec:
+    """Coefficients from their effect at the high pressure.
+
+    ``volume``: of the rest volume; ``angle``: of the whole actuator [rad]; ``stretch``: of it.
+    """
     section = body["length"] / (count / 2)
     size = min(0.6 * section, 0.5 * body["height"])
     height, stream = 0.3 * body["height"], 0.9 * body["width"]
@@ -124,26 +137,26 @@ def _bellows(random: np.random.Generator, body: Spec, count: int, high: float) -
         "height": height,
         "width": size,
         "length": stream,
-        "area_per_pressure": random.uniform(0.1, 1.5) * rest / high / stream,
-        "angle_per_pressure": random.uniform(0.1, 2.5) / (count / 2) * modulus / high,
-        "extension_per_pressure": random.uniform(0.01, 0.07) * section * modulus / high,
+        "area_per_pressure": random.uniform(*volume) * rest / high / stream,
+        "angle_per_pressure": random.uniform(*angle) / (count / 2) * modulus / high,
+        "extension_per_pressure": random.uniform(*stretch) / 2 * section * modulus / high,
     }
 
 
-def _keep_coefficients(bellows: Spec, lift: float) -> None:
+def keep_coefficients(bellows: Spec, lift: float) -> None:
     """Keep the strains per pressure in a body that is made stiffer."""
     for key in ("angle_per_pressure", "extension_per_pressure"):
         bellows[key] *= lift
 
 
-def _feed_back(random: np.random.Generator, body: Spec, bellows: Spec) -> None:
+def feed_back(random: np.random.Generator, body: Spec, bellows: Spec) -> None:
     """Reciprocal coupling, scaled to leave half of the compliance when blocked."""
     modulus, stream = body["youngs_modulus"], bellows["length"]
     section = body["length"] / (bellows["count"] / 2)
     compliance = stream * bellows["area_per_pressure"]
     for key, per_pressure, stiffness in (
         ("area_per_force", bellows["extension_per_pressure"], _extension_stiffness(body)),
-        ("area_per_moment", bellows["angle_per_pressure"], _bending_stiffness(body)),
+        ("area_per_moment", bellows["angle_per_pressure"], bending_stiffness(body)),
     ):
         strain = per_pressure / modulus
         limit = 0.25 * compliance / (strain / section * stiffness)
@@ -153,12 +166,12 @@ def _feed_back(random: np.random.Generator, body: Spec, bellows: Spec) -> None:
 def _loads(random: np.random.Generator, body: Spec, bellows: Spec) -> tuple[Spec, float]:
     """Loads, and the factor by which the modulus must rise to bear them."""
     kind = random.choice(["weightless", "hanging", "horizontal", "tilted"])
-    payload = _mass(body) * random.uniform(0.05, 0.3) if random.random() < 0.25 else 0.0
+    payload = mass(body) * random.uniform(0.05, 0.3) if random.random() < 0.25 else 0.0
     held = 1000 * bellows["count"] * bellows["height"] * bellows["width"] * bellows["length"]
-    weight = (_mass(body) + payload + 2 * held) * GRAVITY
+    weight = (mass(body) + payload + 2 * held) * GRAVITY
     if kind == "weightless":
         weight = 0.0
-    stiffness = _bending_stiffness(body) / body["length"] ** 2
+    stiffness = bending_stiffness(body) / body["length"] ** 2
     lift = max(1.0, weight / stiffness / LARGEST_LOAD)
     force = random.uniform(-0.3, 0.3) * stiffness * lift if random.random() < 0.25 else 0.0
     tilt = {"hanging": 0.0, "horizontal": math.pi / 2, "tilted": 0.6}
@@ -169,7 +182,7 @@ def _loads(random: np.random.Generator, body: Spec, bellows: Spec) -> tuple[Spec
 
 def _network(random: np.random.Generator, body: Spec, count: int) -> Spec:
     section = body["length"] / (count / 2)
-    radius = body["height"] * _log(random, 0.005, 0.1)
+    radius = body["height"] * log_uniform(random, 0.005, 0.1)
     network: Spec = {
         "tube_radius": radius,
         "tube_length": max(section * random.uniform(0.5, 2.0), 12 * radius),
@@ -177,16 +190,16 @@ def _network(random: np.random.Generator, body: Spec, count: int) -> Spec:
     layouts = ["straight", "custom"] + (["crossed"] if count % 4 == 0 else [])
     network["layout"] = str(random.choice(layouts))
     if network["layout"] == "custom":
-        network["tubes"] = _tree(random, count)
+        network["tubes"] = tree(random, count)
     if random.random() < 0.2:
         network["tube_wall"] = {
-            "youngs_modulus": _log(random, 1e6, 1e9),
+            "youngs_modulus": log_uniform(random, 1e6, 1e9),
             "thickness": radius * random.uniform(0.3, 1.0),
         }
     return network
 
 
-def _tree(random: np.random.Generator, count: int) -> list[Spec]:
+def tree(random: np.random.Generator, count: int) -> list[Spec]:
     """Connect every bellow to one that is already connected, sometimes by a junction."""
     names = [str(n) for n in random.permutation(bellow_names(count // 2))]
     joined, tubes = [names[0]], [{"from": "inlet", "to": names[0]}]
@@ -206,15 +219,15 @@ def _fluid(random: np.random.Generator) -> str | Spec:
     if kind in ("air", "water"):
         return str(kind)
     if kind == "glycerol":
-        viscosity = _log(random, 0.1, 1.4)
+        viscosity = log_uniform(random, 0.1, 1.4)
         return {"name": "syrup", "viscosity": viscosity, "density": 1230.0, "bulk_modulus": 4e9}
     if kind == "liquid":
-        viscosity = _log(random, 1e-6, 1e2)
+        viscosity = log_uniform(random, 1e-6, 1e2)
         return {"name": "liquid", "viscosity": viscosity, "density": 1000.0, "bulk_modulus": 2.2e9}
     constant = random.uniform(180.0, 520.0)
     return {
         "name": "gas",
-        "viscosity": _log(random, 1e-6, 1e-3),
+        "viscosity": log_uniform(random, 1e-6, 1e-3),
         "density": AMBIENT / (constant * ROOM),
         "gas_constant": constant,
     }

@@ -55,7 +55,9 @@ class Accuracy:
     space_m: float | None = None
     """Part of the mesh along the rod."""
     omitted_m: float | None = None
-    """Part of the effects that were neglected by choice, without those that the spec forbids."""
+    """Part of the effects that were neglected by choice, without those that the spec forbids.
+
+    Where the two above are None, theirs is in it: one distance held all parts."""
 
 
 @dataclass(frozen=True)

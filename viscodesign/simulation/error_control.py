@@ -6,9 +6,11 @@ Each part is measured or estimated separately, since each has its own remedy:
   Of the two solutions the finer one is kept; its error is a fraction of their distance.
   A solver that is exact in time needs no second solution.
 - **Space.** Again on a mesh of half the edges' length, with the previous tolerance.
-- **Neglected effects.** The distance to a solution with everything that the spec allows, on the
-  same mesh (`judged_effects`); where that is not to be had, of two estimates, with and without
-  them.
+- **Neglected effects.** The distance to a solution with everything that the spec allows
+  (`judged_effects`); where that is not to be had, of two estimates, with and without them.
+
+That solution has ten times the tolerance and half the edges, so that its distance holds all three
+at once. Where it is small enough nothing else is solved, and the parts are not told apart.
 
 A part that is too large is refined and measured again, until the sum is below the requested
 accuracy. The fractions are such that the sum is rarely below the true error and rarely ten
@@ -18,7 +20,7 @@ times above it (`benchmarks/error_study.py`).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from viscodesign.effects.base import Effect
@@ -75,19 +77,20 @@ ERROR_CONTROL = ErrorControlNumbers()
 class ErrorParts:
     """The parts of the error at the tip [m]."""
 
-    time_m: float
-    space_m: float
+    time_m: float | None
+    space_m: float | None
+    """These two are None where one distance holds all parts: then they are in the third."""
     neglected_m: float
 
     @property
     def total_m(self) -> float:
         """The sum of all parts, as if they all pointed the same way."""
-        return self.time_m + self.space_m + self.neglected_m
+        return self.steps_m + self.neglected_m
 
-
-def with_less_tolerance(settings: Settings) -> Settings:
-    """The next finer settings in time."""
-    return replace(settings, tolerance=settings.tolerance / 10)
+    @property
+    def steps_m(self) -> float:
+        """What is told apart as an error of steps and mesh."""
+        return (self.time_m or 0.0) + (self.space_m or 0.0)
 
 
 class Verifier:
@@ -117,7 +120,7 @@ class Verifier:
         self.stalled = ""
         """Why further refinement would not help; empty where it may."""
         self.flows_apart: FlowDifference | None = None
-        """How far the last reduction of the tolerance changed the flows."""
+        """How far the last refinement in time changed the flows."""
         self.interrupted = False
         """Whether verification was stopped; the solution before it is kept."""
         self._distance: dict[str, float] = {}
@@ -133,15 +136,15 @@ class Verifier:
             self.stalled = f"the limit of {run.problem.max_steps} steps (run.max_steps) was reached"
         return run
 
-    def verify(self, run: Run, coarser: Run | None = None) -> tuple[Run, ErrorParts | None]:
+    def verify(
+        self, run: Run, whole_error: Callable[[Run], float] | None = None
+    ) -> tuple[Run, ErrorParts | None]:
         """The finest solution, and its error; None where one of them ended early.
 
-        ``coarser``: a solution with ten times the tolerance on the same mesh, and with these
-        effects or more.
+        ``whole_error``: all parts of a solution's error together [m], where they need not be
+        told apart.
         """
-        refinement = _Refinement(self, run)
-        if coarser is not None:
-            refinement.compare_in_time(coarser)
+        refinement = _Refinement(self, run, whole_error)
         if not run.solution.asked_to_stop and refinement.is_sufficient():
             return run, refinement.parts
         while self.solutions <= ERROR_CONTROL.max_refinements and not self.stalled:
@@ -167,6 +170,10 @@ class Verifier:
                 break
         return refinement.run, refinement.parts
 
+    def compare_flows(self, coarser: Run, finer: Run) -> None:
+        """Note how far a coarser solution is from a finer one in its flows."""
+        self.flows_apart = flow_difference(coarser.motion, finer.motion)
+
     def check_convergence(self, part: str, distance: float) -> None:
         """Note where refinements move the tip as far as those before them did."""
         before = self._distance.get(part, math.inf)
@@ -183,9 +190,12 @@ class Verifier:
 class _Refinement:
     """The solutions of one verification: the finest so far, and what is known of its error."""
 
-    def __init__(self, verifier: Verifier, run: Run) -> None:
+    def __init__(
+        self, verifier: Verifier, run: Run, whole_error: Callable[[Run], float] | None
+    ) -> None:
         self.run = run
         self._verifier = verifier
+        self._whole_error = whole_error
         self._space_m = 0.0 if run.is_exact_in_space else None
         self._time_m = self._round_off_m if run.is_exact_in_time else None
         self._least_imbalance = math.inf
@@ -195,6 +205,8 @@ class _Refinement:
     @property
     def parts(self) -> ErrorParts | None:
         """The error of the finest solution, once all of its parts are known."""
+        if self._whole_error is not None:
+            return ErrorParts(None, None, self._whole_error(self.run))
         if self._time_m is None or self._space_m is None:
             return None
         return ErrorParts(self._time_m, self._space_m, self._verifier.neglected_m)
@@ -216,26 +228,23 @@ class _Refinement:
         settings = self.run.settings
         if self._is_in_space:
             return replace(settings, edges_per_section=2 * settings.edges_per_section)
-        return with_less_tolerance(settings)
+        return replace(settings, tolerance=settings.tolerance / 10)
 
     def add(self, finer: Run) -> None:
         """Adopt a finer solution, and estimate the error from its distance."""
         coarser, self.run = self.run, finer
         if not self._is_in_space:
-            self.compare_in_time(coarser)
+            self._compare_in_time(coarser)
             return
         distance = tip_difference(coarser.motion, finer.motion)
         self._verifier.check_convergence("space", distance)
         self._space_m = max(ERROR_CONTROL.space_share * distance, self._least_m)
 
-    def compare_in_time(self, coarser: Run) -> None:
+    def _compare_in_time(self, coarser: Run) -> None:
         """Estimate the error in time from the distance of a solution with larger tolerance."""
         verifier, motion = self._verifier, self.run.motion
-        if self.run.is_exact_in_time:
-            return
         distance = tip_difference(coarser.motion, motion)
-        if coarser.motion.flow.shape == motion.flow.shape:
-            verifier.flows_apart = flow_difference(coarser.motion, motion)
+        verifier.compare_flows(coarser, self.run)
         verifier.check_convergence("time", distance)
         self._time_m = max(ERROR_CONTROL.time_share * distance, self._least_m, self._round_off_m)
 
@@ -250,7 +259,7 @@ class _Refinement:
         if parts is None:
             return False
         smaller = min(verifier.neglected_m, verifier.requested_m)
-        is_negligible = parts.time_m + parts.space_m <= ERROR_CONTROL.negligible_share * smaller
+        is_negligible = parts.steps_m <= ERROR_CONTROL.negligible_share * smaller
         if parts.total_m > verifier.requested_m and not is_negligible:
             return False
         imbalance = self.run.motion.invariants.energy_imbalance_rel or 0.0

@@ -19,6 +19,16 @@ ESTIMATED = (
     f"{NUMBERS.stated_per_estimated:g} times the difference between two estimates, with and "
     "without them"
 )
+TOGETHER = (
+    f"all parts together: {JUDGING.stated_per_measured:g} times the distance to a solution with "
+    f"all effects, {JUDGING.coarser_tolerance:g} times the tolerance and half the edges"
+)
+APART = (
+    f"all parts together: {JUDGING.stated_per_measured:g} times the difference between two "
+    f"solutions, with and without the neglected effects, and {JUDGING.steps_share:g} of the last "
+    f"change of the tip when the tolerance was divided by {JUDGING.coarser_tolerance:g} and the "
+    "edge length halved"
+)
 MEASURED = (
     f"{JUDGING.stated_per_measured:g} times the difference between two solutions, with and "
     "without them"
@@ -78,8 +88,15 @@ def accuracy_of(verifier: Verifier, parts: ErrorParts | None, verify: bool) -> A
     return Accuracy(
         verifier.requested_m,
         parts.total_m,
-        METHOD + (MEASURED if verifier.measured_neglected else ESTIMATED),
+        _method(verifier, parts),
         time_m=parts.time_m,
         space_m=parts.space_m,
         omitted_m=parts.neglected_m,
     )
+
+
+def _method(verifier: Verifier, parts: ErrorParts) -> str:
+    """How the error was found."""
+    if parts.time_m is None:
+        return APART if verifier.measured_neglected else TOGETHER
+    return METHOD + (MEASURED if verifier.measured_neglected else ESTIMATED)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,12 +17,18 @@ from viscodesign.results.trajectory import RunInterruptedError, Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.assemble import cost_of, trajectory_of, uncertain_flows
 from viscodesign.simulation.build_problem import suggest_settings
-from viscodesign.simulation.error_control import ErrorParts, Verifier, with_less_tolerance
-from viscodesign.simulation.judged_effects import JUDGING, EffectJudge
+from viscodesign.simulation.error_control import ErrorParts, Verifier
+from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, judgeable
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
 from viscodesign.simulation.outcome import accuracy_of, outcome_of
-from viscodesign.simulation.solve_once import ProblemStore, Progress, Run, Workspace
+from viscodesign.simulation.solve_once import (
+    ProblemStore,
+    Progress,
+    Run,
+    Workspace,
+    tip_difference,
+)
 from viscodesign.simulation.stopwatch import Stopwatch
 from viscodesign.storage.disk_arrays import ArrayStore
 
@@ -166,38 +173,57 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
         selection = selection.grown(selection.everything, "the run was stopped") or selection
         verifier.neglected_m = selection.neglected_m
         return _SolvedScene(selection, verifier, whole, None, None)
-    run = verifier.solve(settings if whole is None else with_less_tolerance(settings))
-    parts: ErrorParts | None = None
+    run = verifier.solve(settings if whole is None else judgeable(settings))
     with request.watch("choose"):
         more = escalation(quantities, selection, run)
-    coarser = whole
+    whole_error: WholeError | None = None
     if whole is not None and more is None:
         if run.is_complete:
-            coarser, more = _judged(selection, run, whole, verifier, request.judge)
+            whole_error, more = _judged(selection, run, whole, verifier, request.judge)
         elif not run.solution.interrupted:
             more = request.judge.completion(selection, run)
+    parts: ErrorParts | None = None
     if request.verify and run.is_complete and more is None and not verifier.interrupted:
-        run, parts = verifier.verify(run, coarser)
+        run, parts = verifier.verify(run, whole_error)
         with request.watch("choose"):
             more = None if verifier.interrupted else escalation(quantities, selection, run)
     return _SolvedScene(selection, verifier, run, parts, more)
 
 
+WholeError = Callable[[Run], float]
+"""All parts of a solution's error together [m]."""
+
+
 def _judged(
     selection: Selection, run: Run, whole: Run, verifier: Verifier, judge: EffectJudge
-) -> tuple[Run, EffectEscalation | None]:
-    """A coarser solution to compare with a run, and more effects where too much is left out."""
-    coarser, found = whole, judge.omission(run, whole)
-    if judge.is_too_much(found) and not run.solution.asked_to_stop:
-        try:
-            alike = verifier.solve(whole.settings)
-        except KeyboardInterrupt:  # before its first step
-            verifier.interrupted = True
-            return coarser, None
-        verifier.interrupted = alike.solution.asked_to_stop
-        if alike.is_complete:
-            coarser, found = alike, judge.omission(alike, whole)
-    verifier.neglected_m = selection.stated(JUDGING.stated_per_measured * found.tip_m)
-    verifier.measured_neglected = True
-    more = judge.escalation(selection, found) if judge.is_too_much(found) else None
-    return coarser, None if verifier.interrupted else more
+) -> tuple[WholeError | None, EffectEscalation | None]:
+    """The whole error of a run where one distance tells it, and more effects where it lacks some.
+
+    ``whole``: a coarser solution with all effects.
+    """
+
+    def apart(finer: Run) -> float:
+        return selection.stated(JUDGING.stated_per_measured * judge.omission(finer, whole).tip_m)
+
+    verifier.compare_flows(whole, run)
+    verifier.neglected_m = apart(run)
+    if verifier.neglected_m <= verifier.requested_m or run.solution.asked_to_stop:
+        return apart, None
+    try:
+        alike = verifier.solve(whole.settings)
+    except KeyboardInterrupt:  # before its first step
+        verifier.interrupted = True
+        return None, None
+    verifier.interrupted = alike.solution.asked_to_stop
+    found = judge.omission(alike if alike.is_complete else run, whole)
+    neglected_m = selection.stated(JUDGING.stated_per_measured * found.tip_m)
+    verifier.neglected_m, verifier.measured_neglected = neglected_m, True
+    if verifier.interrupted or judge.is_too_much(found):
+        return None, None if verifier.interrupted else judge.escalation(selection, found)
+
+    def of_steps_and_effects(finer: Run) -> float:
+        steps_m = tip_difference(alike.motion, finer.motion)
+        return neglected_m + JUDGING.steps_share * steps_m
+
+    is_enough = alike.is_complete and of_steps_and_effects(run) <= verifier.requested_m
+    return of_steps_and_effects if is_enough else None, None

@@ -13,9 +13,8 @@ from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation import error_control, judged_effects
-from viscodesign.simulation.build_problem import suggest_settings
-from viscodesign.simulation.error_control import with_less_tolerance
-from viscodesign.simulation.judged_effects import JUDGING, EffectJudge
+from viscodesign.simulation.build_problem import Settings, suggest_settings
+from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, coarser, judgeable
 from viscodesign.simulation.solve_once import Run, Workspace, solve, tip_difference
 
 SHORT = ("run={duration: 2 s, output_interval: 0.1 s}", "effects=auto", "bellows.count=8")
@@ -25,7 +24,8 @@ def judged() -> tuple[SceneQuantities, Selection, Run]:
     quantities = SceneQuantities(leg(*SHORT))
     selection = select_effects(quantities)
     assert selection.neglected
-    return quantities, selection, solve(quantities, selection.effects, settings_of(quantities))
+    settings = judgeable(settings_of(quantities))
+    return quantities, selection, solve(quantities, selection.effects, settings)
 
 
 def settings_of(quantities: SceneQuantities) -> Any:
@@ -42,20 +42,51 @@ def test_the_distance_is_that_to_a_solution_with_everything() -> None:
     quantities, selection, run = judged()
     judge = EffectJudge(quantities, None, Workspace())
     found = judge.omission(run, whole(judge, selection, run))
-    everything = solve(quantities, selection.members(selection.everything), run.settings)
+    everything = solve(quantities, selection.members(selection.everything), coarser(run.settings))
     assert found.tip_m == tip_difference(run.motion, everything.motion) > 0.0
     assert found.time_s in run.motion.time
 
 
-def test_it_is_what_a_run_states() -> None:
-    """The solution with everything comes first, then a finer one with fewer effects."""
+def test_it_is_the_whole_error_that_a_run_states() -> None:
+    """The coarser solution with everything comes first, then the run with fewer effects."""
     quantities, selection, run = judged()
     judge = EffectJudge(quantities, None, Workspace())
-    finer = solve(quantities, selection.effects, with_less_tolerance(run.settings))
-    found = judge.omission(finer, whole(judge, selection, run))
+    found = judge.omission(run, whole(judge, selection, run))
     accuracy = simulate(leg(*SHORT)).accuracy
-    assert accuracy.omitted_m == selection.stated(JUDGING.stated_per_measured * found.tip_m)
-    assert "between two solutions, with and without them" in accuracy.method
+    stated = selection.stated(JUDGING.stated_per_measured * found.tip_m)
+    assert accuracy.estimated_tip_error_m == accuracy.omitted_m == stated
+    assert accuracy.time_m is accuracy.space_m is None
+    assert "1.25 times the distance to a solution with all effects" in accuracy.method
+
+
+def test_settings_of_the_coarser_solution_halve_the_mesh() -> None:
+    for edges, run, other in ((1, 2, 1), (2, 2, 1), (3, 3, 2), (8, 8, 4)):
+        fine = judgeable(Settings(edges, 1e-4))
+        assert fine.edges_per_section == run
+        assert coarser(fine) == coarser(Settings(edges, 1e-4)) == Settings(other, 1e-3)
+
+
+def test_a_solution_as_coarse_tells_effects_from_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the one distance is above the accuracy, but what is neglected is not."""
+    scene = leg(*SHORT, "accuracy=0.02 %")
+    chosen = select_effects(SceneQuantities(scene)).active
+    monkeypatch.setattr(
+        judged_effects, "coarser", lambda settings: Settings(1, 1000 * settings.tolerance)
+    )
+    sets: list[set[str]] = []
+
+    def counted(quantities: Any, effects: Any, *more: Any) -> Run:
+        sets.append({effect.name for effect in effects})
+        return solve(quantities, effects, *more)
+
+    for module in (judged_effects, error_control):
+        monkeypatch.setattr(module, "solve", counted)
+    found = simulate(scene)
+    assert found.status == "complete"
+    assert not found.ladder
+    assert sets[0] > chosen
+    assert sets[1] == sets[2] == chosen
+    assert "between two solutions, with and without them" in found.accuracy.method
 
 
 def test_everything_is_solved_once_whatever_is_judged(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -76,21 +107,18 @@ def test_everything_is_solved_once_whatever_is_judged(monkeypatch: pytest.Monkey
     assert len(solved) == 1
 
 
-def test_a_chosen_set_costs_two_solutions_where_everything_would_cost_two(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    tolerances: list[float] = []
+def test_a_judged_run_costs_two_solutions(monkeypatch: pytest.MonkeyPatch) -> None:
+    solved: list[Settings] = []
 
     def counted(quantities: Any, effects: Any, settings: Any, *more: Any) -> Run:
-        tolerances.append(settings.tolerance)
+        solved.append(settings)
         return solve(quantities, effects, settings, *more)
 
     for module in (judged_effects, error_control):
         monkeypatch.setattr(module, "solve", counted)
-    found = simulate(leg(*SHORT))
-    assert not found.ladder
-    in_time = tolerances[: 1 + (found.accuracy.time_m is not None)]
-    assert in_time[1] == pytest.approx(in_time[0] / 10)
+    assert not simulate(leg(*SHORT)).ladder
+    whole, run = solved
+    assert whole == coarser(run)
 
 
 def test_a_scene_that_cannot_be_solved_with_everything_is_estimated(

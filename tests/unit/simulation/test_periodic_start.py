@@ -85,7 +85,7 @@ def test_a_linear_network_starts_on_its_exact_cycle(frequency: float) -> None:
 def test_it_moves_as_a_run_does_after_many_periods(
     config: str, pulse: str, frequency: float, periods: int
 ) -> None:
-    scene = leg(pulse, run(1, frequency, "periodic"), config=config)
+    scene = leg(pulse, run(1, frequency, "periodic"), "accuracy=0.1 %", config=config)
     found = simulate(scene)
     kept = [verdict.name for verdict in found.effects if verdict.taken]
     effects = ", ".join(f"{name}: on" for name in kept)

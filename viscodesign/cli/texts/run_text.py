@@ -122,10 +122,11 @@ def _outside(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
 def _error_parts(trajectory: Trajectory) -> str:
     """The parts of the error, and how long it took to estimate it."""
     accuracy, cost = trajectory.accuracy, trajectory.cost
+    is_whole = accuracy.time_m is None and accuracy.estimated_tip_error_m is not None
     parts = (
         ("time", accuracy.time_m),
         ("space", accuracy.space_m),
-        ("omitted effects", accuracy.omitted_m),
+        ("all parts together" if is_whole else "omitted effects", accuracy.omitted_m),
     )
     known = [f"{name} {number(1e3 * size, 'mm')}" for name, size in parts if size is not None]
     price = [f"estimating it took {number(cost.verify_s, 's')}"] if cost.verify_s else []
