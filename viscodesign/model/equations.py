@@ -85,10 +85,6 @@ class SharedFormulas:
 
         return self._taped.get((make, args), stored)
 
-    def mapped(self, function: ca.Function, rows: int) -> ca.Function:
-        """A function of these formulas for so many rows at once, made once."""
-        return self._compiled.get((function, rows), lambda: function.map(rows))
-
     def lent(
         self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
     ) -> AbstractContextManager[ca.Function]:
@@ -161,17 +157,17 @@ class Equations(EquationLayout):
     @property
     def statics_by_tape(self) -> TapedFunction:
         """`static_function` for numbers."""
-        return self.shared.taped(of.equilibrium)
+        return self.taped(of.equilibrium)
 
     @property
     def constraints_by_tape(self) -> TapedFunction:
         """`algebraic_function` for numbers."""
-        return self.shared.taped(of.constraints)
+        return self.taped(of.constraints)
 
     @property
     def outputs_by_tape(self) -> TapedFunction:
         """`output_function` for numbers."""
-        return self.shared.taped(of.outputs)
+        return self.taped(of.outputs)
 
     @property
     def formulas(self) -> Formulas:
@@ -189,9 +185,11 @@ class Equations(EquationLayout):
         """See `SharedFormulas.compiled`."""
         return self.shared.compiled(make, *args)  # type: ignore[call-arg]
 
-    def mapped(self, function: ca.Function, rows: int) -> ca.Function:
-        """See `SharedFormulas.mapped`."""
-        return self.shared.mapped(function, rows)
+    def taped(
+        self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs
+    ) -> TapedFunction:
+        """See `SharedFormulas.taped`."""
+        return self.shared.taped(make, *args)  # type: ignore[call-arg]
 
     def lent(
         self, make: Callable[Concatenate[Formulas, P], ca.Function], *args: P.args, **_: P.kwargs

@@ -20,7 +20,7 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch
 from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.obstacles import Obstacle, advice
-from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate, mapped
+from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start, consistent
 
@@ -55,9 +55,10 @@ class BranchJumpDetector:
     def __init__(self, problem: Problem, tolerance: float) -> None:
         self.problem = problem
         self.min_move = JUMP.min_move * tolerance
-        span = problem.equations.algebraics.branch_span
+        span, stability = problem.equations.algebraics.branch_span, problem.stability
         assert span is not None, "only a static rod has branches"
-        self.span = span
+        assert stability is not None
+        self.span, self.stability = span, stability
 
     def first_jump(
         self, algebraics: np.ndarray, first: int, states: np.ndarray, found: np.ndarray
@@ -69,8 +70,9 @@ class BranchJumpDetector:
         """
         every = np.column_stack((algebraics, found))
         rates = AlgebraicRates(self.problem, first, states, every)
+        stable = self.stability.are_stable(rates.jacobians[1:])
         for k in range(found.shape[1]):
-            if self._is_smooth(rates, k):
+            if stable[k] and self._is_smooth(rates, k):
                 continue
             points = self._ends(first + k, states[:, k], states[:, k + 1])
             try:
@@ -82,10 +84,7 @@ class BranchJumpDetector:
         return found.shape[1], None
 
     def _is_smooth(self, rates: AlgebraicRates, k: int) -> bool:
-        """Whether the rod is stable after an interval, and has moved as its rates predict."""
-        stability = self.problem.stability
-        if stability is None or not stability.is_stable(rates.jacobians[k + 1]):
-            return False
+        """Whether the rod has moved in an interval as its rates predict."""
         moved = rates.algebraics[self.span, k + 1] - rates.algebraics[self.span, k]
         distance = np.max(np.abs(moved))
         if distance <= self.min_move:
@@ -129,12 +128,11 @@ class AlgebraicRates:
         pieces = schedule.pieces[np.minimum(first + np.arange(count), len(schedule.pieces) - 1)]
         self.algebraics = algebraics
         self.steps = np.diff(times)
-        function = problem.equations.compiled(_following)
-        numbers = np.tile(problem.numbers(), (count, 1))
-        given = [states.T, algebraics.T, times, pieces, numbers]
-        self._drift, self.jacobians = mapped(problem, function, given)
+        function = problem.equations.taped(_following)
+        given = [states.T, algebraics.T, times[:, None], pieces, problem.numbers()]
+        self._drift, self.jacobians = function.rows(given, count)
         """Nonzeros of the algebraic equations' Jacobian (m + 1, nnz), column by column."""
-        pattern = function.sparsity_out(1)
+        pattern = function.sparsities[1]
         rows, starts = (np.array(k, dtype=np.int32) for k in (pattern.row(), pattern.colind()))
         self._pattern = rows, starts
         self._known: dict[int, np.ndarray] = {}

@@ -11,7 +11,6 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equations import Equations
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.rod_equations import RodForm
-from viscodesign.model.row_blocks import BLOCK_ROWS, evaluate_rows
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.taped_function import TapedFunction
 from viscodesign.model.unknowns import Unknowns
@@ -228,15 +227,6 @@ def _rows_at(
         equations.sealed_volumes,
         equations.parameter_values,
     ]
-
-
-def mapped(problem: Problem, function: ca.Function, rows: Sequence[np.ndarray]) -> list[np.ndarray]:
-    """A function of rows of arguments, each (m, n); of its results what is not zero by structure,
-    column by column (m, n).
-    """
-    many = problem.equations.mapped(function, BLOCK_ROWS)
-    sizes = [function.nnz_out(k) for k in range(function.n_out())]
-    return evaluate_rows(many, rows, sizes)
 
 
 def evaluate_at(

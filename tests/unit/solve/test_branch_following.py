@@ -87,14 +87,29 @@ def test_stability_test_agrees_with_the_smallest_eigenvalue(
     """Along a perfect column, from below to above its critical load."""
     monkeypatch.setattr(stability, "MAX_DENSE_UNKNOWNS", most)
     problem, here = made(*COLUMN)
-    found = []
+    test = problem.stability
+    assert test is not None
+    entries, expected = [], []
     for jacobian in jacobians(problem, here):
-        least = np.linalg.eigvalsh(reduced_stiffness(problem, jacobian.full()))[0]
-        assert problem.stability is not None
-        found.append(problem.stability.is_stable(np.array(jacobian.nonzeros())))
-        assert found[-1] == bool(least > 0)
-    assert found[0]
-    assert not found[-1]
+        entries.append(np.array(jacobian.nonzeros()))
+        expected.append(np.linalg.eigvalsh(reduced_stiffness(problem, jacobian.full()))[0] > 0)
+    assert [test.is_stable(one) for one in entries] == expected
+    assert test.are_stable(np.array(entries)).tolist() == expected
+    assert expected[0]
+    assert not expected[-1]
+
+
+@pytest.mark.parametrize("most", [0, 10_000])
+def test_singular_equations_are_not_stable_and_leave_others_so(
+    most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(stability, "MAX_DENSE_UNKNOWNS", most)
+    problem, here = made(*COLUMN)
+    assert problem.stability is not None
+    stable = np.array(next(jacobians(problem, here)).nonzeros())
+    among = np.array([stable, 0 * stable, stable])
+    assert problem.stability.are_stable(among).tolist() == [True, False, True]
+    assert problem.stability.are_stable(among[:0]).shape == (0,)
 
 
 @pytest.mark.parametrize("edges", [1, 4])

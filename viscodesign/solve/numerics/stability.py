@@ -7,6 +7,8 @@ import numpy as np
 
 MAX_DENSE_UNKNOWNS = 150
 """Unknowns up to which full matrices are faster."""
+DENSE_AT_ONCE = 64
+"""Full matrices that are factorised in one call: a small one takes less time than a call."""
 
 
 class StabilityTest:
@@ -36,23 +38,36 @@ class StabilityTest:
 
     def is_stable(self, entries: np.ndarray) -> bool:
         """Whether the Jacobian with these nonzeros, column by column, is that of a minimum."""
-        data = self._signs[self._rows] * entries[self._own]
-        dense = len(self._signs) <= MAX_DENSE_UNKNOWNS
-        return self._is_stable_dense(data) if dense else self._is_stable_sparse(data)
+        return bool(self.are_stable(entries[None])[0])
 
-    def _is_stable_dense(self, data: np.ndarray) -> bool:
+    def are_stable(self, entries: np.ndarray) -> np.ndarray:
+        """The same (m,) of m Jacobians with nonzeros (m, nnz)."""
+        data = self._signs[self._rows] * entries[:, self._own]
+        if len(self._signs) > MAX_DENSE_UNKNOWNS:
+            return np.array([self._is_stable_sparse(row) for row in data], dtype=bool)
+        found = np.zeros(len(data), dtype=bool)
+        for begin in range(0, len(data), DENSE_AT_ONCE):
+            some = slice(begin, begin + DENSE_AT_ONCE)
+            found[some] = self._are_stable_dense(data[some])
+        return found
+
+    def _are_stable_dense(self, data: np.ndarray) -> np.ndarray:
         """By Cholesky's factors of the reduced stiffness."""
         count = len(self._signs)
-        matrix = np.zeros((count, count))
-        matrix[self._rows, self._columns] = data
+        matrix = np.zeros((len(data), count, count))
+        matrix[:, self._rows, self._columns] = data
         inner, outer = self._internal, self._outer
-        follow = np.linalg.solve(matrix[inner, inner.T], matrix[inner, outer.T])
-        stiffness = matrix[outer, outer.T] - matrix[outer, inner.T] @ follow
         try:
-            np.linalg.cholesky((stiffness + stiffness.T) / 2)
-        except np.linalg.LinAlgError:
-            return False
-        return True
+            follow = np.linalg.solve(matrix[:, inner, inner.T], matrix[:, inner, outer.T])
+            stiffness = matrix[:, outer, outer.T] - matrix[:, outer, inner.T] @ follow
+            np.linalg.cholesky((stiffness + stiffness.transpose(0, 2, 1)) / 2)
+        except np.linalg.LinAlgError:  # raised for all of them if one has no such factors
+            if len(data) == 1:
+                return np.zeros(1, dtype=bool)
+            half = len(data) // 2
+            parts = [self._are_stable_dense(part) for part in (data[:half], data[half:])]
+            return np.concatenate(parts)
+        return np.ones(len(data), dtype=bool)
 
     def _is_stable_sparse(self, data: np.ndarray) -> bool:
         """By the signs of the pivots."""
