@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.native.instructions import instructions
 from viscodesign.native.loops import DTYPES, Loops, native_loops
 from viscodesign.native.machine import this_machine
 from viscodesign.native.source import tape as source
@@ -22,6 +23,10 @@ _SAME = {"CONSTPOW": "POW", "LIFT": "ASSIGN"}
 _CODES = {
     name: value for name, value in vars(source).items() if name.isupper() and type(value) is int
 }
+_OWN = np.full(max(_NAMES) + 1, -1)
+"""The number that an operation has on tapes; -1 for those that are on none."""
+for _number, _name in _NAMES.items():
+    _OWN[_number] = _CODES.get(_SAME.get(_name, _name), -1)
 OPERATIONS = " ".join(f"{name} {code}" for name, code in sorted(_CODES.items()))
 """What the numbers on tapes mean."""
 
@@ -95,28 +100,22 @@ def tape_of(function: ca.Function) -> OperationTape | None:
         return None
     given = tuple(function.nnz_in(k) for k in range(function.n_in()))
     sizes = tuple(function.nnz_out(k) for k in range(function.n_out()))
-    first_given, first_found = (np.cumsum((0, *counts)).tolist() for counts in (given, sizes))
-    code: list[tuple[int, ...]] = []
-    constants: list[float] = []
-    for k in range(function.n_instructions()):
-        name = _NAMES[function.instruction_id(k)]
-        operation = _CODES.get(_SAME.get(name, name))
-        if operation is None:
-            return None
-        read, written = function.instruction_input(k), function.instruction_output(k)
-        if name == "CONST":
-            step = (written[0], len(constants), 0)
-            constants.append(function.instruction_constant(k))
-        elif name == "INPUT":
-            step = (written[0], first_given[read[0]] + read[1], 0)
-        elif name == "OUTPUT":
-            step = (0, read[0], first_found[written[0]] + written[1])
-        else:
-            step = (written[0], read[0], read[-1])
-        code.append((operation, *step))
+    listed = instructions(function)
+    operations, own = listed[:, 0], _OWN[listed[:, 0]]
+    if np.any(own < 0):
+        return None
+    steps = listed.astype(DTYPES["places"])
+    steps[:, 0] = own
+    constant, read, written = (operations == k for k in (ca.OP_CONST, ca.OP_INPUT, ca.OP_OUTPUT))
+    constants = np.ascontiguousarray(listed[constant, 2:]).view(float).ravel()
+    steps[constant, 2], steps[constant, 3] = np.arange(len(constants)), 0
+    firsts, ends = (np.cumsum((0, *counts)) for counts in (given, sizes))
+    steps[read, 2], steps[read, 3] = firsts[listed[read, 2]] + listed[read, 3], 0
+    steps[written, 1] = 0
+    steps[written, 3] += ends[listed[written, 1]].astype(DTYPES["places"])
     return OperationTape(
-        code=np.array(code, dtype=DTYPES["places"]).reshape(-1, source.FIELDS_OF_STEP),
-        constants=np.array([*constants, 0.0]),
+        code=steps,
+        constants=np.append(constants, 0.0),
         places=max(int(function.sz_w()), 1),
         given=given,
         names=tuple(function.name_out()),
