@@ -11,6 +11,8 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from viscodesign.effects.catalogue import catalogue
+from viscodesign.scene.actuator import Actuator
+from viscodesign.scene.bellows import Bellows
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
@@ -41,6 +43,13 @@ def sections() -> Iterator[Section]:
     for kind, model in INPUT_KINDS.items():
         rows = [row for row in _rows("input", model) if row[0] != f"`input.{KIND}`"]
         yield f"input of kind {kind}", _summary(model), rows
+
+
+def coefficient_units() -> dict[str, QuantityKind]:
+    """What the fields of the body and of the bellows hold, by name."""
+    fields = {**Actuator.model_fields, **Bellows.model_fields}
+    found = {name: quantity_of(field) for name, field in fields.items()}
+    return {name: quantity for name, quantity in found.items() if quantity is not None}
 
 
 def _top_level() -> list[tuple[str, FieldInfo]]:

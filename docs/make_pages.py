@@ -13,16 +13,17 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from keys_table import HEAD, sections
+from keys_table import HEAD, coefficient_units, sections
 from tip_pair import draw_tips
 
 from viscodesign import AccuracyStudy, Trajectory, accuracy, load, simulate
 from viscodesign.cli.texts.accuracy_text import seconds
+from viscodesign.physics.bellow_estimates import LegSizes, first_coefficients
 from viscodesign.report.charts.accuracy import draw_accuracy
 from viscodesign.results.channels import channel_table
 from viscodesign.results.metrics import metric_table
@@ -38,6 +39,7 @@ def main(names: list[str]) -> None:
     """Fill the pages with these names, or all."""
     makers: dict[str, Callable[[], dict[str, str]]] = {
         "effects": lambda: {"effects": effects_table()},
+        "measuring": lambda: {"estimates": estimates_table()},
         "keys": lambda: {"keys": keys_tables()},
         "quantities": lambda: {"quantities": quantities_table(), "metrics": metrics_table()},
         "accuracy": lambda: {"accuracy": accuracy_block()},
@@ -78,6 +80,34 @@ def keys_tables() -> str:
     for heading, summary, rows in sections():
         parts += [f"## {heading}", *([summary] if summary else []), table(HEAD, rows)]
     return "\n\n".join(parts)
+
+
+def estimates_table() -> str:
+    """Estimated coefficients of the paper's leg beside its measured ones."""
+    scene = load(CONFIGS / "leg_16_straight_air.yaml")
+    a, b = scene.actuator, scene.bellows
+    sizes = [
+        LegSizes(
+            a.length, a.height, a.width, b.count, b.height, b.width, b.length, LEG_WALL, fold
+        )
+        for fold in (0.0, LEG_WALL, 2 * LEG_WALL)
+    ]  # fmt: skip
+    found = [asdict(first_coefficients(size, a.youngs_modulus)) for size in sizes]
+    units = {
+        name: "" if quantity.unit == "1" else f" {quantity.unit}"
+        for name, quantity in coefficient_units().items()
+    }
+    rows = []
+    for name in found[0]:
+        measured = getattr(a, name, None) or getattr(b, name)
+        cells = (f"{each[name]:.3g} ({each[name] / measured:.2g} times)" for each in found)
+        rows.append((f"`{name}`", f"{measured:.4g}{units[name]}", *cells))
+    head = ("key", "measured", "plain walls", "folds of 1 mm", "folds of 2 mm")
+    return table(head, rows)
+
+
+LEG_WALL = 1e-3
+"""Half of what the bellows' length leaves of the body's width [m]."""
 
 
 # -- the table of effects ----------------------------------------------------------------

@@ -1,8 +1,8 @@
-"""Changes of single values of a spec in its file; comments, order and all else stay."""
+"""Changes of single values of a spec in its text; comments, order and all else stay."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import yaml
@@ -35,6 +35,38 @@ def with_values(text: str, section: str, values: Mapping[str, str]) -> str:
     for start, end, replacement in sorted(changes, reverse=True):
         text = text[:start] + replacement + text[end:]
     return text
+
+
+def with_value(text: str, path: Sequence[str], value: str) -> str:
+    """The text of a spec with one key set to a YAML text, wherever it is; comments stay.
+
+    A word such as `gravity: on` is replaced by the mapping that it abbreviates.
+    """
+    here: yaml.Node | None = yaml.compose(text, Loader=yaml.SafeLoader)
+    for depth, key in enumerate(path):
+        below = _value_of(here, key)
+        if below is None:
+            return _inserted(text, here, key, _nested(path[depth + 1 :], value))
+        has_keys = isinstance(below, yaml.MappingNode) and below.value
+        if depth == len(path) - 1 or not has_keys:
+            start, end = below.start_mark.index, _end(below)
+            return text[:start] + _nested(path[depth + 1 :], value) + text[end:]
+        here = below
+    return text
+
+
+def _nested(path: Sequence[str], value: str) -> str:
+    """A value as mappings of mappings, on one line."""
+    return "".join(f"{{{key}: " for key in path) + value + "}" * len(path)
+
+
+def _inserted(text: str, node: yaml.Node | None, key: str, value: str) -> str:
+    """The text with one more key: first in a section, last at the top level."""
+    if not isinstance(node, yaml.MappingNode) or not node.value or node.start_mark.column == 0:
+        return f"{text.rstrip()}\n\n{key}: {value}\n"
+    first = node.value[0][0].start_mark
+    behind = ", " if node.flow_style else "\n" + " " * first.column
+    return f"{text[: first.index]}{key}: {value}{behind}{text[first.index :]}"
 
 
 def _value_of(node: yaml.Node | None, key: str) -> yaml.Node | None:

@@ -8,7 +8,7 @@ import pytest
 import yaml
 
 from viscodesign.errors import UsageError
-from viscodesign.scene.reading.edit import with_values, write_values
+from viscodesign.scene.reading.edit import with_value, with_values, write_values
 
 VALUES = {"home": "300", "travel": "[90, 1000]"}
 
@@ -47,3 +47,26 @@ def test_line_endings_and_byte_order_mark_are_kept(tmp_path: Path) -> None:
     write_values(file, "pump", VALUES)
     found = "\ufeffname: é\r\npump:\r\n  home: 300\r\n  travel: [90, 1000]\r\n"
     assert file.read_bytes().decode() == found
+
+
+@pytest.mark.parametrize(
+    ("before", "key", "value", "after"),
+    [
+        ("a: 1 # one\nb: 2\n", "a", "3", "a: 3 # one\nb: 2\n"),
+        ("a: 1\n", "b", "2 m", "a: 1\n\nb: 2 m\n"),
+        ("a:\n  b: 1  # one\n", "a.b", "2", "a:\n  b: 2  # one\n"),
+        ("a:\n  b: 1\nc: 4\n", "a.d", "2", "a:\n  d: 2\n  b: 1\nc: 4\n"),
+        ("a: {b: 1}\n", "a.d", "2", "a: {d: 2, b: 1}\n"),
+        ("a:\n  g: on # hangs\n", "a.g.tilt", "1", "a:\n  g: {tilt: 1} # hangs\n"),
+        ("a:\n  b: 1\n", "a.x.y.z", "{w: 1}", "a:\n  x: {y: {z: {w: 1}}}\n  b: 1\n"),
+        ("a: 1\n", "x.y", "2", "a: 1\n\nx: {y: 2}\n"),
+        ("a: {}\n", "a.b", "1", "a: {b: 1}\n"),
+    ],
+)  # fmt: skip
+def test_one_value_is_set_wherever_it_is(before: str, key: str, value: str, after: str) -> None:
+    found = with_value(before, key.split("."), value)
+    assert found == after
+    here = yaml.safe_load(found)
+    for part in key.split("."):
+        here = here[part]
+    assert here == yaml.safe_load(value)
