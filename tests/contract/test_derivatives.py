@@ -10,9 +10,10 @@ import pytest
 from tests.contract.test_local_form import CONFIGS_TRIED, SEED
 from tests.scenes import CONFIGS
 from viscodesign import load
-from viscodesign.compiled.reading import Members, parameter_names, places_of
+from viscodesign.compiled.reading import Members, places_of
 from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.solution import MotionFunction
+from viscodesign.compiled.symbols import parameter_names
 from viscodesign.effects.allowed_sets import AllowedSets
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.rod import MINIMUM_EDGES

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from viscodesign.compiled.scene_numbers import ProblemNumbers
+from viscodesign.compiled.symbols import parameter_names
 from viscodesign.simulation.build_problem import one_period
 from viscodesign.solve.problem import SAME_TIME, Problem, Schedule
 
@@ -18,7 +19,14 @@ def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> 
     floor = problem.floor_volume
     if floor is not None:
         floor *= equations.rest_amounts[0] / problem.equations.rest_amounts[0]
-    return replace(problem, equations=equations, schedule=schedule, floor_volume=floor)
+    place = parameter_names(equations).index("gauge_pressure")
+    return replace(
+        problem,
+        equations=equations,
+        schedule=schedule,
+        floor_volume=floor,
+        baseline=float(numbers.parameters[place]),
+    )
 
 
 def cycle_at(problem: Problem, numbers: ProblemNumbers) -> Problem:

@@ -11,10 +11,9 @@ from viscodesign.compiled.endings import Endings
 from viscodesign.compiled.problem_at import stretch_of
 from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.scene_numbers import ProblemNumbers
-from viscodesign.compiled.symbols import Symbols
+from viscodesign.compiled.symbols import Symbols, parameter_names
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.equations import Equations
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.channels import CHANNELS, Channel, Per
@@ -118,12 +117,6 @@ def places_of(problem: Problem, members: Members) -> dict[str, tuple[str, int]]:
             for k, column in enumerate(members.columns(channel)):
                 found[column] = channel.quantity, k
     return found
-
-
-def parameter_names(equations: Equations) -> list[str]:
-    """Names of a system's numbers, in the order of its parameters (p,)."""
-    names = [symbol.name() for symbol in ca.vertsplit(equations.formulas.parameters)]
-    return names[len(names) - len(equations.parameter_values) :]
 
 
 def _in_order(problem: Problem, values: Mapping[str, SX], parameters: SX) -> dict[str, SX]:

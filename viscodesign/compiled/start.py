@@ -5,10 +5,9 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from viscodesign.compiled.reading import parameter_names
 from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.scene_numbers import ProblemNumbers
-from viscodesign.compiled.symbols import Symbols
+from viscodesign.compiled.symbols import Symbols, parameter_names
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model import formulas as of

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import casadi as ca
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model import formulas as of
+from viscodesign.model.equations import Equations, SharedFormulas
 from viscodesign.solve.problem import Problem
 
 SX = ca.SX
@@ -53,3 +56,15 @@ class Symbols:
         output = problem.equations.output_function
         values = output.call([self.states, self.algebraics, *self.tail])
         return dict(zip(output.name_out(), values, strict=True))
+
+
+def parameter_names(equations: Equations) -> tuple[str, ...]:
+    """Names of a system's numbers, in the order of its parameters (p,)."""
+    names = _symbol_names(equations.shared)
+    return names[len(names) - len(equations.parameter_values) :]
+
+
+@lru_cache(maxsize=16)
+def _symbol_names(shared: SharedFormulas) -> tuple[str, ...]:
+    """Names of all numbers of the formulas."""
+    return tuple(symbol.name() for symbol in ca.vertsplit(shared.formulas.parameters))

@@ -103,6 +103,18 @@ def test_a_rod_without_inertia_has_derivatives() -> None:
     assert loaded.vjp(None, weights) == pytest.approx(wanted, rel=1e-9)
 
 
+def test_rest_is_at_the_baseline_of_the_values() -> None:
+    run = "run={duration: 0.3 s, output_interval: 20 ms, start: rest}"
+    alone = "effects={pressure_distribution: on, others: off}"
+    scene = leg(run, alone, "gauge_pressure=2 kPa", config="leg_4_air")
+    found = compile(scene, ["gauge_pressure"], ["pressure_R1_pa"])([5e3])["pressure_R1_pa"]
+    names, columns = trajectory_columns(
+        simulate(scene.replace({"gauge_pressure": 5e3}), verify=False)
+    )
+    assert found[0] == pytest.approx(5e3)
+    assert found == pytest.approx(columns[:, names.index("pressure_R1_pa")], rel=1e-4)
+
+
 def test_equilibria_have_derivatives() -> None:
     still = compile(leg(config="steady_left_auto"), ["actuator.youngs_modulus"], TIP)
     slopes, value = still.jacobian(), still.values
