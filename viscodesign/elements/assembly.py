@@ -20,6 +20,7 @@ from viscodesign.elements.kinds import (
 )
 from viscodesign.elements.local_form import LINEAR, LocalForm
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.native.algebraic_part import AlgebraicPart
 from viscodesign.native.code_cache import written_by
 from viscodesign.native.derivatives import Differentiable
 from viscodesign.native.kernels import LANES, CompiledKernels, Wanted, compile_if_missing
@@ -104,8 +105,14 @@ class CompiledForm:
             mass=self.form.balances.mass,
             rows=self.rows.astype(np.int32),
             columns=self.columns.astype(np.int32),
+            algebraic=self.algebraic,
             kernels=np.array([a for c in derived if c for a in _addresses(c)], dtype=np.int64),
         )
+
+    @cached_property
+    def algebraic(self) -> AlgebraicPart:
+        """The equations without rates."""
+        return AlgebraicPart(self.form.balances.mass, self.rows, self.columns)
 
     def _tabulated(
         self,

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.native.algebraic_part import AlgebraicPart
 from viscodesign.native.loops import DTYPES
 from viscodesign.native.march import METHOD
 from viscodesign.native.source.factors import SIDE
@@ -27,6 +26,7 @@ class Differentiable:
     """(nnz,) row of every entry."""
     columns: np.ndarray
     """(nnz,)"""
+    algebraic: AlgebraicPart
     kernels: np.ndarray
     """Of every pair of kernels of the assembly: slopes of the weighted results of the first and
     of the second, rates of both along a direction (4 pairs,)."""
@@ -140,10 +140,6 @@ def _push_some(
     return outputs, y_dot.T[:count]
 
 
-MAX_DENSE = 150
-"""Algebraic unknowns up to which full matrices are the faster ones."""
-
-
 class Consistency:
     """Algebraic unknowns solved for with the states held, at the beginning of a stretch.
 
@@ -161,10 +157,10 @@ class Consistency:
     ) -> None:
         self._structure, self._assembly = structure, assembly
         self._clock = assembly.unknowns + assembly.drives
-        self._algebraic = structure.mass == 0.0
+        self._algebraic = structure.algebraic.is_algebraic
         self.Y = np.concatenate([y, np.zeros(assembly.drives), [time], rest])
         assembly.drive(self.Y)
-        self._solve = self._solver(assembly.jacobian(self.Y))
+        self._solve = structure.algebraic.solver(assembly.jacobian(self.Y))
 
     def correction(self) -> np.ndarray:
         """(n,) Newton's step towards consistent unknowns."""
@@ -212,47 +208,6 @@ class Consistency:
         wanted = defects[:, :n][:, self._algebraic].T
         found[:, self._algebraic] = -self._solve(wanted, transposed=False).T
         return found
-
-    def _solver(self, J: np.ndarray) -> Callable[..., np.ndarray]:
-        """Solves with the algebraic part of the Jacobian."""
-        own, count = self._structure, int(np.sum(self._algebraic))
-        place = np.cumsum(self._algebraic) - 1
-        kept = self._algebraic[own.rows] & self._algebraic[own.columns]
-        rows, columns = place[own.rows[kept]], place[own.columns[kept]]
-        values = J[: len(own.rows)][kept]
-        if not np.all(np.isfinite(values)):
-            raise ZeroDivisionError("algebraic equations are not finite")
-        if count > MAX_DENSE:
-            return _sparse_solver(rows, columns, values, count)
-        matrix = np.zeros((count, count))
-        matrix[rows, columns] = values
-
-        def solve(right: np.ndarray, *, transposed: bool) -> np.ndarray:
-            try:
-                return np.linalg.solve(matrix.T if transposed else matrix, right)
-            except np.linalg.LinAlgError as error:
-                raise ZeroDivisionError("algebraic equations are singular") from error
-
-        return solve
-
-
-def _sparse_solver(
-    rows: np.ndarray, columns: np.ndarray, values: np.ndarray, count: int
-) -> Callable[..., np.ndarray]:
-    from scipy.sparse import csc_matrix
-    from scipy.sparse.linalg import splu
-
-    try:
-        factors = splu(csc_matrix((values, (rows, columns)), (count, count)))
-    except RuntimeError as error:  # raised for a singular matrix
-        raise ZeroDivisionError("algebraic equations are singular") from error
-
-    def solve(right: np.ndarray, *, transposed: bool) -> np.ndarray:
-        if transposed:
-            return np.asarray(factors.solve(right, "T"))  # type: ignore[call-overload]
-        return np.asarray(factors.solve(right))
-
-    return solve
 
 
 def _recorded(

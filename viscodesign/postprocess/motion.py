@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 
 from viscodesign.errors import SolveError
@@ -15,8 +18,12 @@ from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
+from viscodesign.storage.cached_property import cached_property
+from viscodesign.storage.deferred_arrays import DeferredArrays
 from viscodesign.storage.disk_arrays import ArrayStore, GrowingArray, NoRoomError, blocks
 
+MOST_WAITING = 500_000
+"""Numbers of outputs that wait in memory until shapes or balances are asked for."""
 KEPT_OUTPUTS = ("inlet_pressure", "pressure", "volume", "junction_pressure")
 """Outputs that become part of a motion unchanged."""
 
@@ -25,8 +32,14 @@ KEPT_OUTPUTS = ("inlet_pressure", "pressure", "volume", "junction_pressure")
 class Motion(MotionArrays):
     """A solution as arrays, with its balances and the failure that ended it, if any."""
 
-    invariants: Invariants
+    balances: Callable[[], Invariants]
+    """Sums them; of a coarser solution nobody asks for them."""
     failure: SolveError | None
+
+    @cached_property
+    def invariants(self) -> Invariants:
+        """Errors of the balances."""
+        return self.balances()
 
     def largest_displacement(self, length: float) -> float:
         """Largest distance of the tip from that of the straight rod of a length [m]."""
@@ -71,6 +84,10 @@ class _MotionReader:
         self._delivered = DeliveredVolume(problem)
         self._tables: dict[str, GrowingArray] = {}
         self._last_shape: np.ndarray | None = None
+        self._points = 0
+        """Of a shape."""
+        self._rest: Callable[[], None] | None = None
+        """What waits until it is asked for."""
 
     def take(self, outputs: Outputs) -> None:
         """Add a block, up to the end of the motion."""
@@ -99,25 +116,41 @@ class _MotionReader:
         schedule = self._problem.schedule
         stop = int(np.searchsorted(schedule.outputs, end))
         keep = schedule.outputs[self.count : stop] - outputs.first
-        due = (np.arange(self.count, stop) % self._every) == 0
-        shape, angle = outputs.shapes(keep)
         rows = {
             **_quantities(outputs, keep),
-            "tip": np.column_stack((shape[:, -1], angle)),
+            "tip": outputs.tips(keep),
             "inflow": self._delivered.along(outputs, self._solution)[keep],
             "section_stretch": stretch[keep],
             "section_turn": turn[keep],
-            "shape": shape[due],
         }
         for name, values in rows.items():
-            if name not in self._tables:
-                self._tables[name] = self._store.growing_array(*values.shape[1:])
-            self._tables[name].append(values)
+            self._append(name, values)
+        self._points = outputs.shapes(keep[:1])[0].shape[1]
+        due = (np.arange(self.count, stop) % self._every) == 0
+        self.count = stop
+        if self._is_whole(outputs):
+            self._rest = lambda: self._add_rest(outputs, end, keep, due)
+        else:
+            self._add_rest(outputs, end, keep, due)
+
+    def _add_rest(self, outputs: Outputs, end: int, keep: np.ndarray, due: np.ndarray) -> None:
+        """Shapes and balances, which take longest and of a coarser solution are not looked at."""
+        shape, _ = outputs.shapes(keep)
+        self._append("shape", shape[due])
         if end > outputs.begin:
             self._ledger.add(self._block(outputs, end))
         if len(keep):
             self._last_shape = None if due[-1] else shape[-1:]
-        self.count = stop
+
+    def _append(self, name: str, values: np.ndarray) -> None:
+        if name not in self._tables:
+            self._tables[name] = self._store.growing_array(*values.shape[1:])
+        self._tables[name].append(values)
+
+    def _is_whole(self, outputs: Outputs) -> bool:
+        """Whether a block is all of a short run, and can wait in memory."""
+        is_all = outputs.begin == 0 and outputs.end == self._solution.reached
+        return is_all and sum(v.size for v in outputs.values.values()) <= MOST_WAITING
 
     def _block(self, outputs: Outputs, end: int) -> SolvedEdges:
         """A block's own edges up to ``end``, for the balances."""
@@ -144,17 +177,35 @@ class _MotionReader:
 
     def motion(self) -> Motion:
         """The motion as read so far."""
-        if self._last_shape is not None:
-            self._tables["shape"].append(self._last_shape)
-        arrays = {name: table.array() for name, table in self._tables.items()}
-        points = arrays["shape"].shape[1]
-        return Motion(
-            arrays=arrays,
-            arc=np.linspace(0.0, self._problem.body.length, points),
+        arrays = {name: table.array() for name, table in self._tables.items() if name != "shape"}
+        found = Motion(
+            arrays=DeferredArrays(arrays, "shape", self._shapes),
+            arc=np.linspace(0.0, self._problem.body.length, self._points),
             shape_every=self._every,
-            invariants=self._ledger.invariants(self._solution.work.steps),
+            balances=self._invariants,
             failure=self.failure,
         )
+        if self._rest is None:  # nothing of the solution is to stay in memory
+            invariants = found.invariants
+            found = replace(found, arrays=dict(found.arrays), balances=lambda: invariants)
+        return found
+
+    def _finish(self) -> None:
+        """Do what has waited."""
+        rest, self._rest = self._rest, None
+        if rest is not None:
+            rest()
+
+    def _shapes(self) -> np.ndarray:
+        self._finish()
+        if self._last_shape is not None:
+            self._tables["shape"].append(self._last_shape)
+            self._last_shape = None
+        return self._tables["shape"].array()
+
+    def _invariants(self) -> Invariants:
+        self._finish()
+        return self._ledger.invariants(self._solution.work.steps)
 
 
 def _quantities(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:

@@ -69,6 +69,13 @@ class Outputs:
         clamp = np.zeros((len(keep), 1, 2))
         return np.concatenate([clamp, nodes], axis=1), tip_angle
 
+    def tips(self, keep: np.ndarray) -> np.ndarray:
+        """x, z and angle of the tip (T, 3) at some rows (T,): the ends of the shapes."""
+        if self.problem.equations.rod_form is RodForm.ARCS:
+            shape, angle = self.shapes(keep)
+            return np.column_stack((shape[:, -1], angle))
+        return np.column_stack((self["position"][keep, -2:], self["angle"][keep, -1]))
+
     def flows(self) -> np.ndarray:
         """Tube flows (n, Q); with one pressure per network, those that volume changes require."""
         if self.problem.equations.network_form is NetworkForm.DISTRIBUTED:

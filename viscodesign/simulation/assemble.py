@@ -39,7 +39,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
     return Trajectory(
         name=scene.name,
         status="complete",
-        arrays=motion.arrays,
+        arrays=dict(motion.arrays),
         arc=motion.arc,
         shape_every=motion.shape_every,
         inlets=tuple(scene.inputs),

@@ -23,7 +23,7 @@ from viscodesign.solve.fallbacks import Fallbacks
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.solvers.quasi_static import QuasiStatic
-from viscodesign.solve.statics import Start, consistent
+from viscodesign.solve.statics import Start
 from viscodesign.solve.time_only_integrals import timed_integrals
 from viscodesign.storage.disk_arrays import ArrayStore, NoRoomError
 
@@ -179,7 +179,7 @@ def integrate(
     fallbacks = Fallbacks(chosen, list(solver_catalogue().values()) if moves else [])
     edges = problem.schedule.edges
     work = Work(progress=progress and (lambda time: progress(time / edges[-1])))
-    start = consistent(problem, start, edges[0], problem.schedule.pieces[0])
+    start = chosen.consistent(start, float(edges[0]), problem.schedule.pieces[0])
     record = _Record(start, len(problem.equations.rates), store or ArrayStore())
     failure: SolveError | None = None
     length = _first_length(problem)

@@ -12,7 +12,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.problem import Pieces, Problem
-from viscodesign.solve.statics import Instant, Start
+from viscodesign.solve.statics import Instant, Start, consistent
 
 Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
 """States (nx, m), algebraic unknowns (nz, m) and integrals from the first edge (nq, m)."""
@@ -63,6 +63,12 @@ class Solver(ABC):
 
         ``here``: unknowns at edge ``first``, whose algebraic part may be out of date.
         """
+
+    def consistent(
+        self, here: Start, time: float, piece: np.ndarray, before: Instant | None = None
+    ) -> Start:
+        """The algebraic unknowns that belong to given states; see `statics.consistent`."""
+        return consistent(self.problem, here, time, piece, before)
 
     def remedies(self) -> Iterator[tuple[str, Solver]]:
         """The same solver with ever more cautious settings, for an interval that it failed at."""

@@ -80,6 +80,16 @@ class NativeSteps(StretchSteps):
         failure = "" if limit else "step size fell below its minimum"
         return Reached(columns, None, failure, state.time)
 
+    def corrected(self, here: Start, time: float, piece: np.ndarray) -> Start | None:
+        assembly, problem = self.assembly, self.problem
+        y = self.unknowns_at(here, time, piece)
+        Y = np.concatenate([y, np.zeros(assembly.drives), [time], piece, [1.0]])
+        assembly.drive(Y)
+        found = self._compiled.algebraic.corrected(assembly, Y)
+        if found is None:
+            return None
+        return Start(here.states, found[problem.equations.states.count : problem.unknowns])
+
     def march(
         self,
         state: MarchState,

@@ -12,6 +12,7 @@ from typing import ClassVar
 import numpy as np
 
 from viscodesign.errors import SolveError
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.numerics.symbolic_lu import has_whole_diagonal
 from viscodesign.solve.problem import Problem
@@ -19,7 +20,7 @@ from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretch
 from viscodesign.solve.solvers.rodas_formulas import FormulaSteps
 from viscodesign.solve.solvers.rodas_native import NativeSteps, has_native_code
 from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
-from viscodesign.solve.statics import Start, consistent
+from viscodesign.solve.statics import Instant, Start
 
 
 class Rosenbrock(Solver):
@@ -37,6 +38,8 @@ class Rosenbrock(Solver):
         self.steps = _steps(problem, tolerance)
         self.build_s = clock.perf_counter() - began
         self.size: float | None = None
+        self._consistent: tuple[Start | None, float] = None, 0.0
+        """The latest unknowns that were made so, and their time [s]."""
         self.states = problem.equations.states.count
         self.unknowns = problem.unknowns
 
@@ -50,6 +53,21 @@ class Rosenbrock(Solver):
         """Without native code, generating formulas for a thousand unknowns takes seconds."""
         return problem.unknowns <= CONTROL.max_unknowns or has_native_code(problem)
 
+    def consistent(
+        self, here: Start, time: float, piece: np.ndarray, before: Instant | None = None
+    ) -> Start:
+        """In native code, where these have one solution and Newton's full steps lead there."""
+        if here is self._consistent[0] and time == self._consistent[1]:
+            return here  # as a run has begun
+        equations = self.problem.equations
+        is_static = equations.rod_form is RodForm.STATIC
+        may_branch = is_static or bool(equations.algebraics.multivalued)
+        found = None if may_branch else self.steps.corrected(here, time, piece)
+        if found is None:
+            found = super().consistent(here, time, piece, before)
+        self._consistent = found, time
+        return found
+
     def __call__(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
@@ -60,10 +78,9 @@ class Rosenbrock(Solver):
         failure: SolveError | None = None
         for begin, end in smooth_stretches(self.problem.schedule.pieces, first, stop):
             try:
-                here = consistent(
-                    self.problem,
+                here = self.consistent(
                     here,
-                    self.problem.schedule.edges[begin],
+                    float(self.problem.schedule.edges[begin]),
                     self.problem.schedule.pieces[begin],
                     self.before(begin),
                 )
