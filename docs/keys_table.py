@@ -117,7 +117,7 @@ def _effect_rows() -> list[Row]:
     rows = [
         (f"`effects.{name}`", (effect.__doc__ or "").strip().splitlines()[0], "", "`auto`", modes,
          f"`{name}`")
-        for name, effect in catalogue().items() if effect.switchable
+        for name, effect in catalogue().items()
     ]  # fmt: skip
     others = EffectsChoice.model_fields["others"].description or ""
     return [*rows, ("`effects.others`", others, "", "`auto`", modes, "")]

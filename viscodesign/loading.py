@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from viscodesign.effects.catalogue import effect_names, keys_of_fixed_effects
+from viscodesign.effects.catalogue import effect_names
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.json_schema import spec_schema
 from viscodesign.scene.reading.read import KnownEffects, Overrides, load_scene, scene_of
@@ -17,7 +17,7 @@ from viscodesign.scene.scene import Scene
 
 def known_effects() -> KnownEffects:
     """Names that a spec may use under `effects:`."""
-    return KnownEffects(effect_names(), keys_of_fixed_effects())
+    return KnownEffects(effect_names())
 
 
 def load(source: SpecSource, overrides: Overrides = ()) -> Scene:

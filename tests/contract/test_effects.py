@@ -108,8 +108,6 @@ def test_its_contribution_is_estimated(name: str) -> None:
 
 @pytest.mark.parametrize("name", EFFECTS)
 def test_verdict_obeys_the_spec(name: str) -> None:
-    if not catalogue()[name].switchable:
-        pytest.skip("stated loads are always carried")
     for mode, expected in (("on", True), ("off", False)):
         verdicts = {v.name: v for v in check(scene_of(name, f"effects.{name}={mode}")).effects}
         assert verdicts[name].taken is expected

@@ -71,7 +71,7 @@ def _numeric_faults(quantities: SceneQuantities) -> Iterator[Fault]:
         yield from contrasts
         return
     for effect in every_effect(quantities).values():
-        if not effect.switchable or quantities.scene.effects.mode(effect.name) != "off":
+        if effect.mode_in(quantities.scene.effects) != "off":
             yield from effect.numeric_faults(quantities)
     yield from _rod(quantities)
     yield from _work(quantities)

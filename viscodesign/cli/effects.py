@@ -70,7 +70,7 @@ def _document(kind: type[Effect]) -> dict[str, Any]:
         "source": kind.source,
         "keys": _keys(kind),
         "needs": list(kind.needs),
-        "switchable": kind.switchable,
+        "follows_others": kind.follows_others,
         "decision": _decision(kind),
     }
 
@@ -82,7 +82,7 @@ def _paragraphs(kind: type[Effect]) -> list[str]:
 
 
 def _keys(kind: type[Effect]) -> list[str]:
-    return [*([f"effects.{kind.name}"] if kind.switchable else []), *kind.keys]
+    return [f"effects.{kind.name}", *kind.keys]
 
 
 def _decision(kind: type[Effect]) -> str:
@@ -90,8 +90,11 @@ def _decision(kind: type[Effect]) -> str:
     from viscodesign.effects import select
     from viscodesign.effects.base import Effect
 
-    if not kind.switchable:
-        return "It is always included where a spec defines it."
+    if not kind.follows_others:
+        return (
+            f"It is included where a spec defines it, also with `others: off`; "
+            f"`effects.{kind.name}: off` leaves it out."
+        )
     parts = [f"`effects.{kind.name}: on` includes it, `off` forbids it, `auto` weighs it."]
     parts += inspect.cleandoc(select.__doc__ or "").split("\n\n")[1:]
     if kind.estimate_term is Effect.estimate_term:

@@ -38,10 +38,9 @@ class AllowedSets:
     def mode(self, name: str) -> str:
         """The effect's mode: that of the spec, or what follows from it."""
         effect, choice = self.effects[name], self.quantities.scene.effects
-        if not effect.switchable:
-            return "on"
         needing = [n for n, e in self.effects.items() if name in e.needs]
-        mode, requested = choice.mode(name), any(choice.modes.get(n) == "on" for n in needing)
+        mode = effect.mode_in(choice)
+        requested = any(choice.modes.get(n) == "on" for n in needing)
         # `others: off` does not apply to what an effect that is named `on` needs.
         return "on" if mode == "off" and requested and name not in choice.modes else mode
 

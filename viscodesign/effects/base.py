@@ -12,6 +12,7 @@ from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 from viscodesign.results.findings import Notice
+from viscodesign.scene.effects_choice import EffectsChoice, Mode
 from viscodesign.solve.obstacles import Obstacle
 
 if TYPE_CHECKING:
@@ -64,8 +65,8 @@ class Effect(ABC):
     """Effects are listed and joined in this order."""
     formula: ClassVar[str]
     """The weight, in words of the field."""
-    switchable: ClassVar[bool] = True
-    """Whether a spec may name it; loads that a spec states are always carried."""
+    follows_others: ClassVar[bool] = True
+    """Whether `others` decides it; a load that a spec states acts unless it is named `off`."""
     needs: ClassVar[tuple[str, ...]] = ()
     """Other effects without each of which this one has nothing to act on."""
     companion: ClassVar[str | None] = None
@@ -87,6 +88,12 @@ class Effect(ABC):
     """Keys of the spec that it reads."""
 
     # -- whether it matters -----------------------------------------------------
+
+    @classmethod
+    def mode_in(cls, choice: EffectsChoice) -> Mode:
+        """Its mode by the spec, before what other effects need."""
+        is_named = cls.follows_others or cls.name in choice.modes
+        return choice.mode(cls.name) if is_named else "auto"
 
     @classmethod
     @abstractmethod

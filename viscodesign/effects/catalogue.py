@@ -22,12 +22,7 @@ def catalogue() -> dict[str, type[Effect]]:
 
 def effect_names() -> tuple[str, ...]:
     """Names that a spec may switch."""
-    return tuple(name for name, kind in catalogue().items() if kind.switchable)
-
-
-def keys_of_fixed_effects() -> dict[str, tuple[str, ...]]:
-    """Effects that a spec cannot switch, and the keys that decide them."""
-    return {name: kind.keys for name, kind in catalogue().items() if not kind.switchable}
+    return tuple(catalogue())
 
 
 def every_effect(quantities: SceneQuantities) -> dict[str, Effect]:

@@ -24,7 +24,7 @@ class TipLoad(Effect):
     name: ClassVar[str] = "tip_load"
     order: ClassVar[int] = 5  # before everything that acts on masses
     formula: ClassVar[str] = "F l^2 / (E I)"
-    switchable: ClassVar[bool] = False
+    follows_others: ClassVar[bool] = False
     validity: ClassVar[str] = "A force of constant direction; a payload that is a point mass."
     keys: ClassVar[tuple[str, ...]] = ("loads.tip_force", "loads.payload")
 
@@ -41,7 +41,7 @@ class TipLoad(Effect):
         return (self.force_x, self.force_z, self.payload) != (0.0, 0.0, 0.0)
 
     def indispensable(self, quantities: SceneQuantities) -> bool:
-        return True  # a stated load is carried, however small
+        return True  # a stated load is carried, however small, unless the spec leaves it out
 
     def weight(self, quantities: SceneQuantities) -> float:
         carried = self.payload * quantities.acceleration

@@ -56,14 +56,10 @@ def _mode(given: Any) -> str | None:
 
 def _faults(given: dict[Any, Any], context: dict[str, Any]) -> Iterator[KeyFault]:
     """Unknown names and modes; names are checked only if the known ones are in the context."""
-    known, fixed = context.get("effect_names"), context.get("fixed_effects", {})
+    known = context.get("effect_names")
     for name, value in given.items():
         mode, path = _mode(value), (str(name),)
-        if name in fixed:
-            keys = " and ".join(f"`{key}`" for key in fixed[name])
-            problem = f"cannot be switched: {keys} decide it; remove this line"
-            yield KeyFault(path, problem, f"no value; {keys} decide it")
-        elif known is not None and name not in (*known, OTHERS):
+        if known is not None and name not in (*known, OTHERS):
             allowed = f"one of the effects {', '.join(known)}"
             yield KeyFault(path, f"no such effect{did_you_mean(name, known)}", allowed)
         elif mode is None:

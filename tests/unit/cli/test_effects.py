@@ -62,7 +62,7 @@ def test_every_effect_has_a_page(call: Call, name: str) -> None:
     assert outcome.status == 0
     for fact in (words(kind.__doc__ or ""), kind.formula, kind.validity, kind.source, *kind.keys):
         assert fact in told
-    assert (f"effects.{name}" in told) == kind.switchable
+    assert f"effects.{name}" in told
 
 
 @pytest.mark.usefixtures("with_buoyancy")
@@ -96,7 +96,7 @@ def test_the_document_of_one(call: Call) -> None:
         "source": "Archimedes.",
         "keys": ["effects.buoyancy", "ambient.density"],
         "needs": ["gravity"],
-        "switchable": True,
+        "follows_others": True,
     }
 
 

@@ -329,9 +329,9 @@ def test_a_verdict_for_every_member(modes: str) -> None:
         assert verdict.reason
         assert verdict.contribution_m >= 0.0
         assert verdict.budget_share == pytest.approx(verdict.contribution_m / (0.005 * LEG_LENGTH))
-        if catalogue()[verdict.name].switchable:
-            assert verdict.mode == modes
-            assert modes != "off" or not verdict.taken
+        follows = catalogue()[verdict.name].follows_others
+        assert verdict.mode == (modes if follows else "auto")
+        assert not follows or modes != "off" or not verdict.taken
 
 
 def needed_off(found: Check) -> dict[str, str]:
@@ -414,3 +414,13 @@ def test_gas_that_may_not_choke_is_told_of() -> None:
     told = simulate(leg(forbidden, SUCKED, *WIDE), verify=False)
     assert "choking" in {reason.code for reason in told.violations}
     assert told.validity == "outside"
+
+
+@pytest.mark.parametrize(
+    ("modes", "taken"),
+    [("auto", True), ("off", True), ("{tip_load: on, others: off}", True), ("{tip_load: auto, others: off}", True),
+     ("{tip_load: off}", False), ("{tip_load: off, others: on}", False)],
+)  # fmt: skip
+def test_a_stated_load_acts_unless_it_is_named_off(modes: str, taken: bool) -> None:
+    found = verdicts(AUTO, "loads.payload=20 g", f"effects={modes}")
+    assert found["tip_load"].taken is taken

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
 from pathlib import Path
 from typing import Any
 
@@ -40,8 +39,6 @@ class KnownEffects:
     """Names that `effects:` may contain."""
 
     names: tuple[str, ...]
-    fixed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """Others that cannot be switched, and the keys that decide them."""
 
 
 def load_scene(
@@ -71,7 +68,7 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
     valid: dict[tuple[str, str | None], Any] = {}
     context: dict[str, Any] = {"folder": spec.folder, VALID_FIELDS: valid}
     if known is not None:
-        context |= {"effect_names": known.names, "fixed_effects": known.fixed}
+        context |= {"effect_names": known.names}
     data = {k: v for k, v in document.data.items() if not k.startswith(IGNORED_PREFIX)}
     try:
         scene = Scene.model_validate(data, context=context)

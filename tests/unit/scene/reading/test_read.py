@@ -91,7 +91,6 @@ def test_files_that_are_not_specs(tmp_path: Path, text: str | bytes, words: str)
         ("  others: off", "  others: maybe", ["effects.others", "one of auto, on, off"]),
         ("  others: off", "  gas_compresibility: off", ["no such effect", "did you mean 'gas_compressibility'"]),
         ("  others: off", "  colapse: on", ["no such effect", "did you mean 'collapse'"]),
-        ("  others: off", "  tip_load: on", ["effects.tip_load", "`loads.tip_force` and `loads.payload` decide it; remove this line"]),
         ("  inertia: on", "  inertia: atuo", ["effects.inertia", "one of auto, on, off", "did you mean 'auto'"]),
         ("accuracy: 0.5 %", "accuracy: 0 %", ["accuracy", "at least"]),
         ("accuracy: 0.5 %", "accuracy: 50", ["a percentage needs its sign"]),
