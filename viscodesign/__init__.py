@@ -6,8 +6,8 @@
 
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
 follows its motion, `compile` makes a function of its numbers with derivatives, `sweep` puts many
-designs in one table, `accuracy` measures what accuracy costs in time, `plan` turns its pressures
-into a pump's motion. Nothing here prints.
+designs in one table, `sensitivity` tells how far each number moves the tip, `accuracy` measures
+what accuracy costs in time, `plan` turns its pressures into a pump's motion. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -24,12 +24,14 @@ if TYPE_CHECKING:
     from viscodesign.compiled.function import Batch as Batch
     from viscodesign.compiled.function import CompiledFunction as CompiledFunction
     from viscodesign.compiled.function import compile as compile
+    from viscodesign.exploration.sensitivity import sensitivity as sensitivity
     from viscodesign.exploration.sweep import sweep as sweep
     from viscodesign.loading import load as load
     from viscodesign.pump.planning.plan import plan as plan
     from viscodesign.pump.planning.result import PumpPlan as PumpPlan
     from viscodesign.results.accuracy_study import AccuracyStudy as AccuracyStudy
     from viscodesign.results.findings import Classification as Classification
+    from viscodesign.results.sensitivity_study import SensitivityStudy as SensitivityStudy
     from viscodesign.results.sweep_table import Sweep as Sweep
     from viscodesign.results.trajectory import Trajectory as Trajectory
     from viscodesign.scene.scene import Scene as Scene
@@ -44,6 +46,7 @@ _HOMES = {
     "CompiledFunction": ".compiled.function",
     "PumpPlan": ".pump.planning.result",
     "Scene": ".scene.scene",
+    "SensitivityStudy": ".results.sensitivity_study",
     "Sweep": ".results.sweep_table",
     "Trajectory": ".results.trajectory",
     "accuracy": ".studies.accuracy",
@@ -52,6 +55,7 @@ _HOMES = {
     "compile": ".compiled.function",
     "load": ".loading",
     "plan": ".pump.planning.plan",
+    "sensitivity": ".exploration.sensitivity",
     "simulate": ".simulation.simulate",
     "sweep": ".exploration.sweep",
 }

@@ -45,7 +45,7 @@ Example:
   viscodesign check leg.yaml
   viscodesign simulate leg.yaml -o runs/leg"""
 COMMANDS = (
-    *("init", "check", "classify", "simulate", "report", "accuracy", "sweep"),
+    *("init", "check", "classify", "simulate", "report", "accuracy", "sweep", "sensitivity"),
     *("effects", "schema"),
 )
 """In the order of `--help`; every module has a `command` and an `EXAMPLE`."""

@@ -1,0 +1,77 @@
+"""`viscodesign sensitivity`: how far each number of a spec moves the tip."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from viscodesign.cli.options import (
+    Debug,
+    Force,
+    Json,
+    NoPlots,
+    Overrides,
+    PictureFormat,
+    Quiet,
+    RunFolder,
+    Spec,
+)
+
+EXAMPLE = """\b
+Examples:
+  viscodesign sensitivity leg.yaml
+  viscodesign sensitivity leg.yaml --tolerance network.tube_radius=5% \\
+    --tolerance "network.tubes[*].length=0.5 mm"
+  viscodesign sensitivity leg.yaml --tolerance fluid.viscosity=10% --sobol
+"""
+
+
+def command(
+    spec: Spec,
+    overrides: Overrides = None,
+    tolerance: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--tolerance",
+            metavar="KEY=5%",
+            help="One standard deviation of a key, in % or with its unit; repeatable.",
+        ),
+    ] = None,
+    sobol: Annotated[
+        bool, typer.Option("--sobol", help="Check the band by solving a sample.")
+    ] = False,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of the sample.")] = 0,
+    output: RunFolder = None,
+    no_plots: NoPlots = False,
+    picture_format: PictureFormat = "png",
+    force: Force = False,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Tell how far each number of a spec moves the tip.
+
+    Without --tolerance for all numbers, in mm per percent; with it for these numbers, and the
+    band that they give. Writes sensitivity.csv, sensitivity.json and sensitivity.png.
+    """
+    from viscodesign import load
+    from viscodesign import sensitivity as study_of
+    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.texts.sensitivity_text import sensitivity_lines
+    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.sensitivity_folder import write_sensitivity
+
+    scene = load(spec, overrides or ())
+    folder = output if output is not None else Path("runs") / folder_name(scene.name)
+    prepare_folder(folder, force=force)
+    study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
+    files = write_sensitivity(
+        study, folder, plots=not no_plots, force=force, picture_format=picture_format
+    )
+    if json:
+        say(json_text({**study.document(), "files": [str(file) for file in files]}))
+    elif not quiet:
+        say("\n".join(sensitivity_lines(study, folder, files)))

@@ -1,0 +1,88 @@
+"""Sensitivities as lines of text: numbers by how far they move the tip, and the band."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from viscodesign.cli.texts.accuracy_text import percentage, seconds
+from viscodesign.cli.texts.layout import number, table
+from viscodesign.results.sensitivity_study import AXES, SampledVariance, SensitivityStudy
+from viscodesign.results.sweep_table import value_words
+
+MOST_NUMBERS = 20
+NOTABLE_DIFFERENCE = 0.05
+"""Of a sampled standard deviation from that of the band, from which it is worth a warning."""
+
+
+def sensitivity_lines(study: SensitivityStudy, folder: Path, files: Sequence[Path]) -> list[str]:
+    """One line a number, the band, its check, files."""
+    head = "shift of the tip by one percent of each number, where it is largest"
+    rows = list(_numbers(study))
+    more = len(study.numbers) - len(rows)
+    return [
+        f"{study.name}: {head}",
+        *table(rows),
+        *([f"  and {more} more in sensitivity.csv"] if more > 0 else []),
+        "",
+        *table(
+            [
+                *_band(study),
+                *_sampled(study, study.sampled),
+                *_left_out(study),
+                ("effects", ", ".join(sorted(study.effects)) or "none"),
+                ("time", seconds(study.wall_s)),
+                ("files", f"{folder}: {', '.join(file.name for file in files)}"),
+            ]
+        ),
+    ]
+
+
+def _numbers(study: SensitivityStudy) -> Iterator[tuple[str, str, str, str]]:
+    per_percent = study.mm_per_percent
+    for k in study.order[:MOST_NUMBERS]:
+        own, moved = study.numbers[k], per_percent[:, :, k]
+        row = int((moved**2).sum(axis=1).argmax())
+        words = ", ".join(f"{a} {moved[row, c]:+.3g}" for c, a in enumerate(AXES))
+        shift = f"{words} mm per percent at {number(float(study.time[row]), 's')}"
+        share = ""
+        if own.deviation is not None:
+            share = (
+                f"; sd {value_words(own.deviation, own.unit)}, "
+                f"{percentage(float(study.shares[k]))} of the variance"
+            )
+        yield own.key, value_words(own.value, own.unit), shift + share, ""
+
+
+def _band(study: SensitivityStudy) -> Iterator[tuple[str, str]]:
+    if study.has_band:
+        rows = study.band.argmax(axis=0)
+        words = (
+            f"{axis} {number(1e3 * float(study.band[row, c]), 'mm')} at "
+            f"{number(float(study.time[row]), 's')}"
+            for c, (axis, row) in enumerate(zip(AXES, rows, strict=True))
+        )
+        yield "band", f"largest standard deviation of {' and of '.join(words)}"
+
+
+def _sampled(study: SensitivityStudy, sampled: SampledVariance | None) -> Iterator[tuple[str, str]]:
+    if sampled is None:
+        return
+    band, when = study.band[study.worst_row], number(float(study.time[study.worst_row]), "s")
+    for c, axis in enumerate(AXES):
+        own, found = float(band[c]), float(sampled.deviation_m[c])
+        differs = abs(found - own) > NOTABLE_DIFFERENCE * max(band)
+        verdict = "DIFFERS: numbers act together, trust the sample" if differs else "agrees"
+        yield (
+            f"sample, {axis}",
+            f"{number(1e3 * found, 'mm')} at {when} over {sampled.solutions} solutions, "
+            f"{number(1e3 * own, 'mm')} by the band: {verdict}",
+        )
+    if sampled.failed:
+        yield "sample", f"{sampled.failed} solutions failed, and were taken by their slopes"
+
+
+def _left_out(study: SensitivityStudy) -> Iterator[tuple[str, str]]:
+    if study.left_out:
+        names = ", ".join(key for key, _ in study.left_out)
+        yield "left out", f"{names} (reasons in sensitivity.json)"

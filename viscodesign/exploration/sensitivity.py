@@ -1,0 +1,142 @@
+"""How far each number of a scene moves its tip: `sensitivity`."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from viscodesign._version import __version__
+from viscodesign.compiled.free_keys import FreeKeys, candidates
+from viscodesign.compiled.function import CompiledFunction
+from viscodesign.errors import SpecError
+from viscodesign.exploration.sampled_variance import sampled_variance
+from viscodesign.exploration.tolerances import deviations
+from viscodesign.results.sensitivity_study import SensitiveNumber, SensitivityStudy
+from viscodesign.scene.scene import Scene
+from viscodesign.storage.lru_cache import LruCache
+
+TIP = ("tip_x_m", "tip_z_m")
+QUADRATURE_DEVIATIONS = np.sqrt(3.0)
+"""Distance of the outer points from the middle, in standard deviations; the middle weighs 4/6."""
+_FUNCTIONS: LruCache[tuple[CompiledFunction, tuple[tuple[str, str], ...]]] = LruCache(4)
+"""Those of the latest scenes, for other tolerances of the same numbers."""
+
+
+def sensitivity(
+    scene: Scene,
+    tolerances: Mapping[str, Any] | Sequence[str] | str | None = None,
+    *,
+    sobol: bool = False,
+    seed: int = 0,
+) -> SensitivityStudy:
+    """Derivatives of the tip's motion by the numbers of a scene, and the band of tolerances.
+
+    ``tolerances``: one standard deviation by key, ``{"network.tube_radius": "5 %"}`` or texts
+    ``KEY=5%``; numbers are independent and normal. Without any, all numbers that can be free and
+    are not zero, tubes all together. Derivatives are those of `compile`, exact for the solution,
+    with the effects that the scene calls for. The band adds up what each number does alone, by
+    two more solutions for each; ``sobol`` solves a sample by ``seed`` as well, which has what they
+    do together.
+
+    Raises `SpecError` for keys that cannot be free and for tolerances that are none, `SolveError`
+    where the scene has no solution.
+    """
+    began = clock.perf_counter()
+    if not isinstance(scene, Scene):
+        raise SpecError.plain(f"scene: needs a scene, such as load({scene!r}); got {scene!r}")
+    if sobol and tolerances is None:
+        raise SpecError.plain("a sample needs tolerances, such as network.tube_radius=5%")
+    spread = None if tolerances is None else deviations(scene, tolerances)
+    function, left_out = _function(scene, None if spread is None else tuple(spread))
+    outputs, slopes = function(), function.jacobian()
+    units = {n.name: n.unit for n in FreeKeys(scene, function.names).numbers}
+    study = SensitivityStudy(
+        name=scene.name,
+        version=__version__,
+        spec_sha256=scene.source.sha256,
+        time=function.times,
+        tip=np.column_stack([outputs[name] for name in TIP]),
+        numbers=tuple(
+            SensitiveNumber(name, float(value), units[name], (spread or {}).get(name))
+            for name, value in zip(function.names, function.values, strict=True)
+        ),
+        slopes=np.stack([slopes[name] for name in TIP], axis=1),
+        effects=function.effects,
+        left_out=left_out,
+    )
+    if spread is not None:
+        study = replace(study, variances=_variances(study, function))
+    if sobol:
+        study = _checked(study, function, seed)
+    return replace(study, wall_s=clock.perf_counter() - began)
+
+
+def _function(
+    scene: Scene, keys: tuple[str, ...] | None
+) -> tuple[CompiledFunction, tuple[tuple[str, str], ...]]:
+    """The tip as a function of numbers, all that can be free by default, and what cannot."""
+    kept = scene.digest, scene.source, keys
+    if keys is not None:
+        return _FUNCTIONS.get(kept, lambda: (CompiledFunction(scene, keys, TIP), ()))
+    return _FUNCTIONS.get(kept, lambda: _of_all_numbers(scene))
+
+
+def _of_all_numbers(scene: Scene) -> tuple[CompiledFunction, tuple[tuple[str, str], ...]]:
+    """Numbers are left out as they are refused, until the others have derivatives."""
+    left_out: dict[str, str] = {}
+    keys = [key for key in candidates(scene) if "[" not in key]
+    while True:
+        keys = [key for key in keys if key not in left_out]
+        try:
+            zero = [number.name for number in FreeKeys(scene, keys).numbers if not number.value]
+            left_out |= dict.fromkeys(zero, "it is 0, of which a percent is nothing")
+            keys = [key for key in keys if key not in left_out]
+            function = CompiledFunction(scene, keys, TIP)
+            function.jacobian()
+        except SpecError as error:
+            faults = {fault.key: fault.message for fault in error.faults if fault.key in keys}
+            if not faults or len(faults) == len(keys):
+                raise
+            left_out |= {key: why.removeprefix("cannot be free: ") for key, why in faults.items()}
+        else:
+            return function, tuple(sorted(left_out.items()))
+
+
+def _variances(study: SensitivityStudy, function: CompiledFunction) -> np.ndarray:
+    """(T, 2, k): variance of the tip [m2] with each number alone.
+
+    By Gauss-Hermite quadrature in three points, exact for polynomials of order two: pressures go
+    with the fourth power of a radius, of which slopes alone miss five percent at a tolerance of
+    five percent. Where a solution fails, slopes have to do.
+    """
+    spread = _spread(study)
+    moved = np.diag(QUADRATURE_DEVIATIONS * spread)
+    found = function.batch(np.concatenate([function.values + moved, function.values - moved]))
+    ends = np.stack([found[name] for name in TIP], axis=2).reshape(2, len(spread), -1, 2)
+    more, less = ends.transpose(0, 2, 3, 1)
+    here = study.tip[:, :, None]
+    mean = (4 * here + more + less) / 6
+    variance = (4 * (here - mean) ** 2 + (more - mean) ** 2 + (less - mean) ** 2) / 6
+    return np.asarray(np.where(np.isfinite(variance), variance, (study.slopes * spread) ** 2))
+
+
+def _spread(study: SensitivityStudy) -> np.ndarray:
+    """(k,) standard deviations of the numbers."""
+    return np.array([number.deviation or 0.0 for number in study.numbers])
+
+
+def _checked(study: SensitivityStudy, function: CompiledFunction, seed: int) -> SensitivityStudy:
+    """The study with variances of a sample, at the time at which its band is widest."""
+    row = study.worst_row
+
+    def tip_at(rows: np.ndarray) -> np.ndarray:
+        found = function.batch(rows)
+        return np.column_stack([found[name][:, row] for name in TIP])
+
+    spread, slopes = _spread(study), study.slopes[row]
+    sampled = sampled_variance(tip_at, function.values, spread, slopes, seed)
+    return replace(study, sampled=sampled)
