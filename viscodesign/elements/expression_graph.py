@@ -13,6 +13,7 @@ from enum import IntEnum
 import casadi as ca
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.native.instructions import TWO_OPERANDS, instructions
 
 SX = ca.SX
 
@@ -92,23 +93,22 @@ class ExpressionGraph:
         )
         slots: dict[int, int] = {}
         roots = [-1] * expressions.numel()
-        identifier, inputs = function.instruction_id, function.instruction_input
-        outputs, roles = function.instruction_output, self.roles
-        for k in range(function.n_instructions()):
-            operation = identifier(k)
+        roles = self.roles
+        for k, (operation, place, x, y) in enumerate(instructions(function).tolist()):
             if operation == ca.OP_OUTPUT:
-                roots[outputs(k)[1]] = slots[inputs(k)[0]]
+                roots[y] = slots[x]
             elif operation == ca.OP_INPUT:
-                group, place = inputs(k)
-                slots[outputs(k)[0]] = self._leaf_nodes[group][place]
+                slots[place] = self._leaf_nodes[x][y]
             elif operation == ca.OP_CONST:
-                slots[outputs(k)[0]] = self._constant(function.instruction_constant(k))
+                slots[place] = self._constant(function.instruction_constant(k))
             elif operation == ca.OP_ASSIGN:
-                slots[outputs(k)[0]] = slots[inputs(k)[0]]
+                slots[place] = slots[x]
+            elif operation in TWO_OPERANDS:
+                own = slots[x], slots[y]
+                slots[place] = self._node(operation, own, own, max(roles[own[0]], roles[own[1]]))
             else:
-                own = tuple(slots[i] for i in inputs(k))
-                role = max(roles[i] for i in own)
-                slots[outputs(k)[0]] = self._node(operation, own, own, role)
+                one = slots[x]
+                slots[place] = self._node(operation, (one,), (one,), roles[one])
         return roots
 
     def _constant(self, value: float) -> int:

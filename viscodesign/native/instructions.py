@@ -17,20 +17,26 @@ One operand only stands twice. Of a CONST, the operands are the bits of the numb
 argument and entry; an OUTPUT has the number of the result, the place of what it gives, and the
 entry.
 """
+FEW = 200
+"""Instructions up to which asking for each is as fast."""
 COMPARED = 100
 """Instructions that are compared, evenly spread."""
-_FULL = np.zeros(int(max(v for k, v in vars(ca).items() if k.startswith("OP_"))) + 1, dtype=bool)
-"""Whether the last field of an operation is its own."""
-_FULL[[ca.OP_CONST, ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_ADD, ca.OP_SUB, ca.OP_MUL, ca.OP_DIV]] = True
-_FULL[[ca.OP_POW, ca.OP_CONSTPOW, ca.OP_ATAN2, ca.OP_HYPOT, ca.OP_FMOD, ca.OP_REMAINDER]] = True
-_FULL[[ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_AND, ca.OP_OR, ca.OP_IF_ELSE_ZERO]] = True
-_FULL[[ca.OP_FMIN, ca.OP_FMAX, ca.OP_COPYSIGN]] = True
+TWO_OPERANDS = frozenset((
+    *(ca.OP_ADD, ca.OP_SUB, ca.OP_MUL, ca.OP_DIV, ca.OP_POW, ca.OP_CONSTPOW, ca.OP_ATAN2),
+    *(ca.OP_LT, ca.OP_LE, ca.OP_EQ, ca.OP_NE, ca.OP_AND, ca.OP_OR, ca.OP_IF_ELSE_ZERO),
+    *(ca.OP_FMIN, ca.OP_FMAX, ca.OP_COPYSIGN, ca.OP_HYPOT, ca.OP_FMOD, ca.OP_REMAINDER),
+))  # fmt: skip
+"""Operations on two numbers; all others are on one."""
+_LAST = np.zeros(max(v for k, v in vars(ca).items() if k.startswith("OP_")) + 1, dtype=bool)
+_LAST[[*TWO_OPERANDS, ca.OP_CONST, ca.OP_INPUT, ca.OP_OUTPUT]] = True
+"""Whether CasADi uses the last field of an operation."""
 
 
 def instructions(function: ca.Function) -> np.ndarray:
     """Instructions (n, FIELDS) int32 of a function of plain operations (an SX function)."""
-    found = _from_serialised(function)
-    return _told(function, range(function.n_instructions())) if found is None else found
+    count = function.n_instructions()
+    found = _from_serialised(function) if count > FEW else None
+    return _told(function, range(count)) if found is None else found
 
 
 def _told(function: ca.Function, which: range) -> np.ndarray:
@@ -59,9 +65,9 @@ def _from_serialised(function: ca.Function) -> np.ndarray | None:
     begin = content.find(first) if count else -1
     while 0 <= begin <= len(content) - len(first) * count:
         fields = np.frombuffer(content, np.int32, FIELDS * count, begin).reshape(count, FIELDS)
-        if np.all((fields[:, 0] >= 0) & (fields[:, 0] < len(_FULL))):
+        if np.all((fields[:, 0] >= 0) & (fields[:, 0] < len(_LAST))):
             found = fields.copy()
-            found[:, -1] = np.where(_FULL[fields[:, 0]], fields[:, -1], fields[:, -2])
+            found[:, -1] = np.where(_LAST[fields[:, 0]], fields[:, -1], fields[:, -2])
             if np.array_equal(found[some], told):
                 return found
         begin = content.find(first, begin + 1)

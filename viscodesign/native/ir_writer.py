@@ -8,10 +8,12 @@ and what is not finite stays so.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import casadi as ca
 import numpy as np
 
+from viscodesign.native.instructions import TWO_OPERANDS, instructions
 from viscodesign.native.ir_operations import (
     ARITHMETIC,
     COMPARISONS,
@@ -50,6 +52,7 @@ class _Module:
         self.vectors = vectors
         self.double = _vector("double", lanes)
         self.truth = _vector("i1", lanes)
+        self.zero, self.one = self.constant(0.0), self.constant(1.0)
         self.declared: dict[str, str] = {}
 
     def kernel(self, function: ca.Function, name: str) -> str:
@@ -196,22 +199,17 @@ class _Writer:
         """Names of the entries of a function's only output."""
         work: dict[int, str] = {}
         results: dict[int, str] = {}
-        for k in range(function.n_instructions()):
-            name = _NAMES[function.instruction_id(k)]
-            if name == "OUTPUT":
-                results[function.instruction_output(k)[1]] = work[function.instruction_input(k)[0]]
-                continue
-            place = function.instruction_output(k)[0]
-            if name == "CONST":
+        for k, (operation, place, x, y) in enumerate(_instructions(function)):
+            if operation == ca.OP_OUTPUT:
+                results[y] = work[x]
+            elif operation == ca.OP_CONST:
                 work[place] = self.module.constant(function.instruction_constant(k))
-            elif name == "INPUT":
-                which, entry = function.instruction_input(k)[:2]
-                work[place] = arguments[which][entry]
+            elif operation == ca.OP_INPUT:
+                work[place] = arguments[x][y]
             else:
-                operands = [work[q] for q in function.instruction_input(k)]
-                work[place] = self.operation(name, operands)
-        zero = self.module.constant(0.0)
-        return [results.get(k, zero) for k in range(function.nnz_out(0))]
+                operands = [work[x], work[y]] if operation in TWO_OPERANDS else [work[x]]
+                work[place] = self.operation(_NAMES[operation], operands)
+        return [results.get(k, self.module.zero) for k in range(function.nnz_out(0))]
 
     def operation(self, name: str, operands: list[str]) -> str:
         """The result of one of CasADi's operations."""
@@ -220,7 +218,7 @@ class _Writer:
             return choice
         if name in ARITHMETIC:
             instruction, form = ARITHMETIC[name]
-            given = {"x": operands[0], "y": operands[-1], "one": module.constant(1.0)}
+            given = {"x": operands[0], "y": operands[-1], "one": module.one}
             return self.let(f"{instruction} {module.double} {form.format(**given)}")
         if name in INTRINSICS or name in LIBRARY:
             known = module.intrinsic if name in INTRINSICS else module.library
@@ -241,7 +239,7 @@ class _Writer:
     def logic(self, name: str, operands: list[str]) -> str:
         """The result of an operation on truth values, which are what is not zero."""
         double, truth = self.module.double, self.module.truth
-        zero, one = self.module.constant(0.0), self.module.constant(1.0)
+        zero, one = self.module.zero, self.module.one
         if name == "SIGN":
             copied = self.module.intrinsic("copysign", 2)
             unit = self.let(f"call {double} @{copied}({double} {one}, {double} {operands[0]})")
@@ -282,8 +280,15 @@ class _Writer:
     def true(self, value: str) -> str:
         """A number as a truth value."""
         if value not in self._truths:
-            self._truths[value] = self.compare("une", value, self.module.constant(0.0))
+            self._truths[value] = self.compare("une", value, self.module.zero)
         return self._truths[value]
+
+
+@lru_cache(16)
+def _instructions(function: ca.Function) -> list[list[int]]:
+    """Of a function; most kernels contain the same few expansions."""
+    found: list[list[int]] = instructions(function).tolist()
+    return found
 
 
 def _vector(scalar: str, lanes: int) -> str:

@@ -9,7 +9,7 @@ import casadi as ca
 
 from viscodesign._version import __version__
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.native import ir_operations, ir_writer
+from viscodesign.native import instructions, ir_operations, ir_writer
 from viscodesign.native.code_cache import digest, keep, kept, written_by
 from viscodesign.native.ir_writer import module_ir
 from viscodesign.native.machine import Loaded, load, object_code, this_machine
@@ -120,5 +120,5 @@ def _compiled(wanted: Wanted, names: Sequence[str]) -> bytes:
 def _setting(lanes: int) -> tuple[str, ...]:
     """What code depends on besides its formulas."""
     settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}, casadi {ca.CasadiMeta.version()}"
-    writer = written_by(ir_operations, ir_writer)
+    writer = written_by(instructions, ir_operations, ir_writer)
     return __version__, writer, str(this_machine()), settings

@@ -39,6 +39,7 @@ def test_they_are_those_that_casadi_tells(compared: int, monkeypatch: pytest.Mon
 def test_another_serialised_form_is_not_needed(
     content: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(read_at_once, "FEW", 0)
     monkeypatch.setattr(ca.Function, "serialize", lambda self: content)
     assert read_at_once._from_serialised(MANY) is None
     assert np.array_equal(instructions(MANY), told(MANY))
@@ -50,7 +51,7 @@ def test_one_field_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> N
     at = right.find(told(MANY)[:1].tobytes())
     for k in range(0, FIELDS * MANY.n_instructions(), 7):
         row, field = divmod(k, FIELDS)
-        if field == FIELDS - 1 and not read_at_once._FULL[told(MANY)[row, 0]]:
+        if field == FIELDS - 1 and not read_at_once._LAST[told(MANY)[row, 0]]:
             continue
         wrong = bytearray(right)
         wrong[at + 4 * k] ^= 1
