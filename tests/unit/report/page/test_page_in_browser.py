@@ -16,6 +16,7 @@ from tests.trajectories import VERDICTS, ablated_run, made_run, with_two_inlets
 from viscodesign import load, simulate
 from viscodesign.report.run_folder import write_run
 from viscodesign.results.findings import Notice
+from viscodesign.results.trajectory import Accuracy
 
 from .conftest import Open
 
@@ -201,6 +202,15 @@ def test_an_interrupted_run_says_so(open_page: Open) -> None:
     page = open_page(made_run(time=np.linspace(0, 1.23, 62), status="interrupted"))
     assert page.title() == "INTERRUPTED: leg_made_up"
     assert "interrupted: it ended at t = 1.23 s" in page.text_content("[role=alert]")
+
+
+@pytest.mark.parametrize("mode", ["auto", "off"])
+def test_an_error_of_pinned_effects_says_so(open_page: Open, mode: str) -> None:
+    own = tuple(replace(verdict, mode=mode, taken=False) for verdict in VERDICTS[:1])
+    run = made_run(effects=own, accuracy=Accuracy(5e-4, 1e-4, "made up"))
+    words = open_page(run).text_content("#accuracy")
+    assert (", of the model as pinned; requested" in words) == (mode == "off")
+    assert (run.error_qualifier != "") == (mode == "off")
 
 
 def test_one_output_time_has_no_player_and_no_sketch(open_page: Open) -> None:

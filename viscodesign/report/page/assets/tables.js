@@ -39,11 +39,14 @@ function brokenWords(run) {
 
 // Error of the tip and its parts, as bars against the accuracy that was asked for.
 function showAccuracy(run) {
-  const { accuracy, status } = run.summary, host = byId("accuracy");
+  const { accuracy, status, effects, validity } = run.summary, host = byId("accuracy");
   const stated = accuracy.estimated_tip_error_m, asked = accuracy.requested_m;
+  // As the command line says it: `error_qualifier` of a trajectory.
+  const isPinned = effects.some((row) => row.mode === "off" && !row.taken && row.present !== false);
+  const pinned = isPinned && validity.state === "inside" ? ", of the model as pinned" : "";
   const verdict = stated === null || stated === undefined
     ? "The error was not estimated."
-    : `Estimated error ${millimetres(stated)}, ${shortNumber((100 * stated) / run.length, 2)} % of the length; requested ${millimetres(asked)}: ${stated <= asked ? "reached" : "NOT reached"}.`;
+    : `Estimated error ${millimetres(stated)}, ${shortNumber((100 * stated) / run.length, 2)} % of the length${pinned}; requested ${millimetres(asked)}: ${stated <= asked ? "reached" : "NOT reached"}.`;
   const part = status === "complete" || stated === null || stated === undefined ? "" : ` It holds for the part that was computed of a run that ${status === "failed" ? "failed" : "was interrupted"}.`;
   host.append(element("p", { class: stated > asked ? "bad" : "" }, verdict + part));
   const parts = [["time steps", accuracy.time_m], ["mesh along the rod", accuracy.space_m], ["neglected effects", accuracy.omitted_m], ["sum", stated]];
