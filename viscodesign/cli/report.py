@@ -1,4 +1,4 @@
-"""`viscodesign report`: the page of a run again."""
+"""`viscodesign report`: the page of a run again, and a film of it."""
 
 from __future__ import annotations
 
@@ -10,29 +10,65 @@ import typer
 from viscodesign.cli.options import Debug, Json, Output, Quiet
 
 EXAMPLE = """\b
-Example:
-  viscodesign report runs/leg"""
+Examples:
+  viscodesign report runs/leg
+  viscodesign report runs/leg --film leg.mp4
+  viscodesign report runs/leg --film leg.webp --transparent --speed 2"""
 
 
 def command(
     run: Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")],
     output: Output = None,
+    film: Annotated[
+        Path | None,
+        typer.Option(
+            "--film", metavar="FILE", help="Also write a film: .gif, .webp, or .mp4 with ffmpeg."
+        ),
+    ] = None,
+    speed: Annotated[
+        float | None,
+        typer.Option(
+            "--speed",
+            metavar="X",
+            help="Of the film: seconds of motion in a second; by default real time, or about "
+            "eight seconds in all.",
+        ),
+    ] = None,
+    frames_per_second: Annotated[
+        int, typer.Option("--fps", metavar="N", help="Of the film: frames a second.")
+    ] = 25,
+    width: Annotated[
+        int, typer.Option("--width", metavar="PX", help="Of the film; its height is 9/16 of it.")
+    ] = 960,
+    transparent: Annotated[
+        bool, typer.Option("--transparent", help="Of the film: no white ground (.webp, .gif).")
+    ] = False,
+    no_pressures: Annotated[
+        bool, typer.Option("--no-pressures", help="Of the film: the actuator alone.")
+    ] = False,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Write the page of a run again, from the files in its folder.
+    """Write the page of a run again, and a film of it.
 
     Reads summary.json, spec.yaml, trajectory.csv and shape.csv, and solves nothing. With -o the
     page goes to another folder.
     """
     from viscodesign.cli.output import json_text, say
+    from viscodesign.report.film.film import write_film
+    from viscodesign.report.film.film_plan import FilmOptions
     from viscodesign.report.folder import PAGE
     from viscodesign.report.page.page import write_page
     from viscodesign.report.page.saved_run import saved_run
 
+    options = FilmOptions(speed, frames_per_second, width, transparent, not no_pressures)
+    if film is not None:
+        options.checked(film)
     shown, folder = saved_run(run), output if output is not None else run
     files = [write_page(shown, folder / PAGE)]
+    if film is not None:
+        files.append(write_film(shown, film, options))
     if json:
         say(json_text({"files": [str(file) for file in files]}))
     elif not quiet:

@@ -122,10 +122,9 @@ def _draw(
 
 
 def _write_page(trajectory: Trajectory, file: Path) -> Path:
-    from viscodesign.report.page.page import write_page
-    from viscodesign.report.page.shown_run import ShownRun
+    from viscodesign.report.page.page import report_trajectory
 
-    return write_page(ShownRun.of(trajectory), file)
+    return report_trajectory(trajectory, file)
 
 
 def trajectory_lines(trajectory: Trajectory) -> Iterator[bytes]:

@@ -9,11 +9,13 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from dataclasses import asdict, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.lazy_names import module_above
 from viscodesign.results.channels import (
     TRAJECTORY,
     Per,
@@ -233,6 +235,41 @@ class Trajectory(MotionArrays):
             "warnings": documents(self.warnings),
         }
         return dict(json_ready(document))
+
+    def report(self, file: str | Path) -> Path:
+        """Write the page of the run, one self-contained HTML file; returns its path.
+
+        Raises `UsageError` where it cannot be written.
+        """
+        return Path(module_above("report.page.page").report_trajectory(self, file))
+
+    def film(
+        self,
+        file: str | Path,
+        *,
+        speed: float | None = None,
+        frames_per_second: int = 25,
+        width: int = 960,
+        transparent: bool = False,
+        pressures: bool = True,
+    ) -> Path:
+        """Write a film of the run in 16:9 and return its path: GIF or WebP, or MP4 with ffmpeg.
+
+        ``speed``: seconds of motion in a second of film; None: real time, or about eight seconds
+        in all. ``width`` [pixel]. ``transparent`` instead of a white ground, not for MP4.
+        ``pressures``: whether they are drawn against time beside the actuator. Raises `UsageError`
+        where it cannot be made or written.
+        """
+        made = module_above("report.film.film").film_trajectory(
+            self,
+            file,
+            speed=speed,
+            frames_per_second=frames_per_second,
+            width=width,
+            transparent=transparent,
+            pressures=pressures,
+        )
+        return Path(made)
 
     def frame(self, *quantities: str) -> pd.DataFrame:
         """Quantities against time, by their names; without any, `trajectory.csv`."""

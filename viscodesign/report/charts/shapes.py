@@ -9,25 +9,22 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.colors import Colormap, ListedColormap, Normalize
+from matplotlib.colors import Colormap, Normalize
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.layout.snapshots import clamp_strokes, normals, spread_instants
+from viscodesign.report.layout.bellow_blocks import bellow_blocks
+from viscodesign.report.layout.pressure_colours import pressure_colours
+from viscodesign.report.layout.snapshots import clamp_strokes, spread_instants
 from viscodesign.report.layout.strip import Frame, Strip, arrange
-from viscodesign.report.layout.style import DIVERGING, INK, axes_at, head, head_room, picture
+from viscodesign.report.layout.style import INK, axes_at, head, head_room, picture
 from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.storage.disk_arrays import extremes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 MOST_SNAPSHOTS = 8
-BELLOW_GAP = 0.12
-"""Part of a section's length left between neighbouring bellows."""
-AXIS_GAP = 0.08
-"""Part of the half width left free on either side of the axis."""
 MOST_EDGED_SECTIONS = 24
 """With more sections than this a bellow's edge would hide its colour."""
 WIDTH, SIDE, FOOT_HEIGHT = 6.6, 0.2, 0.62
@@ -59,7 +56,7 @@ def draw_shapes(trajectory: Trajectory, path: Path) -> None:
         wide, high = (WIDTH - 2 * SIDE) / strip.scale, strip.height / strip.scale
         axes.set(xlim=(0, wide), ylim=(high, 0))
         axes.set_axis_off()
-        colours, norm, occurring = _colouring(trajectory.pressure)
+        colours, norm, occurring = pressure_colours(trajectory.pressure)
         _draw_snapshots(axes, snapshots, strip, colours, norm)
         _draw_labels(axes, snapshots, strip)
         _draw_sides(axes, snapshots, strip)
@@ -74,29 +71,10 @@ def _snapshots(trajectory: Trajectory) -> Snapshots:
     return Snapshots(
         time_labels(trajectory.time[rows]),
         axis,
-        _blocks(trajectory, axis),
+        bellow_blocks(axis, trajectory.arc, trajectory.bellows, 1e3 * trajectory.width),
         trajectory.pressure[rows] / 1e3,
         (0.7e3 * trajectory.width, 0.14e3 * trajectory.width),
     )
-
-
-def _blocks(trajectory: Trajectory, axis: np.ndarray) -> np.ndarray:
-    """Quadrangles (N, B, 4, 2) beside axes (N, K, 2) [mm], in the order of the bellows."""
-    arc = trajectory.arc / trajectory.arc[-1] * trajectory.sections
-    section = np.arange(trajectory.sections)
-    ends = np.stack((section + BELLOW_GAP / 2, section + 1 - BELLOW_GAP / 2))
-    point = _interpolated(ends, arc, axis)
-    out = _interpolated(ends, arc, normals(axis)) * 0.5e3 * trajectory.width
-    columns = {}
-    for side, sign in (("R", 1.0), ("L", -1.0)):
-        near, far = point + AXIS_GAP * sign * out, point + sign * out
-        columns[side] = np.stack((near[:, 0], near[:, 1], far[:, 1], far[:, 0]), axis=2)
-    return np.stack([columns[b[0]][:, int(b[1:]) - 1] for b in trajectory.bellows], axis=1)
-
-
-def _interpolated(at: np.ndarray, arc: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Values (N, K, 2) along the arc at places (2, S): (N, 2, S, 2)."""
-    return np.array([np.stack([np.interp(at, arc, v[:, i]) for i in (0, 1)], -1) for v in values])
 
 
 def _frames(snapshots: Snapshots) -> list[Frame]:
@@ -118,23 +96,6 @@ def time_labels(times: np.ndarray) -> list[str]:
     enough = (n for n in range(3, 17) if len({f"{t:.{n}g}" for t in times}) == len(times))
     digits = next(enough, 17)
     return [f"t = {time:.{digits}g} s" for time in times]
-
-
-def _colouring(pressure: np.ndarray) -> tuple[Colormap, Normalize, tuple[float, float]]:
-    """Red above, blue below the ambient, white at it; and the range [kPa] that occurs.
-
-    Pressures that all lie far from the ambient get the range between themselves
-    instead, or the differences that bend the actuator could not be seen.
-    """
-    lows, highs = extremes(pressure)
-    low, high = float(lows.min()) / 1e3, float(highs.max()) / 1e3
-    largest = max(abs(low), abs(high))
-    if largest == 0.0:
-        return DIVERGING, Normalize(-1.0, 1.0), (-1.0, 1.0)
-    if low * high > 0 and 1e-6 * largest < high - low < 0.4 * largest:
-        part = np.linspace(0.55, 1.0, 256) if low > 0 else np.linspace(0.0, 0.45, 256)
-        return ListedColormap(DIVERGING(part)), Normalize(low, high), (low, high)
-    return DIVERGING, Normalize(-largest, largest), (min(low, 0.0), max(high, 0.0))
 
 
 def _draw_snapshots(

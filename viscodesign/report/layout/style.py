@@ -68,16 +68,22 @@ BANNER_LINES = 3
 
 
 @contextlib.contextmanager
-def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
-    """A figure in inches, written completely to ``path`` at the end; leaves no global state.
-
-    The suffix of ``path`` determines the format (png, pdf, svg; png without one). Settings of
-    the user's, such as a dark theme, do not show.
-    """
+def own_style() -> Iterator[None]:
+    """This style, whatever the settings of the user's are, such as a dark theme."""
     settings: Any = mpl.rcParams
     with mpl.rc_context():
         dict.update(settings, plain_settings())  # valid already: checking all takes long
         settings.update(RC)
+        yield
+
+
+@contextlib.contextmanager
+def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
+    """A figure in inches, written completely to ``path`` at the end; leaves no global state.
+
+    The suffix of ``path`` determines the format (png, pdf, svg; png without one).
+    """
+    with own_style():
         made = Figure(figsize=(width, height))
         canvas = FigureCanvasAgg(made)
         yield made

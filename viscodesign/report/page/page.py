@@ -11,6 +11,7 @@ from pathlib import Path
 from viscodesign.report.page.page_data import page_data
 from viscodesign.report.page.shown_run import ShownRun
 from viscodesign.results.findings import json_ready
+from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
 ASSETS = Path(__file__).parent / "assets"
@@ -39,6 +40,11 @@ def write_page(run: ShownRun, file: str | Path) -> Path:
         path.parent.mkdir(parents=True, exist_ok=True)
     write_bytes(path, content)
     return path
+
+
+def report_trajectory(trajectory: Trajectory, file: str | Path) -> Path:
+    """`Trajectory.report`."""
+    return write_page(ShownRun.of(trajectory), file)
 
 
 def page_bytes(run: ShownRun) -> bytes:

@@ -1,0 +1,161 @@
+"""Films: their frames, their formats, and what cannot be filmed."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.scenes import CONFIGS
+from tests.trajectories import made_run, with_two_inlets
+from viscodesign.cli.main import main
+from viscodesign.errors import UsageError
+from viscodesign.report.film import encode
+from viscodesign.report.film.film_plan import FilmOptions, film_rows, usual_speed
+from viscodesign.report.run_folder import write_run
+
+SMALL = {"width": 240, "frames_per_second": 2, "speed": 1.0}
+
+
+def frames(file: Path) -> list[np.ndarray]:
+    found = []
+    with Image.open(file) as film:
+        for k in range(getattr(film, "n_frames", 1)):
+            film.seek(k)
+            found.append(np.asarray(film.convert("RGBA")))
+    return found
+
+
+@pytest.mark.parametrize("kind", ["gif", "webp"])
+def test_a_film_shows_the_motion_on_white(tmp_path: Path, kind: str) -> None:
+    run = made_run(time=np.linspace(0, 4, 201))
+    film = frames(run.film(tmp_path / f"leg.{kind}", **SMALL))
+    assert len(film) == 9  # 4 s, two a second, both ends
+    assert {frame.shape for frame in film} == {(135, 240, 4)}
+    assert film[0][1, 1].min() >= 254  # WebP rounds
+    moved = [np.mean(np.abs(a[:, :110].astype(int) - b[:, :110])) for a, b in pairwise(film)]
+    assert max(moved) > 1
+    left = film[4][20:110, :110, :3].astype(int)
+    assert (left[..., 2] - left[..., 0] > 60).sum() > 20, "no bellow is blue under vacuum"
+
+
+@pytest.mark.parametrize("kind", ["gif", "webp"])
+def test_a_transparent_film_has_no_ground(tmp_path: Path, kind: str) -> None:
+    run = made_run(time=np.linspace(0, 1, 51))
+    film = frames(run.film(tmp_path / f"leg.{kind}", transparent=True, pressures=False, **SMALL))
+    for frame in film:
+        assert frame[1, 1, 3] == 0
+        assert 0.02 < (frame[..., 3] > 128).mean() < 0.6
+
+
+@pytest.mark.skipif(shutil.which("ffprobe") is None, reason="needs ffmpeg: apt-get install ffmpeg")
+def test_an_mp4_is_what_players_expect(tmp_path: Path) -> None:
+    run = made_run(time=np.linspace(0, 1, 51))
+    file = run.film(tmp_path / "leg.mp4", width=241, frames_per_second=10, speed=1.0)
+    told = subprocess.run(
+        ["ffprobe", "-v", "error", "-show_entries", "stream=width,height,nb_frames,pix_fmt", "-of", "csv=p=0", file],
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert told.stdout.strip() == "240,136,yuv420p,16"  # 11, and the last is held for half a second
+
+
+def test_without_ffmpeg_mp4_is_refused_and_nothing_is_left(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(encode.shutil, "which", lambda _: None)
+    with pytest.raises(UsageError, match=r"needs the program ffmpeg.*use \.webp or \.gif"):
+        made_run(time=np.linspace(0, 1, 3)).film(tmp_path / "leg.mp4", **SMALL)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_program_that_fails_says_why(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    broken = tmp_path / "ffmpeg"
+    broken.write_text("#!/bin/sh\necho 'no such codec' >&2\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setattr(encode.shutil, "which", lambda _: str(broken))
+    with pytest.raises(UsageError, match="ffmpeg failed: no such codec"):
+        made_run(time=np.linspace(0, 1, 3)).film(tmp_path / "out" / "leg.mp4", **SMALL)
+    assert list((tmp_path / "out").iterdir()) == []
+
+
+def test_a_failed_run_says_so_in_every_frame(tmp_path: Path) -> None:
+    part = np.linspace(0, 1, 51)
+    failed = made_run(time=part, status="failed", failure="it broke").film(
+        tmp_path / "f.webp", **SMALL
+    )
+    whole = made_run(time=part).film(tmp_path / "w.webp", **SMALL)
+
+    def banner(frame: np.ndarray) -> int:
+        top = frame[8:22, :120, :3].astype(int)
+        return int((top[..., 0] - top[..., 2] > 100).sum())
+
+    assert min(banner(frame) for frame in frames(failed)) > 100
+    assert max(banner(frame) for frame in frames(whole)) == 0
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        {"time": np.zeros(1)},
+        {"bellows": 2},
+        {"bellows": 128, "lag": 1e-3},
+        {"shape_every": 7},
+    ],
+    ids=["one_time", "two_bellows", "many_bellows", "few_shapes"],
+)
+def test_every_run_can_be_filmed(tmp_path: Path, case: dict[str, object]) -> None:
+    run = made_run(**{"time": np.linspace(0, 1, 43), **case})  # type: ignore[arg-type]
+    if run.shape_every > 1:
+        run = run.with_arrays(shape=run.shape[run.shape_rows])
+    two = with_two_inlets(
+        run, -0.5, spec_text=(CONFIGS / "antagonistic_two_inlets.yaml").read_text()
+    )
+    assert len(frames(two.film(tmp_path / "leg.webp", **SMALL))) in (1, 3)
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "told"),
+    [
+        ("leg.avi", {}, "is .gif, .webp or .mp4; got '.avi'"),
+        ("leg", {}, "got no suffix"),
+        ("leg.mp4", {"transparent": True}, "MP4 has no transparent ground"),
+        ("leg.gif", {"speed": 0.0}, "speed must be a number above 0; got 0.0"),
+        ("leg.gif", {"speed": float("nan")}, "speed must be a number above 0"),
+        ("leg.gif", {"frames_per_second": 51}, "must be 1 to 50; got 51"),
+        ("leg.gif", {"width": 10}, "width must be 160 to 3840 pixels; got 10"),
+        ("leg.gif", {"speed": 1e-3}, "at most 3,000 are made. Use a speed of"),
+    ],
+)
+def test_what_cannot_be_filmed_is_refused(
+    tmp_path: Path, name: str, options: dict[str, object], told: str
+) -> None:
+    with pytest.raises(UsageError, match=told):
+        made_run(time=np.linspace(0, 1, 5)).film(tmp_path / name, **{"speed": 1.0, **options})  # type: ignore[arg-type]
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_frames_are_the_nearest_output_times() -> None:
+    time = np.array([0.0, 0.1, 0.35, 1.0, 2.0, 2.04])
+    rows = film_rows(time, FilmOptions(speed=1.0, frames_per_second=2))
+    assert list(rows) == [0, 2, 3, 3, 4, 5]  # the last is added: it ends the run
+
+
+def test_a_film_lasts_some_seconds_whatever_the_run() -> None:
+    assert [usual_speed(span) for span in (0.0, 2.0, 8.0, 20.0)] == [1.0] * 4
+    for span in (1e-9, 0.3, 21.0, 1e5):
+        assert 4 < span / usual_speed(span) < 13
+
+
+def test_the_command_writes_page_and_film(tmp_path: Path) -> None:
+    text = (CONFIGS / "leg_16_straight_air.yaml").read_text()
+    write_run(made_run(spec_text=text), tmp_path, plots=False, report=False)
+    words = ["report", str(tmp_path), "-q", "--film", str(tmp_path / "leg.gif")]
+    assert main([*words, "--width", "240", "--fps", "1"]) == 0
+    assert len(frames(tmp_path / "leg.gif")) == 9
+    assert (tmp_path / "report.html").exists()
+    assert main(["report", str(tmp_path), "-q", "--film", str(tmp_path / "leg.avi")]) == 2

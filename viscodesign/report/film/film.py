@@ -1,0 +1,37 @@
+"""A run as a film."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from viscodesign.report.film.film_plan import FilmOptions, film_rows
+from viscodesign.report.page.page_data import tube_ends
+from viscodesign.report.page.shown_run import ShownRun
+from viscodesign.report.page.sketch_numbers import scene_of
+from viscodesign.results.trajectory import Trajectory
+from viscodesign.storage.atomic_files import write_errors_as_usage
+
+
+def film_trajectory(trajectory: Trajectory, file: str | Path, **options: Any) -> Path:
+    """`Trajectory.film`."""
+    return write_film(ShownRun.of(trajectory), file, FilmOptions(**options))
+
+
+def write_film(run: ShownRun, file: str | Path, options: FilmOptions | None = None) -> Path:
+    """Write a run as GIF, WebP or MP4 (with ffmpeg), by the suffix of ``file``.
+
+    Raises `UsageError` for another suffix, options that do not fit, and a file that cannot be
+    written; then there is no film.
+    """
+    path = Path(file)
+    chosen = (options or FilmOptions()).checked(path)
+    rows = film_rows(run.time, chosen)
+    with write_errors_as_usage(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+    from viscodesign.report.film.encode import write_frames
+    from viscodesign.report.film.film_frames import film_frames
+
+    frames = film_frames(run, tube_ends(run, scene_of(run)), rows, chosen)
+    write_frames(frames, len(rows), path, chosen)
+    return path

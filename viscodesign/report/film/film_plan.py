@@ -1,0 +1,92 @@
+"""What a film shows when: its speed, its frames and their rows of the run."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+
+from viscodesign.errors import UsageError
+from viscodesign.lazy_dataclass import dataclass
+
+FORMATS = (".gif", ".webp", ".mp4")
+MOST_FRAMES = 3000
+REAL_TIME = (2.0, 20.0)
+"""Runs of this length are shown in real time unless told otherwise [s]."""
+USUAL_LENGTH = 8.0
+"""Length of the film of any other run, roughly [s]."""
+LAST_FRAME_HOLD = 0.5
+"""The film rests on its last frame before it begins again [s]."""
+
+
+@dataclass(frozen=True)
+class FilmOptions:
+    """How a film is made."""
+
+    speed: float | None = None
+    """Seconds of motion in a second of film; None: real time, or about eight seconds in all."""
+    frames_per_second: int = 25
+    width: int = 960
+    """[pixel]; the height is 9/16 of it."""
+    transparent: bool = False
+    """Instead of a white ground."""
+    pressures: bool = True
+    """Whether the pressures are drawn against time beside the actuator."""
+
+    def checked(self, file: Path) -> FilmOptions:
+        """The same; raises `UsageError` where it cannot be made in the format of ``file``."""
+        kind = file.suffix.lower()
+        if kind not in FORMATS:
+            given = f"'{kind}'" if kind else "no suffix"
+            raise UsageError(f"{file.name}: a film is .gif, .webp or .mp4; got {given}")
+        if kind == ".mp4" and self.transparent:
+            raise UsageError("MP4 has no transparent ground; use .webp or .gif")
+        self._check("speed", self.speed is None or (math.isfinite(self.speed) and self.speed > 0))
+        self._check("frames_per_second", 1 <= self.frames_per_second <= 50)
+        self._check("width", 160 <= self.width <= 3840)
+        return self
+
+    def _check(self, name: str, fits: bool) -> None:
+        allowed = {
+            "speed": "a number above 0",
+            "frames_per_second": "1 to 50",
+            "width": "160 to 3840 pixels",
+        }
+        if not fits:
+            raise UsageError(f"{name} must be {allowed[name]}; got {getattr(self, name)}")
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height [pixel]."""
+        return self.width, round(self.width * 9 / 16)
+
+
+def film_rows(time: np.ndarray, options: FilmOptions) -> np.ndarray:
+    """Rows (n,) of the frames, the nearest output time each; raises `UsageError` for too many."""
+    if not len(time):
+        raise UsageError("the run has no output time, so there is nothing to film")
+    span = float(time[-1] - time[0])
+    speed = options.speed or usual_speed(span)
+    count = math.floor(span / speed * options.frames_per_second) + 1
+    if count > MOST_FRAMES:
+        enough = span * options.frames_per_second / (MOST_FRAMES - 1)
+        raise UsageError(
+            f"{count:,} frames at {speed:g} times real time; at most {MOST_FRAMES:,} are made. "
+            f"Use a speed of {enough:.3g} or more, or fewer frames per second"
+        )
+    wanted = time[0] + np.arange(count) * speed / options.frames_per_second
+    after = np.clip(np.searchsorted(time, wanted), 1, max(len(time) - 1, 1))
+    if len(time) == 1:
+        return np.zeros(1, dtype=int)
+    rows = after - (wanted - time[after - 1] <= time[after] - wanted)
+    return np.append(rows, len(time) - 1) if rows[-1] != len(time) - 1 else rows
+
+
+def usual_speed(span: float) -> float:
+    """Seconds of motion in a second of film for a run of ``span`` [s]."""
+    if span <= 0 or REAL_TIME[0] <= span <= REAL_TIME[1]:
+        return 1.0
+    wanted = span / USUAL_LENGTH
+    power = 10.0 ** math.floor(math.log10(wanted))
+    return min((m * power for m in (1.0, 2.0, 5.0, 10.0)), key=lambda m: abs(math.log(m / wanted)))
