@@ -12,6 +12,8 @@ import numpy as np
 
 from viscodesign.results.findings import Classification, EffectAblation, Notice, Scales, Verdict
 from viscodesign.results.trajectory import Accuracy, Cost, Invariants, Trajectory
+from viscodesign.scene.reading.write import resolved_yaml
+from viscodesign.scene.scene import Scene
 
 LENGTH, WIDTH = 0.109, 0.03
 CURVATURE = 10.266 / 1.8e6 / LENGTH
@@ -128,6 +130,13 @@ def with_two_inlets(run: Trajectory, factor: float, **changes: Any) -> Trajector
     fed = run["inlet_pressure"] * (1.0, factor)
     fed_twice = run.with_arrays(inlet_pressure=fed)
     return replace(fed_twice, inlets=("left", "right"), **changes)
+
+
+def of_scene(run: Trajectory, scene: Scene) -> Trajectory:
+    """The run as one of a scene with as many bellows: its spec, and fluid at rest in its tubes."""
+    tubes = tuple(tube.name for tube in scene.graph.tubes)
+    still = run.with_arrays(flow=np.zeros((len(run.time), len(tubes))))
+    return replace(still, tubes=tubes, spec_text=resolved_yaml(scene), period=scene.period)
 
 
 def verdict(name: str, taken: bool, contribution_m: float = 0.0, mode: str = "auto") -> Verdict:

@@ -24,31 +24,41 @@ if TYPE_CHECKING:
     from viscodesign.compiled.function import Batch as Batch
     from viscodesign.compiled.function import CompiledFunction as CompiledFunction
     from viscodesign.compiled.function import compile as compile
+    from viscodesign.errors import SpecError as SpecError
+    from viscodesign.errors import ViscodesignError as ViscodesignError
     from viscodesign.exploration.sensitivity import sensitivity as sensitivity
     from viscodesign.exploration.sweep import sweep as sweep
     from viscodesign.loading import load as load
     from viscodesign.pump.planning.plan import plan as plan
     from viscodesign.pump.planning.result import PumpPlan as PumpPlan
+    from viscodesign.results.accuracy_study import (
+        AccuracyInterruptedError as AccuracyInterruptedError,
+    )
     from viscodesign.results.accuracy_study import AccuracyStudy as AccuracyStudy
     from viscodesign.results.findings import Classification as Classification
     from viscodesign.results.sensitivity_study import SensitivityStudy as SensitivityStudy
     from viscodesign.results.sweep_table import Sweep as Sweep
+    from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
     from viscodesign.results.trajectory import Trajectory as Trajectory
     from viscodesign.scene.scene import Scene as Scene
     from viscodesign.simulation.simulate import simulate as simulate
     from viscodesign.studies.accuracy import accuracy as accuracy
 
 _HOMES = {
+    "AccuracyInterruptedError": ".results.accuracy_study",
     "AccuracyStudy": ".results.accuracy_study",
     "Batch": ".compiled.function",
     "Check": ".checks.check",
     "Classification": ".results.findings",
     "CompiledFunction": ".compiled.function",
     "PumpPlan": ".pump.planning.result",
+    "RunInterruptedError": ".results.trajectory",
     "Scene": ".scene.scene",
     "SensitivityStudy": ".results.sensitivity_study",
+    "SpecError": ".errors",
     "Sweep": ".results.sweep_table",
     "Trajectory": ".results.trajectory",
+    "ViscodesignError": ".errors",
     "accuracy": ".studies.accuracy",
     "check": ".checks.check",
     "classify": ".checks.classify",

@@ -20,10 +20,15 @@ class Check:
     """Verdicts, warnings and facts of a scene."""
 
     name: str
+    """That of the scene."""
     classification: Classification
+    """Timescales and quadrant."""
     effects: tuple[Verdict, ...]
+    """The decision on every effect."""
     warnings: tuple[Notice, ...]
+    """What the user should know."""
     facts: tuple[str, ...]
+    """The network in words."""
 
     def document(self) -> dict[str, Any]:
         """The check as one JSON-ready object, under the names of a run's summary."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -77,7 +78,7 @@ def command(
         complain(remark)
     prepare_folder(folder, force=force)
     with progress(quiet, first="measuring") as advance:
-        study = accuracy(scene, limit=limit_s, progress=advance)
+        study = _kept(lambda: accuracy(scene, limit=limit_s, progress=advance))
     files = write_study(
         study,
         folder,
@@ -107,6 +108,16 @@ def _time(option: str, text: str) -> float:
     if value <= 0.0:
         raise UsageError(f"{option}: must be above zero, such as '20 ms'; got '{text}'")
     return value
+
+
+def _kept(measure: Callable[[], AccuracyStudy]) -> AccuracyStudy:
+    """A study, or as much of it as there was before an interrupt."""
+    from viscodesign.results.accuracy_study import AccuracyInterruptedError
+
+    try:
+        return measure()
+    except AccuracyInterruptedError as stopped:
+        return stopped.study
 
 
 def _end(study: AccuracyStudy, folder: Path) -> None:

@@ -60,12 +60,13 @@ def command(
     from viscodesign.report.film.film_plan import FilmOptions
     from viscodesign.report.folder import PAGE
     from viscodesign.report.page.page import write_page
-    from viscodesign.report.page.saved_run import saved_run
+    from viscodesign.report.page.shown_run import ShownRun
+    from viscodesign.report.read_run import read_run
 
     options = FilmOptions(speed, frames_per_second, width, transparent, not no_pressures)
     if film is not None:
         options.checked(film)
-    shown, folder = saved_run(run), output if output is not None else run
+    shown, folder = ShownRun.of(read_run(run)), output if output is not None else run
     files = [write_page(shown, folder / PAGE)]
     if film is not None:
         files.append(write_film(shown, film, options))

@@ -6,16 +6,71 @@ import html
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
+
+from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.reading.write import plain_part
 from viscodesign.scene.scene import Scene
 
 MOST_SHOWN = 200
 """Characters of a value: a table of measured rows is not listed."""
+MOST_POINTS = 400
+"""Points of a path that is drawn."""
+SIDE = 180
+"""Longer side of the picture [px]."""
 
 
 def scene_html(scene: Scene) -> str:
     """The resolved spec, a row for each key."""
     return _table(repr(scene), _rows(plain_part(scene)))
+
+
+def trajectory_html(trajectory: Trajectory) -> str:
+    """What came out, and the path of the tip."""
+    table = _table(repr(trajectory), _outcome(trajectory))
+    return f"<div>{table}{tip_svg(trajectory)}</div>"
+
+
+def tip_svg(trajectory: Trajectory) -> str:
+    """The path of the tip, z downwards as the actuator hangs; its start is a ring.
+
+    Drawn in the colour of the text around it, so that it is seen on a light and a dark page.
+    """
+    points = trajectory.tip[:: max(1, len(trajectory.tip) // MOST_POINTS), :2]
+    if not len(points):
+        return ""
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent = max(float(np.max(high - low)), 1e-9 * trajectory.length)
+    placed = (points - low) / extent * SIDE + 8.0
+    width, height = (high - low) / extent * SIDE + 16.0
+    path = " ".join(f"{x:.1f},{z:.1f}" for x, z in placed)
+    x, z = placed[0]
+    return (
+        f'<svg width="{width:.0f}" height="{height:.0f}" role="img" fill="none" '
+        'stroke="currentColor">'
+        f"<title>path of the tip, {1e3 * extent:.3g} mm along its longer side</title>"
+        f'<polyline points="{path}"/><circle cx="{x:.1f}" cy="{z:.1f}" r="4"/></svg>'
+    )
+
+
+def _outcome(trajectory: Trajectory) -> Iterable[tuple[str, str]]:
+    accuracy, metrics = trajectory.accuracy, trajectory.metrics
+    yield "status", trajectory.failure or trajectory.status
+    yield "quadrant", f"{trajectory.classification.quadrant}: {trajectory.classification.meaning}"
+    for axis in "xz":
+        low, high = (1e3 * metrics[f"tip_{axis}_{end}_m"] for end in ("min", "max"))
+        yield f"tip {axis}", f"{low:.1f} to {high:.1f} mm"
+    error = accuracy.estimated_tip_error_m
+    stated = accuracy.method if error is None else f"{1e3 * error:.3g} mm"
+    yield "tip error", f"{stated} (requested {1e3 * accuracy.requested_m:.3g} mm)"
+    if trajectory.violations:
+        codes = dict.fromkeys(notice.code for notice in trajectory.violations)
+        yield "validity", f"outside of the model: {', '.join(codes)}"
+    for decision in ("included", "neglected"):
+        names = [v.name for v in trajectory.effects if v.decision == decision]
+        yield decision, ", ".join(names) or "none"
+    for notice in trajectory.warnings:
+        yield f"warning: {notice.code}", notice.message
 
 
 def _rows(keys: dict[str, Any], above: str = "") -> Iterable[tuple[str, str]]:

@@ -22,6 +22,7 @@ class Model:
     """`auto`: the effects that the spec selects; `everything`: all that it allows;
     I to IV: the form of a quadrant, on top of `auto`."""
     effects: tuple[str, ...]
+    """Names of the effects it includes."""
     also: tuple[str, ...] = ()
     """Other names of the same set of effects."""
     is_distributed: bool = False
@@ -46,10 +47,13 @@ class Point:
     """One setting, what it costs, and how wrong its tip is."""
 
     model: str
+    """Name of its model."""
     edges: int
     """Per section."""
     tolerance: float
+    """Of the time steps, relative."""
     solver: str
+    """Name of the integrator."""
     solve_s: float
     """Wall time of solving, the shortest of several where it is short [s]."""
     build_s: float
@@ -84,11 +88,15 @@ class Reference:
     """The solution that errors are measured against."""
 
     effects: tuple[str, ...]
+    """Names of the effects it includes."""
     edges: int
     """Per section."""
     tolerance: float
+    """Of the time steps, relative."""
     solver: str
+    """Name of the integrator."""
     solve_s: float
+    """Wall time [s]."""
     convergence_m: float
     """Largest distance of its tip from that of the next coarser solution [m]."""
     convergence_rel: float

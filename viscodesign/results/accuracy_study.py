@@ -31,25 +31,33 @@ class AccuracyStudy:
     """What accuracy costs in solve time, for one scene."""
 
     name: str
+    """Of the scene."""
     version: str
+    """Of this program."""
     spec_sha256: str
+    """Of the spec's file as it was read, without overrides."""
     status: Literal["complete", "interrupted"]
+    """Whether all was measured that the time allowed."""
     length: float
     """Actuator length [m]."""
     requested_rel: float
     """Requested tip error, in actuator lengths."""
     models: tuple[Model, ...]
+    """Sets of effects that were measured."""
     taken: tuple[str, ...]
     """Effects that the spec selects."""
     reference: Reference | None
     """None if the study was interrupted before it was solved."""
     points: tuple[Point, ...]
+    """Every setting that was measured, with its error [m] and its time [s]."""
     start: Point | None
     """The initial setting of `simulate`, measured."""
     notes: tuple[str, ...]
     """What was not measured, and why."""
     limit_s: float
+    """Wall time that the study was allowed [s]."""
     spent_s: float
+    """Wall time that it took [s]."""
     resolved_sha256: str = ""
     """SHA-256 of the resolved spec, with all overrides."""
 
@@ -85,6 +93,12 @@ class AccuracyStudy:
     def model(self, point: Point) -> Model:
         """The model of a point."""
         return next(model for model in self.models if model.name == point.model)
+
+    def __repr__(self) -> str:
+        return (
+            f"<AccuracyStudy {self.name}: {self.status}, {len(self.points)} points of "
+            f"{len(self.models)} models in {self.spent_s:.3g} s>"
+        )
 
     def words(self, point: Point) -> str:
         """All of a setting in words."""
@@ -150,6 +164,14 @@ class AccuracyStudy:
             "most_accurate": _point_document(self.most_accurate(budget_s)),
             "cheapest": _point_document(min(self.points, key=lambda p: p.solve_s, default=None)),
         }
+
+
+class AccuracyInterruptedError(KeyboardInterrupt):
+    """Ctrl-C ended a study; ``study`` is what was measured, with the status "interrupted"."""
+
+    def __init__(self, study: AccuracyStudy) -> None:
+        self.study = study
+        super().__init__(f"interrupted with {len(study.points)} points measured")
 
 
 def _reference_document(found: Reference) -> dict[str, Any]:

@@ -51,11 +51,17 @@ class Verdict:
     """Whether a run includes an effect, and why."""
 
     name: str
+    """Of the effect."""
     mode: Literal["auto", "on", "off"]
+    """As the spec has it."""
     taken: bool
+    """Whether the run includes it."""
     weight: float
+    """How much it matters by its formula; dimensionless, as a rule a ratio."""
     formula: str
+    """That of the weight."""
     reason: str
+    """Why it is included or neglected, in words."""
     contribution_m: float = 0.0
     """Estimated displacement of the tip when only this effect is switched [m]."""
     budget_share: float = 0.0
@@ -76,6 +82,7 @@ class EffectAblation:
     """Tip displacement by switching one effect, measured by a second solution."""
 
     name: str
+    """Of the effect."""
     taken: bool
     """Whether the run includes the effect; the second solution has it switched."""
     estimated_m: float
@@ -98,9 +105,13 @@ class Notice:
     """A warning to the user."""
 
     code: str
+    """One word for programs, such as cavitation."""
     message: str
+    """One sentence for people."""
     where: str = ""
+    """The bellow, tube, section or inlet; empty for the whole."""
     time_s: float | None = None
+    """When it was first so [s]; None if always."""
 
 
 @dataclass(frozen=True)
@@ -108,11 +119,17 @@ class Classification:
     """Timescales, ratios and quadrant of one scene, with what they mean."""
 
     name: str
+    """Of the scene."""
     scales: Scales
+    """Its four times [s]."""
     quadrant: Literal["I", "II", "III", "IV"]
+    """Of the plane of t_s/t_f and t_s/t_i."""
     meaning: str
+    """What that means for the motion, in words."""
     cutoff_frequency_hz: float
+    """Frequency above which the network does not follow its inlet [Hz]."""
     warnings: tuple[Notice, ...] = ()
+    """What its assumptions do not cover."""
 
 
 @dataclass(frozen=True)
@@ -124,6 +141,7 @@ class RetryAttempt:
     tried: str
     """What was changed."""
     solved: bool
+    """Whether it helped."""
     reason: str
     """Why the solver had stopped."""
 

@@ -8,7 +8,24 @@ from typing import Self
 
 import numpy as np
 
+from viscodesign.errors import ViscodesignError, did_you_mean
 from viscodesign.lazy_dataclass import dataclass
+
+
+class AbsentQuantityError(ViscodesignError, KeyError):
+    """A quantity that a motion has no array of."""
+
+    exit_code = 2
+
+    def __init__(self, quantity: str, known: list[str]) -> None:
+        super().__init__(
+            f"this run has no '{quantity}'{did_you_mean(quantity, known)} It has "
+            f"{', '.join(known)}. One that was read from its folder has what its files have; "
+            "simulate its spec again for the others"
+        )
+
+    def __str__(self) -> str:
+        return str(self.args[0])  # that of a KeyError would be in quotes
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,7 +43,10 @@ class MotionArrays:
     """Rows from one shape to the next."""
 
     def __getitem__(self, quantity: str) -> np.ndarray:
-        return self.arrays[quantity]
+        try:
+            return self.arrays[quantity]
+        except KeyError:
+            raise AbsentQuantityError(quantity, list(self.arrays)) from None
 
     def with_arrays(self, **arrays: np.ndarray) -> Self:
         """The same with some quantities replaced or added."""

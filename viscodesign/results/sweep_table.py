@@ -97,6 +97,11 @@ class Sweep:
     """Rows that this call computed; others were there from before."""
     workers: int = 1
 
+    def __repr__(self) -> str:
+        keys = ", ".join(column.key for column in self.columns)
+        there = f"{len(self.results)} of {len(self.designs)} designs"
+        return f"<Sweep {self.name}: {self.status}, {there} over {keys}>"
+
     @property
     def models(self) -> list[frozenset[str]]:
         """Sets of effects that rows were solved with, the most frequent first."""

@@ -10,7 +10,7 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import asdict, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
@@ -39,7 +39,21 @@ from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.storage.cached_property import cached_property
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import pandas as pd
+    import xarray
+    from matplotlib.axes import Axes
+
+    class RunPlots(Protocol):
+        """Pictures of a run, as `report.plots` draws them."""
+
+        def tip(self) -> Axes: ...
+
+        def pressures(self) -> tuple[Axes, Axes]: ...
+
+        def shapes(self) -> Axes: ...
+
 
 Status = Literal["complete", "failed", "interrupted"]
 
@@ -49,9 +63,11 @@ class Accuracy:
     """Requested and estimated error of the tip, over all output times [m]."""
 
     requested_m: float
+    """As the spec asks, times the actuator length [m]."""
     estimated_tip_error_m: float | None
     """Sum of the parts below; None where the run was not verified."""
     method: str
+    """How it was estimated, in words."""
     time_m: float | None = None
     """Part of the time steps."""
     space_m: float | None = None
@@ -81,8 +97,11 @@ class Cost:
     write_s: float = 0.0
     """Writing tables and pictures."""
     steps: int = 0
+    """Time steps of the kept solution."""
     residual_calls: int = 0
+    """Evaluations of its equations."""
     jacobian_calls: int = 0
+    """Evaluations of their derivatives."""
 
     @property
     def total_s(self) -> float:
@@ -100,7 +119,9 @@ class Invariants:
     """Balances that must hold in every run, as relative errors."""
 
     volume_imbalance_rel: float | None = None
+    """Fluid that flowed in against fluid stored, relative to what moved."""
     energy_imbalance_rel: float | None = None
+    """Work done against energy stored and dissipated, relative to what was exchanged."""
     coupling_work_j: float | None = None
     """Work created by coefficients that are not reciprocal (None without feedback)."""
 
@@ -114,26 +135,39 @@ class Trajectory(MotionArrays):
     """
 
     name: str
+    """That of the scene."""
     status: Status
+    """Whether it is complete, failed or was interrupted; arrays end where it ended."""
     inlets: tuple[str, ...]
+    """Names of the U inlets."""
     bellows: tuple[str, ...]
     """R1..RS, then L1..LS."""
     tubes: tuple[str, ...]
+    """Names of the Q tubes by their ends, such as R1-R2."""
     junctions: tuple[str, ...] = ()
+    """Names of the J nodes that are neither inlets nor bellows."""
     length: float
     """Actuator length [m]."""
     width: float
     """Actuator size along x (the YAML's `height`) [m], for drawing."""
     classification: Classification
+    """Timescales and quadrant."""
     effects: tuple[Verdict, ...]
+    """The decision on every effect."""
     accuracy: Accuracy
+    """Requested and estimated error of the tip [m]."""
     cost: Cost
+    """Wall times [s] and counts."""
     invariants: Invariants
+    """Balances that must hold."""
     warnings: tuple[Notice, ...]
+    """What the user should know, with place and time."""
     spec_text: str
     """The spec as resolved, YAML, runnable again."""
     spec_sha256: str
+    """Of the spec's file as it was read, without overrides."""
     version: str
+    """Of this program."""
     ambient_pressure: float = 101325.0
     """Absolute [Pa]."""
     period: float | None = None
@@ -204,6 +238,67 @@ class Trajectory(MotionArrays):
             Per.JUNCTION: self.junctions,
             Per.SECTION: tuple(str(k + 1) for k in range(self.sections)),
         }[per]
+
+    def save(
+        self,
+        directory: str | Path,
+        *,
+        plots: bool = True,
+        report: bool = True,
+        force: bool = False,
+        picture_format: Literal["png", "pdf", "svg"] = "png",
+    ) -> list[Path]:
+        """Write the run's files to a folder, as `viscodesign simulate` does; returns them.
+
+        ``plots``, ``report``: whether pictures and the page are written. Raises `UsageError` where
+        the folder cannot be written, or (without ``force``) holds files that are not of a run.
+        """
+        options = {"force": force, "picture_format": picture_format}
+        files: list[Path] = module_above("report.run_folder").write_run(
+            self, directory, plots=plots, report=report, **options
+        )
+        return files
+
+    @staticmethod
+    def read(directory: str | Path) -> Trajectory:
+        """The run in a folder, to the last digit of its tables.
+
+        Quantities that no table has, such as ``volume``, are absent from ``arrays``. Raises
+        `UsageError` where the folder holds no complete run.
+        """
+        found: Trajectory = module_above("report.read_run").read_run(directory)
+        return found
+
+    @property
+    def plot(self) -> RunPlots:
+        """Pictures to look at: ``plot.tip()``, ``plot.pressures()``, ``plot.shapes()``.
+
+        Each draws a new figure of pyplot and returns its axes.
+        """
+        plots: RunPlots = module_above("report.plots").TrajectoryPlots(self)
+        return plots
+
+    def to_xarray(self) -> xarray.Dataset:
+        """All arrays with named dimensions, coordinates and units (needs the package xarray).
+
+        Dimensions: time, inlet, bellow, tube, junction, section, arc, shape_time.
+        """
+        dataset: xarray.Dataset = module_above("report.dataset").dataset(self)
+        return dataset
+
+    def __repr__(self) -> str:
+        error, requested = self.accuracy.estimated_tip_error_m, self.accuracy.requested_m
+        stated = "not estimated" if error is None else f"{1e3 * error:.3g} mm"
+        times = f"{len(self.time)} times to {self.time[-1]:g} s" if len(self.time) else "no times"
+        return (
+            f"<Trajectory {self.name}: {self.status}, {times}, {len(self.bellows)} bellows, "
+            f"tip error {stated} (requested {1e3 * requested:.3g} mm)>"
+        )
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: a table, and the path of the tip."""
+        shown: str = module_above("report.notebook").trajectory_html(self)
+        return shown
 
     def summary(self) -> dict[str, Any]:
         """The run without its arrays, ready for JSON (numbers that are not finite as None).

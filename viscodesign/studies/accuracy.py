@@ -12,7 +12,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.model.rod import MINIMUM_EDGES
 from viscodesign.results.accuracy_points import Model, Point, with_dominated
-from viscodesign.results.accuracy_study import AccuracyStudy
+from viscodesign.results.accuracy_study import AccuracyInterruptedError, AccuracyStudy
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import suggest_settings
@@ -31,17 +31,20 @@ def accuracy(
     """Measure what accuracy costs in time.
 
     ``limit``: wall time of the whole study [s]. ``progress`` is called with the fraction of it
-    that has passed. An interrupt raises nothing: the study is returned as far as it got, with
-    status "interrupted". Raises `SpecError` for a scene without a bounded solution,
+    that has passed. Ctrl-C raises `AccuracyInterruptedError`, a `KeyboardInterrupt` that holds
+    the study as far as it got. Raises `SpecError` for a scene without a bounded solution,
     `SolveError` if it cannot be solved with all its effects, or not within the limit.
     """
     quantities = SceneQuantities(scene)
-    with gentle_interrupt() as interrupt:
+    with gentle_interrupt(second_raises=True) as interrupt:
         refuse_beyond_numbers(quantities)
         selection = select_effects(quantities)
         refuse_unsolvable(quantities, selection.active)
         runs = TimedRuns(quantities, selection, limit, interrupt, progress)
-        return _study(runs)
+        study = _study(runs)
+    if interrupt.asked or study.status == "interrupted":
+        raise AccuracyInterruptedError(replace(study, status="interrupted"))
+    return study
 
 
 def _study(runs: TimedRuns) -> AccuracyStudy:

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign import AccuracyStudy, accuracy
+from viscodesign import AccuracyInterruptedError, AccuracyStudy, accuracy
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -173,7 +173,9 @@ def test_an_interrupt_keeps_the_points(monkeypatch: pytest.MonkeyPatch) -> None:
         return replace(run, solution=replace(run.solution, interrupted=len(calls) == 20))
 
     monkeypatch.setattr(timed_runs_module, "solve", interrupted)
-    study = accuracy(leg(*SMALL, FLOW), limit=60.0)
+    with pytest.raises(AccuracyInterruptedError) as caught:
+        accuracy(leg(*SMALL, FLOW), limit=60.0)
+    study = caught.value.study
     assert study.status == "interrupted"
     assert study.reference is not None
     assert 0 < len(study.points) < len(studied(FLOW).points)
@@ -200,7 +202,10 @@ def test_an_interrupt_during_a_short_solve_ends_the_study(monkeypatch: pytest.Mo
 
     monkeypatch.setattr(timed_runs_module, "solve", disturbed)
     before = signal.getsignal(signal.SIGINT)
-    study = accuracy(leg(*SMALL, FLOW), limit=60.0)
+    with pytest.raises(KeyboardInterrupt) as caught:
+        accuracy(leg(*SMALL, FLOW), limit=60.0)
+    assert isinstance(caught.value, AccuracyInterruptedError)
+    study = caught.value.study
     assert study.status == "interrupted"
     assert study.reference is None
     assert study.points == ()

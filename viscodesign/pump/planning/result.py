@@ -91,6 +91,10 @@ class PumpPlan:
     resolved_sha256: str = ""
     """SHA-256 of the resolved spec, with all overrides."""
 
+    def __repr__(self) -> str:
+        verdict = "feasible" if self.is_feasible else "infeasible"
+        return f"<PumpPlan {self.name}: {self.status}, {verdict}, {self.wanted.time[-1]:g} s>"
+
     @property
     def infeasible(self) -> tuple[PumpVerdict, ...]:
         """The verdicts that forbid it."""

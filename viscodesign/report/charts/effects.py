@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.colors import to_hex
@@ -19,6 +18,7 @@ from viscodesign.report.layout.style import (
     GREY,
     INK,
     SEQUENTIAL,
+    Target,
     axes_at,
     head,
     head_room,
@@ -68,7 +68,7 @@ class EffectRow:
         return known or 0.0, self.estimated or 0.0
 
 
-def draw_effects(trajectory: Trajectory, path: Path) -> None:
+def draw_effects(trajectory: Trajectory, path: Target) -> None:
     """One row per effect, the largest displacement on top; the requested error as a line."""
     rows = effect_rows(trajectory)
     budget = 1e3 * trajectory.accuracy.requested_m

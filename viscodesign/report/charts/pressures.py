@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +16,7 @@ from viscodesign.report.layout.style import (
     INLET_COLOURS,
     SEQUENTIAL,
     TIME_DIGITS,
+    Target,
     axes_at,
     head,
     head_room,
@@ -42,7 +42,7 @@ MOST_DISCRETE_SECTIONS = 16
 """Up to this number of sections, each has its own field in the colour bar."""
 
 
-def draw_pressures(trajectory: Trajectory, path: Path) -> None:
+def draw_pressures(trajectory: Trajectory, path: Target) -> None:
     """Two panels, left and right column, kPa gauge; colour is the section."""
     rows = -(-len(trajectory.inlet_pressure) // len(DASHES))
     above = PANEL_TITLE + LEGEND_ROW * rows + head_room(trajectory, WIDTH)

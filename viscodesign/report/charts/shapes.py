@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +15,7 @@ from viscodesign.report.layout.bellow_blocks import bellow_blocks
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes, spread_instants
 from viscodesign.report.layout.strip import Frame, Strip, arrange
-from viscodesign.report.layout.style import INK, axes_at, head, head_room, picture
+from viscodesign.report.layout.style import INK, Target, axes_at, head, head_room, picture
 from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
 
@@ -46,7 +45,7 @@ class Snapshots:
     """Half width and height."""
 
 
-def draw_shapes(trajectory: Trajectory, path: Path) -> None:
+def draw_shapes(trajectory: Trajectory, path: Target) -> None:
     """Up to eight instants at one scale, time above each, a scale bar and a colour bar."""
     snapshots = _snapshots(trajectory)
     strip = arrange(_frames(snapshots), 1e3 * trajectory.length, WIDTH - 2 * SIDE)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +15,7 @@ from viscodesign.report.layout.style import (
     INK,
     SEQUENTIAL,
     TIME_DIGITS,
+    Target,
     axes_at,
     head,
     head_room,
@@ -41,7 +41,7 @@ ZOOM_RANGE = (1e-3, 0.12)
 """A path whose extent is in this range, in actuator lengths, is also drawn enlarged."""
 
 
-def draw_tip(trajectory: Trajectory, path: Path) -> None:
+def draw_tip(trajectory: Trajectory, path: Target) -> None:
     """Equal axes in mm, the clamp at the top, z downwards as the actuator hangs."""
     instants = spread_instants(trajectory, MOST_INSTANTS)
     bodies = outline(trajectory.shape[instants], trajectory.width) * 1e3

@@ -67,6 +67,23 @@ BANNER_LINE = 0.17
 BANNER_LINES = 3
 
 
+class Screen:
+    """Where a picture goes that is to be looked at: a figure of pyplot, which stays."""
+
+    axes: list[Axes]
+    """Of the figure, in the order in which they were made."""
+
+    def figure(self, width: float, height: float) -> Figure:
+        """A new figure of this size [inch], with a colour behind it that the text is made for."""
+        from matplotlib import pyplot
+
+        return pyplot.figure(figsize=(width, height), facecolor="white")
+
+
+Target = Path | Screen
+"""A file, or a figure to look at."""
+
+
 @contextlib.contextmanager
 def own_style() -> Iterator[None]:
     """This style, whatever the settings of the user's are, such as a dark theme."""
@@ -78,12 +95,17 @@ def own_style() -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def picture(path: Path, width: float, height: float) -> Iterator[Figure]:
+def picture(path: Target, width: float, height: float) -> Iterator[Figure]:
     """A figure in inches, written completely to ``path`` at the end; leaves no global state.
 
     The suffix of ``path`` determines the format (png, pdf, svg; png without one).
     """
     with own_style():
+        if isinstance(path, Screen):
+            shown = path.figure(width, height)
+            yield shown
+            path.axes = shown.axes
+            return
         made = Figure(figsize=(width, height))
         canvas = FigureCanvasAgg(made)
         yield made

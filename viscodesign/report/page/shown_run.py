@@ -44,7 +44,7 @@ class ShownRun:
 
     @classmethod
     def of(cls, trajectory: Trajectory) -> ShownRun:
-        """A run that has just been computed."""
+        """A run that has just been computed, or read from its folder."""
         return cls(
             summary=trajectory.summary(),
             spec_text=trajectory.spec_text,

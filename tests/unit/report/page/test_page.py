@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 from tests.scenes import CONFIGS
-from tests.trajectories import made_run, with_two_inlets
+from tests.trajectories import made_run, of_scene, with_two_inlets
 from viscodesign import load, simulate
 from viscodesign.cli.main import main
 from viscodesign.errors import UsageError
 from viscodesign.report.page.page import page_bytes
 from viscodesign.report.page.page_data import page_data
-from viscodesign.report.page.saved_run import saved_run
 from viscodesign.report.page.shown_run import ShownRun
+from viscodesign.report.read_run import read_run
 from viscodesign.report.run_folder import write_run
 
 
@@ -99,10 +99,10 @@ def _without(page: bytes, keys: tuple[bytes, ...]) -> dict[str, Any]:
 
 
 def test_several_inlets_are_read_back_by_name(tmp_path: Path) -> None:
-    text = (CONFIGS / "antagonistic_two_inlets.yaml").read_text()
-    run = with_two_inlets(made_run(), -0.5, spec_text=text)
+    scene = load(CONFIGS / "antagonistic_two_inlets.yaml")
+    run = of_scene(with_two_inlets(made_run(), -0.5), scene)
     write_run(run, tmp_path, plots=False, report=False)
-    found = saved_run(tmp_path)
+    found = ShownRun.of(read_run(tmp_path))
     assert found.inlets == ("left", "right")
     np.testing.assert_array_equal(found.inlet_pressure, run["inlet_pressure"])
     np.testing.assert_array_equal(found.pressure, run.pressure)
@@ -119,7 +119,7 @@ def test_several_inlets_are_read_back_by_name(tmp_path: Path) -> None:
         ("trajectory.csv", "time_s,tip_x_m\n1.0\n", "is not a whole table"),
         ("trajectory.csv", "time_s,tip_x_m\n1.0,2.0\n", "do not fit together"),
         ("shape.csv", "time_s,arc_m,x_m,z_m\n0.0,0.0,0.0,oops\n", "is not a whole table"),
-        ("spec.yaml", "name: x\n", "holds no run that can be shown"),
+        ("spec.yaml", "name: x\n", "was changed after the run"),
     ],
 )
 def test_a_folder_that_holds_no_run_is_refused(
@@ -132,7 +132,7 @@ def test_a_folder_that_holds_no_run_is_refused(
     else:
         (tmp_path / name).write_text(content)
     with pytest.raises(UsageError, match=told):
-        saved_run(tmp_path)
+        read_run(tmp_path)
     assert main(["report", str(tmp_path), "-q"]) == 2
     assert not (tmp_path / "report.html").exists()
 
