@@ -69,6 +69,12 @@ def command(
         str | None,
         typer.Option("--cluster", metavar="ADDRESS", help="Use an existing Dask cluster."),
     ] = None,
+    verify: Annotated[
+        int,
+        typer.Option(
+            "--verify", metavar="N", min=0, help="Rows to simulate again with their error stated."
+        ),
+    ] = 2,
     metric: Annotated[
         str, typer.Option("--metric", metavar="NAME", help="What the picture shows.")
     ] = DEFAULT_METRIC,
@@ -82,10 +88,10 @@ def command(
 ) -> None:
     """Solve many designs of a spec and write one table.
 
-    Every combination of the keys' values, or a sample, is solved at the spec's accuracy, none
-    verified. Writes sweep.csv, sweep.json and sweep.png. A design that fails is named and the
-    others go on. The same command continues what was interrupted or killed; --force replaces
-    another sweep in the folder.
+    Every combination of the keys' values, or a sample, is solved at the spec's accuracy; the
+    rows with the largest and the smallest loop are verified. Writes sweep.csv, sweep.json and
+    sweep.png. A design that fails is named and the others go on. The same command continues
+    what was interrupted or killed; --force replaces another sweep in the folder.
     """
     from viscodesign import sweep as solve
     from viscodesign.cli.output import complain, json_text, say
@@ -108,6 +114,7 @@ def command(
             seed=seed,
             workers=workers,
             cluster=cluster,
+            verify=verify,
             folder=folder,
             force=force,
             progress=advance,

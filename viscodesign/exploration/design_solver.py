@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.compiled.function import CompiledFunction
 from viscodesign.errors import SpecError, ViscodesignError
 from viscodesign.exploration.all_effects import compiled_metrics
 from viscodesign.exploration.designs import Design
@@ -17,6 +18,7 @@ from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.sweep_table import COMPLETE, DesignResult
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.simulate import simulate
+from viscodesign.storage.cached_property import cached_property
 
 COMPILED_FROM = 24
 """Designs of the same equations from which a compiled function is made: that takes about as long
@@ -62,8 +64,7 @@ class DesignSolver:
     def prepare(self) -> None:
         """Make the function that solves all designs, where there is but one."""
         for settings in self._counts if len(self._counts) == 1 else ():
-            if self.is_compiled(settings):
-                self._solver(settings)
+            self._solver(settings).prepare()
 
     def solve(self, rows: Sequence[Row], within_s: float = math.inf) -> list[DesignResult]:
         """Results of rows in order, the first at least, and as many as begin within a time [s]."""
@@ -82,6 +83,10 @@ class DesignSolver:
             return DesignResult.failed(number, str(error))
         except Exception as error:  # one design must not end the others
             return DesignResult.failed(number, f"internal error: {type(error).__name__}: {error}")
+
+    def scene_of(self, design: Design) -> Scene:
+        """The scene of a design, checked. Raises `SpecError` where it is none."""
+        return self._solver(self.settings_of(design)).scene_of(numbers_of(self.keys, design))
 
     def _solver(self, settings: Settings) -> NumberSolver:
         if settings not in self._solvers:
@@ -109,16 +114,23 @@ class NumberSolver:
     """Metrics of one scene with other numbers; ``compiled`` where that is possible."""
 
     def __init__(self, scene: Scene, free: Sequence[str], *, compiled: bool) -> None:
-        self._scene = scene
+        self._scene, self._is_compiled = scene, compiled
         self._keys = FreeKeys(scene, free) if free else None
-        self._function = None
-        if self._keys is not None and compiled:
-            self._function = compiled_metrics(self._keys)
+
+    @cached_property
+    def _function(self) -> CompiledFunction | None:
+        if self._keys is None or not self._is_compiled:
+            return None
+        return compiled_metrics(self._keys)
+
+    def prepare(self) -> None:
+        """Make the compiled function."""
+        _ = self._function
 
     def result(self, number: int, values: Sequence[float]) -> DesignResult:
         """The result of a design. Raises `SpecError` for values that are out of range."""
         if self._keys is None:
-            return simulated(number, self._scene)
+            return simulated(number, self.scene_of(values))
         faults = [n.fault(v) for n, v in zip(self._keys.numbers, values, strict=True)]
         if found := [fault for fault in faults if fault is not None]:
             raise SpecError(found)
@@ -128,7 +140,11 @@ class NumberSolver:
                 metrics = [float(solved[name][0]) for name in METRIC_NAMES]
                 return DesignResult(number, COMPLETE, self._function.effects, metrics)
         # It goes further where a compiled function gives up.
-        return simulated(number, self._keys.validated(values))
+        return simulated(number, self.scene_of(values))
+
+    def scene_of(self, values: Sequence[float]) -> Scene:
+        """The scene with these numbers, checked."""
+        return self._scene if self._keys is None else self._keys.validated(values)
 
 
 def simulated(number: int, scene: Scene) -> DesignResult:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import math
 import time as clock
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -11,29 +10,31 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from viscodesign._version import __version__
-from viscodesign.checks.plausibility import plausibility_notices
-from viscodesign.errors import SpecError, UsageError
+from viscodesign.errors import UsageError
 from viscodesign.exploration import journal
 from viscodesign.exploration.design_solver import DesignSolver, Row
-from viscodesign.exploration.designs import Design, grid, latin_hypercube
-from viscodesign.exploration.key_values import choices_of
 from viscodesign.exploration.parallel_rows import (
     Chunk,
     available_cores,
     compute_alone,
     compute_in_processes,
 )
-from viscodesign.exploration.swept_keys import SweptKey, changed, swept_keys
+from viscodesign.exploration.sweep_plan import SweepPlan
+from viscodesign.exploration.verified_rows import verified_rows
 from viscodesign.interrupt import StopRequest, gentle_interrupt
-from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.folder import prepare_folder
-from viscodesign.results.findings import Notice
-from viscodesign.results.sweep_table import DesignResult, Sweep, SweepStatus, SweptColumn
+from viscodesign.results.sweep_table import (
+    DesignResult,
+    Sweep,
+    SweepStatus,
+    VerifiedRow,
+)
 from viscodesign.scene.scene import Scene
 
 COMPILED_CHUNK, SIMULATED_CHUNK = 100, 8
 """Rows that a process takes at once."""
+VERIFIED_ROWS = 2
+"""Rows that are simulated again by default."""
 FEW_COMPILED, FEW_SIMULATED = 200, 8
 """Rows below which other processes would take longer to start than they save."""
 
@@ -48,6 +49,7 @@ def sweep(
     seed: int = 0,
     workers: int | None = None,
     cluster: str | None = None,
+    verify: int = VERIFIED_ROWS,
     folder: str | Path | None = None,
     force: bool = False,
     progress: Progress | None = None,
@@ -60,9 +62,12 @@ def sweep(
     stand for one number each.
 
     Numbers of the equations are solved by a compiled function, settings that make other equations
-    by `simulate`; both at the scene's accuracy, not verified. A compiled function has all effects
+    by `simulate`; both at the scene's accuracy. A compiled function has all effects
     that the spec allows, `simulate` those that a design calls for. A design that fails is named in
     the table, and the others go on.
+
+    ``verify``: so many rows, those with the largest and smallest loops first, are simulated again
+    at the end, with their error stated and their validity judged.
 
     ``workers``: processes, by default one a core where there is enough to do; ``cluster``: address
     of a Dask scheduler instead. With a ``folder`` every row is kept there at once, and the same
@@ -76,6 +81,8 @@ def sweep(
     plan = SweepPlan.of(scene, over, sample, seed)
     if workers is not None and workers < 1:
         raise UsageError(f"workers: must be at least 1; got {workers}")
+    if verify < 0:
+        raise UsageError(f"verify: must be a number of rows, 0 for none; got {verify}")
     kept: contextlib.AbstractContextManager[journal.Journal | None] = contextlib.nullcontext()
     if folder is not None:
         place = prepare_folder(folder, force=force)
@@ -83,98 +90,16 @@ def sweep(
     with gentle_interrupt(second_raises=True) as stop, kept as own:
         run = SweepRun(plan, {} if own is None else own.found, own, progress)
         run.compute(workers, cluster, stop)
+        verified = () if stop.asked else run.verified(verify, stop)
     return replace(
         plan.table(),
         status=run.status(stop),
         results=run.results,
+        verified=verified,
         wall_s=clock.perf_counter() - began,
         computed=run.computed,
         workers=run.workers,
     )
-
-
-@dataclass(frozen=True)
-class SweepPlan:
-    """What a sweep is to compute."""
-
-    scene: Scene
-    keys: tuple[SweptKey, ...]
-    designs: tuple[Design, ...]
-    sample: int | None
-    seed: int | None
-
-    @classmethod
-    def of(
-        cls,
-        scene: Scene,
-        over: Mapping[str, Any] | Sequence[str] | str,
-        sample: int | None,
-        seed: int,
-    ) -> SweepPlan:
-        """From what each key takes."""
-        if not isinstance(scene, Scene):
-            raise SpecError.plain(f"scene: needs a scene, such as load({scene!r}); got {scene!r}")
-        keys = swept_keys(scene, choices_of(over))
-        if sample is None:
-            return cls(scene, tuple(keys), tuple(grid(keys)), None, None)
-        designs = latin_hypercube(keys, sample, seed)
-        return cls(scene, tuple(keys), tuple(designs), sample, seed)
-
-    @property
-    def words(self) -> str:
-        """What it is, in words."""
-        names = ", ".join(key.name for key in self.keys[:4])
-        more = len(self.keys) - 4
-        names += f" and {more} more" if more > 0 else ""
-        drawn = "" if self.sample is None else f", drawn with seed {self.seed}"
-        version = f"viscodesign {__version__}"
-        return f"{self.scene.name} over {names}, {len(self.designs)} rows{drawn} ({version})"
-
-    @property
-    def digest(self) -> str:
-        """Equal for sweeps with the same rows of the same scene, by the same version."""
-        content = __version__, [key.name for key in self.keys], self.designs
-        return hashlib.sha256(self.scene.digest + repr(content).encode()).hexdigest()
-
-    def table(self) -> Sweep:
-        """Its table without results."""
-        return Sweep(
-            name=self.scene.name,
-            version=__version__,
-            spec_sha256=self.scene.source.sha256,
-            status="incomplete",
-            columns=tuple(self._column(key) for key in self.keys),
-            designs=self.designs,
-            results={},
-            requested_m=self.scene.accuracy * self.scene.actuator.length,
-            sample=self.sample,
-            seed=self.seed,
-            warnings=tuple(self._notices()),
-        )
-
-    def _column(self, key: SweptKey) -> SweptColumn:
-        own = key.values
-        if self.sample is None or own.listed:
-            return SweptColumn(key.name, own.unit, own.grid())
-        return SweptColumn(
-            key.name, own.unit, None, own.low, own.high, "log" if own.is_log else "linear"
-        )
-
-    def _notices(self) -> Iterator[Notice]:
-        """Values of keys that are hardly meant, once each."""
-        usual = {notice.where for notice in plausibility_notices(self.scene)}
-        for key in self.keys:
-            own = key.values
-            ends = (min(own.listed), max(own.listed)) if own.listed else (own.low, own.high)
-            for value in dict.fromkeys(ends) if own.unit is not None else ():
-                try:
-                    other = changed(self.scene, {key: value})
-                except SpecError:  # a tube by its name, or a value that its rows will refuse
-                    continue
-                for notice in plausibility_notices(other):
-                    if notice.where == key.name and notice.where not in usual:
-                        usual.add(notice.where)
-                        yield notice
 
 
 class SweepRun:
@@ -192,6 +117,7 @@ class SweepRun:
         self.computed = 0
         self.workers = 1
         self._kept, self._progress = kept, progress
+        self._solver = DesignSolver.of(plan.scene, plan.keys, plan.designs)
 
     def compute(self, workers: int | None, cluster: str | None, stop: StopRequest) -> None:
         """Compute all rows that are not there, until the user asks to stop."""
@@ -200,18 +126,22 @@ class SweepRun:
         self._tell()
         if not rows:
             return
-        solver = DesignSolver.of(plan.scene, plan.keys, plan.designs)
-        for chunk in self._chunks(solver, rows, workers, cluster, stop):
+        for chunk in self._chunks(rows, workers, cluster, stop):
             self._take(chunk)
+
+    def verified(self, count: int, stop: StopRequest) -> tuple[VerifiedRow, ...]:
+        """Some rows simulated again with their error stated."""
+        rows = [found for _, found in sorted(self.results.items())]
+        return verified_rows(self._solver, self.plan.designs, rows, count, stop)
 
     def _chunks(
         self,
-        solver: DesignSolver,
         rows: list[Row],
         workers: int | None,
         cluster: str | None,
         stop: StopRequest,
     ) -> Iterator[Chunk[Row, DesignResult]]:
+        solver = self._solver
         if cluster is not None:
             from viscodesign.exploration.cluster_rows import CLUSTER_CHUNK, compute_on_cluster
 

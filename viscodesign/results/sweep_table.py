@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, Literal
 
 from viscodesign.lazy_dataclass import dataclass
@@ -42,6 +43,21 @@ class DesignResult:
     def failed(cls, row: int, why: str) -> DesignResult:
         """That of a design that has no solution."""
         return cls(row, FAILED, frozenset(), [math.nan] * len(METRIC_NAMES), why)
+
+
+@dataclass(frozen=True)
+class VerifiedRow:
+    """A row that was simulated again, with its error stated."""
+
+    row: int
+    estimated_tip_error_m: float | None
+    """Stated by the verified run; None where it could not."""
+    extremes_apart_m: float | None
+    """Largest distance of the tip's extremes from those in the table; None without a run."""
+    validity: Literal["inside", "outside", "unknown"]
+    """Whether the run stays within what its model describes."""
+    reasons: tuple[str, ...]
+    """Why it does not, or why there is no run."""
 
 
 @dataclass(frozen=True)
@@ -88,9 +104,11 @@ class Sweep:
     results: dict[int, DesignResult]
     """By row; those that are missing are not there."""
     requested_m: float
-    """Tip error that the scene asks for [m]; each row is solved for it, and none is verified."""
+    """Tip error that the scene asks for [m]; each row is solved for it, few are verified."""
     sample: int | None
     seed: int | None
+    verified: tuple[VerifiedRow, ...] = ()
+    """Some rows, simulated again with their error stated."""
     warnings: tuple[Notice, ...] = ()
     wall_s: float = 0.0
     computed: int = 0
@@ -186,9 +204,9 @@ class Sweep:
             "metrics": METRIC_NAMES,
             "accuracy": {
                 "requested_m": self.requested_m,
-                "estimated_tip_error_m": None,
-                "method": "each row solved for the requested accuracy with its model's effects; no "
-                "row verified",
+                "method": "each row solved for the requested accuracy with its model's effects; "
+                "some rows simulated again, with their error stated",
+                "verified": [asdict(own) for own in self.verified],
             },
             "warnings": documents(self.warnings),
             "cost": {"wall_s": self.wall_s, "computed": self.computed, "workers": self.workers},

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.unit.exploration.test_sweep import scene
-from viscodesign import sweep
+from tests.unit.exploration.test_sweep import quick, scene
 from viscodesign.errors import UsageError
 
 distributed = pytest.importorskip("distributed")
@@ -18,13 +17,13 @@ def test_a_cluster_gives_the_same_table() -> None:
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=1, dashboard_address=None
     ) as cluster:
-        remote = sweep(scene(), OVER, cluster=cluster.scheduler_address)
+        remote = quick(scene(), OVER, cluster=cluster.scheduler_address)
     assert remote.status == "complete"
-    assert remote.frame().equals(sweep(scene(), OVER).frame())
+    assert remote.frame().equals(quick(scene(), OVER).frame())
 
 
 @pytest.mark.filterwarnings("ignore")
 def test_a_cluster_that_is_not_there_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("viscodesign.exploration.cluster_rows.CONNECT_S", 0.5)
     with pytest.raises(UsageError, match="no Dask scheduler answers there"):
-        sweep(scene(), OVER, cluster="tcp://127.0.0.1:9")
+        quick(scene(), OVER, cluster="tcp://127.0.0.1:9")

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.unit.exploration.test_sweep import scene
-from viscodesign import compile, sensitivity, sweep
+from tests.unit.exploration.test_sweep import quick, scene
+from viscodesign import compile, sensitivity
 from viscodesign.errors import SpecError
 from viscodesign.exploration.sampled_variance import sampled_variance
 from viscodesign.results.sensitivity_study import SensitivityStudy
@@ -128,7 +128,7 @@ def test_a_sample_needs_tolerances() -> None:
 
 def test_a_sweep_over_a_sensitive_number_agrees(study: SensitivityStudy) -> None:
     """Between two designs one percent apart the extreme of z moves as its slope says."""
-    ends = sweep(scene(), {"actuator.length": [0.02725 * 0.995, 0.02725 * 1.005]})
+    ends = quick(scene(), {"actuator.length": [0.02725 * 0.995, 0.02725 * 1.005]})
     moved = np.diff(ends.frame()["tip_z_max_m"].to_numpy(float))[0]
     row = int(np.argmax(study.tip[:, 1]))
     assert 1e3 * moved == pytest.approx(study.mm_per_percent[row, 1, 2], rel=0.02)

@@ -69,6 +69,18 @@ def _models(sweep: Sweep) -> Iterator[tuple[str, str]]:
         yield f"model {k + 1}", f"{count} rows with {', '.join(sorted(effects)) or 'no effects'}"
 
 
+def _verified(sweep: Sweep) -> Iterator[tuple[str, str]]:
+    for own in sweep.verified:
+        if own.extremes_apart_m is None:
+            yield f"row {own.row}", f"could not be verified: {'; '.join(own.reasons)}"
+            continue
+        stated, apart = own.estimated_tip_error_m, 1e3 * own.extremes_apart_m
+        error = "unknown" if stated is None else number(1e3 * stated, "mm")
+        words = f"stated error {error}, extremes {number(apart, 'mm')} from those in the table"
+        outside = f"; OUTSIDE of what its model describes: {'; '.join(own.reasons)}"
+        yield f"row {own.row}", words + outside * (own.validity == "outside")
+
+
 def _ranges(sweep: Sweep) -> Iterator[tuple[str, str, str, str]]:
     for k, name in enumerate(METRIC_NAMES):
         own = {r.row: r.metrics[k] for r in sweep.results.values() if np.isfinite(r.metrics[k])}
