@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from viscodesign import check, load, simulate
-from viscodesign.cli.first_spec import FORMATS, first_spec
+from viscodesign.cli.first_spec import first_spec
+from viscodesign.cli.first_values import FORMATS
 from viscodesign.errors import ViscodesignError
 
 from .conftest import Call
