@@ -273,7 +273,8 @@ def test_a_slider_is_a_design_of_its_own(open_page: Open) -> None:
         "run.output_interval=5 ms",
     )
     spec = CONFIGS / "leg_16_crossed_air.yaml"
-    page = open_page(simulate(load(spec, linear), verify=False))
+    computed = simulate(load(spec, linear), verify=False)
+    page = open_page(computed)
     change = (
         "network={layout: straight, tube_radius: 0.325 mm, tube_length: 75 mm}",
         "input.start=20.205 kPa",
@@ -284,6 +285,10 @@ def test_a_slider_is_a_design_of_its_own(open_page: Open) -> None:
     page.fill("#sketch-length_factor", "0.5")
     page.fill("#sketch-amplitude", "0.5")
     assert "75 mm" in page.text_content("#sliders")
+    page.evaluate("seek(player, 300)")
+    end = "path => { const p = path.getPointAtLength(1e9); return [p.x, p.y]; }"
+    ghost = page.eval_on_selector("#sketch-figure .ghost", end)
+    np.testing.assert_allclose(ghost, 1e3 * computed.tip[300, :2], atol=0.02)
     found = page.evaluate("({x: [...sketch.motion.x], z: [...sketch.motion.z]})")
     distance = np.hypot(found["x"] - other.tip[:, 0], found["z"] - other.tip[:, 1])
     assert distance.max() < 1e-3 * other.length

@@ -132,11 +132,16 @@ function drawActuator(view, points, pressures, inletPressures) {
   });
   view.inlets.forEach((mark, k) => mark.setAttribute("fill", pressureColour(scale, inletPressures[k])));
   if (body.tubes.length <= MOST_TUBES) view.tubes.setAttribute("d", tubePaths(body, places));
-  let spine = "";
-  for (let k = 0; k < points.length; k += 2) spine += (k ? "L" : "M") + place(1000 * points[k], 1000 * points[k + 1]);
-  view.spine.setAttribute("d", spine);
+  view.spine.setAttribute("d", pathOf(points));
   view.tip.setAttribute("cx", 1000 * points[points.length - 2]);
   view.tip.setAttribute("cy", 1000 * points[points.length - 1]);
+}
+
+// A line through points of an axis, in millimetres.
+function pathOf(points) {
+  let text = "";
+  for (let k = 0; k < points.length; k += 2) text += (k ? "L" : "M") + place(1000 * points[k], 1000 * points[k + 1]);
+  return text;
 }
 
 // A tube along a column bulges outwards; one between the columns runs straight.

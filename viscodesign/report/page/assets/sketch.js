@@ -29,8 +29,10 @@ function makeSketch(run, body, room, scale, tip, changed) {
   const even = Float64Array.from({ length: POINTS_A_SECTION * run.sections + 1 }, (_, k) => k);
   const own = { ...body, arc: even };
   const label = "Sketch of the actuator: linear network and arcs, not the simulation";
-  byId("sketch-figure").append(element("figcaption", {}, "the sketch at the same phase, colours as above"));
+  byId("sketch-figure").append(element("figcaption", {}, "the sketch at the same phase, colours as above; dashed: the computed axis"));
   sketch.view = makeActuator(byId("sketch-figure"), own, room, scale, label);
+  sketch.ghost = drawn("path", { class: "ghost", "stroke-width": 40 * run.width });
+  sketch.view.svg.append(sketch.ghost);
   const words = element("p", { "aria-live": "polite", class: "distance" });
   const update = () => { solveSketch(sketch, words); changed(); };
   byId("sliders").append(...sketchSliders(numbers).map((row) => sketchSlider(sketch, row, update)));
@@ -114,5 +116,6 @@ function drawSketch(sketch, row) {
   const { numbers, motion, run, choice } = sketch, width = numbers.bellows.length;
   const pressures = motion.pressure.subarray(row * width, (row + 1) * width);
   const inlets = sketch.inlets.map((values) => choice.gauge + choice.amplitude * (values[row] - numbers.gauge));
+  sketch.ghost.setAttribute("d", pathOf(shapeAt(run, row)));
   drawActuator(sketch.view, sketchAxis(numbers, pressures), pressures, inlets);
 }
