@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 TESTS = Path(__file__).parent
 os.environ.setdefault("VISCODESIGN_CACHE", str(TESTS.parent / ".pytest_cache" / "kernels"))
 """Leaves the user's own cache alone."""
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+"""Programs under test would compile all of the package at each start: a third of `check`."""
 UNIT = TESTS / "unit"
 
 
