@@ -231,8 +231,11 @@ class CompiledFunction:
         """
         if isinstance(rows, Labelled):
             rows = list(np.transpose([np.asarray(rows[name]) for name in self._only_known(rows)]))
-        with ThreadPoolExecutor(max(workers or 1, 1)) as pool:
-            found = list(pool.map(self._row, rows))
+        if workers is None or workers <= 1:
+            found = list(map(self._row, rows))
+        else:
+            with ThreadPoolExecutor(workers) as pool:
+                found = list(pool.map(self._row, rows))
         blank = self._chosen.blank()
         outputs = {
             name: np.array([(own or blank)[name] for own, _ in found]) for name in self.outputs
@@ -267,8 +270,7 @@ class CompiledFunction:
         ``inlets``: as for `step`, all zero by default. Raises `SolveError` where there is none.
         """
         given = self._array(values)
-        self._numbers.check(given)
-        return self._held.begin(self._numbers.at(given).parameters, inlets)
+        return self._held.begin(self._numbers.checked_at(given).parameters, inlets)
 
     def step(self, state: ControlState, dt: float, inlets: Inlets) -> ControlState:
         """The state one interval of ``dt`` [s] later, with the inlets held over it.
@@ -290,8 +292,7 @@ class CompiledFunction:
         return self._kept.keep(given.tobytes(), self._solve(given)) if found is None else found
 
     def _solve(self, given: np.ndarray, *, recorded: bool = True) -> _Solved:
-        self._numbers.check(given)
-        numbers = self._numbers.at(given)
+        numbers = self._numbers.checked_at(given)
         solution = self._motion.solve(numbers, recorded=recorded)
         return _Solved(given, numbers, solution, self._period(given))
 

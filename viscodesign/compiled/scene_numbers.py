@@ -73,6 +73,10 @@ class SceneNumbers:
         They must be finite, within the ranges of the spec, and make no other equations, as a load
         of zero would.
         """
+        self.checked_at(values)
+
+    def checked_at(self, values: Sequence[float] | np.ndarray) -> ProblemNumbers:
+        """The numbers of the problem at values (f,); raises what `check` does."""
         given = np.asarray(values, dtype=float)
         if given.shape != self.values.shape:
             message = f"expected {len(self.values)} values, one for each free number"
@@ -80,7 +84,7 @@ class SceneNumbers:
         faults = [n.fault(float(v)) for n, v in zip(self.keys.numbers, given, strict=True)]
         if found := [fault for fault in faults if fault is not None]:
             raise SpecError(found)
-        self._branch(given)
+        return self._numbers(given)[1]
 
     def at(self, values: Sequence[float] | np.ndarray) -> ProblemNumbers:
         """The numbers of the problem at values (f,) that `check` accepts."""

@@ -24,10 +24,8 @@ def sweep_lines(sweep: Sweep, folder: Path, files: Sequence[Path]) -> list[str]:
         ("rows", _counts(sweep, len(solved))),
         ("time", _time(sweep)),
         *_models(sweep),
-        (
-            "accuracy",
-            f"{number(1e3 * sweep.requested_m, 'mm')} requested of each row; none verified",
-        ),
+        ("accuracy", f"{number(1e3 * sweep.requested_m, 'mm')} requested of each row"),
+        *_verified(sweep),
         ("files", f"{folder}: {', '.join(file.name for file in files)}"),
     ]
     warnings = notice_lines(sweep.warnings)
