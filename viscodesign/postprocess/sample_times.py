@@ -48,27 +48,38 @@ def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool)
     if still and not equations.states.count:
         return schedule
     extra = [_even(edges, _spacing(equations, duration))]
-    begins = [0, *corners.tolist()]
+    begins = np.concatenate([[0], corners])
     if len(begins) * SAMPLING.grades <= SAMPLING.max_graded:
         # At other corners they would only force an integrator to tiny steps.
-        sudden = [k for k in begins if _jumps(schedule, equations, k) or (not k and starts_at_rest)]
-        extra.append(_graded(distinct(np.concatenate([edges, extra[0]])), edges[sudden]))
+        sudden = _jumps(schedule, equations, begins)
+        sudden[0] |= starts_at_rest
+        finer = distinct(np.concatenate([edges, extra[0]]))
+        extra.append(_graded(finer, edges[begins[sudden]]))
     return _refined(schedule, np.concatenate(extra))
 
 
-def _jumps(schedule: Schedule, equations: Equations, edge: int) -> bool:
-    """Whether the value of any inlet changes at an edge."""
-    output = equations.outputs_by_tape
-    unknowns = np.zeros(equations.states.count), np.zeros(equations.algebraics.count)
-    tail = 1.0, equations.sealed_volumes, equations.parameter_values
-    before = schedule.pieces[edge - 1] if edge else schedule.initial_piece
-    both = []
-    for piece in (before, schedule.pieces[edge]):
-        values = output(*unknowns, schedule.edges[edge], piece, *tail)
-        inlets = [values[output.names.index(name)] for name in ("inlet_pressure", "pushed")]
-        both.append(np.concatenate([np.array(value).ravel() for value in inlets]))
-    sizes = np.maximum(*np.abs(both))
-    return bool(np.any(np.abs(both[1] - both[0]) > SAMPLING.jump_rel * sizes))
+def _jumps(schedule: Schedule, equations: Equations, edges: np.ndarray) -> np.ndarray:
+    """Whether the value of any inlet changes at edges (n,), the first of which is 0."""
+    output, count = equations.outputs_by_tape, len(edges)
+    before = schedule.pieces[np.maximum(edges - 1, 0)]
+    before[0] = schedule.initial_piece
+    values = output.rows(
+        [
+            np.zeros(equations.states.count),
+            np.zeros(equations.algebraics.count),
+            np.tile(schedule.edges[edges], 2)[:, None],
+            np.concatenate([before, schedule.pieces[edges]]),
+            np.ones(1),
+            equations.sealed_volumes,
+            equations.parameter_values,
+        ],
+        2 * count,
+    )
+    names = ("inlet_pressure", "pushed")
+    inlets = np.column_stack([values[output.names.index(name)] for name in names])
+    sizes = np.maximum(*np.abs([inlets[:count], inlets[count:]]))
+    changes = np.abs(inlets[count:] - inlets[:count])
+    return np.asarray(np.any(changes > SAMPLING.jump_rel * sizes, axis=1))
 
 
 def _spacing(equations: Equations, duration: float) -> float:
