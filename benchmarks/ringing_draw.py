@@ -138,10 +138,9 @@ def _loads(
     weight = (_mass_on_axis(body, bellows, fluid) + payload) * GRAVITY
     stiffness = bending_stiffness(body) / body["length"] ** 2
     lift = max(1.0, weight / stiffness / LARGEST_LOAD) if kind != "weightless" else 1.0
-    loads: Spec = {"payload": payload}
-    if kind != "weightless":
-        loads["gravity"] = {"tilt": math.pi / 2 if kind == "horizontal" else 0.0}
-    return loads, lift
+    tilt = {"horizontal": math.pi / 2, "hanging": 0.0}
+    gravity = "off" if kind == "weightless" else {"tilt": tilt[kind]}
+    return {"payload": payload, "gravity": gravity}, lift
 
 
 WEIGHTS = (0.33, 0.33, 0.17, 0.17)

@@ -88,9 +88,14 @@ def drawn(seed: int, index: int, overrides: Sequence[str] = ()) -> Scene:
     """One drawn scene, read like a spec from a file."""
     from scene_draw import draw
 
+    return loaded(draw(seed, index), overrides)
+
+
+def loaded(spec: dict[str, Any], overrides: Sequence[str] = ()) -> Scene:
+    """A drawn spec, read like one from a file."""
     from viscodesign import load
 
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scene.yaml"
-        path.write_text(yaml.safe_dump(draw(seed, index)))
+        path.write_text(yaml.safe_dump(spec))
         return load(path, overrides)
