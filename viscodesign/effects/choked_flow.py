@@ -16,6 +16,7 @@ from viscodesign.model.system import System
 from viscodesign.physics import choking, gas, tube
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
+from viscodesign.postprocess.sustained import Sustained
 from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem
@@ -155,22 +156,19 @@ class ChokedFlow(Effect):
     def missed_in(
         self, quantities: SceneQuantities, problem: Problem, motion: Motion
     ) -> Missed | None:
-        """Gas faster than it can be; else what the computed flows would lose, as for friction.
-
-        At the first output no flow has had time to lose anything.
-        """
+        """Gas faster than it can be; else what the computed flows would lose, as for friction."""
         fastest, lost, scene = Peak(), Peak(), quantities.scene
+        speed, loss = Sustained(quantities.filling_time), Sustained(quantities.filling_time)
         way = motion.largest_displacement(quantities.body.length)
         coefficient = np.array(list(self.coefficients.values()))
         for rows in blocks(len(motion.time), motion.time, motion.flow):
             time, flow = motion.time[rows], motion.flow[rows]
             start, end = end_pressures(quantities.graph, motion, tuple(scene.inputs), rows)
-            later = (time > motion.time[0])[:, None]
-            fastest.update(time, self._mach(flow, np.minimum(start, end)) * later)
+            fastest.update(time, speed.update(time, self._mach(flow, np.minimum(start, end))))
             along = choking.acceleration_drop(
                 flow, start, end, scene.ambient_pressure, self.exponent, coefficient
             )
-            lost.update(time, np.abs(along * later).sum(axis=1, keepdims=True))
+            lost.update(time, loss.update(time, np.abs(along).sum(axis=1, keepdims=True)))
         share = min(lost.value / quantities.swing, 1.0)
         if fastest.value > choking.CHOKING_MACH and way > 0.0:
             message = self._too_fast(fastest).message

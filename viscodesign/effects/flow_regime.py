@@ -16,6 +16,7 @@ from viscodesign.model.system import System
 from viscodesign.physics import tube
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
+from viscodesign.postprocess.sustained import Sustained
 from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem
 from viscodesign.storage.disk_arrays import blocks
@@ -116,21 +117,17 @@ class FlowRegime(Effect):
         self, quantities: SceneQuantities, problem: Problem, motion: Motion
     ) -> Missed | None:
         """The losses of the computed flows, as a share of the pressure that moves the tip."""
-        lost, time_s = 0.0, 0.0
+        lost, sustained = Peak(), Sustained(quantities.filling_time)
         for rows in blocks(len(motion.time), motion.time, motion.flow):
-            # At the first output no flow has had time to lose anything.
-            along = self.lost_pressure(motion.flow[rows]).sum(axis=1)
-            along = along * (motion.time[rows] > motion.time[0])
-            row = int(np.argmax(along))
-            if along[row] > lost:
-                lost, time_s = float(along[row]), float(motion.time[rows][row])
-        share = lost / quantities.swing
+            along = self.lost_pressure(motion.flow[rows]).sum(axis=1, keepdims=True)
+            lost.update(motion.time[rows], sustained.update(motion.time[rows], along))
+        share = lost.value / quantities.swing
         reason = (
-            f"at the computed flows it would cost {lost:.3g} Pa, {share:.2g} times the largest "
-            "pressure"
+            f"at the computed flows it would cost {lost.value:.3g} Pa, {share:.2g} times the "
+            "largest pressure"
         )
         way = motion.largest_displacement(quantities.body.length)
-        return Missed(reason, min(share, 1.0) * way, time_s)
+        return Missed(reason, min(share, 1.0) * way, lost.time_s)
 
     def _ends(self, radius: float) -> float:
         return tube.local_loss_coefficient(self.density, self.loss, radius)

@@ -18,6 +18,7 @@ from viscodesign.physics import gas, tube
 from viscodesign.physics.choking import CHOKING_MACH
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, Peak
+from viscodesign.postprocess.sustained import Sustained
 from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem
 from viscodesign.storage.disk_arrays import blocks
@@ -120,9 +121,10 @@ class GasCompressibility(Effect):
     ) -> Missed | None:
         """Gas that goes too fast to be taken as incompressible."""
         fastest, way = Peak(), motion.largest_displacement(quantities.body.length)
+        sustained = Sustained(quantities.filling_time)
         for rows in blocks(len(motion.time), motion.time, motion.flow):
-            later = (motion.time[rows] > motion.time[0])[:, None]
-            fastest.update(motion.time[rows], _mach(quantities, motion.flow[rows]) * later)
+            time = motion.time[rows]
+            fastest.update(time, sustained.update(time, _mach(quantities, motion.flow[rows])))
         if fastest.value <= INCOMPRESSIBLE_MACH or way == 0.0:
             return None
         name = quantities.graph.tubes[fastest.column].name

@@ -104,6 +104,11 @@ class SceneQuantities:
             t_net=max((self._settling_time(c) for c in self.graph.components()), default=0.0),
         )
 
+    @cached_property
+    def filling_time(self) -> float:
+        """Time in which the tube that resists most fills one bellow [s]."""
+        return max(self.resistances.values(), default=0.0) * self.bellow.compliance
+
     @property
     def swing_time(self) -> float:
         """Shortest swing of any inlet's profile, at most the run; ignores a stated t_i [s]."""

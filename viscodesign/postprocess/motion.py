@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -26,6 +26,8 @@ MOST_WAITING = 500_000
 """Numbers of outputs that wait in memory until shapes or balances are asked for."""
 KEPT_OUTPUTS = ("inlet_pressure", "pressure", "volume", "junction_pressure")
 """Outputs that become part of a motion unchanged."""
+KEPT_BETWEEN = ("time", "flow", "inlet_pressure", "pressure", "junction_pressure", "tip")
+"""What is kept between the outputs, too."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,6 +37,13 @@ class Motion(MotionArrays):
     balances: Callable[[], Invariants]
     """Sums them; of a coarser solution nobody asks for them."""
     failure: SolveError | None
+    between: Mapping[str, np.ndarray]
+    """Some quantities at all times that were solved for: outputs, corners, samples between them.
+    None where these are the outputs."""
+
+    def at_solved_times(self) -> Motion:
+        """The motion as just these quantities, at these times."""
+        return replace(self, arrays=self.between) if self.between else self
 
     @cached_property
     def invariants(self) -> Invariants:
@@ -83,6 +92,7 @@ class _MotionReader:
         self._ledger = Ledger(problem)
         self._delivered = DeliveredVolume(problem)
         self._tables: dict[str, GrowingArray] = {}
+        self._between: dict[str, GrowingArray] = {}
         self._last_shape: np.ndarray | None = None
         self._points = 0
         """Of a shape."""
@@ -124,7 +134,8 @@ class _MotionReader:
             "section_turn": turn[keep],
         }
         for name, values in rows.items():
-            self._append(name, values)
+            self._append(self._tables, name, values)
+        self._add_between(outputs, end)
         self._points = outputs.shapes(keep[:1])[0].shape[1]
         due = (np.arange(self.count, stop) % self._every) == 0
         self.count = stop
@@ -136,16 +147,26 @@ class _MotionReader:
     def _add_rest(self, outputs: Outputs, end: int, keep: np.ndarray, due: np.ndarray) -> None:
         """Shapes and balances, which take longest and of a coarser solution are not looked at."""
         shape, _ = outputs.shapes(keep)
-        self._append("shape", shape[due])
+        self._append(self._tables, "shape", shape[due])
         if end > outputs.begin:
             self._ledger.add(self._block(outputs, end))
         if len(keep):
             self._last_shape = None if due[-1] else shape[-1:]
 
-    def _append(self, name: str, values: np.ndarray) -> None:
-        if name not in self._tables:
-            self._tables[name] = self._store.growing_array(*values.shape[1:])
-        self._tables[name].append(values)
+    def _add_between(self, outputs: Outputs, end: int) -> None:
+        """What effects look for between the outputs, if anything was solved for there."""
+        schedule = self._problem.schedule
+        if len(schedule.edges) == len(schedule.outputs):
+            return
+        rows = np.arange(*outputs.rows_to(end).indices(len(outputs.time)))
+        found = {**_quantities(outputs, rows), "tip": outputs.tips(rows)}
+        for name in KEPT_BETWEEN:
+            self._append(self._between, name, found[name])
+
+    def _append(self, tables: dict[str, GrowingArray], name: str, values: np.ndarray) -> None:
+        if name not in tables:
+            tables[name] = self._store.growing_array(*values.shape[1:])
+        tables[name].append(values)
 
     def _is_whole(self, outputs: Outputs) -> bool:
         """Whether a block is all of a short run, and can wait in memory."""
@@ -172,6 +193,8 @@ class _MotionReader:
         self.count = (shapes - 1) * self._every + 1
         for name, table in self._tables.items():
             table.cut(shapes if name == "shape" else self.count)
+        for table in self._between.values():
+            table.cut(self.end)
         self._last_shape = None
         return self.end
 
@@ -184,6 +207,7 @@ class _MotionReader:
             shape_every=self._every,
             balances=self._invariants,
             failure=self.failure,
+            between={name: table.array() for name, table in self._between.items()},
         )
         if self._rest is None:  # nothing of the solution is to stay in memory
             invariants = found.invariants

@@ -55,8 +55,10 @@ def escalation(
         return None
     allowed_m = NUMBERS.accuracy_share * quantities.requested_m
     missed: list[tuple[str, Missed]] = []
+    # Not at its outputs alone: what it does must not hang on when it is looked at.
+    motion = run.motion.at_solved_times() if selection.neglected else run.motion
     for effect in selection.neglected:
-        found = effect.missed_in(quantities, run.problem, run.motion)
+        found = effect.missed_in(quantities, run.problem, motion)
         if found is not None and (found.tip_m > allowed_m or found.leaves_validity):
             missed.append((effect.name, found))
     # The most important one alone: with it, the others may no longer matter.

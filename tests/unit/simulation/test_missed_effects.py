@@ -32,6 +32,12 @@ def solved(*overrides: str) -> Solved:
     return quantities, selection, run
 
 
+def seen_with(run: Run, **arrays: np.ndarray) -> Run:
+    """A run with some quantities replaced at all times that were solved for."""
+    motion = run.motion.at_solved_times().with_arrays(**arrays)
+    return replace(run, motion=replace(motion, between={}))
+
+
 @pytest.fixture(scope="module")
 def fast() -> Solved:
     return solved(*LEFT_ITS_FLOOR, STIFF)
@@ -74,17 +80,26 @@ def test_what_the_spec_forbids_is_not_called_for(fast: Solved) -> None:
 
 def test_a_rod_that_does_not_move_calls_for_nothing(fast: Solved) -> None:
     quantities, selection, run = fast
-    still = np.tile([0.0, quantities.body.length, 0.0], (len(run.motion.tip), 1))
-    unmoved = replace(run, motion=run.motion.with_arrays(tip=still))
-    assert escalation(quantities, selection, unmoved) is None
+    times = len(run.motion.at_solved_times().time)
+    still = np.tile([0.0, quantities.body.length, 0.0], (times, 1))
+    assert escalation(quantities, selection, seen_with(run, tip=still)) is None
 
 
 def test_the_first_instant_does_not_count(fast: Solved) -> None:
     quantities, selection, run = fast
-    flow = np.zeros_like(run.motion.flow)
-    flow[0] = run.motion.flow.max()
-    burst = replace(run, motion=run.motion.with_arrays(flow=flow))
-    assert escalation(quantities, selection, burst) is None
+    found = run.motion.at_solved_times().flow
+    flow = np.zeros_like(found)
+    flow[0] = found.max()
+    assert escalation(quantities, selection, seen_with(run, flow=flow)) is None
+
+
+def test_it_does_not_hang_on_the_output_times(fast: Solved) -> None:
+    """As if every output fell on a moment at which nothing flows."""
+    quantities, selection, run = fast
+    unseen = run.motion.with_arrays(flow=np.zeros_like(run.motion.flow))
+    found = escalation(quantities, selection, replace(run, motion=unseen))
+    assert found is not None
+    assert found.selection.active == selection.active | {"flow_regime"}
 
 
 def test_slow_flow_calls_for_nothing() -> None:
