@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -56,16 +55,18 @@ def command(
     Without --tolerance for all numbers, in mm per percent; with it for these numbers, and the
     band that they give. Writes sensitivity.csv, sensitivity.json and sensitivity.png.
     """
-    from viscodesign import load
     from viscodesign import sensitivity as study_of
-    from viscodesign.cli.output import json_text, say
-    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.output import complain, json_text, say
+    from viscodesign.cli.run_folders import folder_for
+    from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.sensitivity_text import sensitivity_lines
     from viscodesign.report.folder import prepare_folder
     from viscodesign.report.sensitivity_folder import write_sensitivity
 
-    scene = load(spec, overrides or ())
-    folder = output if output is not None else Path("runs") / folder_name(scene.name)
+    scene = read_scene(spec, overrides)
+    folder, remark = folder_for(scene, output)
+    if remark and not quiet:
+        complain(remark)
     prepare_folder(folder, force=force)
     study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
     files = write_sensitivity(

@@ -16,6 +16,7 @@ from viscodesign.errors import SpecError
 from viscodesign.exploration.sampled_variance import sampled_variance
 from viscodesign.exploration.tolerances import deviations
 from viscodesign.results.sensitivity_study import SensitiveNumber, SensitivityStudy
+from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.lru_cache import LruCache
 
@@ -67,6 +68,7 @@ def sensitivity(
         slopes=np.stack([slopes[name] for name in TIP], axis=1),
         effects=function.effects,
         left_out=left_out,
+        resolved_sha256=resolved_sha256(scene),
     )
     if spread is not None:
         study = replace(study, variances=_variances(study, function))

@@ -12,6 +12,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import json_ready
+from viscodesign.results.provenance import provenance
 from viscodesign.storage.cached_property import cached_property
 
 if TYPE_CHECKING:
@@ -71,6 +72,12 @@ class SensitivityStudy:
     """Keys that were not asked for by name and have no slope, and why."""
     sampled: SampledVariance | None = None
     wall_s: float = 0.0
+    resolved_sha256: str = ""
+    """SHA-256 of the resolved spec, with all overrides."""
+
+    def __repr__(self) -> str:
+        band = " with a band" if self.has_band else ""
+        return f"<SensitivityStudy {self.name}: {len(self.numbers)} numbers{band}>"
 
     @property
     def has_band(self) -> bool:
@@ -149,12 +156,14 @@ class SensitivityStudy:
             "name": self.name,
             "version": self.version,
             "spec_sha256": self.spec_sha256,
+            "resolved_sha256": self.resolved_sha256,
             "keys": [self._number_document(k) for k in self.order],
             **({"band": self._band_document()} if self.has_band else {}),
             **({"sobol": self._sampled_document(self.sampled)} if self.sampled else {}),
             "effects": sorted(self.effects),
             "left_out": [{"key": key, "reason": why} for key, why in self.left_out],
             "cost": {"wall_s": self.wall_s},
+            "provenance": provenance(),
         }
         return dict(json_ready(document))
 

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests.unit.cli.test_sweep import LEG
+from viscodesign import load
 from viscodesign.cli.main import main
+from viscodesign.cli.run_folders import own_folder
 
 
 def test_its_files_and_its_document(
@@ -25,9 +27,19 @@ def test_its_files_and_its_document(
     assert document["sobol"]["tip_x"]["keys"][0]["first_order"] == pytest.approx(1.0, abs=0.2)
 
 
-def test_its_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["sensitivity", *LEG, "-o", str(tmp_path), "--no-plots"]) == 0
+def test_its_words_and_a_folder_that_a_run_of_the_same_spec_shares(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["sensitivity", *LEG, "--no-plots"]) == 0
     said = capsys.readouterr().out
+    scene = load(LEG[0], LEG[2::2])
+    folder, remark = own_folder(scene)
+    assert (folder / "sensitivity.json").is_file()
+    assert remark == ""
+    other, remark = own_folder(scene.replace({"accuracy": 0.02}))
+    assert other.name == f"{folder.name}-2"
+    assert str(other) in remark
     assert "network.tube_radius" in said
     assert "mm per percent at" in said
     assert "left out" in said

@@ -12,6 +12,7 @@ from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import PLAN_FILES, Format
 from viscodesign.results.findings import documents, json_ready
+from viscodesign.results.provenance import provenance
 
 QUANTITIES = {
     "pressure_pa": "pressure",
@@ -102,5 +103,6 @@ def plan_document(plan: PumpPlan) -> dict[str, Any]:
         },
         "effects": [v.name for v in plan.wanted_run.effects if v.taken],
         "warnings": documents(plan.warnings),
+        "provenance": provenance(),
     }
     return dict(json_ready(document))
