@@ -163,10 +163,12 @@ class Sweep:
 
         return pd.DataFrame(self.rows(), columns=self.table_columns)
 
-    def words(self, row: int) -> str:
-        """A design in words."""
-        pairs = zip(self.columns, self.designs[row], strict=True)
-        return ", ".join(f"{c.key}={value_words(v, c.unit)}" for c, v in pairs)
+    def words(self, row: int, most: int | None = None) -> str:
+        """A design in words, with ``most`` of its keys."""
+        pairs = list(zip(self.columns, self.designs[row], strict=True))
+        more = len(pairs) - len(pairs[:most])
+        named = ", ".join(f"{c.key}={value_words(v, c.unit)}" for c, v in pairs[:most])
+        return f"{named} and {more} more" if more else named
 
     def document(self) -> dict[str, Any]:
         """All but the rows as one document."""

@@ -13,7 +13,7 @@ from viscodesign.cli.texts.layout import number, table, wrap
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.sweep_table import COMPLETE, Sweep
 
-MOST_FAILURES = 5
+MOST_FAILURES, MOST_KEYS = 5, 4
 UNITS = {"_m": ("mm", 1e3), "_m2": ("cm^2", 1e4), "_s": ("s", 1.0)}
 
 
@@ -40,8 +40,8 @@ def sweep_lines(sweep: Sweep, folder: Path, files: Sequence[Path]) -> list[str]:
 
 def _keys(sweep: Sweep) -> str:
     names = [column.key for column in sweep.columns]
-    more = f" and {len(names) - 4} more keys" if len(names) > 4 else ""
-    return ", ".join(names[:4]) + more
+    more = f" and {len(names) - MOST_KEYS} more keys" if len(names) > MOST_KEYS else ""
+    return ", ".join(names[:MOST_KEYS]) + more
 
 
 def _counts(sweep: Sweep, solved: int) -> str:
@@ -93,6 +93,8 @@ def _ranges(sweep: Sweep) -> Iterator[tuple[str, str, str, str]]:
 def _failures(sweep: Sweep) -> list[str]:
     lines = ["failed rows"] if sweep.failures else []
     for found in sweep.failures[:MOST_FAILURES]:
-        lines += wrap(f"{found.row}: {sweep.words(found.row)}: {found.failure}", "  ", "    ")
+        lines += wrap(
+            f"{found.row}: {sweep.words(found.row, MOST_KEYS)}: {found.failure}", "  ", "    "
+        )
     more = len(sweep.failures) - MOST_FAILURES
     return [*lines, f"  and {more} more in sweep.csv"] if more > 0 else lines
