@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -60,16 +60,21 @@ def command(
     from viscodesign.report.film.film_plan import FilmOptions
     from viscodesign.report.folder import PAGE
     from viscodesign.report.page.page import write_page
-    from viscodesign.report.page.shown_run import ShownRun
     from viscodesign.report.read_run import read_run
 
-    options = FilmOptions(speed, frames_per_second, width, transparent, not no_pressures)
+    options: dict[str, Any] = {
+        "speed": speed,
+        "frames_per_second": frames_per_second,
+        "width": width,
+        "transparent": transparent,
+        "pressures": not no_pressures,
+    }
     if film is not None:
-        options.checked(film)
-    shown, folder = ShownRun.of(read_run(run)), output if output is not None else run
+        FilmOptions(**options).checked(film)
+    shown, folder = read_run(run), output if output is not None else run
     files = [write_page(shown, folder / PAGE)]
     if film is not None:
-        files.append(write_film(shown, film, options))
+        files.append(write_film(shown, film, **options))
     if json:
         say(json_text({"files": [str(file) for file in files]}))
     elif not quiet:

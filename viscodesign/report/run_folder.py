@@ -122,9 +122,9 @@ def _draw(
 
 
 def _write_page(trajectory: Trajectory, file: Path) -> Path:
-    from viscodesign.report.page.page import report_trajectory
+    from viscodesign.report.page.page import write_page
 
-    return report_trajectory(trajectory, file)
+    return write_page(trajectory, file)
 
 
 def trajectory_lines(trajectory: Trajectory) -> Iterator[bytes]:

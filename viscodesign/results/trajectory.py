@@ -336,7 +336,7 @@ class Trajectory(MotionArrays):
 
         Raises `UsageError` where it cannot be written.
         """
-        return Path(module_above("report.page.page").report_trajectory(self, file))
+        return Path(module_above("report.page.page").write_page(self, file))
 
     def film(
         self,
@@ -355,7 +355,7 @@ class Trajectory(MotionArrays):
         ``pressures``: whether they are drawn against time beside the actuator. Raises `UsageError`
         where it cannot be made or written.
         """
-        made = module_above("report.film.film").film_trajectory(
+        made = module_above("report.film.film").write_film(
             self,
             file,
             speed=speed,

@@ -7,25 +7,21 @@ from typing import Any
 
 from viscodesign.report.film.film_plan import FilmOptions, film_rows
 from viscodesign.report.page.page_data import tube_ends
-from viscodesign.report.page.shown_run import ShownRun
 from viscodesign.report.page.sketch_numbers import scene_of
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import write_errors_as_usage
 
 
-def film_trajectory(trajectory: Trajectory, file: str | Path, **options: Any) -> Path:
-    """`Trajectory.film`."""
-    return write_film(ShownRun.of(trajectory), file, FilmOptions(**options))
+def write_film(run: Trajectory, file: str | Path, **options: Any) -> Path:
+    """Write a run as GIF, WebP or MP4 (with ffmpeg), by the suffix of ``file``; `Trajectory.film`.
 
-
-def write_film(run: ShownRun, file: str | Path, options: FilmOptions | None = None) -> Path:
-    """Write a run as GIF, WebP or MP4 (with ffmpeg), by the suffix of ``file``.
+    ``options``: those of `FilmOptions`.
 
     Raises `UsageError` for another suffix, options that do not fit, and a file that cannot be
     written; then there is no film.
     """
     path = Path(file)
-    chosen = (options or FilmOptions()).checked(path)
+    chosen = FilmOptions(**options).checked(path)
     rows = film_rows(run.time, chosen)
     with write_errors_as_usage(path):
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -17,7 +17,8 @@ from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes
 from viscodesign.report.layout.style import ACCENT, FAINT, GREY, INK, own_style, shown
 from viscodesign.report.layout.tube_lines import inlet_places, tube_lines
-from viscodesign.report.page.shown_run import ShownRun
+from viscodesign.report.page.shown_rows import shapes_near
+from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes, rows_at
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ MOST_TUBES = 256
 
 
 def film_frames(
-    run: ShownRun, tubes: list[list[str]], rows: np.ndarray, options: FilmOptions
+    run: Trajectory, tubes: list[list[str]], rows: np.ndarray, options: FilmOptions
 ) -> Iterator[np.ndarray]:
     """Pixels (height, width, 4) of the frames at some rows of a run.
 
@@ -52,7 +53,7 @@ def film_frames(
         _draw_title(made, run)
         canvas.draw()
         ground = canvas.copy_from_bbox(made.bbox)
-        for row, shape in zip(rows, run.shapes_at(rows), strict=True):
+        for row, shape in zip(rows, shapes_near(run, rows), strict=True):
             canvas.restore_region(ground)
             clock.set_text(f"t = {run.time[row]:.{_decimals(run.time)}f} s")
             parts = [*body.at(row, shape), *(curves.at(row) if curves else []), clock]
@@ -67,8 +68,8 @@ def _decimals(time: np.ndarray) -> int:
     return int(np.clip(np.ceil(-np.log10(step) - 1e-9), 0, 9)) if step > 0 else 2
 
 
-def _draw_title(made: Figure, run: ShownRun) -> None:
-    made.text(0.03, 0.95, shown(str(run.summary["name"]), 48), va="top", size=12, weight="bold")
+def _draw_title(made: Figure, run: Trajectory) -> None:
+    made.text(0.03, 0.95, shown(run.name, 48), va="top", size=12, weight="bold")
     if run.status != "complete":
         told = f"run {run.status}, ended at t = {run.time[-1]:.4g} s"
         made.text(
@@ -83,7 +84,7 @@ class _Body:
     def __init__(
         self,
         made: Figure,
-        run: ShownRun,
+        run: Trajectory,
         tubes: list[list[str]],
         rows: np.ndarray,
         options: FilmOptions,
@@ -94,7 +95,7 @@ class _Body:
         self.axes = made.add_axes((0.03, 0.14, across, 0.74))
         self.axes.set_axis_off()
         self._frame(rows)
-        limits = np.hstack([extremes(run.pressure), extremes(run.inlet_pressure)])
+        limits = np.hstack([extremes(run.pressure), extremes(run["inlet_pressure"])])
         colours, norm, occurring = pressure_colours(limits)
         edges = INK if len(run.bellows) <= 64 else "face"
         self.cells = PolyCollection(
@@ -115,7 +116,7 @@ class _Body:
 
     def _frame(self, rows: np.ndarray) -> None:
         """Room for all shapes of the film."""
-        every = np.unique(self.run.shapes_at(rows))
+        every = np.unique(shapes_near(self.run, rows))
         low, high = extremes(1e3 * rows_at(self.run.shape, every).reshape(-1, 2))
         reach = 0.75 * self.width
         left, right = min(low[0], 0) - reach, max(high[0], 0) + reach
@@ -149,14 +150,14 @@ class _Body:
         self.lines.set_segments(
             tube_lines(blocks, run.bellows, self.inlets, self.tubes, self.width)
         )
-        self.marks.set_array(run.inlet_pressure[row] / 1e3)
+        self.marks.set_array(run["inlet_pressure"][row] / 1e3)
         return [self.lines, self.cells, self.axis, self.marks]
 
 
 class _Curves:
     """Pressures of inlets and bellows [kPa], with a cursor."""
 
-    def __init__(self, made: Figure, run: ShownRun) -> None:
+    def __init__(self, made: Figure, run: Trajectory) -> None:
         self.run = run
         self.axes = made.add_axes((0.53, 0.14, 0.43, 0.68))
         self.axes.grid(color="#e6e6e6", lw=0.6)
@@ -177,7 +178,7 @@ class _Curves:
             time, values = envelope(run.time, run.pressure)
             axes.plot(time, values[:, [own[k] for k in some]] / 1e3, color=colour, lw=0.9)
             axes.plot([], [], color=colour, label=f"{side} column")
-        time, inlets = envelope(run.time, run.inlet_pressure)
+        time, inlets = envelope(run.time, run["inlet_pressure"])
         for k, name in enumerate(run.inlets):
             label = "inlet" if len(run.inlets) == 1 else f"inlet {shown(name, 12)}"
             axes.plot(time, inlets[:, k] / 1e3, color=INK, lw=2, ls=("-", "--")[k > 0], label=label)

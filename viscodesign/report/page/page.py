@@ -9,7 +9,6 @@ from functools import cache
 from pathlib import Path
 
 from viscodesign.report.page.page_data import page_data
-from viscodesign.report.page.shown_run import ShownRun
 from viscodesign.results.findings import json_ready
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
@@ -30,8 +29,8 @@ SCRIPTS = (
 """In the order in which they run; those before `main.js` only define functions."""
 
 
-def write_page(run: ShownRun, file: str | Path) -> Path:
-    """Write the page of a run, in a new folder where there is none.
+def write_page(run: Trajectory, file: str | Path) -> Path:
+    """Write the page of a run, in a new folder where there is none; `Trajectory.report`.
 
     Raises `UsageError` where the file cannot be written.
     """
@@ -42,12 +41,7 @@ def write_page(run: ShownRun, file: str | Path) -> Path:
     return path
 
 
-def report_trajectory(trajectory: Trajectory, file: str | Path) -> Path:
-    """`Trajectory.report`."""
-    return write_page(ShownRun.of(trajectory), file)
-
-
-def page_bytes(run: ShownRun) -> bytes:
+def page_bytes(run: Trajectory) -> bytes:
     """The whole page: no file beside it is needed, and nothing is fetched.
 
     Texts of the user's are in the JSON document alone, which the browser never reads as HTML;

@@ -10,12 +10,13 @@ import numpy as np
 from viscodesign.report.page.packed_arrays import packed, packed_coordinates
 from viscodesign.report.page.shown_rows import (
     ShownRows,
+    shapes_near,
     shown_points,
     shown_rows,
     shown_tubes,
 )
-from viscodesign.report.page.shown_run import ShownRun
 from viscodesign.report.page.sketch_numbers import scene_of, sketch_numbers, why_not
+from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.disk_arrays import rows_at
 
@@ -25,11 +26,11 @@ MOST_DRAWN_TUBES = 128
 """As `actuator.js` has it."""
 
 
-def page_data(run: ShownRun) -> dict[str, Any]:
+def page_data(run: Trajectory) -> dict[str, Any]:
     """All that the page shows of a run."""
     scene = scene_of(run)
     data: dict[str, Any] = {
-        "summary": _short(run.summary),
+        "summary": _short(run.summary()),
         "spec": _spec(run.spec_text),
         "length": run.length,
         "width": run.width,
@@ -42,9 +43,9 @@ def page_data(run: ShownRun) -> dict[str, Any]:
     return {**data, **_motion(run, scene)} if len(run.time) else data
 
 
-def _motion(run: ShownRun, scene: Scene | None) -> dict[str, Any]:
+def _motion(run: Trajectory, scene: Scene | None) -> dict[str, Any]:
     chosen = shown_rows(run)
-    shapes = run.shapes_at(chosen.rows)
+    shapes = shapes_near(run, chosen.rows)
     kept, shape_of = np.unique(shapes, return_inverse=True)
     tubes = shown_tubes(run)
     return {
@@ -52,7 +53,7 @@ def _motion(run: ShownRun, scene: Scene | None) -> dict[str, Any]:
         "rows": packed(chosen.rows, "f8"),
         "time": packed(run.time[chosen.rows], "f8"),
         "tip": packed(rows_at(run.tip, chosen.rows), "f8"),
-        "inlet_pressure": packed(rows_at(run.inlet_pressure, chosen.rows), "f8"),
+        "inlet_pressure": packed(rows_at(run["inlet_pressure"], chosen.rows), "f8"),
         "pressure": packed(rows_at(run.pressure, chosen.rows)),
         "flow": packed(rows_at(run.flow, chosen.rows)[:, tubes]),
         "tubes": [run.tubes[k] for k in tubes],
@@ -63,7 +64,7 @@ def _motion(run: ShownRun, scene: Scene | None) -> dict[str, Any]:
     }
 
 
-def _notes(run: ShownRun, chosen: ShownRows, tubes: np.ndarray) -> Sequence[str]:
+def _notes(run: Trajectory, chosen: ShownRows, tubes: np.ndarray) -> Sequence[str]:
     notes = [chosen.note] if chosen.note else []
     if len(tubes) < len(run.tubes):
         notes.append(
@@ -79,7 +80,7 @@ def _notes(run: ShownRun, chosen: ShownRows, tubes: np.ndarray) -> Sequence[str]
     return notes
 
 
-def _sketch(run: ShownRun, scene: Scene | None, chosen: ShownRows) -> dict[str, Any]:
+def _sketch(run: Trajectory, scene: Scene | None, chosen: ShownRows) -> dict[str, Any]:
     reason = why_not(run, scene)
     if scene is None or reason:
         return {"reason": reason}
@@ -99,7 +100,7 @@ def _spec(text: str) -> str:
     return f"{text[:MOST_SPEC_CHARACTERS]}\n... ({len(text):,} characters, all in spec.yaml)\n"
 
 
-def tube_ends(run: ShownRun, scene: Scene | None) -> list[list[str]]:
+def tube_ends(run: Trajectory, scene: Scene | None) -> list[list[str]]:
     """Both ends of every tube: of the spec's network, else as far as the names tell."""
     if scene is not None:
         return [[tube.start, tube.end] for tube in scene.graph.tubes]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.page.shown_run import ShownRun
+from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import blocks
 
 MOST_ROWS = 1500
@@ -31,7 +31,7 @@ class ShownRows:
     """Whether the first output time is among them."""
 
 
-def shown_rows(run: ShownRun) -> ShownRows:
+def shown_rows(run: Trajectory) -> ShownRows:
     """All output times if they fit; else evenly spaced ones, or the last, if those lose motion."""
     total = len(run.time)
     most = max(2, min(MOST_ROWS, MOST_BYTES // _row_bytes(run)))
@@ -58,7 +58,7 @@ def _ordinal(number: int) -> str:
     return f"{number:,}{'th' if teen else {1: 'st', 2: 'nd', 3: 'rd'}.get(number % 10, 'th')}"
 
 
-def _row_bytes(run: ShownRun) -> int:
+def _row_bytes(run: Trajectory) -> int:
     columns = len(run.bellows) + len(shown_tubes(run)) + len(shown_points(run))
     return 8 * (4 + len(run.inlets)) + 4 * columns
 
@@ -72,7 +72,7 @@ def _whole_path_length(tip: np.ndarray) -> float:
     return sum(_path_length(part) for part in parts)
 
 
-def shown_tubes(run: ShownRun) -> np.ndarray:
+def shown_tubes(run: Trajectory) -> np.ndarray:
     """Columns (q,) of the tubes with the largest flows, in their order."""
     count = run.flow.shape[1]
     if count <= MOST_TUBES:
@@ -83,7 +83,7 @@ def shown_tubes(run: ShownRun) -> np.ndarray:
     return np.sort(np.argsort(-largest, kind="stable")[:MOST_TUBES])
 
 
-def shown_points(run: ShownRun) -> np.ndarray:
+def shown_points(run: Trajectory) -> np.ndarray:
     """Points (k,) of the axis, with the ends of every section."""
     sections, points = len(run.bellows) // 2, len(run.arc)
     inside, uneven = divmod(points - 1, sections)
@@ -95,3 +95,13 @@ def shown_points(run: ShownRun) -> np.ndarray:
 
 def _fits(kept: int, sections: int) -> bool:
     return kept == 1 or kept * sections < MOST_POINTS
+
+
+def shapes_near(run: Trajectory, rows: np.ndarray) -> np.ndarray:
+    """Which shapes (n,) of a run are nearest to some rows."""
+    known = run.shape_rows
+    if len(known) == 1:
+        return np.zeros(len(rows), dtype=int)
+    after = np.clip(np.searchsorted(known, rows), 1, len(known) - 1)
+    nearer = rows - known[after - 1] <= known[after] - rows
+    return np.asarray(after - nearer)

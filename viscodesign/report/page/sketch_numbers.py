@@ -9,7 +9,7 @@ from typing import Any
 from viscodesign.errors import ViscodesignError
 from viscodesign.model.graph import Tube, crossed_order, straight_order
 from viscodesign.physics import bellow
-from viscodesign.report.page.shown_run import ShownRun
+from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.scene import Scene
@@ -18,7 +18,7 @@ MOST_BELLOWS = 256
 """Beyond these a sketch no longer follows a slider at once."""
 
 
-def scene_of(run: ShownRun) -> Scene | None:
+def scene_of(run: Trajectory) -> Scene | None:
     """The scene of a run; None where its spec is not one of this version."""
     try:
         return parse_scene(run.spec_text.encode("utf-8", "backslashreplace"))
@@ -26,7 +26,7 @@ def scene_of(run: ShownRun) -> Scene | None:
         return None
 
 
-def why_not(run: ShownRun, scene: Scene | None) -> str:
+def why_not(run: Trajectory, scene: Scene | None) -> str:
     """Why there is no sketch of a run; empty where there is one."""
     if scene is None:
         return "its spec is not one of this version"
@@ -41,7 +41,7 @@ def why_not(run: ShownRun, scene: Scene | None) -> str:
     return ""
 
 
-def sketch_numbers(run: ShownRun, scene: Scene, *, from_start: bool) -> dict[str, Any]:
+def sketch_numbers(run: Trajectory, scene: Scene, *, from_start: bool) -> dict[str, Any]:
     """The numbers of `sketch_model.js`, in SI.
 
     ``from_start``: whether the first output time is shown; else the shown part is taken to
@@ -50,9 +50,7 @@ def sketch_numbers(run: ShownRun, scene: Scene, *, from_start: bool) -> dict[str
     body, cells, graph = scene.actuator, scene.bellows, scene.graph
     section = body.length / graph.sections
     modulus = body.youngs_modulus
-    stores_gas = any(
-        row["name"] == "gas_compressibility" and row["taken"] for row in run.summary["effects"]
-    )
+    stores_gas = any(row.name == "gas_compressibility" and row.taken for row in run.effects)
     return {
         "length": body.length,
         "sections": graph.sections,

@@ -239,12 +239,10 @@ def test_nothing_computed_is_no_empty_picture(open_page: Open) -> None:
 
 
 def _without_metrics(run: Any) -> Any:
-    from viscodesign.report.page.shown_run import ShownRun
-
     class Bare(type(run)):  # type: ignore[misc]
         metrics: dict[str, float] = {}  # noqa: RUF012
 
-    return ShownRun.of(Bare(**{name: getattr(run, name) for name in run.__dataclass_fields__}))
+    return Bare(**{name: getattr(run, name) for name in run.__dataclass_fields__})
 
 
 SKETCHED = {
