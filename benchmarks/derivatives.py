@@ -24,6 +24,8 @@ from peers.machine import cpu
 
 from viscodesign import __version__, compile, load, simulate
 from viscodesign.compiled.function import CompiledFunction
+from viscodesign.compiled.problem_at import problem_at
+from viscodesign.solve.solvers.rodas_native import NativeSteps
 
 HERE = Path(__file__).parent
 CONFIGS = HERE.parent / "configs"
@@ -43,9 +45,25 @@ SCENES: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {
         (TUBES, RADIUS),
     ),
     "tree of 8 bellows pairs": ("branched_tree", (), ("network.tubes[*].radius",)),
+    "leg on its limit cycle, 1 Hz": (
+        "leg_16_straight_air",
+        (
+            "input={kind: sine, amplitude: 20 kPa, frequency: 1 Hz}",
+            "run={duration: 2 s, output_interval: 20 ms, start: periodic}",
+        ),
+        (RADIUS, "input.frequency"),
+    ),
     "equilibria": ("steady_left_auto", (), ("actuator.youngs_modulus",)),
 }
 """Config, changed keys, free keys."""
+PROFILED = "leg, 1 number"
+PARTS = (
+    "numbers of the problem from the free ones, and the problem",
+    "equilibrium at the start",
+    "steps in native code",
+    "consistent unknowns where stretches begin",
+    "outputs, and what ends a run",
+)
 CHANGE = 1e-3
 TIGHT = 1e-9
 """Of a number, and of the steps, where derivatives are compared with differences."""
@@ -101,6 +119,7 @@ def measure(name: str, rounds: int) -> Record:
         function.batch([row * (1 + 1e-10) for row in rows], workers=WORKERS)
         spent.setdefault("wall of a batch in threads", []).append(time.perf_counter() - began)
     return {
+        "parts": _parts(function) if name == PROFILED else {},
         "scene": name,
         "version": __version__,
         "cpu": cpu(),
@@ -109,6 +128,33 @@ def measure(name: str, rounds: int) -> Record:
         **{f"{label}_s": min(times) for label, times in spent.items()},
         "apart": _apart(scene, free),
     }
+
+
+def _parts(function: CompiledFunction) -> dict[str, float]:
+    """CPU time of the parts of one value [s], the least of several."""
+    motion, numbers, found = function._motion, function._numbers, dict[str, float]()
+    for k in range(1, 21):
+        ends, given = [time.process_time()], function.values * (1 + 1e-7 * k)
+        numbers.check(given)
+        own = numbers.at(given)
+        problem = problem_at(motion._problem, motion.times, own)
+        steps = NativeSteps(problem, motion._tolerance)
+        ends.append(time.process_time())
+        start = motion._start(problem, own).start
+        ends.append(time.process_time())
+        taken = (start, own.stops, own.pieces, motion.times)
+        run = motion._stretches.over(steps, *taken, recorded=False)
+        ends.append(time.process_time())
+        for j, stop in enumerate(own.stops[:-1]):
+            motion._stretches.begin(steps, run.end, (float(stop), own.pieces[j]))
+        ends.append(time.process_time())
+        motion.reading(problem, motion.times, own, run.columns)
+        ends.append(time.process_time())
+        spent = np.diff(ends)
+        spent[2] -= spent[3]  # the beginnings are part of the stretches
+        for part, each in zip(PARTS, spent, strict=True):
+            found[part] = min(float(each), found.get(part, np.inf))
+    return found
 
 
 def _apart(scene: Any, free: tuple[str, ...]) -> float:
@@ -178,11 +224,52 @@ def report(records: list[Record]) -> list[str]:
     for r in records:
         threads = BATCH / r["wall of a batch in threads_s"]
         lines.append(f"| {r['scene']} | {BATCH / r['batch_s']:.0f} | {threads:.0f} |")
-    return [*lines, *EXPLAINED]
+    return [*lines, "", *EXPLAINED, "", *_profile(records), "", *_aims(records)]
 
 
+def _profile(records: list[Record]) -> list[str]:
+    """Where the time of one row goes."""
+    parts = next(r["parts"] for r in records if r["parts"])
+    whole = sum(parts.values())
+    return [
+        "Where one value of the leg goes (least of 20):",
+        "",
+        "| part | CPU time | share |",
+        "|---|---|---|",
+        *(f"| {n} | {1e3 * s:.2f} ms | {100 * s / whole:.0f} % |" for n, s in parts.items()),
+    ]
+
+
+def _aims(records: list[Record]) -> list[str]:
+    """What was aimed at."""
+    lines = ["| aim | reached | |", "|---|---|---|"]
+    for scene, most in GRADIENT_AIMS.items():
+        r = next(r for r in records if r["scene"] == scene)
+        ratio = r["gradient_s"] / r["value_s"]
+        met = "met" if ratio <= most else "missed"
+        lines.append(
+            f"| value and gradient, {scene}: at most {most:g} values | {ratio:.2f} | {met} |"
+        )
+    leg = next(r for r in records if r["scene"] == PROFILED)
+    rate = BATCH / leg["batch_s"]
+    met = "met" if rate >= ROWS_AIM else "missed"
+    lines.append(
+        f"| {ROWS_AIM} rows of the leg a second and core, one by one | {rate:.0f} | {met} |"
+    )
+    lines.append(f"| {ROWS_IN_LANES_AIM} in lanes | not built | missed |")
+    return [*lines, "", *MISSED]
+
+
+GRADIENT_AIMS = {"leg, 22 numbers": 3.0, "leg without inertia or loads": 2.0}
+ROWS_AIM, ROWS_IN_LANES_AIM = 500, 1500
+MISSED = [
+    "Rows: the steps alone would allow about twice the rate; the rest is Python and NumPy around",
+    "them, row by row. Lanes over variants gain at most 3.1 in the elimination, whose vectors are",
+    "written out then, and without any Python would end at about 670 rows a second: they were not",
+    "built. On a limit cycle a value solves many periods, and its derivatives one more along",
+    "every state.",
+]
 EXPLAINED = [
-    "",
     "A gradient costs the same for any number of free numbers. A Jacobian takes eight of them at",
     "once along the recorded steps; for a path of many points by few numbers it is the cheaper",
     "way to least squares, for one number of many it is the gradient.",

@@ -10,7 +10,7 @@ from ours import Ours
 if TYPE_CHECKING:
     import numpy as np
 
-    from viscodesign.postprocess.motion import Motion
+    from viscodesign.results.motion_arrays import MotionArrays
     from viscodesign.scene.scene import Scene
 
 LADDER = [(1, 1e-3), (1, 1e-4), (1, 2e-5), (2, 2e-5), (2, 1e-5), (4, 1e-6), (8, 1e-7)]
@@ -31,7 +31,7 @@ class Viscodesign(Ours):
 
         return load(SCENE, more)
 
-    def values(self, motion: Motion) -> np.ndarray:
+    def values(self, motion: MotionArrays) -> np.ndarray:
         return motion.tip[:, :2]
 
 

@@ -78,6 +78,7 @@ class NetworkCase(Case):
 
 CONTESTANTS = [
     "network_viscodesign:Modes",
+    "network_viscodesign:Called",
     "network_viscodesign:Idas",
     "network_viscodesign:Rosenbrock",
     "network_scipy:Bdf",

@@ -11,7 +11,7 @@ from ours import Ours
 if TYPE_CHECKING:
     import numpy as np
 
-    from viscodesign.postprocess.motion import Motion
+    from viscodesign.results.motion_arrays import MotionArrays
     from viscodesign.scene.scene import Scene
 
 SCENE = Path(__file__).parents[2] / "configs" / "leg_16_straight_water.yaml"
@@ -46,7 +46,7 @@ class Viscodesign(Ours):
 
         return load(SCENE, [*overrides(self.fluid), *more])
 
-    def values(self, motion: Motion) -> np.ndarray:
+    def values(self, motion: MotionArrays) -> np.ndarray:
         return motion.pressure[:, ALONG_CHAIN]
 
 
@@ -72,3 +72,10 @@ class Modes(Viscodesign):
 
     def ladder(self) -> list[dict[str, Any]]:
         return [{"tolerance": TOLERANCES[-1]}]
+
+
+class Called(Viscodesign):
+    """Asked for an accuracy; effects, tolerance and solver are the program's choice."""
+
+    name = "viscodesign (by accuracy)"
+    solver = None

@@ -1,8 +1,9 @@
 """viscodesign as a contestant: by a solver at given settings, or by the accuracy alone.
 
 `prepare` reads the scene and solves it once, as whoever works with it does; measured is
-a whole further solution with the equations at hand: the equilibrium at the start, the
-steps through time, and reading all outputs and balances.
+a whole further solution. Asked for an accuracy, that is `simulate(scene, verify=False)`; with a
+given solver, building the problem again, the equilibrium at the start, the steps through time,
+and reading all outputs, shapes and balances.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 if TYPE_CHECKING:
     import numpy as np
 
-    from viscodesign.postprocess.motion import Motion
+    from viscodesign.results.motion_arrays import MotionArrays
     from viscodesign.scene.scene import Scene
 
 ACCURACIES = [1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6]
@@ -36,7 +37,7 @@ class Ours(ABC):
         """The case's scene with further overrides."""
 
     @abstractmethod
-    def values(self, motion: Motion) -> np.ndarray:
+    def values(self, motion: MotionArrays) -> np.ndarray:
         """What is compared (T, k)."""
 
     def settings(self) -> list[dict[str, Any]]:
@@ -50,6 +51,7 @@ class Ours(ABC):
         from viscodesign.effects.select import select_effects
         from viscodesign.estimate.scene_quantities import SceneQuantities
         from viscodesign.simulation.build_problem import Settings, suggest_settings
+        from viscodesign.simulation.simulate import simulate
         from viscodesign.simulation.solve_once import solve
 
         asked = setting.get("accuracy")
@@ -61,9 +63,16 @@ class Ours(ABC):
             settings = Settings(**{"edges_per_section": 1} | setting, solver=self.solver)
 
         def run() -> np.ndarray:
+            if self.solver is None:
+                called = simulate(quantities.scene, verify=False)
+                if called.status != "complete":
+                    raise RuntimeError(str(called.failure))
+                return self.values(called)
             found = solve(quantities, effects, settings)
             if not found.is_complete:
                 raise RuntimeError(str(found.motion.failure))
+            assert len(found.motion.shape)
+            assert found.motion.invariants
             return self.values(found.motion)
 
         run()

@@ -19,7 +19,6 @@ import importlib
 import json
 import os
 import platform
-import statistics
 import subprocess
 import sys
 import time
@@ -31,7 +30,7 @@ from pathlib import Path
 from typing import Any, Literal, Protocol
 
 import numpy as np
-from machine import cpu
+from machine import cpu, cpu_seconds
 
 HERE = Path(__file__).parent
 RESULTS = HERE.parent / "results" / "peers.jsonl"
@@ -56,6 +55,10 @@ BUDGET = 25.0
 """Wall time of one contestant in one case and round [s]."""
 FEWEST, MOST, PATIENCE = 5, 25, 1.0
 """Warm solutions at least and at most, and how long they are repeated in between [s]."""
+DUEL_ERROR = 1e-3
+"""Error that the settings have which meet in one process."""
+DUEL_PATIENCE = 30.0
+"""How long they meet [s]."""
 SLOW = 2.0
 """A solution that takes longer [s] is not repeated FEWEST times but twice."""
 Record = dict[str, Any]
@@ -117,15 +120,22 @@ def main() -> None:
     parser.add_argument("--budget", type=float, default=BUDGET, help="of a contestant [s]")
     parser.add_argument("--output", type=Path, default=RESULTS)
     parser.add_argument("--report", action="store_true", help="only report")
+    parser.add_argument("--meet", action="store_true", help="only the best settings in turn")
     parser.add_argument("--one", help=argparse.SUPPRESS)
+    parser.add_argument("--duel", nargs="*", help=argparse.SUPPRESS)
     given = parser.parse_args()
+    if given.duel is not None:
+        say(duel(*given.duel))
+        return
     if given.one:
         say(measure(**json.loads(given.one)))
         return
     if not given.report:
         for case in cases():
             if given.case is None or case.name in given.case:
-                run_case(case, given)
+                if not given.meet:
+                    run_case(case, given)
+                run_duel(case, given.output)
     from report import write_report
 
     write_report(given.output)
@@ -154,6 +164,29 @@ def run_case(case: Case, given: argparse.Namespace) -> None:
                 best[key] = better(best.get(key), record)
                 print(told(best[key]), flush=True)
             write(given.output, case, chosen, list(best.values()))
+
+
+def run_duel(case: Case, path: Path) -> None:
+    """The cheapest settings that are good enough in turn, in one process; written down."""
+    lines = [json.loads(line) for line in path.read_text().splitlines()]
+    best: dict[str, Record] = {}
+    results = [r for r in lines if r["kind"] == "result" and "warm_s" in r]
+    for r in sorted(results, key=lambda r: r["warm_s"]):
+        error = r["error_rel"]
+        if r["case"] == case.name and error is not None and error <= DUEL_ERROR:
+            best.setdefault(r["contestant"], r)
+    asked = [json.dumps({k: r[k] for k in ("contestant", "place")}) for r in best.values()]
+    done = subprocess.run(
+        [sys.executable, __file__, "--duel", case.name, *asked],
+        env=os.environ | ONE_THREAD,
+        capture_output=True,
+        text=True,
+        cwd=HERE,
+    )
+    found = [json.loads(x[len(MARK) :]) for x in done.stdout.splitlines() if x.startswith(MARK)]
+    kept = [r for r in lines if r["kind"] != "duel" or r["case"] != case.name]
+    new = [{"kind": "duel", "case": case.name} | record for record in found]
+    path.write_text("".join(json.dumps(line) + "\n" for line in [*kept, *new]))
 
 
 def climb(case: str, contestant: str, budget: float) -> Iterator[Record]:
@@ -222,7 +255,7 @@ def write(path: Path, case: Case, chosen: list[str], records: list[Record]) -> N
         for r in old
         if r["kind"] != "header" and (r["case"] != case.name or r.get("contestant") not in chosen)
     ]
-    about = [r for r in kept if r["kind"] == "result"]
+    about = [r for r in kept if r["kind"] in ("result", "duel")]
     described = {r["case"]: r for r in kept if r["kind"] == "case"} | {case.name: facts(case)}
     lines = [header(), *described.values(), *about, *records]
     path.parent.mkdir(exist_ok=True)
@@ -265,17 +298,17 @@ TIMES = ("cold_s", "prepare_s", "first_s", "warm_s")
 def measure(case: str, contestant: str, place: int) -> Iterator[Record]:
     """Facts of one setting as they become known."""
     chosen = next(c for c in cases() if c.name == case)
-    began = time.perf_counter()
+    began = cpu_seconds()
     try:
         module, kind = contestant.split(":")
         tool = getattr(importlib.import_module(module), kind)(chosen)
         ladder = tool.settings()
         yield {"name": tool.name, "count": len(ladder), "setting": ladder[place]}
-        preparing = time.perf_counter()
+        preparing = cpu_seconds()
         solve = tool.prepare(ladder[place])
-        prepared = time.perf_counter()
+        prepared = cpu_seconds()
         values = solve()
-        solved = time.perf_counter()
+        solved = cpu_seconds()
         error = chosen.error(values)
         warm = repeated(solve, solved - prepared)
     except Exception as fault:  # a tool may raise whatever it likes
@@ -285,7 +318,7 @@ def measure(case: str, contestant: str, place: int) -> Iterator[Record]:
         "cold_s": solved - began,
         "prepare_s": prepared - preparing,
         "first_s": solved - prepared,
-        "warm_s": statistics.median(warm),
+        "warm_s": min(warm),
         "solves": len(warm),
         "rounds": 1,
         "error_rel": error,
@@ -294,14 +327,36 @@ def measure(case: str, contestant: str, place: int) -> Iterator[Record]:
     }
 
 
+def duel(case: str, *asked: str) -> Iterator[Record]:
+    """CPU times of several tools at one setting each, in turn."""
+    chosen = next(c for c in cases() if c.name == case)
+    solvers: dict[str, Callable[[], np.ndarray]] = {}
+    for each in map(json.loads, asked):
+        module, kind = each["contestant"].split(":")
+        tool = getattr(importlib.import_module(module), kind)(chosen)
+        solvers[tool.name] = tool.prepare(tool.settings()[each["place"]])
+        solvers[tool.name]()
+    spent: dict[str, list[float]] = {name: [] for name in solvers}
+    began = time.perf_counter()
+    while len(spent[name := next(iter(spent))]) < 3 or (
+        time.perf_counter() - began < DUEL_PATIENCE and len(spent[name]) < MOST
+    ):
+        for name, solve in solvers.items():
+            start = cpu_seconds()
+            solve()
+            spent[name].append(cpu_seconds() - start)
+    for name, times in spent.items():
+        yield {"name": name, "warm_s": min(times), "solves": len(times)}
+
+
 def repeated(solve: Callable[[], np.ndarray], first: float) -> list[float]:
     """Times of further solutions [s]."""
     spent: list[float] = []
     fewest = FEWEST if first < SLOW else 2
     while len(spent) < fewest or (sum(spent) < PATIENCE and len(spent) < MOST):
-        began = time.perf_counter()
+        began = cpu_seconds()
         solve()
-        spent.append(time.perf_counter() - began)
+        spent.append(cpu_seconds() - began)
     return spent
 
 

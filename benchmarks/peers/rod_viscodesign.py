@@ -21,7 +21,7 @@ from ours import Ours
 if TYPE_CHECKING:
     import numpy as np
 
-    from viscodesign.postprocess.motion import Motion
+    from viscodesign.results.motion_arrays import MotionArrays
     from viscodesign.scene.scene import Scene
 
 MODULUS, HEIGHT, WIDTH, SOLID = 1.8e6, 0.03, 0.02, 0.47
@@ -112,7 +112,7 @@ class Viscodesign(Ours):
             path.write_text(yaml.safe_dump(spec(self.case), sort_keys=False))
             return load(path, [f"effects.inertia={self.inertia}", *more])
 
-    def values(self, motion: Motion) -> np.ndarray:
+    def values(self, motion: MotionArrays) -> np.ndarray:
         return motion.tip[:, :2]
 
 
