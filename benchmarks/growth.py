@@ -178,7 +178,7 @@ def measure(family: str, size: int) -> Record:
         "peak_memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
         "steps": last.solution.work.steps,
         "unknowns": equations.states.count + equations.algebraics.count,
-        "solver": settings.solver,
+        "solver": last.solution.solver,
         "tolerance": settings.tolerance,
         "edges_per_section": edges,
         "t_net_s": quantities.scales.t_net,

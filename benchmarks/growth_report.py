@@ -97,6 +97,9 @@ def _aim(families: dict[str, list[Record]]) -> str:
         records, smallest = families[family], _smallest(family)
         whole, steps = (exponent(records, key, smallest) for key in ("solve_s", "steps"))
         met = "met" if whole <= LARGEST_EXPONENT else "missed"
+        if len({r["solver"] for r in records if not r["note"]}) > 1:
+            words.append(f"{TITLES[family]}: {told(whole)}, {met}; the solver changes on the way.")
+            continue
         words.append(
             f"{TITLES[family]}: {told(whole)}, {met}; {told(steps)} of it are more steps, "
             f"{told(whole - steps)} the work of one."
