@@ -86,6 +86,8 @@ def test_a_dry_run_prints_packets_and_leaves_no_file(call: Call, tmp_path: Path)
     assert told.out.startswith("[dry run]")
     assert "FF FF 01 05 03 22" in told.out  # the torque limit comes first
     assert "FF FF FE 09 83 1E 04 01" in told.out
+    document = json.loads(call(*words, "--dry-run", "--json").out)
+    assert document == {"status": "dry run", "lines": told.out.splitlines()}
     assert not (tmp_path / "run").exists()
 
 

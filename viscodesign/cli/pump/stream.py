@@ -79,7 +79,9 @@ def command(
         options: Any = (rate, on_stop, achievable, without_sensor, advance, dry_run)
         session = StreamSession(scene, address, *options)
     if dry_run:
-        return say(rehearse_stream(session).text)
+        text = rehearse_stream(session).text
+        document = {"status": "dry run", "lines": text.splitlines()}
+        return say(json_text(document) if json else text)
     folder = output or Path("runs") / f"{folder_name(scene.name)}-stream"
     confirm = asking(yes=yes, quiet=quiet)
     with live_view(session.plan, session.settings, address.label, quiet) as show:
