@@ -80,9 +80,7 @@ def test_only_the_whole_command_line_asks_for_it() -> None:
 @pytest.mark.parametrize(
     ("line", "offered"),
     [
-        ("viscodesign sim", "simulate"),
         ("viscodesign init --template leg_4_water_", "leg_4_water_auto"),
-        ("viscodesign effects rotary", "rotary_inertia"),
         ("viscodesign check leg.yaml --set run.dur", "run.duration="),
         ("viscodesign pump pl", "plan"),
     ],

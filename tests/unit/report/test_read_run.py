@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from tests.trajectories import ablated_run, made_run, of_scene, with_two_inlets
+from tests.trajectories import ablated_run, of_scene, with_two_inlets
+from tests.trajectories import made_run as made_long_run
 from viscodesign import Trajectory, simulate
 from viscodesign.errors import UsageError, ViscodesignError
 from viscodesign.results.findings import Notice, RetryAttempt, Scales, Verdict
@@ -21,11 +22,19 @@ from viscodesign.results.trajectory import Cost
 from viscodesign.scene.reading.write import resolved_yaml
 
 SPEC = resolved_yaml(leg())
+TIMES = np.linspace(0.0, 8.0, 41)
+
+
+def made_run(**changes: Any) -> Trajectory:
+    """The made-up run with few output times."""
+    return made_long_run(**{"time": TIMES, **changes})
+
+
 TWO = leg(config="antagonistic_two_inlets")
 CONSTANT = replace(made_run().classification, scales=Scales(0.03, 0.2, math.inf, 1.0))
 RUNS: dict[str, Callable[[], Trajectory]] = {
     "plain": lambda: made_run(spec_text=SPEC),
-    "ablated": lambda: ablated_run(spec_text=SPEC),
+    "ablated": lambda: ablated_run(spec_text=SPEC, time=TIMES),
     "failed": lambda: made_run(spec_text=SPEC, status="failed", failure="stretch below 0.2"),
     "interrupted": lambda: made_run(spec_text=SPEC, status="interrupted", failure="Ctrl-C"),
     "one row": lambda: made_run(spec_text=SPEC, time=np.array([0.0])),
@@ -40,7 +49,7 @@ RUNS: dict[str, Callable[[], Trajectory]] = {
         spec_text=SPEC, ladder=(RetryAttempt(0.1, "less", True, "stuck"),), cost=Cost(steps=3),
         provenance={"version": "1", "packages": {"numpy": "2"}},
     ),
-    "not numbers": lambda: made_run(spec_text=SPEC).with_arrays(flow=np.full((401, 16), np.nan)),
+    "not numbers": lambda: made_run(spec_text=SPEC).with_arrays(flow=np.full((41, 16), np.nan)),
 }  # fmt: skip
 
 
