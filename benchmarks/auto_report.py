@@ -40,7 +40,8 @@ def report_lines(records: list[Record], seed: int) -> list[str]:
         "run before. The reference is this program's own: everything on, a finer mesh, a smaller "
         "tolerance. It tells errors of choice, steps and mesh, not those of the equations.",
         "",
-        f"Compared: {len(judged)} scenes. Not compared: {len(ends) - len(judged)}.",
+        f"Compared: {len(judged)} scenes. Not compared: {len(ends) - len(judged)}; a scene has "
+        "60 s of CPU for all of its runs and its reference, so the costly ones are missing.",
         "",
         "## The error",
         "",

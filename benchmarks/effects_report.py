@@ -57,6 +57,9 @@ def report_lines(records: list[Record], figure: str) -> list[str]:
         f"Python {platform.python_version()}, {platform.machine()}, "
         f"{_versions()}; one process per scene.",
         "",
+        "**What is independent.** The numbers of the selection were chosen on scenes of this seed. "
+        "Scenes of an unseen seed, and such that ring, are in [`auto_study.md`](auto_study.md).",
+        "",
         *_spread(costs),
         "",
         "## The choice",

@@ -152,7 +152,8 @@ def _claim_lines(judged: list[Record]) -> list[str]:
         "ones (the largest 0.0048 of the requested accuracy; it comes with feedback, which the "
         f"estimate hardly shows there). The last column takes the neglected part of the "
         f"{floored} scenes that "
-        "state just the floor as zero. Scenes of another seed have not been run.",
+        "state just the floor as zero. Scenes of an unseen seed, and such that ring, are in "
+        "[`auto_study.md`](auto_study.md).",
         "",
         f"The true error is below the requested accuracy in {_percent(_met(judged))}; "
         f"{unmet} of the judged runs say that they missed it.",
