@@ -28,7 +28,7 @@ PLACES: dict[str, Any] = {
     "choosing effects": (simulating, "select_effects"),
     "refusing": (simulating, "refuse_unsolvable"),
     "choosing settings": (simulating, "suggest_settings"),
-    "at the start": (transient, "consistent"),
+    "at the start": (transient, "Fallbacks"),
     "reading": (solve_once, "read_motion"),
     "weighing again": (simulating, "escalation"),
     "stating the accuracy": (simulating, "accuracy_of"),
