@@ -6,6 +6,8 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
+import yaml
+
 from tests.fuzz.damage_text import ODD_CHARACTERS
 
 CELLS = (
@@ -13,6 +15,26 @@ CELLS = (
     "1_000", "١", '"', '"1"', '"1,2"', "\x00", "--1", "1e", "9" * 400, "TRUE", "=1+1", "é", "#", "'1'", "\t1", "-0",
 )  # fmt: skip
 Rows = list[list[str]]
+CHOICES: dict[str, tuple[Any, ...]] = {
+    "repeat": (True, False, "yes", "off", 3, None),
+    "smooth": (
+        "auto",
+        "off",
+        False,
+        "20 ms",
+        "5 Hz",
+        "0 s",
+        "-1 s",
+        "1e9 s",
+        "1e12 Hz",
+        5,
+        "5",
+        "often",
+        None,
+    ),
+    "decimal": ("comma", "point", "dot", 3, None),
+}
+"""Other keys of a table, with values right and wrong."""
 
 
 def damaged_table(rng: Random, spec: dict[str, Any]) -> tuple[str, bytes]:
@@ -32,7 +54,13 @@ def _csv(header: list[str], rows: Rows) -> str:
 
 
 def _input(rng: Random, spec: dict[str, Any]) -> tuple[list[str], Rows]:
-    _set_input(spec, {"kind": "table", "file": "broken.csv"})
+    given: dict[str, Any] = {"kind": "table", "file": "broken.csv"}
+    for key, values in CHOICES.items():
+        if rng.random() < 0.25:
+            given[key] = rng.choice(values)
+    if rng.random() < 0.25:
+        given["columns"] = yaml.safe_load(rng.choice(COLUMNS))
+    _set_input(spec, given)
     return ["time_s", "pressure_pa"], [[repr(0.1 * k), repr(1e3 * k)] for k in range(8)]
 
 
@@ -70,6 +98,37 @@ def _odd_header(rng: Random, header: list[str], rows: Rows) -> tuple[list[str], 
     return header, rows
 
 
+SPELLINGS = (
+    "{name} [{unit}]", "{name} ({unit})", "{name}/{unit}", "{name}, {unit}", "{name}_{unit}", "{name} in {unit}",
+    "{name}", "[{unit}]", "{name} [[{unit}]", "{name} ({unit}", "{name}_{unit}_{unit}", "{unit}", "{name} [{unit} abs]",
+    "{name} ({unit}(g))", "inlet_{name}_pa",
+)  # fmt: skip
+UNITS = (
+    "s", "ms", "µs", "min", "Pa", "kPa", "mpa", "MPa", "mbar", "psi", "psig", "m", "mm", "inch", "deg", "°", "m2",
+    "mm^2", "", "%", "furlong", "kPa/s", "s" * 300,
+)  # fmt: skip
+COLUMNS = (
+    "{time: 1, pressure: 2}", "{time: 2, pressure: 1}", "{pressure: {column: 2, unit: kPa}}", "{time: 0}", "{time: 99}",
+    "{x: 1}", "{}", "[]", "{time: {}}", "{time: {column: time_s, unit: kPa}}", "{time: {column: 1, unit: 3}}", "{time: [1]}",
+    "{position: {column: 2, unit: mm}}", "{time: true}", "{time: null}", "{pressure: 'p [kPa]'}",
+)  # fmt: skip
+
+
+def _spelled_header(rng: Random, header: list[str], rows: Rows) -> tuple[list[str], Rows]:
+    """Headers as loggers write them, or nearly so."""
+    named = []
+    for cell in header:
+        name = rng.choice([cell.rsplit("_", 1)[0], "t", "p", "Zeit", "x", ""])
+        named.append(rng.choice(SPELLINGS).format(name=name, unit=rng.choice(UNITS)))
+    return named, rows
+
+
+def _decimal_commas(rng: Random, header: list[str], rows: Rows) -> tuple[list[str], Rows]:
+    signs = rng.choice(["...", ",,,", ",,.", ".,,"])
+    commas = [[cell.replace(".", rng.choice(signs)) for cell in row] for row in rows]
+    return [";".join(header)], [[";".join(row)] for row in commas]
+
+
 def _other_columns(rng: Random, header: list[str], rows: Rows) -> tuple[list[str], Rows]:
     for cells in rng.choice([rows, rows[:1], [header], [header, *rows]]):
         if rng.random() < 0.5:
@@ -94,6 +153,7 @@ def _no_header(rng: Random, header: list[str], rows: Rows) -> tuple[list[str], R
 
 ROWS: list[Callable[[Random, list[str], Rows], tuple[list[str], Rows]]] = [
     _odd_cell, _odd_cell, _odd_header, _other_columns, _other_order, _other_length, _no_header,
+    _spelled_header, _spelled_header, _decimal_commas,
 ]  # fmt: skip
 
 

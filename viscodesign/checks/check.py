@@ -8,6 +8,7 @@ from typing import Any
 from viscodesign.checks.classify import classification
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.checks.scene_warnings import verdict_notices
+from viscodesign.checks.table_cover import input_notes
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
@@ -47,7 +48,8 @@ def check(scene: Scene) -> Check:
     refuse_unsolvable(quantities, active)
     found = classification(quantities, active)
     found = replace(found, warnings=(*verdict_notices(quantities, verdicts), *found.warnings))
-    return Check(scene.name, found, verdicts, found.warnings, tuple(_facts(quantities)))
+    facts = (*_facts(quantities), *input_notes(scene))
+    return Check(scene.name, found, verdicts, found.warnings, facts)
 
 
 def _facts(quantities: SceneQuantities) -> list[str]:

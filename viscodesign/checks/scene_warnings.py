@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from viscodesign.checks.plausibility import plausibility_notices
+from viscodesign.checks.table_cover import table_notices
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.findings import Notice, Verdict
@@ -16,6 +17,7 @@ NEAR_VACUUM = 0.05
 def scene_notices(quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Notice]:
     """Every warning about a scene that is simulated with these effects."""
     yield from plausibility_notices(quantities.scene)
+    yield from table_notices(quantities.scene)
     yield from _pressure_notices(quantities)
     for effect in every_effect(quantities).values():
         yield from effect.warnings(quantities, active)

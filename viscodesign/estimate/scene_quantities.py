@@ -100,7 +100,9 @@ class SceneQuantities:
                 body.mass_per_length, body.length, body.bending_stiffness
             ),
             t_f=self._viscous_elastic_time(),
-            t_i=min((i.transient() for i in scene.inputs.values()), default=math.inf),
+            t_i=min(
+                (i.transient(scene.run.duration) for i in scene.inputs.values()), default=math.inf
+            ),
             t_net=max((self._settling_time(c) for c in self.graph.components()), default=0.0),
         )
 
@@ -112,8 +114,9 @@ class SceneQuantities:
     @property
     def swing_time(self) -> float:
         """Shortest swing of any inlet's profile, at most the run; ignores a stated t_i [s]."""
-        swings = (source.swing_time() for source in self.scene.inputs.values())
-        return min([*swings, self.scene.run.duration])
+        duration = self.scene.run.duration
+        swings = (i.swing_time_within(duration) for i in self.scene.inputs.values())
+        return min([*swings, duration])
 
     def _viscous_elastic_time(self) -> float:
         tubes = self.graph.tubes

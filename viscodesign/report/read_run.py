@@ -210,6 +210,7 @@ def _told(summary: Mapping[str, Any]) -> dict[str, Any]:
         "violations": _all(Notice, summary.get("validity", {}).get("reasons", ())),
         "proof": _all(EffectAblation, summary.get("proof", ())),
         "ladder": _all(RetryAttempt, summary.get("ladder", ())),
+        "notes": tuple(summary.get("notes", ())),
         "settings": settings,
         "provenance": provenance,
     }

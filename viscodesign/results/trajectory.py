@@ -180,6 +180,8 @@ class Trajectory(MotionArrays):
     """Settings of the solver: edges, tolerance, form of rod and network."""
     failure: str | None = None
     """Why the run ended early."""
+    notes: tuple[str, ...] = ()
+    """What was read from files for its inputs, and what was taken out of them."""
     violations: tuple[Notice, ...] = ()
     """Those of the warnings that say where the run is outside of what its model describes."""
     provenance: Mapping[str, Any] = field(default_factory=dict)
@@ -327,6 +329,7 @@ class Trajectory(MotionArrays):
             "ladder": documents(self.ladder),
             "settings": dict(self.settings),
             "provenance": {**self.provenance, "settings": dict(self.settings)},
+            "notes": list(self.notes),
             "warnings": documents(self.warnings),
         }
         return dict(json_ready(document))

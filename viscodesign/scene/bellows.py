@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
 from viscodesign.scene.spec_part import SpecPart, invalid, invalid_at
-from viscodesign.scene.table_file import check_rows, pressure_faults, with_rows
+from viscodesign.scene.table_file import FromFile, check_rows, pressure_faults, with_rows
+from viscodesign.scene.tables.columns import WantedColumn
 from viscodesign.units import (
     Angle,
     Area,
@@ -35,23 +36,25 @@ def _paired(count: int) -> int:
     return count
 
 
-CURVE_COLUMNS = ("pressure_pa", "area_m2", "angle_rad", "extension_m")
+CURVE_COLUMNS = (
+    WantedColumn("pressure", get_args(Pressure)[1], ("p",)),
+    WantedColumn("area", get_args(Area)[1]),
+    WantedColumn("angle", get_args(Angle)[1]),
+    WantedColumn("extension", get_args(Length)[1]),
+)
 ROW_SPACING_REL_MIN = 1e-4
 """Smallest spacing of rows relative to the measured range; closer rows amplify rounding errors."""
 MAX_CURVE_ROWS = 60
 """Each row adds a term to the equations of every bellow."""
 
 
-class BellowCurve(SpecPart):
+class BellowCurve(FromFile):
     """The measured curve of one bellow, in rows of increasing area.
 
     Where the pressure falls from one row to the next, the bellow is unstable under a given
     pressure and snaps through.
     """
 
-    file: str | None = Field(
-        None, description=f"CSV with the columns {', '.join(CURVE_COLUMNS)}; relative to the spec"
-    )
     rows: tuple[tuple[Pressure, Area, Angle, Length], ...] | None = Field(
         None, description="Instead of a file: rows of [pressure, area, angle, extension]"
     )

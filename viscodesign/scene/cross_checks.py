@@ -5,6 +5,7 @@ Each check takes the fields that it compares; checks of an invalid field are lef
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -15,12 +16,15 @@ from viscodesign.errors import did_you_mean
 from viscodesign.scene.common_period import no_period
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.network import Network
 from viscodesign.scene.pressure_levels import bare_levels
 from viscodesign.scene.pump import PARTS_PER_INLET, PumpSpec
-from viscodesign.scene.spec_part import KeyFault, faults_of
+from viscodesign.scene.spec_part import KeyFault, KeyPath, faults_of
 
 MAX_PERIODS = 250_000
+MAX_ROWS_OF_CYCLES = 1_000_000
+"""Rows of a repeated table times its periods in a run."""
 SINGLE_INLET = "inlet"
 
 Fields = Mapping[tuple[str, str | None], Any]
@@ -101,6 +105,20 @@ def _periods(inputs: Mapping[str, Input], duration: float, is_single: bool) -> I
                 f"{MAX_PERIODS * source.period:.3g} s or less; the response is periodic long "
                 "before that",
             )
+        elif isinstance(source, TableInput) and source.repeat:
+            yield from _cycles(source, duration, ("input",) if is_single else ("inputs", name))
+
+
+def _cycles(source: TableInput, duration: float, place: KeyPath) -> Iterator[KeyFault]:
+    """A repeated table with too many rows in all periods together."""
+    rows, periods = len(source.rows or ()), math.ceil(duration / (source.period or duration))
+    if rows * periods > MAX_ROWS_OF_CYCLES:
+        longest = MAX_ROWS_OF_CYCLES // rows * (source.period or duration)
+        yield KeyFault(
+            (*place, "repeat"),
+            f"{rows} rows in each of {periods} periods are {rows * periods} rows; at most "
+            f"{MAX_ROWS_OF_CYCLES} are allowed. Use a run.duration of {longest:.3g} s or less",
+        )
 
 
 def _graph(network: Network, count: int, inputs: Mapping[str, Input]) -> Iterator[KeyFault]:

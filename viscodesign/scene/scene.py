@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, Literal, Self
 
 from pydantic import BaseModel, Field, PrivateAttr, ValidationInfo, field_validator, model_validator
@@ -21,19 +22,21 @@ from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
 from viscodesign.scene.input import INPUT_KINDS, AnyInput
-from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.inputs.base import Input, Surroundings
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import Network
 from viscodesign.scene.pressure_levels import with_levels_above
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.run import RunSettings
-from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_of, invalid, raise_faults
+from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_below, invalid, raise_faults
 from viscodesign.scene.spec_version import SPEC_VERSION, version_problem
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
 
 STANDARD_ATMOSPHERE = 101325.0
 """[Pa]"""
+DEFAULT_ACCURACY = 0.005
+"""Of the actuator's length."""
 
 
 @dataclass(frozen=True)
@@ -44,15 +47,16 @@ class Provenance:
     sha256: str = ""
 
 
-def _with_gauge_levels(baseline: float, given: Any, path: KeyPath) -> Any:
-    """An input as given, with its absolute levels above the absolute baseline [Pa]."""
+def _prepared(around: Surroundings, given: Any, path: KeyPath) -> Any:
+    """An input as given, with its absolute levels above the baseline, and its file read."""
     kind = given.get("kind") if isinstance(given, dict) else None
     if not isinstance(kind, str) or kind not in INPUT_KINDS:
         return given
+    own, baseline = INPUT_KINDS[kind], around.ambient + around.baseline
     try:
-        return with_levels_above(baseline, INPUT_KINDS[kind], given)
+        return own.prepared(with_levels_above(baseline, own, given), around)
     except PydanticCustomError as error:
-        raise_faults(found._replace(path=(*path, *found.path)) for found in faults_of(error))
+        raise faults_below(path, error) from None
 
 
 class Scene(SpecPart):
@@ -76,6 +80,13 @@ class Scene(SpecPart):
     ambient_pressure: AbsolutePressure = Field(
         STANDARD_ATMOSPHERE, gt=0, description="Absolute ambient pressure"
     )
+    accuracy: Fraction = Field(
+        DEFAULT_ACCURACY,
+        ge=1e-7,
+        le=0.2,
+        description="Allowed tip error relative to the actuator length",
+        examples=["0.5 %"],
+    )
     input: AnyInput | None = Field(None, description="The input of a single inlet")
     several_inputs: dict[str, AnyInput] | None = Field(
         None, alias="inputs", description="One input per inlet, by name"
@@ -84,13 +95,6 @@ class Scene(SpecPart):
     effects: EffectsChoice = Field(
         default_factory=EffectsChoice, description="auto, or effect: auto | on | off"
     )
-    accuracy: Fraction = Field(
-        0.005,
-        ge=1e-7,
-        le=0.2,
-        description="Allowed tip error relative to the actuator length",
-        examples=["0.5 %"],
-    )
     run: RunSettings = Field(description="Duration, outputs and initial state")
     pump: PumpSpec | None = Field(None, description="The syringe pump, for the pump commands")
 
@@ -98,16 +102,21 @@ class Scene(SpecPart):
 
     @field_validator("input", "several_inputs", mode="before")
     @classmethod
-    def _with_gauge_levels(cls, given: Any, info: ValidationInfo) -> Any:
-        """The inputs with their absolute levels as gauge above the baseline."""
+    def _prepared(cls, given: Any, info: ValidationInfo) -> Any:
+        """The inputs with what they refer to in other keys worked in."""
         if not isinstance(given, dict):
             return given
-        ambient = info.data.get("ambient_pressure", STANDARD_ATMOSPHERE)
-        baseline = ambient + info.data.get("gauge_pressure", 0.0)
+        around = Surroundings.of(
+            info.context,
+            ambient=info.data.get("ambient_pressure", STANDARD_ATMOSPHERE),
+            baseline=info.data.get("gauge_pressure", 0.0),
+            accuracy=info.data.get("accuracy", DEFAULT_ACCURACY),
+        )
         if info.field_name == "input":
-            return _with_gauge_levels(baseline, given, ())
+            return _prepared(replace(around, inlet=SINGLE_INLET), given, ())
         return {
-            name: _with_gauge_levels(baseline, own, (str(name),)) for name, own in given.items()
+            name: _prepared(replace(around, inlet=str(name)), own, (str(name),))
+            for name, own in given.items()
         }
 
     @field_validator("spec", mode="before")

@@ -175,6 +175,11 @@ def faults_of(error: PydanticCustomError) -> list[KeyFault]:
     return list((error.context or {})["faults"])
 
 
+def faults_below(path: KeyPath, error: PydanticCustomError) -> PydanticCustomError:
+    """The error of a part as one of the whole, in which the part stands at ``path``."""
+    return _error([found._replace(path=(*path, *found.path)) for found in faults_of(error)])
+
+
 def switch(given: Any) -> Any:
     """True or False for on, off, yes and no, as text or as booleans; else the given value."""
     return _SWITCH.get(given.lower(), given) if isinstance(given, str) else given

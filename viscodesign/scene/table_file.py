@@ -1,31 +1,59 @@
-"""CSV tables of numbers; every fault names the file and the line."""
+"""Tables of numbers that a spec lists or reads from a file; every fault names the line."""
 
 from __future__ import annotations
 
-import csv
-import io
-import itertools
-import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
-from pydantic import ValidationInfo
+import numpy as np
+from pydantic import Field, ValidationInfo
 
-from viscodesign.errors import did_you_mean
-from viscodesign.scene.spec_part import KeyFault, invalid, invalid_at, raise_faults
+from viscodesign.errors import described, not_among
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
+from viscodesign.scene.tables.columns import ChosenColumn, Header, WantedColumn, chosen_columns
+from viscodesign.scene.tables.layout import TableText, taken_apart
+from viscodesign.scene.tables.numbers import Decimal, read_numbers
 
-RowCheck = Callable[[Sequence[float]], Iterator[tuple[int, str]]]
-"""Finds the rows in which a table's first column is invalid: (index, message)."""
-MAX_FILE_BYTES = 64 << 20
+RowCheck = Callable[[np.ndarray], Iterator[tuple[int, str]]]
+"""Finds the rows in which a table's first column (n,) is invalid: (index, message)."""
+MAX_FILE_BYTES = 512 << 20
 MAX_ROWS = 50_000
 """A resolved spec lists all rows and should stay small enough for an editor."""
+FILE_KEYS = ("file", "columns", "decimal")
+DECIMALS: tuple[Decimal, ...] = ("point", "comma")
+
+
+class FromFile(SpecPart):
+    """A part of a spec whose rows may stand in a file."""
+
+    file: str | None = Field(
+        None, description="Table as text, with columns of what `rows` holds; relative to the spec"
+    )
+    columns: dict[str, str | int | dict[str, str | int]] | None = Field(
+        None,
+        description="Columns of the file: its header, its number, or {column: ..., unit: ...}; "
+        "default: found by names and units",
+    )
+    decimal: Literal["point", "comma"] | None = Field(
+        None, description="Decimal sign of the file; default: found"
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class FileTable:
+    """What a file holds."""
+
+    values: np.ndarray
+    """(n, c) in SI."""
+    columns: tuple[ChosenColumn, ...]
 
 
 def with_rows(
     given: Any,
     info: ValidationInfo,
-    columns: Sequence[str],
+    columns: Sequence[WantedColumn],
     check: RowCheck,
     owner: str,
     others: Sequence[str] = (),
@@ -36,113 +64,134 @@ def with_rows(
     """
     if not isinstance(given, dict):
         return given
+    require_one_source(given, owner, others)
+    if given.get("file") is None:
+        return given
+    folder = (info.context or {}).get("folder", Path())
+    table = table_of_file(given, folder, columns, check, most_rows=MAX_ROWS)
+    rest = {key: value for key, value in given.items() if key not in FILE_KEYS}
+    return {**rest, "rows": list(map(tuple, table.values.tolist()))}
+
+
+def require_one_source(given: Mapping[str, Any], owner: str, others: Sequence[str] = ()) -> None:
+    """Raise a fault unless a mapping has exactly one of 'file', 'rows' and ``others``."""
     *first, last = ("file", "rows", *others)
     if sum(key in given for key in (*first, last)) != 1:
         words = ", ".join(f"'{key}'" for key in first)
         raise invalid(f"{owner} needs exactly one of {words} and '{last}'")
-    if not isinstance(given.get("file", ""), str):
+    for key in FILE_KEYS[1:]:
+        if given.get(key) is not None and "file" not in given:
+            raise invalid_at(key, "describes a file, and there is none; remove it")
+
+
+def table_of_file(
+    given: Mapping[str, Any],
+    folder: Path,
+    columns: Sequence[WantedColumn],
+    check: RowCheck,
+    *,
+    most_rows: int,
+    inlet: str = "",
+) -> FileTable:
+    """The table that the keys of a spec describe; ``inlet`` is the name of the input it is for."""
+    shown, decimal, stated = given["file"], given.get("decimal"), given.get("columns")
+    if not isinstance(shown, str):
         raise invalid_at("file", "expected the name of a CSV file, such as 'table.csv'")
-    if "file" not in given:
-        return given
-    folder = (info.context or {}).get("folder", Path())
-    rest = {key: value for key, value in given.items() if key != "file"}
-    return {**rest, "rows": read_table(folder / given["file"], given["file"], columns, check)}
+    if decimal is not None and decimal not in DECIMALS:
+        raise invalid_at("decimal", not_among(decimal, DECIMALS))
+    if stated is not None and not isinstance(stated, Mapping):
+        raise invalid_at(
+            "columns",
+            f"expected a mapping such as {{time: Time, pressure: P1}}; got {described(stated)}",
+        )
+    text = taken_apart(_text(folder / shown, shown))
+    header = Header(f"{shown}, line {text.header_line}", text.header, text.columns)
+    chosen = chosen_columns(columns, header, stated or {}, inlet)
+    return _read(text, chosen, check, shown, decimal, most_rows)
+
+
+def _read(
+    text: TableText,
+    chosen: Sequence[ChosenColumn],
+    check: RowCheck,
+    shown: str,
+    decimal: Decimal | None,
+    most_rows: int,
+) -> FileTable:
+    places, names = [c.place for c in chosen], [c.header for c in chosen]
+    found = read_numbers(text, places, names, shown, decimal)
+    values = np.stack(
+        [_scaled(v, c.factor) for v, c in zip(found.values.T, chosen, strict=True)], 1
+    )
+    if faults := list(check(values[:, 0])):
+        lines = found.lines()
+        raise_faults(
+            KeyFault(("file",), f"{shown}, line {lines[k]}: {message}") for k, message in faults
+        )
+    if not 2 <= len(values) <= most_rows:
+        raise invalid_at("file", f"{shown}: {_row_count_fault(len(values), most_rows)}")
+    return FileTable(values, tuple(chosen))
+
+
+def _scaled(values: np.ndarray, factor: float) -> np.ndarray:
+    """In SI; milliseconds are divided by 1000, which rounds as decimal text would."""
+    inverse = round(1 / factor)
+    return values / inverse if factor < 1.0 and inverse * factor == 1.0 else values * factor
 
 
 def check_rows(rows: Sequence[tuple[float, ...]], check: RowCheck) -> None:
     """Raise a fault for too few or too many rows, or an invalid first column."""
     if len(rows) < 2 or len(rows) > MAX_ROWS:
-        raise invalid_at("rows", _row_count_fault(len(rows)))
+        raise invalid_at("rows", _row_count_fault(len(rows), MAX_ROWS))
     raise_faults(
         KeyFault(("rows", str(k)), f"row {k + 1}: {found}")
-        for k, found in check([row[0] for row in rows])
+        for k, found in check(np.array([row[0] for row in rows]))
     )
 
 
-def read_table(
-    path: Path, shown: str, columns: Sequence[str], check: RowCheck
-) -> list[tuple[float, ...]]:
-    """Rows of the file that the spec calls ``shown``, whose header is ``columns``."""
-    text = _text(path, shown)
-    try:
-        lines = list(csv.reader(io.StringIO(text)))
-    except csv.Error as error:
-        raise invalid_at("file", f"{shown} is not a CSV file: {error}") from error
-    _check_header(lines[0] if lines else [], columns, shown)
-    numbered = [(k, cells) for k, cells in enumerate(lines[1:], start=2) if cells]
-    raise_faults(
-        _located(shown, k, found) for k, cells in numbered for found in _bad_cells(cells, columns)
-    )
-    rows = [tuple(float(cell) for cell in cells) for _, cells in numbered]
-    first = [row[0] for row in rows]
-    raise_faults(_located(shown, numbered[k][0], found) for k, found in check(first))
-    if len(rows) < 2 or len(rows) > MAX_ROWS:
-        raise invalid_at("file", f"{shown}: {_row_count_fault(len(rows))}")
-    return rows
-
-
-def time_faults(times: Sequence[float]) -> Iterator[tuple[int, str]]:
+def time_faults(times: np.ndarray) -> Iterator[tuple[int, str]]:
     """Rows where time decreases; two rows at the same time are a jump, which is legal."""
-    if times and times[0] < 0:
+    if len(times) and times[0] < 0:
         yield 0, f"time is {times[0]:g} s, before the start at 0 s"
-    for k, (before, after) in enumerate(itertools.pairwise(times), start=1):
-        if after < before:
-            yield k, f"time decreases from {before:g} s to {after:g} s"
-        elif k > 1 and times[k - 2] == before == after:
-            yield k, f"third row at {after:g} s; a jump has two rows"
+    for k in np.flatnonzero(times[1:] < times[:-1]) + 1:
+        yield int(k), f"time decreases from {times[k - 1]:g} s to {times[k]:g} s"
+    for k in np.flatnonzero(times[:-2] == times[1:-1]) + 2:
+        if times[k] == times[k - 1]:
+            yield int(k), f"third row at {times[k]:g} s; a jump has two rows"
 
 
-def pressure_faults(pressures: Sequence[float]) -> Iterator[tuple[int, str]]:
+def pressure_faults(pressures: np.ndarray) -> Iterator[tuple[int, str]]:
     """Rows with the same pressure as the row before."""
-    for k, (before, after) in enumerate(itertools.pairwise(pressures), start=1):
-        if after == before:
-            yield k, f"the pressure {after:g} Pa is that of the row before"
+    for k in np.flatnonzero(pressures[1:] == pressures[:-1]) + 1:
+        yield int(k), f"the pressure {pressures[k]:g} Pa is that of the row before"
 
 
-def _row_count_fault(count: int) -> str:
+def _row_count_fault(count: int, most: int) -> str:
     """The message for too few or too many rows."""
-    return f"must have from 2 to {MAX_ROWS} rows; got {count}"
+    return f"must have from 2 to {most} rows; got {count}"
 
 
 def _text(path: Path, shown: str) -> str:
+    """The text of a file with plain line ends."""
     try:
         with path.open("rb") as file:
             content = file.read(MAX_FILE_BYTES + 1)
         if len(content) > MAX_FILE_BYTES:
             raise invalid_at("file", f"{shown} is larger than {MAX_FILE_BYTES >> 20} MiB")
-        return content.decode("utf-8-sig")
-    except (OSError, ValueError) as error:  # ValueError: not UTF-8, or a NUL in the name
-        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        text = _decoded(content)
+    except (OSError, ValueError) as error:  # ValueError: no text, or a NUL in the name
+        reason = error.strerror if isinstance(error, OSError) else "not text"
         raise invalid_at("file", f"{shown} cannot be read: {reason} (looked for {path})") from error
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
-def _check_header(cells: list[str], columns: Sequence[str], shown: str) -> None:
-    header = [cell.strip() for cell in cells]
-    if header != list(columns):
-        missing = [column for column in columns if column not in header]
-        hints = "".join(did_you_mean(cell, missing) for cell in header if cell not in columns)
-        given = ",".join(header)[:80]
-        raise invalid_at(
-            "file", f"{shown}, line 1: expected '{','.join(columns)}', got '{given}'{hints}"
-        )
-
-
-def _bad_cells(cells: list[str], columns: Sequence[str]) -> Iterator[str]:
-    if len(cells) != len(columns):
-        yield f"expected {len(columns)} values, got {len(cells)}"
-        return
-    for column, cell in zip(columns, cells, strict=True):
-        if not cell.strip():
-            yield f"{column} is empty"
-            continue
-        try:
-            value = float(cell)
-        except ValueError:
-            yield f"{column} is '{cell[:40]}', not a number"
-            continue
-        if not math.isfinite(value):
-            yield f"{column} is {cell.strip()}, not finite"
-
-
-def _located(shown: str, line: int, message: str) -> KeyFault:
-    return KeyFault(("file",), f"{shown}, line {line}: {message}")
+def _decoded(content: bytes) -> str:
+    """UTF-8, UTF-16 by its mark, or else the Windows code page that old loggers write."""
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return content.decode("utf-16")
+    if b"\x00" in content:
+        raise ValueError("binary")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("cp1252")

@@ -11,6 +11,7 @@ from viscodesign._version import __version__
 from viscodesign.checks.classify import classification
 from viscodesign.checks.motion_warnings import motion_notices
 from viscodesign.checks.scene_warnings import inlet_violations, verdict_notices
+from viscodesign.checks.table_cover import input_notes
 from viscodesign.effects.select import Selection
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.motion import Motion
@@ -65,6 +66,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
                 *_thinned_shapes(motion),
             ),
         ),
+        notes=tuple(input_notes(scene)),
         violations=_merged(inlet_violations(quantities), exceeded),
         spec_text=resolved_yaml(scene),
         spec_sha256=scene.source.sha256,

@@ -15,7 +15,7 @@ from viscodesign.scene.bellows import CURVE_COLUMNS, MAX_CURVE_ROWS
 GOOD = (CONFIGS / "leg_16_straight_air.yaml").read_text()
 ROWS = "[[-20 kPa, -50 mm^2, -0.1, -0.3 mm], [0, 0, 0, 0], [30 kPa, 200 mm^2, 0.3, 2 mm]]"
 IN_SI = ((-2e4, -5e-5, -0.1, -3e-4), (0.0, 0.0, 0.0, 0.0), (3e4, 2e-4, 0.3, 2e-3))
-HEADER = ",".join(CURVE_COLUMNS)
+HEADER = ",".join(column.header for column in CURVE_COLUMNS)
 
 
 def from_file(tmp_path: Path, table: str) -> Path:

@@ -19,6 +19,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
     rows = [
         ("run", _progress(trajectory)),
         ("timescales", _times(trajectory)),
+        *(("note", note) for note in trajectory.notes),
         ("tip", _tip_extents(trajectory)),
         *_loop(trajectory),
         ("tip error", _tip_error(trajectory)),

@@ -100,7 +100,7 @@ def planned(scene: Scene) -> Scene:
 def _times(scene: Scene) -> np.ndarray:
     """Even times, and the corners of all inputs."""
     duration = scene.run.duration
-    swing = min(source.swing_time() for source in scene.inputs.values())
+    swing = min(source.swing_time_within(duration) for source in scene.inputs.values())
     asked = min(GRID.coarsest, max(swing / GRID.samples_per_swing, GRID.finest))
     count = int(np.clip(np.ceil(duration / asked), 8, GRID.most_samples))
     corners = [c for source in scene.inputs.values() for c in source.corners(duration)]
@@ -200,4 +200,5 @@ def scaled_fields(source: Input, *, pressure: float = 1.0, time: float = 1.0) ->
             found[name] = value * factors[kind.name]
     if isinstance(source, TableInput) and source.rows is not None:
         found["rows"] = tuple((time * t, pressure * p) for t, p in source.rows)
+        found["measured"] = None
     return found

@@ -8,20 +8,50 @@ from __future__ import annotations
 import itertools
 import math
 from abc import abstractmethod
+from collections.abc import Mapping
 from functools import singledispatch
+from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 from pydantic import Field
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.spec_part import SpecPart
 from viscodesign.storage.distinct import distinct
 from viscodesign.units import Time
 
 MIN_SWING_REL = 0.01
 """Swings below this fraction of the range are ignored for t_i."""
+MIN_SWING_NOISE = 4.0
+"""Swings below so many standard deviations of noise likewise."""
+NOISE_LEFT, NOISE_LEFT_MOST = 0.25, 0.005
+"""Excess of an extreme: standard deviations of noise, and most parts of a swing."""
+STILL_REL_TOL = 1e-9
+"""Change of an input relative to its size that counts as none."""
 SWING_START, SWING_END = 0.01, 0.99
 """Fractions of a swing between which its time is measured."""
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """What the rest of a spec says that the keys of an input may refer to."""
+
+    folder: Path = Path()
+    """Where its files are."""
+    ambient: float = 101325.0
+    """Absolute [Pa]."""
+    baseline: float = 0.0
+    """Gauge pressure to which an input is added [Pa]."""
+    accuracy: float = 0.005
+    """Of the tip, relative to the length of the actuator."""
+    inlet: str = ""
+    """Name of the input's inlet."""
+
+    @classmethod
+    def of(cls, context: Any, **known: Any) -> Surroundings:
+        """With the folder of a validation's context."""
+        return cls((context or {}).get("folder", Path()), **known)
 
 
 class Input(SpecPart):
@@ -70,14 +100,38 @@ class Input(SpecPart):
     def swing_time(self) -> float:
         """Time of the shortest monotone swing of the profile, 1 % to 99 % [s]; inf without one."""
 
+    @classmethod
+    def prepared(cls, given: Mapping[str, Any], around: Surroundings) -> Mapping[str, Any]:
+        """The keys as given, with what they refer to in the rest of the spec worked in."""
+        del around
+        return given
+
+    def moves_within(self, duration: float) -> bool:
+        """Whether its value changes in a run, or at its start."""
+        low, high = self.extremes(duration)
+        start = float(self.expression(0.0, self.initial_piece(), np))
+        size = max(abs(low), abs(high), abs(start))
+        return max(high, start) - min(low, start) > STILL_REL_TOL * size
+
+    def swing_time_within(self, duration: float) -> float:
+        """Time of the shortest swing of a run [s]; inf where nothing moves within it."""
+        return self.swing_time() if self.moves_within(duration) else math.inf
+
+    @property
+    def covered(self) -> tuple[float, float] | None:
+        """First and last time [s] that rows stand for; None where all times are."""
+        return None
+
     @property
     def period(self) -> float | None:
         """Period [s] of a periodic profile."""
         return None
 
-    def transient(self) -> float:
-        """Transient time t_i: as given in the spec, else from the profile."""
-        return self.swing_time() if self.transient_time is None else self.transient_time
+    def transient(self, duration: float = math.inf) -> float:
+        """Transient time t_i: as given in the spec, else from the profile within a run [s]."""
+        if self.transient_time is not None:
+            return self.transient_time
+        return self.swing_time_within(duration) if duration < math.inf else self.swing_time()
 
 
 class SmoothInput(Input):
@@ -169,7 +223,15 @@ class PiecewiseLinear(Input):
         )
 
     def swing_time(self) -> float:
-        return shortest_swing(self.profile())
+        return self.shortest_swing(math.inf)
+
+    def swing_time_within(self, duration: float) -> float:
+        """Of the swings that begin in a run [s]."""
+        return self.shortest_swing(duration) if self.moves_within(duration) else math.inf
+
+    def shortest_swing(self, until: float) -> float:
+        """Time of the shortest swing that begins before a time [s]; inf without one."""
+        return shortest_swing(self.profile(), until=until)
 
 
 @singledispatch
@@ -187,18 +249,22 @@ def points_of(vertices: np.ndarray) -> list[tuple[float, float]]:
     return [(float(t), float(p)) for t, p in vertices]
 
 
-def shortest_swing(profile: list[tuple[float, float]]) -> float:
+def shortest_swing(
+    profile: list[tuple[float, float]], noise: float = 0.0, until: float = math.inf
+) -> float:
     """Time of the shortest monotone swing between vertices, 1 % to 99 % of it [s].
 
-    Reversals of less than `MIN_SWING_REL` of the range are treated as noise. A hold separates
-    two swings, unless they are as small.
+    Reversals of less than `MIN_SWING_REL` of the range, or `MIN_SWING_NOISE` times the standard
+    deviation of noise that was in the profile, are none. A hold separates two swings, unless they
+    are as small. Swings that begin at ``until`` or later do not count.
     """
     values = [p for _, p in profile]
-    smallest = MIN_SWING_REL * (max(values) - min(values))
+    smallest = max(MIN_SWING_REL * (max(values) - min(values)), MIN_SWING_NOISE * noise)
     times = [
-        _swing_time(part, smallest)
+        _swing_time(part, smallest, noise)
         for swing in _between_turns(profile, smallest)
         for part in _between_holds(swing, smallest)
+        if part[0][0] < until
     ]
     return min(times, default=math.inf)
 
@@ -229,8 +295,11 @@ def _between_holds(swing: Profile, smallest: float) -> list[Profile]:
     return large or [swing]
 
 
-def _swing_time(swing: Profile, smallest: float) -> float:
-    """From the last time at 1 % to the first at 99 %; inf for a small swing, 0 at a jump."""
+def _swing_time(swing: Profile, smallest: float, noise: float) -> float:
+    """From the last time at 1 % to the first at 99 %; inf for a small swing, 0 at a jump.
+
+    What is left of noise makes the extremes of a hold a little larger than the hold itself.
+    """
     height = swing[-1][1] - swing[0][1]
     if abs(height) <= smallest:
         return math.inf
@@ -239,4 +308,6 @@ def _swing_time(swing: Profile, smallest: float) -> float:
         return 0.0
     part = np.maximum.accumulate([(p - swing[0][1]) / height for _, p in swing])
     times = [t for t, _ in swing]
-    return float(np.interp(SWING_END, part, times) - np.interp(SWING_START, part, times))
+    excess = min(NOISE_LEFT * noise / abs(height), NOISE_LEFT_MOST)
+    first, last = SWING_START + excess, SWING_END - excess
+    return float(np.interp(last, part, times) - np.interp(first, part, times))

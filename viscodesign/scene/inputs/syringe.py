@@ -5,20 +5,24 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, get_args
 
 import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear
 from viscodesign.scene.spec_part import KeyFault, raise_faults
-from viscodesign.scene.table_file import check_rows, time_faults, with_rows
+from viscodesign.scene.table_file import FromFile, check_rows, time_faults, with_rows
+from viscodesign.scene.tables.columns import WantedColumn
 from viscodesign.units import Length, Speed, Time, Volume
 
-POSITION_COLUMNS = ("time_s", "position_m")
+POSITION_COLUMNS = (
+    WantedColumn("time", get_args(Time)[1], ("t",)),
+    WantedColumn("position", get_args(Length)[1], ("x", "stroke")),
+)
 
 
-class SyringeInput(PiecewiseLinear):
+class SyringeInput(PiecewiseLinear, FromFile):
     """A plunger that is pushed in from its start by given positions or speeds.
 
     Barrel, tubes and bellows form a closed volume, filled at the baseline pressure with the
@@ -35,9 +39,6 @@ class SyringeInput(PiecewiseLinear):
         0.0,
         ge=0,
         description="Gas volume in a liquid-filled barrel, at the baseline pressure",
-    )
-    file: str | None = Field(
-        None, description="CSV with the columns time_s, position_m; relative to the spec"
     )
     rows: tuple[tuple[Time, Length], ...] | None = Field(
         None,
