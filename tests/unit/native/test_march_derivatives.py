@@ -8,6 +8,7 @@ import scipy.sparse as sparse
 
 from tests.unit.native.network import Network, network
 from tests.unit.native.test_loops import REST, both, settings, start
+from viscodesign.native.algebraic_part import AlgebraicPart
 from viscodesign.native.derivatives import (
     Differentiable,
     Dots,
@@ -48,9 +49,9 @@ def recorded(
         found.append(outputs)
         if status is not MarchStatus.STEP_LIMIT:
             break
-    structure = Differentiable(
-        lu, net.mass, net.rows.astype(np.int32), net.columns.astype(np.int32), net.derived
-    )
+    places = net.rows.astype(np.int32), net.columns.astype(np.int32)
+    algebraic = AlgebraicPart(net.mass, *places)
+    structure = Differentiable(lu, net.mass, *places, algebraic, net.derived)
     stretch = Stretch(rest, edges, record.rows)
     return net, structure, stretch, np.concatenate(found), state.y
 
