@@ -13,8 +13,8 @@ import pytest
 import yaml
 
 from tests.scenes import CONFIGS, leg
-from viscodesign import Scene, load
-from viscodesign.errors import SpecError
+from viscodesign import Scene, check, classify, load, simulate
+from viscodesign.errors import SpecError, ViscodesignError
 
 FILE = CONFIGS / "leg_16_straight_air.yaml"
 TEXT = FILE.read_text(encoding="utf-8")
@@ -173,3 +173,12 @@ def test_reading_a_mapping_leaves_it_as_it_was() -> None:
 def test_pydantic_reads_its_own_dump() -> None:
     scene = leg()
     assert Scene.model_validate(scene.model_dump()).digest == scene.digest
+
+
+@pytest.mark.parametrize("use", [simulate, check, classify])
+@pytest.mark.parametrize("given", ["leg.yaml", {"name": "leg"}, None])
+def test_what_is_no_scene_is_refused_with_what_makes_one(use: Any, given: Any) -> None:
+    with pytest.raises(
+        ViscodesignError, match=r"expected a scene, such as load\('leg.yaml'\) gives"
+    ):
+        use(given)

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from viscodesign.errors import UsageError, described
 from viscodesign.estimate.linear_network import LinearNetwork
 from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.network_estimate import NetworkEstimate
@@ -31,6 +32,12 @@ class SceneQuantities:
     """Stiffnesses, times and loads of a scene: what follows from it alone, and never changes."""
 
     scene: Scene
+
+    def __post_init__(self) -> None:
+        # All that takes a scene begins here.
+        if not isinstance(self.scene, Scene):
+            given = described(self.scene)
+            raise UsageError(f"expected a scene, such as load('leg.yaml') gives; got {given}")
 
     @property
     def accuracy(self) -> float:

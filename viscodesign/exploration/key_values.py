@@ -48,7 +48,9 @@ class KeyValues:
             return self.listed
         if self.count is None:
             message = f"a grid needs the number of values: {self.key}=low..high:n"
-            raise refused(self.key, f"{message}; or draw designs at random with a sample")
+            raise refused(
+                self.key, f"{message}; or draw designs at random by --sample N (sample=N in Python)"
+            )
         if self.count == 1:
             return (self.low,)
         found = self.at(np.linspace(0.0, 1.0, self.count))
@@ -70,21 +72,21 @@ def refused(key: str, message: str) -> SpecError:
     return SpecError([Fault(message, key)])
 
 
-def split_choice(text: str) -> tuple[str, str]:
-    """Key and values of a text KEY=VALUES."""
+def split_choice(text: str, forms: str = FORMS) -> tuple[str, str]:
+    """Key and values of a text KEY=VALUES; ``forms`` tells what such texts look like."""
     key, equals, values = text.partition("=")
     if not equals or not key.strip():
-        raise SpecError.plain(f"'{text}' names no key; {FORMS}")
+        raise SpecError.plain(f"'{text}' names no key; {forms}")
     return key.strip(), values.strip()
 
 
-def choices_of(over: Mapping[str, Any] | Sequence[str] | str) -> dict[str, Any]:
+def choices_of(over: Mapping[str, Any] | Sequence[str] | str, forms: str = FORMS) -> dict[str, Any]:
     """What each key takes, unread, from a mapping or texts KEY=VALUES."""
     if isinstance(over, Mapping):
         return dict(over)
     found: dict[str, Any] = {}
     for text in [over] if isinstance(over, str) else over:
-        key, values = split_choice(text)
+        key, values = split_choice(text, forms)
         if key in found:
             raise refused(key, "is given twice; give all its values at once")
         found[key] = values

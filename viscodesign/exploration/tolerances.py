@@ -26,7 +26,7 @@ def deviations(
     A tolerance of a key that stands for several numbers is that of each, independently. A number
     without a unit, from Python, is a part of the value: 0.05 for 5 %. Raises `SpecError`.
     """
-    given = choices_of(tolerances)
+    given = choices_of(tolerances, FORM)
     if not given:
         raise SpecError.plain(f"no tolerance is given; {FORM}")
     numbers = {key: FreeKeys(scene, [key]).numbers for key in given}

@@ -18,8 +18,9 @@ class AbsentQuantityError(ViscodesignError, KeyError):
     exit_code = 2
 
     def __init__(self, quantity: str, known: list[str]) -> None:
+        hint = did_you_mean(quantity, known) or "."
         super().__init__(
-            f"this run has no '{quantity}'{did_you_mean(quantity, known)} It has "
+            f"this run has no '{quantity}'{hint} It has "
             f"{', '.join(known)}. One that was read from its folder has what its files have; "
             "simulate its spec again for the others"
         )

@@ -370,9 +370,14 @@ class Trajectory(MotionArrays):
         return Path(made)
 
     def frame(self, *quantities: str) -> pd.DataFrame:
-        """Quantities against time, by their names; without any, `trajectory.csv`."""
+        """Quantities against time, by their names; without any, `trajectory.csv`.
+
+        Raises `AbsentQuantityError`, a `KeyError`.
+        """
         import pandas as pd
 
+        for name in quantities:
+            self[name]  # refuses by name what the run does not have
         chosen = [channel(name) for name in quantities] or channels_of(TRAJECTORY)
         names, values = columns_of(chosen, self)
         return pd.DataFrame(values, columns=names)

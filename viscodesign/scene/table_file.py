@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field, ValidationInfo
 
-from viscodesign.errors import described, not_among
+from viscodesign.errors import described, did_you_mean, not_among
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
 from viscodesign.scene.tables.columns import ChosenColumn, Header, WantedColumn, chosen_columns
@@ -181,8 +181,18 @@ def _text(path: Path, shown: str) -> str:
         text = _decoded(content)
     except (OSError, ValueError) as error:  # ValueError: no text, or a NUL in the name
         reason = error.strerror if isinstance(error, OSError) else "not text"
-        raise invalid_at("file", f"{shown} cannot be read: {reason} (looked for {path})") from error
+        raise invalid_at(
+            "file", f"{shown} cannot be read: {reason}{_place(path, shown)}"
+        ) from error
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+
+def _place(path: Path, shown: str) -> str:
+    """Where a file was looked for, unless its name says so, and a file there that may be meant."""
+    beside = path.parent
+    names = [file.name for file in beside.iterdir()] if beside.is_dir() else []
+    place = f" (looked for {path})" if str(path) != shown else ""
+    return place + ("" if path.name in names else did_you_mean(path.name, names))
 
 
 def _decoded(content: bytes) -> str:

@@ -113,7 +113,7 @@ def test_solutions_that_fail_are_counted() -> None:
         ("network.tub_radius=5%", "no such number in this scene; did you mean"),
         ("fluid=5%", "cannot be free"),
         ("loads.payload=5%", "is 0, of which 5% is nothing"),
-        ("network.tube_radius", "names no key"),
+        ("network.tube_radius", "names no key; write KEY=5%"),
     ],
 )
 def test_tolerances_that_are_refused(tolerances: Any, words: str) -> None:

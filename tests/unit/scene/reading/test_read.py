@@ -271,6 +271,9 @@ def test_missing_files_are_reported(tmp_path: Path) -> None:
         load(tmp_path)
     with pytest.raises(SpecError, match=r"in\.csv cannot be read"):
         leg("input={kind: table, file: in.csv}")
+    (tmp_path / "trace.csv").touch()
+    with pytest.raises(SpecError, match=r"cannot be read: No such .*; did you mean 'trace.csv'\?"):
+        leg(f"input={{kind: table, file: {tmp_path}/trce.csv}}")
 
 
 @pytest.mark.parametrize(
