@@ -94,10 +94,14 @@ class Barrel:
         held = [self.held(pressure + sign * step, position) for sign in (-1.0, 1.0)]
         return float((held[1] - held[0]) / (2 * step) / self.density(pressure))
 
+    def within(self, position: np.ndarray) -> np.ndarray:
+        """Positions kept within the barrel [m]."""
+        return np.minimum(position, (1 - KEPT_FREE) * self.drive.filled_at_home)
+
     def syringe(self, time: np.ndarray, position: np.ndarray) -> SyringeInput:
         """The plunger's motion as an input of a scene, kept within the barrel."""
         pump, filled, is_gas = self.drive.pump, self.drive.filled_at_home, self.scene.fluid.is_gas
-        kept = np.minimum(position, (1 - KEPT_FREE) * filled)
+        kept = self.within(position)
         return SyringeInput(
             kind="syringe",
             diameter=pump.syringe_diameter,

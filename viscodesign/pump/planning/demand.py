@@ -55,7 +55,8 @@ class PumpDemand:
     def least_compliance(self) -> float:
         """Of the barrel where it is emptiest, fullest or pressed hardest [m3/Pa]."""
         places = (np.argmax(self.position), np.argmin(self.position), np.argmax(self.pressure))
-        pairs = [(float(self.pressure[k]), float(self.position[k])) for k in places]
+        kept = self.barrel.within(self.position)  # a plunger beyond its barrel compresses nothing
+        pairs = [(float(self.pressure[k]), float(kept[k])) for k in places]
         return min(self.barrel.compliance(*pair) for pair in pairs)
 
     @cached_property

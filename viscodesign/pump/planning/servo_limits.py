@@ -50,7 +50,8 @@ def stall(demand: PumpDemand) -> Assessment:
     message = (
         f"{demand.pressure[when] / 1e3:.4g} kPa gauge takes {torque:.3g} N m, "
         f"{100 * torque / drive.stall_torque:.0f} % of the stall torque at "
-        f"{demand.pump.supply_voltage:g} V (stall at {drive.stall_pressure / 1e3:.4g} kPa gauge); "
+        f"{demand.pump.supply_voltage:g} V (stall at "
+        f"{drive.stall_pressure / 1e3:.4g} kPa gauge without friction); "
         f"at most {100 * MARGINS.stall_share:.0f} % is allowed"
     )
     return Assessment("infeasible", torque, allowed, "N m", torque / allowed, when, message)
@@ -63,7 +64,7 @@ def one_fifth(demand: PumpDemand) -> Assessment:
     pressure = STEADY_SHARE * demand.drive.stall_pressure
     message = (
         f"{torque:.3g} N m; the manufacturer specifies steady motion up to a fifth of the stall "
-        f"torque, {allowed:.3g} N m or {pressure / 1e3:.3g} kPa gauge"
+        f"torque, {allowed:.3g} N m or {pressure / 1e3:.3g} kPa gauge without friction"
     )
     return Assessment("advice", torque, allowed, "N m", torque / allowed, when, message)
 
@@ -95,21 +96,25 @@ def speed(demand: PumpDemand) -> Assessment:
 
 def cap_torque(demand: PumpDemand) -> Assessment:
     """The software's cap itself against the servo's stall: whether it ever acts."""
-    pressure, stalls = demand.pump.max_pressure, demand.drive.stall_pressure
-    allowed = MARGINS.stall_share * stalls
+    drive, pressure = demand.drive, demand.pump.max_pressure
+    torque, allowed = drive.torque(pressure, 1.0), MARGINS.stall_share * drive.stall_torque
     message = (
-        f"the cap of {pressure / 1e3:.4g} kPa gauge takes {100 * pressure / stalls:.0f} % of the "
-        f"stall torque at {demand.pump.supply_voltage:g} V"
+        f"pushing at the cap of {pressure / 1e3:.4g} kPa gauge takes "
+        f"{100 * torque / drive.stall_torque:.0f} % of the stall torque at "
+        f"{demand.pump.supply_voltage:g} V"
     )
-    if pressure > stalls:
-        message += f": the servo stalls earlier, at {stalls / 1e3:.4g} kPa gauge"
+    if torque > drive.stall_torque:
+        friction = demand.pump.plunger_friction / drive.area
+        stalls = (drive.stall_pressure - friction) / 1e3
+        message += f": the servo stalls earlier, at {stalls:.4g} kPa gauge"
     gauge = pressure - demand.scene.ambient_pressure
-    if pressure > allowed and gauge > 0.0:
+    if torque > allowed and gauge > 0.0:
+        share = drive.torque(gauge, 1.0) / drive.stall_torque
         message += (
             f"; {pressure / 1e3:.4g} kPa abs would be {gauge / 1e3:.4g} kPa gauge, "
-            f"{100 * gauge / stalls:.0f} %"
+            f"{100 * share:.0f} %"
         )
-    return Assessment("advice", pressure, allowed, "Pa gauge", pressure / allowed, 0, message)
+    return Assessment("advice", torque, allowed, "N m", torque / allowed, 0, message)
 
 
 def speed_register(demand: PumpDemand) -> Assessment:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -85,6 +87,14 @@ def test_a_cap_above_stall_never_acts() -> None:
     assert verdict("cap_torque", [0, 1e3], "max_pressure: 140 kPa abs").severity == "ok"
 
 
+def test_a_cap_counts_the_friction_of_the_plunger() -> None:
+    area = np.pi * 0.0349**2 / 4
+    found = verdict("cap_torque", [0, 1e3], "plunger_friction: 80 N")
+    assert found.wanted == pytest.approx((25e3 * area + 80.0) * 14.8e-3)
+    assert found.severity == "advice"
+    assert verdict("cap_torque", [0, 1e3], "plunger_friction: 0 N").severity == "ok"
+
+
 def test_travel_and_barrel() -> None:
     assert verdict("travel", [0, 60e3], "home: 900").severity == "infeasible"
     assert verdict("barrel", [0, -40e3], "filled_length: 100 mm").severity == "infeasible"
@@ -97,6 +107,13 @@ def test_a_motion_of_few_counts_is_infeasible() -> None:
     assert small.wanted < 7.0
     assert verdict("resolution", [0, 5e3]).severity == "ok"
     assert verdict("resolution", [0, 0, 0]).severity == "ok"  # nothing is asked
+
+
+def test_a_plunger_beyond_its_barrel_makes_the_largest_steps() -> None:
+    found = demand([0, 24e3], "filled_length: 5 mm", "home: 990")
+    beyond = held_against(replace(found, stated_position=np.array([0.0, 0.02])), "pressure_step")
+    inside = held_against(replace(found, stated_position=np.array([0.0, 0.004])), "pressure_step")
+    assert beyond.wanted > inside.wanted > 0.0
 
 
 def test_the_sensors_accuracy_and_its_step() -> None:
