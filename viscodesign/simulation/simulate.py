@@ -172,6 +172,7 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     if whole is not None and whole.solution.asked_to_stop:
         selection = selection.grown(selection.everything, "the run was stopped") or selection
         verifier.neglected_m = selection.neglected_m
+        verifier.interrupted = True  # also where it was done when it was asked to stop
         return _SolvedScene(selection, verifier, whole, None, None)
     run = verifier.solve(settings if whole is None else judgeable(settings))
     with request.watch("choose"):

@@ -12,6 +12,7 @@ from viscodesign import simulate
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.results.trajectory import RunInterruptedError
 from viscodesign.simulation import error_control, judged_effects
 from viscodesign.simulation.build_problem import Settings, suggest_settings
 from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, coarser, judgeable
@@ -153,8 +154,12 @@ def test_an_interrupt_on_the_way_keeps_what_was_solved_with_everything(
 
     monkeypatch.setattr(judged_effects, "solve", stopped)
     scene = leg(*SHORT)
-    found = simulate(scene)
-    assert found.status != "complete"
+    with pytest.raises(RunInterruptedError) as caught:
+        simulate(scene)
+    found = caught.value.trajectory
+    assert found is not None
+    assert found.status == "interrupted"
+    assert "interrupted while verifying" in str(found.failure)
     selection = select_effects(SceneQuantities(scene))
     assert {v.name for v in found.effects if v.taken} == selection.everything
 

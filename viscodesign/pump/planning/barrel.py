@@ -96,7 +96,7 @@ class Barrel:
 
     def within(self, position: np.ndarray) -> np.ndarray:
         """Positions kept within the barrel [m]."""
-        return np.minimum(position, (1 - KEPT_FREE) * self.drive.filled_at_home)
+        return np.asarray(np.minimum(position, (1 - KEPT_FREE) * self.drive.filled_at_home))
 
     def syringe(self, time: np.ndarray, position: np.ndarray) -> SyringeInput:
         """The plunger's motion as an input of a scene, kept within the barrel."""
