@@ -25,6 +25,7 @@ def verdict(
         contribution_m=moved,
         budget_share=share,
         present=present,
+        traits=tuple(sorted(trait.name.lower() for trait in effect.traits)),
     )
 
 

@@ -224,6 +224,7 @@ def _made(kind: type[FoundT], document: Mapping[str, Any]) -> FoundT:
     """A finding from its document, where an infinite number is null."""
     known: Any = fields(kind)  # type: ignore[arg-type]
     given = {field.name: document[field.name] for field in known if field.name in document}
+    given = {name: tuple(v) if isinstance(v, list) else v for name, v in given.items()}
     infinite = {
         f.name: math.inf for f in known if f.type == "float" and given.get(f.name, 0) is None
     }

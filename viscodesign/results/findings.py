@@ -68,6 +68,8 @@ class Verdict:
     """The same as a share of the requested tip error."""
     present: bool = True
     """Whether the scene has what the effect acts on: otherwise it is not applicable."""
+    traits: tuple[str, ...] = ()
+    """What the effect makes of the model, for code that must not know its name."""
 
     @property
     def decision(self) -> str:

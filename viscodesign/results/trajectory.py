@@ -35,7 +35,7 @@ from viscodesign.results.findings import (
     json_ready,
 )
 from viscodesign.results.metrics import MetricInputs, metric_values
-from viscodesign.results.motion_arrays import MotionArrays
+from viscodesign.results.motion_arrays import AbsentQuantityError, MotionArrays
 from viscodesign.storage.cached_property import cached_property
 
 if TYPE_CHECKING:
@@ -376,9 +376,10 @@ class Trajectory(MotionArrays):
         """
         import pandas as pd
 
-        for name in quantities:
-            self[name]  # refuses by name what the run does not have
-        chosen = [channel(name) for name in quantities] or channels_of(TRAJECTORY)
+        try:
+            chosen = [channel(name) for name in quantities] or channels_of(TRAJECTORY)
+        except KeyError as error:
+            raise AbsentQuantityError(str(error.args[0]), list(self.arrays)) from None
         names, values = columns_of(chosen, self)
         return pd.DataFrame(values, columns=names)
 

@@ -99,7 +99,7 @@ def test_what_no_file_has_is_absent_by_name(quantity: str, tmp_path: Path) -> No
         back[quantity]
     assert isinstance(caught.value, KeyError)
     with pytest.raises(ViscodesignError, match=f"this run has no '{quantity}'"):
-        back.frame("tip", quantity)
+        back.frame("tip_x", quantity)
     assert "It has time, tip, inlet_pressure, pressure, flow, shape" in str(caught.value)
     assert ("did you mean 'pressure'?" in str(caught.value)) == (quantity == "presure")
 

@@ -54,7 +54,8 @@ def test_a_run_has_its_files_and_columns(tmp_path: Path) -> None:
     assert {"requested_m", "estimated_tip_error_m", "method"} <= set(summary["accuracy"])
     assert {"build_s", "solve_s", "verify_s", "steps", "residual_calls"} <= set(summary["cost"])
     assert set(summary["effects"][0]) == {
-        "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present"
+        "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present",
+        "traits",
     }  # fmt: skip
     assert summary["metrics"]["tip_x_max_m"] == table["tip_x_m"].max()
     assert summary["metrics"]["tip_z_min_time_s"] == table["time_s"][table["tip_z_m"].idxmin()]

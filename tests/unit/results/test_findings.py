@@ -31,7 +31,8 @@ def test_a_summary_has_its_sections_and_only_numbers_that_json_can_represent() -
         "validity", "provenance",
     }  # fmt: skip
     assert set(document["effects"][0]) == {
-        "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present"
+        "name", "mode", "taken", "weight", "formula", "reason", "contribution_m", "budget_share", "present",
+        "traits",
     }  # fmt: skip
     assert document["effects"][0]["taken"] is False
     assert document["validity"] == {"state": "inside", "reasons": []}

@@ -14,6 +14,8 @@ from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.scene import Scene
 
+COMPRESSIBLE = "compressible_fluid"
+"""Trait of the effect with which the fluid of a run stores itself."""
 MOST_BELLOWS = 256
 """Beyond these a sketch no longer follows a slider at once."""
 
@@ -50,7 +52,7 @@ def sketch_numbers(run: Trajectory, scene: Scene, *, from_start: bool) -> dict[s
     body, cells, graph = scene.actuator, scene.bellows, scene.graph
     section = body.length / graph.sections
     modulus = body.youngs_modulus
-    stores_gas = any(row.name == "gas_compressibility" and row.taken for row in run.effects)
+    stores_gas = any(COMPRESSIBLE in row.traits and row.taken for row in run.effects)
     return {
         "length": body.length,
         "sections": graph.sections,
