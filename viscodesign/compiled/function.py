@@ -44,6 +44,8 @@ Outputs = dict[str, Any]
 """Each output's array over the output times (T,), or its number."""
 LARGEST_TOLERANCE = 1.0
 """Of the steps, relative to the unknowns' sizes."""
+MOST_EDGES = 64
+"""Of a section."""
 PERIOD_CHANGE = 1e-5
 """Of a number of an input, for a difference of periods."""
 KEPT_SOLUTIONS = 2
@@ -132,6 +134,7 @@ class CompiledFunction:
         free: Sequence[str],
         outputs: Sequence[str],
         tolerance: float | None = None,
+        edges_per_section: int | None = None,
     ) -> None:
         free, outputs = _names("free", free), _names("outputs", outputs)
         if not isinstance(scene, Scene):
@@ -140,7 +143,11 @@ class CompiledFunction:
             raise SpecError.plain(
                 f"tolerance: must be above 0 and below {LARGEST_TOLERANCE:g}; got {tolerance!r}"
             )
-        self._made_of = (scene, free, outputs, tolerance)
+        if edges_per_section is not None and not 1 <= edges_per_section <= MOST_EDGES:
+            raise SpecError.plain(
+                f"edges_per_section: must be from 1 to {MOST_EDGES}; got {edges_per_section!r}"
+            )
+        self._made_of = (scene, free, outputs, tolerance, edges_per_section)
         quantities = SceneQuantities(scene)
         refuse_beyond_numbers(quantities)
         self._selection = select_effects(quantities)
@@ -148,6 +155,8 @@ class CompiledFunction:
         settings = suggest_settings(quantities, self._selection.effects)
         if tolerance is not None:
             settings = replace(settings, tolerance=tolerance)
+        if edges_per_section is not None:
+            settings = replace(settings, edges_per_section=edges_per_section)
         self._numbers = SceneNumbers(quantities, self._selection, settings, free)
         problem = build(quantities, self._selection.effects, settings)
         self._built = quantities, self._selection.effects, settings, problem
@@ -181,6 +190,11 @@ class CompiledFunction:
     def outputs(self) -> tuple[str, ...]:
         """Names of the outputs."""
         return self._chosen.names
+
+    @property
+    def settings(self) -> Settings:
+        """Mesh and tolerance of its solutions."""
+        return self._built[2]
 
     @property
     def effects(self) -> frozenset[str]:
@@ -353,17 +367,21 @@ def compile(
     outputs: Sequence[str],
     *,
     tolerance: float | None = None,
+    edges_per_section: int | None = None,
 ) -> CompiledFunction:
     """The outputs of a scene as a function of free numbers, in native code where that can be had.
 
     ``free``: keys of the spec, such as ``network.tube_radius``; ``network.tubes[*].length`` is one
     number a tube. ``outputs``: columns of `trajectory.csv`, and names of metrics. The function is
-    solved at the scene's accuracy, as `simulate(scene, verify=False)` does; ``tolerance`` is that
-    of the steps, where it is not to follow from the accuracy.
+    solved at the scene's accuracy, as `simulate(scene, verify=False)` does; ``tolerance`` of the
+    steps and ``edges_per_section`` of the mesh, where these are not to follow from the accuracy.
+
+    Further outputs: the ends of the sections, counted from the clamp (``m1_x_m``), and what an
+    inlet has delivered (``inflow_m3``).
 
     Raises `SpecError` for keys that cannot be free and for outputs that do not exist.
     """
-    return CompiledFunction(scene, free, outputs, tolerance)
+    return CompiledFunction(scene, free, outputs, tolerance, edges_per_section)
 
 
 def _motion(

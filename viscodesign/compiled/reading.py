@@ -14,12 +14,16 @@ from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.symbols import Symbols, parameter_names
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model import formulas as of
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
+from viscodesign.postprocess.fluid_balance import holding_columns
 from viscodesign.results.channels import CHANNELS, Channel, Per
 from viscodesign.solve.problem import Problem
 
 SX = ca.SX
+FILLED_AMOUNTS = 2
+"""Place of what nodes hold at the baseline among the results of `formulas.quantities`."""
 STRAIGHT_TURN = 1e-3
 """Half turn of an arc [rad] below which its chord is taken from a series, exact to round-off."""
 
@@ -102,6 +106,8 @@ class Members:
 
 TIP = ("tip_x", "tip_z", "tip_angle")
 """Quantities of the last point of the axis."""
+SECTION_END_AXES = ("x", "z")
+DELIVERED = "inflow"
 READ = ("inlet_pressure", "pressure", "volume", "junction_pressure", "flow")
 """Quantities that are outputs of the equations under the same name."""
 
@@ -116,7 +122,17 @@ def places_of(problem: Problem, members: Members) -> dict[str, tuple[str, int]]:
         elif channel.quantity in READ and (flows or channel.quantity != "flow"):
             for k, column in enumerate(members.columns(channel)):
                 found[column] = channel.quantity, k
-    return found
+        elif channel.quantity == DELIVERED:
+            for k, column in enumerate(members.columns(channel)):
+                if problem.inlets[k] in delivering(problem):
+                    found[column] = DELIVERED, k
+    ends = section_end_columns(problem.body.sections)
+    return found | {column: ("section_end", k) for k, column in enumerate(ends)}
+
+
+def section_end_columns(sections: int) -> list[str]:
+    """Columns of x and z [m] of the ends of the sections, the first at the clamp."""
+    return [f"m{k}_{axis}_m" for k in range(1, sections + 1) for axis in SECTION_END_AXES]
 
 
 def _in_order(problem: Problem, values: Mapping[str, SX], parameters: SX) -> dict[str, SX]:
@@ -124,23 +140,55 @@ def _in_order(problem: Problem, values: Mapping[str, SX], parameters: SX) -> dic
     order = problem.places.tolist()
     own = {name: values[name] for name in READ}
     own |= {name: own[name][order] for name in ("pressure", "volume")}
-    return own | {"tip": _tip(problem, values, parameters)}
+    ends, angle = _section_ends(problem, values, parameters)
+    own |= {"section_end": ends, "tip": ca.vertcat(ends[-2:], angle)}
+    return own | {DELIVERED: _delivered(problem, values, parameters)}
 
 
-def _tip(problem: Problem, values: Mapping[str, SX], parameters: SX) -> SX:
-    """x, z [m] and angle [rad] of the tip (3,)."""
+def _section_ends(problem: Problem, values: Mapping[str, SX], parameters: SX) -> tuple[SX, SX]:
+    """x and z of the end of every section (2 S,) [m], and the angle of the last one [rad]."""
+    sections = problem.body.sections
     if problem.equations.rod_form is not RodForm.ARCS:
-        return ca.vertcat(values["position"][-2:], values["angle"][-1])
+        position = values["position"]
+        per_section = position.numel() // (2 * sections)
+        last = range(2 * (per_section - 1), position.numel(), 2 * per_section)
+        return ca.vertcat(*(position[k : k + 2] for k in last)), values["angle"][-1]
     length = parameters[parameter_names(problem.equations).index("section_length")]
     x, z, angle = SX(0), SX(0), SX(0)
     curvatures, stretches = values["intrinsic_curvature"], values["intrinsic_stretch"]
+    ends = []
     for curvature, stretch in zip(ca.vertsplit(curvatures), ca.vertsplit(stretches), strict=True):
         half = curvature * length / 2
         chord = (1 + stretch) * length * _sinc(half)
         x += chord * ca.sin(angle + half)
         z += chord * ca.cos(angle + half)
         angle += 2 * half
-    return ca.vertcat(x, z, angle)
+        ends += [x, z]
+    return ca.vertcat(*ends), angle
+
+
+def delivering(problem: Problem) -> list[str]:
+    """Inlets that alone feed what they feed, so that it holds what they have delivered."""
+    driven = problem.equations.driven
+    shared = [[n for n in part.inlets if n in driven] for part in problem.equations.fed]
+    return [name for name in problem.inlets if name not in driven or [name] in shared]
+
+
+def _delivered(problem: Problem, values: Mapping[str, SX], parameters: SX) -> SX:
+    """Fluid that every inlet has delivered [m3 at ambient density]; see `DeliveredVolume`.
+
+    0 of inlets that share what they feed.
+    """
+    equations = problem.equations
+    own = equations.compiled(of.quantities).call([parameters])
+    beyond = values["stored"] - own[FILLED_AMOUNTS]
+    names = [*problem.bellows_along_tubes, *equations.storing]
+    found = {name: -beyond[k] for k, name in enumerate(names) if name in problem.inlets}
+    for part in equations.fed:
+        for name in part.inlets:
+            if name in equations.driven and name in delivering(problem):
+                found[name] = ca.sum1(beyond[holding_columns(problem, part)])
+    return ca.vertcat(SX(0, 1), *(found.get(name, SX(0)) for name in problem.inlets))
 
 
 def _sinc(half: SX) -> SX:
