@@ -26,6 +26,7 @@ LAYERS = [
     ["pump.ax.protocol"],
     ["pump.bus"],
     ["pump"],
+    ["inverse"],
     ["studies", "exploration"],
     ["compiled"],
     ["simulation"],

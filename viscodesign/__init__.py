@@ -6,8 +6,9 @@
 
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
 follows its motion, `compile` makes a function of its numbers with derivatives, `sweep` puts many
-designs in one table, `sensitivity` tells how far each number moves the tip, `accuracy` measures
-what accuracy costs in time, `plan` turns its pressures into a pump's motion. Nothing here prints.
+designs in one table, `sensitivity` tells how far each number moves the tip, `design` finds the
+numbers and the graph that make the tip follow a path, `accuracy` measures what accuracy costs in
+time, `plan` turns its pressures into a pump's motion. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from viscodesign.errors import ViscodesignError as ViscodesignError
     from viscodesign.exploration.sensitivity import sensitivity as sensitivity
     from viscodesign.exploration.sweep import sweep as sweep
+    from viscodesign.inverse.design import design as design
     from viscodesign.loading import load as load
     from viscodesign.pump.planning.plan import plan as plan
     from viscodesign.pump.planning.result import PumpPlan as PumpPlan
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
     )
     from viscodesign.results.accuracy_study import AccuracyStudy as AccuracyStudy
     from viscodesign.results.findings import Classification as Classification
+    from viscodesign.results.path_design import PathDesign as PathDesign
     from viscodesign.results.sensitivity_study import SensitivityStudy as SensitivityStudy
     from viscodesign.results.sweep_table import Sweep as Sweep
     from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
@@ -51,6 +54,7 @@ _HOMES = {
     "Check": ".checks.check",
     "Classification": ".results.findings",
     "CompiledFunction": ".compiled.function",
+    "PathDesign": ".results.path_design",
     "PumpPlan": ".pump.planning.result",
     "RunInterruptedError": ".results.trajectory",
     "Scene": ".scene.scene",
@@ -63,6 +67,7 @@ _HOMES = {
     "check": ".checks.check",
     "classify": ".checks.classify",
     "compile": ".compiled.function",
+    "design": ".inverse.design",
     "load": ".loading",
     "plan": ".pump.planning.plan",
     "sensitivity": ".exploration.sensitivity",

@@ -21,7 +21,7 @@ from viscodesign.cli.options import (
 )
 from viscodesign.cli.output import complain
 from viscodesign.cli.specs import read_scene
-from viscodesign.errors import InterruptedRunError, UsageError
+from viscodesign.errors import InterruptedRunError
 
 if TYPE_CHECKING:
     from viscodesign.results.accuracy_study import AccuracyStudy
@@ -62,8 +62,10 @@ def command(
     accuracy.csv, accuracy.json and accuracy.png; a run's files in the same folder stay. An
     interrupted study keeps what it measured.
     """
-    budget_s = None if budget is None else _time("--budget", budget)
-    limit_s = _time("--limit", limit)
+    from viscodesign.cli.option_values import positive_time
+
+    budget_s = None if budget is None else positive_time("--budget", budget)
+    limit_s = positive_time("--limit", limit)
     from viscodesign import accuracy
     from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
@@ -93,21 +95,6 @@ def command(
     elif not quiet:
         say("\n".join(cost_lines(study, budget_s, folder, files)))
     _end(study, folder)
-
-
-def _time(option: str, text: str) -> float:
-    """The positive time [s] given to an option."""
-    from pydantic_core import PydanticCustomError
-
-    from viscodesign.units import QuantityKind
-
-    try:
-        value = QuantityKind("time", "s", "20 ms").parse(text)
-    except PydanticCustomError as error:
-        raise UsageError(f"{option}: {error.message()}") from error
-    if value <= 0.0:
-        raise UsageError(f"{option}: must be above zero, such as '20 ms'; got '{text}'")
-    return value
 
 
 def _kept(measure: Callable[[], AccuracyStudy]) -> AccuracyStudy:

@@ -4,24 +4,34 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any, Protocol
+
+
+class Advance(Protocol):
+    """Told the fraction done, 0 to 1, and words to show beside it."""
+
+    def __call__(self, fraction: float, words: str = "", /) -> None: ...
+
+
+def _silent(fraction: float, words: str = "", /) -> None:
+    del fraction, words
+
 
 REDRAW_S = 0.1
 """Shortest time between two redraws, so that drawing takes no time from the solver [s]."""
 
 
 @contextmanager
-def progress(
-    quiet: bool, later: str = "verifying", first: str = "solving"
-) -> Iterator[Callable[[float], None]]:
+def progress(quiet: bool, later: str = "verifying", first: str = "solving") -> Iterator[Advance]:
     """A function to call with the fraction done, 0 to 1; a fall back begins the next pass.
 
     It draws on standard error if that is a terminal. ``first`` names the first pass,
     ``later`` those after it.
     """
     if quiet or not sys.stderr.isatty():
-        yield lambda fraction: None
+        yield _silent
         return
     # Importing rich takes time that a pipe does not have to spend.
     from rich.console import Console
@@ -45,7 +55,7 @@ def progress(
     )
     task, passes, fraction_before, drawn_at = bar.add_task(first, total=1.0), 1, 0.0, -REDRAW_S
 
-    def advance(fraction: float) -> None:
+    def advance(fraction: float, words: str = "", /) -> None:
         nonlocal passes, fraction_before, drawn_at
         if fraction < fraction_before:
             passes += 1
@@ -54,7 +64,8 @@ def progress(
         now = time.monotonic()
         if now - drawn_at >= REDRAW_S:
             drawn_at = now
-            bar.update(task, completed=fraction, refresh=True)
+            shown: dict[str, Any] = {"description": words} if words else {}
+            bar.update(task, completed=fraction, refresh=True, **shown)
 
     with bar:
         # rich hides the cursor; a second Ctrl-C ends the process before it could show it again.

@@ -106,6 +106,8 @@ class SearchLimits:
 
     met_cost: float = 0.0
     """Sum of squares at which nothing better is sought."""
+    enough_cost: float = 0.0
+    """Where a descent ends with such a sum, no other start is tried."""
     evaluations: int = MAX_EVALUATIONS
     """Of each descent."""
     until: float = math.inf
@@ -239,6 +241,8 @@ def least_squares(
         ranked = _ranked(search, [ranges.shares(start) for start in starts])
         for start in ranked[:descents]:
             optima.append(_descend(search, ranges, start, limits.evaluations, loss, loss_scale))
+            if optima[-1].cost <= limits.enough_cost:
+                break
     except _EndedError:
         pass
     return _fit_of(search, ranges, optima)

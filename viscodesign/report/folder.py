@@ -83,7 +83,10 @@ STUDY_FILES = FileSet("accuracy.csv", "accuracy.json", "accuracy.png")
 PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
 SWEEP_FILES = FileSet("sweep.csv", "sweep.json", "sweep.png")
 SENSITIVITY_FILES = FileSet("sensitivity.csv", "sensitivity.json", "sensitivity.png")
-FILE_SETS = (STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES)
+DESIGN_FILES = FileSet("history.csv", "result.json", "design.png")
+FILE_SETS = (STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES, DESIGN_FILES)
+DESIGN_ALTERNATIVES = "alternatives"
+"""Folder of other designs beside the best one."""
 SWEEP_ROWS = "sweep.rows.jsonl"
 """Rows of a sweep as they are computed."""
 OUR_FILES = {
@@ -92,6 +95,7 @@ OUR_FILES = {
     SUMMARY,
     PAGE,
     SWEEP_ROWS,
+    DESIGN_ALTERNATIVES,
     *(name for own in FILE_SETS for name in own.names),
 }
 DOCUMENTS = {SUMMARY, *(own.document for own in FILE_SETS)}

@@ -52,6 +52,8 @@ class Document:
     overrides: dict[KeyPath, str] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
     """Faults of single keys and values, which leave the rest of the document readable."""
+    model: Any = None
+    """The pydantic model that it is read into; None for a spec of a scene."""
 
     def given(self, path: KeyPath) -> Any:
         """The value as it was written; None where there is none."""

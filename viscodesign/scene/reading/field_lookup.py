@@ -46,7 +46,7 @@ def _fields(model: type[BaseModel]) -> dict[str, FieldInfo]:
 
 def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
     """The model that the mapping of a key is read into."""
-    annotation: Any = Scene
+    annotation: Any = document.model or Scene
     for depth, part in enumerate(path):
         model = _model_in(annotation, document.given(path[:depth]))
         if model is None:

@@ -1,0 +1,89 @@
+"""Designs whose answer is known, and tasks that are refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.unit.inverse.tasks import PULSE, small, task
+from viscodesign import PathDesign, design, load, simulate
+from viscodesign.errors import SpecError
+
+
+@pytest.fixture(scope="module")
+def pulse(tmp_path_factory: pytest.TempPathFactory) -> PathDesign:
+    wanted = small(input__start=17.3e3, input__drop=38.1e3)
+    return design(task(tmp_path_factory.mktemp("pulse"), PULSE, wanted, tolerance="0.02 mm"))
+
+
+def test_the_pulse_that_made_a_path_is_found(pulse: PathDesign) -> None:
+    assert pulse.status == "met"
+    assert pulse.parameters["input.start"] == pytest.approx(17.3e3, rel=1e-3)
+    assert pulse.parameters["input.drop"] == pytest.approx(38.1e3, rel=1e-3)
+    assert pulse.evaluations < 20
+
+
+def test_its_spec_runs_and_does_what_it_says(pulse: PathDesign) -> None:
+    run = simulate(load(pulse.spec_text))
+    apart = np.linalg.norm(run.tip[:, :2] - pulse.wanted, axis=1)
+    assert float(np.sqrt(np.mean(apart**2))) == pytest.approx(pulse.confirmed_rms_m, rel=1e-6)
+    assert run.accuracy.estimated_tip_error_m == pulse.stated_error_m
+    assert all(verdict.mode == "auto" for verdict in run.effects)
+
+
+def test_lengths_are_found_and_stay_within_bounds(tmp_path: Path) -> None:
+    wanted = small(network__tubes=[
+        {"from": "inlet", "to": "R1", "length": 0.025}, {"from": "R1", "to": "R2", "length": 0.06},
+        {"from": "R2", "to": "L2", "length": 0.05}, {"from": "L2", "to": "L1", "length": 0.03},
+    ])  # fmt: skip
+    free = {"network.tubes[*].length": ["5 mm", "300 mm"]}
+    found = design(task(tmp_path, free, wanted, tolerance="0.02 mm"))
+    assert found.status == "met"
+    assert all(0.005 <= value <= 0.3 for value in found.parameters.values())
+    again = design(tmp_path / "target.yaml")
+    assert again.parameters == found.parameters
+
+
+def test_what_bounds_forbid_is_not_met_and_names_them(tmp_path: Path) -> None:
+    free = {"input.drop": ["10 kPa", "20 kPa"]}
+    found = design(task(tmp_path, free, small(), tolerance="0.02 mm"))
+    assert found.status == "not_met"
+    assert found.parameters["input.drop"] <= 20e3
+    assert found.at_bounds == ("input.drop",)
+    assert "at their bounds: input.drop" in found.reason
+    assert found.confirmed_rms_m == pytest.approx(found.rms_m, rel=0.02)
+
+
+ROWS = {"rows": [[0.0, 0.0, 0.029], [1.0, 0.0, 0.0291]]}
+LOOP = {"rows": [[0.0, 0.029], [0.001, 0.03], [-0.001, 0.03], [0.0, 0.029]]}
+
+
+@pytest.mark.parametrize(
+    ("free", "target", "message"),
+    [
+        ({}, ROWS, "free: nothing is free"),
+        ({"input.drop": ["60 kPa", "10 kPa"]}, ROWS, "are reversed"),
+        ({"input.drop": [10, "60 kPa"]}, ROWS, "10 has no unit beside '60 kPa'"),
+        ({"input.drop": "10 kPa"}, ROWS, "expected two bounds"),
+        ({"input.dorp": ["10 kPa", "60 kPa"]}, ROWS, "did you mean 'input.drop'"),
+        ({"network.tube_radius": ["-1 mm", "1 mm"]}, ROWS, "must be above 0"),
+        ({"network.graph": "star"}, ROWS, "must be one of keep, chain, tree"),
+        ({"network.graph": "keep"}, ROWS, "leaves nothing free"),
+        (PULSE, {"rows": [[0.0, 0.029]]}, "one point"),
+        (PULSE, {"rows": [[0, 0, 0.029], [0, 0, 0.03]]}, "times must increase"),
+        (PULSE, {"rows": [[0, float("nan")], [0, 0.03]]}, "finite number"),
+        (PULSE, {"rows": [[0, 0.029], [0, 0.03]], "timing": "given"}, "needs a column of times"),
+        (PULSE, {"file": "none.csv"}, "cannot be read"),
+        (PULSE, LOOP, "does not repeat"),
+        (PULSE, {}, "exactly one of 'file' and 'rows'"),
+    ],
+)
+def test_a_task_without_sense_gets_one_message(
+    free: dict[str, Any], target: dict[str, Any], message: str, tmp_path: Path
+) -> None:
+    with pytest.raises(SpecError, match=message) as caught:
+        design(task(tmp_path, free, target))
+    assert len(caught.value.faults) == 1

@@ -1,0 +1,102 @@
+"""`viscodesign design`: numbers, input and graph that make the tip follow a path."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from viscodesign.cli.options import (
+    Debug,
+    Force,
+    Json,
+    NoPlots,
+    Overrides,
+    PictureFormat,
+    Quiet,
+    RunFolder,
+)
+from viscodesign.errors import InterruptedRunError, ViscodesignError
+
+if TYPE_CHECKING:
+    from viscodesign.results.path_design import PathDesign
+
+EXAMPLE = """\b
+Examples:
+  viscodesign design target.yaml
+  viscodesign design target.yaml --budget "5 min" -o designs/letter
+  viscodesign design target.yaml --set fluid=water
+"""
+
+
+class DesignNotMetError(ViscodesignError):
+    """The path cannot be followed closely enough; the best design is on disk."""
+
+    exit_code = 3
+
+
+def command(
+    target: Annotated[
+        Path, typer.Argument(metavar="TARGET", help="What is free, and the path (YAML file).")
+    ],
+    overrides: Overrides = None,
+    budget: Annotated[
+        str | None,
+        typer.Option("--budget", metavar="TIME", help="Time of the search, such as `5 min`."),
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of the starts.")] = 0,
+    output: RunFolder = None,
+    no_plots: NoPlots = False,
+    picture_format: PictureFormat = "png",
+    force: Force = False,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Find a design whose tip follows a path.
+
+    Seeks numbers, input and graph on the model that the spec calls for, and
+    simulates the result with its error stated. Writes spec.yaml, result.json,
+    history.csv, design.png and other good designs in alternatives/. A path that
+    cannot be followed exits with 3 and says what limits it. Ctrl-C keeps the
+    best so far.
+    """
+    from viscodesign import design as find
+    from viscodesign.cli.option_values import positive_time
+    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.progress import progress
+    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.texts.design_text import design_lines
+    from viscodesign.report.design_folder import write_design
+    from viscodesign.report.folder import prepare_folder
+
+    seconds = None if budget is None else positive_time("--budget", budget)
+    folder = output if output is not None else Path("runs") / f"{folder_name(target.stem)}_design"
+    prepare_folder(folder, force=force)
+    with progress(quiet, first="designing") as advance:
+
+        def tell(fraction: float, best_m: float) -> None:
+            is_known = math.isfinite(best_m)
+            advance(fraction, f"best so far {1e3 * best_m:.3g} mm rms" if is_known else "")
+
+        found = find(target, overrides or (), budget=seconds, seed=seed, progress=tell)
+    files = write_design(
+        found, folder, plots=not no_plots, force=force, picture_format=picture_format
+    )
+    if json:
+        say(json_text({**found.document(), "files": [str(file) for file in files]}))
+    elif not quiet:
+        say("\n".join(design_lines(found, folder, files)))
+    _end(found, folder)
+
+
+def _end(found: PathDesign, folder: Path) -> None:
+    """Report a design that is not met as an error, after its files are written."""
+    if found.interrupted:
+        raise InterruptedRunError(f"interrupted; the best so far is in {folder}")
+    if found.status != "met":
+        words = "refused" if found.status == "refused" else "not met"
+        hint = f". {found.hint}" if found.hint else ""
+        raise DesignNotMetError(f"{words}: {found.reason}{hint}")

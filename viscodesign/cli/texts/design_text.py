@@ -1,0 +1,70 @@
+"""A design as lines of text: how near it comes, its numbers, and what else was found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from viscodesign.cli.texts.accuracy_text import seconds
+from viscodesign.cli.texts.layout import number, table
+from viscodesign.results.path_design import PathDesign
+
+MOST_NUMBERS = 24
+
+
+def design_lines(found: PathDesign, folder: Path, files: Sequence[Path]) -> list[str]:
+    """The answer, then numbers, alternatives, effort and files."""
+    return [
+        f"{found.name}: {found.status.replace('_', ' ')}",
+        *table(list(_answer(found))),
+        *_numbers(found),
+        "",
+        *table(
+            [
+                ("effort", f"{found.evaluations} solutions, {seconds(found.wall_s)}"),
+                ("files", f"{folder}: {', '.join(_short(file, folder) for file in files)}"),
+            ]
+        ),
+    ]
+
+
+def _answer(found: PathDesign) -> Iterator[tuple[str, str]]:
+    if found.rms_m is not None and found.worst_m is not None:
+        yield "search", f"{_mm(found.rms_m)} rms, at most {_mm(found.worst_m)}"
+    if found.confirmed_rms_m is not None and found.confirmed_worst_m is not None:
+        stated = (
+            "" if found.stated_error_m is None else f", stated error {_mm(found.stated_error_m)}"
+        )
+        words = f"{_mm(found.confirmed_rms_m)} rms, at most {_mm(found.confirmed_worst_m)}"
+        yield "confirmed", f"{words}{stated} (allowed {_mm(found.tolerance_m)})"
+        yield "effects", ", ".join(found.effects) or "none"
+    if found.band.size:
+        yield "band", f"{_mm(found.widest_band_m)} by one percent of each free number"
+    if found.reason:
+        yield "reason", found.reason
+    if found.hint:
+        yield "hint", found.hint
+    if len(found.alternatives) > 1:
+        yield "also", f"{len(found.alternatives) - 1} designs that are better in something else"
+
+
+def _numbers(found: PathDesign) -> list[str]:
+    if found.graph and not found.parameters:
+        return ["", f"  graph  {', '.join(found.graph)}"]
+    rows = [(key, number(value, _unit(found, key))) for key, value in found.parameters.items()]
+    more = len(rows) - MOST_NUMBERS
+    tail = [f"  and {more} more in result.json"] if more > 0 else []
+    return ["", *table(rows[:MOST_NUMBERS]), *tail] if rows else []
+
+
+def _mm(length_m: float | None) -> str:
+    return "unknown" if length_m is None else f"{number(1e3 * length_m)} mm"
+
+
+def _short(file: Path, folder: Path) -> str:
+    return str(file.relative_to(folder))
+
+
+def _unit(found: PathDesign, key: str) -> str:
+    unit = found.units.get(key, "1")
+    return "" if unit == "1" else unit

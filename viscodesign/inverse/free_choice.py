@@ -1,0 +1,126 @@
+"""What a design task sets free: numbers within bounds, the graph, and the input."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+import numpy as np
+
+from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.errors import Fault, SpecError, described, not_among
+from viscodesign.exploration.key_values import read_values
+from viscodesign.exploration.least_squares import NumberRanges
+from viscodesign.inverse.target_spec import FREE_FORM, ReadTarget
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.scene import Scene
+
+GRAPH, INPUT, HARMONICS = "network.graph", "input", "harmonics"
+GraphChoice = Literal["keep", "chain", "tree"]
+GRAPHS: tuple[GraphChoice, ...] = ("keep", "chain", "tree")
+
+
+@dataclass(frozen=True)
+class FreeRange:
+    """A key of the spec, and between which bounds its numbers are sought [SI]."""
+
+    key: str
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class FreeChoice:
+    """All that is free."""
+
+    ranges: tuple[FreeRange, ...]
+    graph: GraphChoice = "keep"
+    harmonics: Mapping[str, Any] | None = None
+    """What is written under `input` where it is a sum of harmonics."""
+
+    def numbers(self, scene: Scene) -> tuple[FreeKeys, NumberRanges] | None:
+        """The numbers that are free in a scene, one by one, and their bounds."""
+        if not self.ranges:
+            return None
+        keys = FreeKeys(scene, [own.key for own in self.ranges])
+        counts = [len(FreeKeys(scene, [own.key]).numbers) for own in self.ranges]
+        low = np.repeat([own.low for own in self.ranges], counts)
+        high = np.repeat([own.high for own in self.ranges], counts)
+        return keys, NumberRanges.of(low, high)
+
+
+def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
+    """What is free in a task on a scene. Raises `SpecError` with all faults by their lines."""
+    faults: list[Fault] = []
+    ranges: list[FreeRange] = []
+    graph: GraphChoice = "keep"
+    harmonics = None
+    for key, given in read.spec.free.items():
+        try:
+            if key == GRAPH:
+                graph = _graph(given)
+            elif key == INPUT and isinstance(given, Mapping) and HARMONICS in given:
+                harmonics = given
+            elif key == INPUT:
+                ranges += [_range(scene, f"input.{own}", b) for own, b in _own_keys(given).items()]
+            else:
+                ranges.append(_range(scene, key, given))
+        except SpecError as error:
+            faults += [_placed(fault, key, read) for fault in error.faults]
+    if faults:
+        raise SpecError(faults)
+    if ranges:
+        FreeKeys(scene, [own.key for own in ranges])  # refuses keys that overlap
+    if not ranges and harmonics is None and graph == "keep":
+        fault = Fault(f"network.graph: keep leaves nothing free; {FREE_FORM}", "free")
+        raise SpecError([_placed(fault, GRAPH, read)])
+    return FreeChoice(tuple(ranges), graph, harmonics)
+
+
+def _placed(fault: Fault, key: str, read: ReadTarget) -> Fault:
+    """A fault of a key under `free`, with its line."""
+    file, line = read.document.place(("free", key))
+    return Fault(fault.message, f"free.{fault.key or key}", file, line, read.spec.free[key])
+
+
+def _graph(given: Any) -> GraphChoice:
+    found = next((choice for choice in GRAPHS if choice == given), None)
+    if found is None:
+        raise SpecError.plain(not_among(given, GRAPHS))
+    return found
+
+
+def _own_keys(given: Any) -> Mapping[str, Any]:
+    if not isinstance(given, Mapping) or not given:
+        raise SpecError.plain(
+            f"expected the input's keys with bounds, such as {{drop: [10 kPa, 60 kPa]}}, or "
+            f"{{harmonics: 6, period: [5 s, 400 s], limits: [-25 kPa, 30 kPa]}}; "
+            f"got {described(given)}"
+        )
+    return given
+
+
+def _range(scene: Scene, key: str, given: Any) -> FreeRange:
+    """Bounds of one key. Raises `SpecError`."""
+    numbers = FreeKeys(scene, [key]).numbers
+    unit = numbers[0].unit
+    low, high = bounds(key, unit, given)
+    for value in (low, high):
+        if fault := numbers[0].fault(value):
+            raise SpecError([Fault(fault.message, key)])
+    return FreeRange(key, low, high)
+
+
+def bounds(key: str, unit: str, given: Any) -> tuple[float, float]:
+    """Two bounds [unit], the lower one first. Raises `SpecError`."""
+    found = read_values(key, unit, given)
+    pair: Sequence[float] = (found.low, found.high) if found.is_range else found.listed
+    if len(pair) != 2:
+        message = f"expected two bounds, [low, high]; got {described(given)}"
+        raise SpecError([Fault(message, key)])
+    low, high = map(float, pair)
+    if not low < high:
+        wrong = "reversed" if low > high else "equal"
+        hint = "write the smaller one first" if low > high else "leave the key out to keep it fixed"
+        raise SpecError([Fault(f"the bounds {given} are {wrong}; {hint}", key)])
+    return low, high

@@ -1,0 +1,35 @@
+"""What keeps a design from coming nearer, in words."""
+
+from __future__ import annotations
+
+from viscodesign.inverse.confirmation import Confirmation
+from viscodesign.inverse.number_search import NumberDesign
+from viscodesign.inverse.search_task import SearchTask
+
+MOST_NAMES = 4
+
+
+def limiting_reason(task: SearchTask, best: NumberDesign, run: Confirmation | None) -> str:
+    """Why a design is not met."""
+    parts = [_distance_words(task, best, run)]
+    if task.stop.asked:
+        parts.append("interrupted: this is the best so far, not confirmed")
+    elif best.status == "unfinished":
+        parts.append("the search ran out of time; give it a larger budget")
+    if best.at_bounds:
+        shown = ", ".join(best.at_bounds[:MOST_NAMES])
+        more = len(best.at_bounds) - MOST_NAMES
+        parts.append(f"at their bounds: {shown}" + (f" and {more} more" if more > 0 else ""))
+    elif best.status == "converged" and best.names:
+        parts.append("no bound is active: these numbers can do no better, others must be free")
+    return "; ".join(parts)
+
+
+def _distance_words(task: SearchTask, best: NumberDesign, run: Confirmation | None) -> str:
+    found = best.distance if run is None else run.distance
+    x, z = 1e3 * task.wanted.points[found.place]
+    return (
+        f"the tip stays {1e3 * found.rms_m:.3g} mm (rms) from the path, "
+        f"{1e3 * found.worst_m:.3g} mm at ({x:.3g}, {z:.3g}) mm; "
+        f"allowed are {1e3 * task.tolerance_m:.3g} mm"
+    )

@@ -1,0 +1,178 @@
+"""The numbers of one scene that bring its tip nearest to a path, on the scene's own model.
+
+Effects are those that the numbers call for: the search solves with the effects of its start, and
+goes on from its end with those of the end until they are the same.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.compiled.function import CompiledFunction
+from viscodesign.exploration.least_squares import (
+    AT_BOUND,
+    BestSoFar,
+    FitStatus,
+    LeastSquaresFit,
+    NumberRanges,
+    SearchLimits,
+    least_squares,
+)
+from viscodesign.inverse.confirmation import tip_of
+from viscodesign.inverse.search_task import SearchTask
+from viscodesign.inverse.tip_residuals import TIP, PathDistance, TipResiduals, distance
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.simulate import simulate
+
+MOST_ROUNDS = 3
+"""Choices of effects in one search."""
+DESCENTS = 6
+STARTS_PER_NUMBER, LEAST_STARTS, MOST_STARTS = 4, 12, 48
+ENOUGH_SHARE = 0.1
+"""Of the tolerance, at which a descent has found the path and no other start is tried."""
+EXACT_SHARE = 0.01
+"""Of the tolerance, at which nothing better is sought: solutions are no more accurate."""
+PERCENT = 0.01
+SAME_SHARE = 0.02
+"""Of its range, up to which a number of two optima counts as the same."""
+
+
+@dataclass(frozen=True, eq=False)
+class NumberDesign:
+    """The best numbers of one scene."""
+
+    scene: Scene
+    """With these numbers."""
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    values: np.ndarray
+    distance: PathDistance
+    band: np.ndarray
+    """(T, 2) standard deviation of the tip by one percent of each number [m]."""
+    at_bounds: tuple[str, ...]
+    status: FitStatus
+
+    @property
+    def parameters(self) -> Mapping[str, float]:
+        """Values by key [SI]."""
+        return dict(zip(self.names, self.values.tolist(), strict=True))
+
+
+def search_numbers(
+    task: SearchTask, scene: Scene, *, several_starts: bool = True, graph: str = ""
+) -> list[NumberDesign]:
+    """The best numbers of a posed scene within their bounds, and other optima behind them.
+
+    Without free numbers, the scene as it is. Raises `ViscodesignError` where no start has a
+    solution.
+    """
+    found = task.choice.numbers(scene)
+    if found is None:
+        return [_as_it_is(task, scene, graph)]
+    keys, ranges = found
+    here = scene_with(keys, ranges.values(ranges.shares(keys.values)))
+    for turn in range(MOST_ROUNDS):
+        function = CompiledFunction(here, [own.key for own in task.choice.ranges], TIP)
+        residuals = TipResiduals(function, task.wanted)
+        fit = _fit(task, residuals, ranges, function.values, graph, several_starts and not turn)
+        if turn == MOST_ROUNDS - 1 or task.is_over or function.judge(fit.values).suits:
+            return _designs_of(task, function, residuals, fit, ranges)
+        here = function.scene(fit.values)
+    raise AssertionError("the last round returns")
+
+
+def scene_with(keys: FreeKeys, values: np.ndarray) -> Scene:
+    """The scene with other numbers, checked."""
+    return keys.validated(values) if np.any(values != keys.values) else keys.scene
+
+
+def _fit(
+    task: SearchTask,
+    residuals: TipResiduals,
+    ranges: NumberRanges,
+    own: np.ndarray,
+    graph: str,
+    several: bool,
+) -> LeastSquaresFit:
+    count = len(own)
+    draws = min(max(STARTS_PER_NUMBER * count, LEAST_STARTS), MOST_STARTS) if several else 0
+    before = task.log.evaluations
+
+    def tell(best: BestSoFar) -> None:
+        task.log.evaluations = before + best.evaluations
+        task.log.note(math.sqrt(best.cost), graph)
+        task.tell()
+
+    limits = SearchLimits(
+        met_cost=(EXACT_SHARE * task.tolerance_m) ** 2,
+        enough_cost=(ENOUGH_SHARE * task.tolerance_m) ** 2,
+        until=task.until,
+        stop=task.stop,
+        tell=tell,
+    )
+    # The spec's own numbers are a guess of the user: they are refined first.
+    fit = least_squares(residuals, ranges, [own], limits=limits)
+    if not draws or fit.cost <= limits.enough_cost or task.is_over:
+        return fit
+    before = task.log.evaluations
+    starts = ranges.starts(own, draws, task.seed)[1:]
+    other = least_squares(residuals, ranges, starts, descents=DESCENTS, limits=limits)
+    optima = tuple(sorted((*fit.optima, *other.optima), key=lambda own: own.cost))
+    return replace(min(fit, other, key=lambda own: own.cost), optima=optima)
+
+
+def _designs_of(
+    task: SearchTask,
+    function: CompiledFunction,
+    residuals: TipResiduals,
+    fit: LeastSquaresFit,
+    ranges: NumberRanges,
+) -> list[NumberDesign]:
+    """The best, and every other optimum that is not nearly the same."""
+    values = [fit.values]
+    for other in fit.optima if not task.stop.asked else ():
+        shares = ranges.shares(other.values)
+        if math.isfinite(other.cost) and all(
+            np.abs(shares - ranges.shares(own)).max() > SAME_SHARE for own in values
+        ):
+            values.append(other.values)
+    return [_design_of(task, function, residuals, own, fit.status, ranges) for own in values]
+
+
+def _design_of(
+    task: SearchTask,
+    function: CompiledFunction,
+    residuals: TipResiduals,
+    values: np.ndarray,
+    status: FitStatus,
+    ranges: NumberRanges,
+) -> NumberDesign:
+    tip, slopes = residuals.tip(values), residuals.slopes(values)
+    shares = ranges.shares(values)
+    is_bound = (shares < AT_BOUND) | (shares > 1 - AT_BOUND)
+    return NumberDesign(
+        function.scene(values),
+        function.names,
+        tuple(n.unit for n in FreeKeys(function.scene(), function.names).numbers),
+        values,
+        distance(task.wanted, tip),
+        np.sqrt(((PERCENT * values * slopes) ** 2).sum(axis=2)),
+        tuple(name for name, bound in zip(function.names, is_bound, strict=True) if bound),
+        status,
+    )
+
+
+def _as_it_is(task: SearchTask, scene: Scene, graph: str) -> NumberDesign:
+    """A scene without free numbers, by one solution."""
+    tip = tip_of(task.wanted, scene, simulate(scene, verify=False))
+    found = distance(task.wanted, tip)
+    task.log.evaluations += 1
+    task.log.note(found.rms_m, graph)
+    task.tell()
+    return NumberDesign(scene, (), (), np.zeros(0), found, np.zeros((0, 2)), (), "converged")

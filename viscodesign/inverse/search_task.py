@@ -1,0 +1,63 @@
+"""What every part of a search shares: the path, what is free, how long, and who is told."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Callable
+from dataclasses import field
+
+from viscodesign.interrupt import StopRequest
+from viscodesign.inverse.free_choice import FreeChoice
+from viscodesign.inverse.wanted_path import WantedPath
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.results.path_design import HistoryRow
+
+Progress = Callable[[float, float], None]
+"""Called with the part of the time that is spent and the best distance so far [m]."""
+
+
+@dataclass
+class SearchLog:
+    """How the best got better."""
+
+    began: float
+    rows: list[HistoryRow] = field(default_factory=list)
+    evaluations: int = 0
+
+    @property
+    def best_m(self) -> float:
+        """Best distance so far [m]."""
+        return min((row.rms_m for row in self.rows), default=float("inf"))
+
+    def note(self, rms_m: float, graph: str) -> None:
+        """Note a distance of the search."""
+        if rms_m < self.best_m:
+            wall = clock.perf_counter() - self.began
+            self.rows.append(HistoryRow(self.evaluations, wall, rms_m, graph))
+
+
+@dataclass(frozen=True)
+class SearchTask:
+    """A design task, and the limits of its search."""
+
+    wanted: WantedPath
+    choice: FreeChoice
+    tolerance_m: float
+    until: float
+    """Time of `time.perf_counter` [s]."""
+    budget_s: float
+    stop: StopRequest
+    log: SearchLog
+    seed: int = 0
+    progress: Progress | None = None
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the search has to end."""
+        return self.stop.asked or clock.perf_counter() > self.until
+
+    def tell(self) -> None:
+        """Tell how far the search has come."""
+        if self.progress is not None:
+            spent = clock.perf_counter() - self.log.began
+            self.progress(min(spent / self.budget_s, 1.0), self.log.best_m)

@@ -1,0 +1,120 @@
+"""`design.png`: the wanted path and the found one with its band, and how the search got there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.patches import Polygon
+from matplotlib.ticker import FuncFormatter, NullFormatter
+
+from viscodesign.report.layout.style import (
+    ACCENT,
+    GREY,
+    INK,
+    SEQUENTIAL,
+    TITLE_ROOM,
+    Target,
+    axes_at,
+    picture,
+    shown,
+)
+from viscodesign.results.path_design import PathDesign
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+LEFT, BOTTOM, SIDE, GAP, SEARCH, KEY = 0.75, 0.6, 4.2, 0.95, 2.6, 0.3
+"""All in inches."""
+FOUND = SEQUENTIAL(0.25)
+MARGIN = 0.08
+LEAST_SPAN_MM = 1.0
+
+
+def draw_design(found: PathDesign, path: Target) -> None:
+    """Paths on the left, the best distance over the evaluations on the right."""
+    width, height = LEFT + SIDE + GAP + SEARCH + 0.25, BOTTOM + SIDE + KEY + TITLE_ROOM
+    with picture(path, width, height) as made:
+        axes = axes_at(made, LEFT, BOTTOM, SIDE, SIDE)
+        _draw_paths(axes, found)
+        made.text(LEFT / width, (height - 0.21) / height, shown(_title(found), 90), size=10)
+        search = axes_at(made, LEFT + SIDE + GAP, BOTTOM, SEARCH, SIDE)
+        _draw_search(search, found)
+
+
+def _title(found: PathDesign) -> str:
+    if found.confirmed_rms_m is None:
+        return f"{found.name}: {found.status.replace('_', ' ')}"
+    words = "met" if found.status == "met" else "not met"
+    return (
+        f"{found.name}: {words}, {1e3 * found.confirmed_rms_m:.3g} mm rms of "
+        f"{1e3 * found.tolerance_m:.3g} mm allowed"
+    )
+
+
+def _draw_paths(axes: Axes, found: PathDesign) -> None:
+    wanted, way = 1e3 * found.wanted, 1e3 * _closed(found.found, found.closed)
+    every = np.concatenate([wanted, way])
+    middle = (every.min(axis=0) + every.max(axis=0)) / 2
+    half = (0.5 + MARGIN) * max(float(np.ptp(every, axis=0).max()), LEAST_SPAN_MM)
+    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
+    axes.set_aspect("equal")
+    if len(found.band) >= len(found.found) > 1:
+        band = _closed(found.band[: len(found.found)], found.closed)
+        _draw_band(axes, way, 1e3 * band)
+    axes.plot(*wanted.T, color=INK, lw=3.2, alpha=0.28, label="wanted", solid_capstyle="round")
+    if len(way):
+        axes.plot(*way.T, color=FOUND, lw=1.3, label="found", zorder=4)
+        _draw_arrow(axes, way)
+    axes.set(xlabel="x [mm]", ylabel="z [mm]")
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.1)
+
+
+def _draw_band(axes: Axes, way: np.ndarray, band: np.ndarray) -> None:
+    """What one percent of every free number moves the path sideways, as a ribbon."""
+    along = np.gradient(way, axis=0)
+    length = np.linalg.norm(along, axis=1)
+    across = np.column_stack([-along[:, 1], along[:, 0]]) / np.where(length > 0, length, 1)[:, None]
+    wide = np.sqrt(((across * band) ** 2).sum(axis=1))[:, None] * across
+    for k in range(len(way) - 1):
+        corners = [way[k] + wide[k], way[k + 1] + wide[k + 1], way[k + 1] - wide[k + 1]]
+        ribbon = Polygon([*corners, way[k] - wide[k]], fc=FOUND, ec="none", alpha=0.22, zorder=2)
+        if k == 0:
+            ribbon.set_label("± 1 % of each free number")
+        axes.add_patch(ribbon)
+
+
+def _draw_arrow(axes: Axes, way: np.ndarray) -> None:
+    """Its sense, where the tip moves fastest."""
+    steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
+    if not steps.max() > 0.0:
+        return
+    k = int(steps.argmax())
+    axes.annotate(
+        "", xy=tuple(way[k + 1]), xytext=tuple(way[k]), zorder=5,
+        arrowprops={"arrowstyle": "-|>", "color": FOUND, "mutation_scale": 14, "lw": 0},
+    )  # fmt: skip
+
+
+def _draw_search(axes: Axes, found: PathDesign) -> None:
+    if found.history:
+        rows = [row.evaluation for row in found.history]
+        best = [1e3 * row.rms_m for row in found.history]
+        end = max(found.evaluations, rows[-1] + 1)
+        axes.step([*rows, end], [*best, best[-1]], where="post", color=FOUND, lw=1.3)
+        axes.set_yscale("log")
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.yaxis.set_minor_formatter(NullFormatter())
+        axes.set_xlim(left=0)
+    axes.axhline(1e3 * found.tolerance_m, color=ACCENT, lw=0.9, ls="--")
+    axes.text(
+        1.0, 1e3 * found.tolerance_m, "allowed", color=ACCENT, size=8, ha="right", va="bottom",
+        transform=axes.get_yaxis_transform(),
+    )  # fmt: skip
+    axes.set(xlabel="solutions", ylabel="best distance [mm rms]")
+    axes.grid(color="#e6e6e6", lw=0.6)
+    axes.tick_params(which="both", color=GREY)
+
+
+def _closed(way: np.ndarray, closed: bool) -> np.ndarray:
+    return np.concatenate([way, way[:1]]) if closed and len(way) else way
