@@ -16,8 +16,8 @@ from viscodesign.model.bellow_wall import CollapsingWall
 from viscodesign.model.system import System
 from viscodesign.physics import bellow
 from viscodesign.postprocess.motion_limits import Limit, Peak
-from viscodesign.postprocess.terminations import FLOOR_REL_TOL
 from viscodesign.results.findings import Notice
+from viscodesign.solve.events import FLOOR_REL_TOL
 from viscodesign.solve.obstacles import Obstacle
 
 

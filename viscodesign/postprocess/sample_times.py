@@ -1,4 +1,4 @@
-"""Solved times between the outputs, for works that are summed over samples."""
+"""Solved times between the outputs, for works that are summed over samples, and for events."""
 
 from __future__ import annotations
 
@@ -27,6 +27,10 @@ class SamplingRule:
     """The same of those after corners."""
     jump_rel: float = 1e-9
     """Part of its size by which an input may change at a corner without a jump."""
+    looks_per_swing: int = 16
+    """Looks for events in the time of an input's swing, at least, whatever the outputs."""
+    max_looks: int = 1_000
+    """The same in a run."""
     grades: int = 12
     """Samples in the first interval after a jump, each twice as far from it as the one before."""
 
@@ -37,10 +41,11 @@ SAMPLING = SamplingRule()
 def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool) -> Schedule:
     """The schedule, with edges so close that polynomials between them resolve the motion.
 
-    Nothing is added where an integrator gives all work, nor where nothing moves.
+    Where an integrator gives all work they are just close enough to meet events. Nothing is added
+    where nothing moves.
     """
     if not any(split.sampled.any() for split in equations.work_splits.values()):
-        return schedule
+        return _refined(schedule, _looks(schedule.edges, equations))
     edges = schedule.edges
     corners = schedule.pieces.changes
     duration = float(edges[-1])
@@ -56,6 +61,14 @@ def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool)
         finer = distinct(np.concatenate([edges, extra[0]]))
         extra.append(_graded(finer, edges[begins[sudden]]))
     return _refined(schedule, np.concatenate(extra))
+
+
+def _looks(edges: np.ndarray, equations: Equations) -> np.ndarray:
+    """Times that cut intervals in which an event could come and go unseen."""
+    duration = float(edges[-1])
+    swing = equations.swing_time or duration
+    spacing = max(swing / SAMPLING.looks_per_swing, duration / SAMPLING.max_looks)
+    return _even(edges, spacing)
 
 
 def _jumps(schedule: Schedule, equations: Equations, edges: np.ndarray) -> np.ndarray:

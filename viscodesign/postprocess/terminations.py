@@ -6,21 +6,22 @@ balances of the whole run are checked in `broken_balance`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 
 import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.rod_equations import RodForm
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Invariants
-from viscodesign.solve.equilibrium_failures import vanished_section
-from viscodesign.solve.obstacles import Obstacle, advice
+from viscodesign.solve.event_failures import (
+    EventError,
+    emptied_bellow,
+    rest_volume,
+    thinnest_section,
+)
+from viscodesign.solve.events import Rows, first_event
 from viscodesign.solve.problem import Problem
-
-FLOOR_REL_TOL = 0.02
-"""Part of its minimum volume by which a bellow may fall below it: loads take volume too."""
 
 
 @dataclass(frozen=True)
@@ -44,10 +45,6 @@ class TerminationLimits:
 
 LIMITS = TerminationLimits()
 
-Rows = Mapping[str, np.ndarray]
-Found = tuple[int, SolveError] | None
-"""The first row without a meaning, and why."""
-
 
 def first_termination(
     problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndarray, failure: SolveError | None
@@ -57,24 +54,29 @@ def first_termination(
     ``stretch``: of every section (T, S); ``failure``: that of the solver, which a nearby
     cause explains better.
     """
-    checks: tuple[Callable[[], Found], ...] = (
-        lambda: _not_finite(problem, time, rows, stretch),
-        lambda: _vanished(time, stretch),
-        lambda: _at_floor(problem, time, rows),
-        lambda: _jumped(problem, time, rows),
-    )
     # NaN compares false with everything: it is found first, so that its row is the earliest.
-    found = [ending for check in checks if (ending := check()) is not None]
+    checks = (_not_finite, first_event)
+    found = [e for check in checks if (e := check(problem, time, rows, stretch)) is not None]
     if found:
         return min(found, key=lambda ending: ending[0])
-    if failure is not None and stretch[-1].min() < LIMITS.thin_stretch:
+    return len(time), _explained(problem, float(time[-1]), rows, stretch, failure)
+
+
+def _explained(
+    problem: Problem, time: float, rows: Rows, stretch: np.ndarray, failure: SolveError | None
+) -> SolveError | None:
+    """The failure of a solver, or its cause where the last row, at ``time`` [s], shows one."""
+    if failure is None or isinstance(failure, EventError):
+        return failure
+    when = time if failure.time_s is None else failure.time_s
+    if stretch[-1].min() < LIMITS.thin_stretch:
         # The integrator gives up on a section that is about to vanish.
-        return len(time), _thinnest(time[-1], stretch[-1])
-    if failure is not None and not problem.equations.incompressible:
-        least = float(rows["volume"][-1].min()) / _rest_volume(problem)
-        if least < LIMITS.empty_volume:
-            return len(time), _emptied(problem, time, rows, len(time) - 1)
-    return len(time), failure
+        return thinnest_section(when, stretch[-1])
+    if not problem.equations.incompressible:
+        volume = rows["volume"][-1]
+        if float(volume.min()) / rest_volume(problem) < LIMITS.empty_volume:
+            return emptied_bellow(problem, when, volume)
+    return failure
 
 
 def broken_balance(invariants: Invariants, time: float) -> SolveError | None:
@@ -114,14 +116,16 @@ def doubted_balance(invariants: Invariants) -> Iterator[Notice]:
         )
 
 
-def _not_finite(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndarray) -> Found:
+def _not_finite(
+    problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndarray
+) -> tuple[int, SolveError] | None:
     bad = ~np.isfinite(stretch).all(axis=1)
     checked = {name: rows[name] for name in ("pressure", "volume", "position") if name in rows}
     for values in checked.values():
         bad |= ~np.isfinite(values).all(axis=1)
-    row = _first(bad)
-    if row is None:
+    if not bad.any():
         return None
+    row = int(np.argmax(bad))
     name = next((n for n, v in checked.items() if not np.isfinite(v[row]).all()), "stretch")
     where = "rod"
     if name in ("pressure", "volume"):
@@ -132,65 +136,4 @@ def _not_finite(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndar
         where=where,
         time_s=float(time[row]),
         remedy="Lower the pressure or the loads; the last rows show where it diverges.",
-    )
-
-
-def _vanished(time: np.ndarray, stretch: np.ndarray) -> Found:
-    row = _first(stretch.min(axis=1) <= 0.0)
-    return None if row is None else (row, _thinnest(time[row], stretch[row]))
-
-
-def _at_floor(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
-    """A gas-filled bellow at its minimum volume, below which its law becomes negative."""
-    if problem.floor_volume is None:
-        return None
-    row = _first(rows["volume"].min(axis=1) < problem.floor_volume * (1 - FLOOR_REL_TOL))
-    return None if row is None else (row, _emptied(problem, time, rows, max(row - 1, 0)))
-
-
-def _jumped(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
-    """The rod's axis folds onto itself between two outputs."""
-    if problem.equations.rod_form is RodForm.ARCS:
-        return None
-    jump = problem.rod.angle_jump(rows)
-    if jump is None:
-        return None
-    row, section = jump[0], jump[1] + 1
-    when = float(time[row])
-    return row, SolveError(
-        f"the angle in section {section} jumps at t = {when:.6g} s: the rod folds onto itself "
-        "between two nodes",
-        quantity="angle",
-        where=f"section {section}",
-        time_s=when,
-        remedy="Lower the loads, or tighten `accuracy`, which refines the mesh.",
-    )
-
-
-def _first(marked: np.ndarray) -> int | None:
-    """The first row that is marked, of (T,); None where none is."""
-    return int(np.argmax(marked)) if marked.any() else None
-
-
-def _thinnest(time: float, stretch: np.ndarray) -> SolveError:
-    return vanished_section(float(time), int(np.argmin(stretch)), float(np.min(stretch)))
-
-
-def _rest_volume(problem: Problem) -> float:
-    """Volume of one bellow at zero gauge [m3]."""
-    return float(problem.equations.rest_amounts[0])
-
-
-def _emptied(problem: Problem, time: np.ndarray, rows: Rows, row: int) -> SolveError:
-    """The failure of a bellow that is emptied: no gas fills a negative volume."""
-    volume = rows["volume"][row]
-    name, when = problem.bellows[int(np.argmin(volume))], float(time[row])
-    share = float(np.min(volume)) / _rest_volume(problem)
-    return SolveError(
-        f"{name} reached its minimum (collapsed) volume after t = {when:.6g} s, with {share:.3g} "
-        "of its rest volume: the linear law continues to negative volumes, which no gas can fill",
-        quantity="volume",
-        where=name,
-        time_s=when,
-        remedy=advice(problem.remedies, Obstacle.EMPTY_BELLOW, "Raise the lowest pressure"),
     )

@@ -22,6 +22,7 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.missed_effects import EffectEscalation
 from viscodesign.simulation.solve_once import Progress, Run, Workspace, farthest_tip, solve
+from viscodesign.solve.event_failures import EventError
 
 
 @dataclass(frozen=True)
@@ -133,6 +134,20 @@ class EffectJudge:
         """All effects, where a run without some ends early and one with all of them does not."""
         reason = "the run ends early without effects with which it does not"
         ended_s = float(run.motion.time[-1])
+        return EffectEscalation.of(selection, selection.everything, reason, ended_s)
+
+    @staticmethod
+    def at_event(selection: Selection, run: Run) -> EffectEscalation | None:
+        """All effects, where an event ends a run.
+
+        Effects are weighed by what they do to the tip at the outputs. When a run ends must not
+        depend on what these are.
+        """
+        failure = run.motion.failure
+        if not isinstance(failure, EventError):
+            return None
+        reason = "when a run ends is computed with all effects"
+        ended_s = float(run.motion.time[-1]) if failure.time_s is None else failure.time_s
         return EffectEscalation.of(selection, selection.everything, reason, ended_s)
 
     @property

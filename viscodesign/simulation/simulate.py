@@ -188,6 +188,7 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
         run, parts = verifier.verify(run, whole_error)
         with request.watch("choose"):
             more = None if verifier.interrupted else escalation(quantities, selection, run)
+    more = more or request.judge.at_event(selection, run)
     return _SolvedScene(selection, verifier, run, parts, more)
 
 

@@ -9,19 +9,6 @@ from viscodesign.solve.obstacles import Obstacle, advice
 from viscodesign.solve.problem import Problem
 
 
-def vanished_section(time: float, section: int, stretch: float) -> SolveError:
-    """The failure of a section (from 0 at the clamp) that is compressed to nothing."""
-    return SolveError(
-        f"section {section + 1} is compressed to {100 * stretch:.3g} % of its length at "
-        f"t = {time:.6g} s; the linear law no longer holds",
-        quantity="stretch",
-        where=f"section {section + 1}",
-        time_s=float(time),
-        remedy="Raise the lowest pressure, or check bellows.extension_per_pressure and "
-        "actuator.youngs_modulus.",
-    )
-
-
 def no_pressures(problem: Problem, time: float) -> SolveError:
     if problem.equations.statics.multivalued:
         return SolveError(

@@ -17,17 +17,15 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.results.findings import RetryAttempt
 from viscodesign.solve.branch_jumps import end_of_branch, has_branches, solve_on_branch
-from viscodesign.solve.problem import evaluate_at, section_strains
+from viscodesign.solve.event_failures import EventError
+from viscodesign.solve.event_location import until_event
+from viscodesign.solve.events import EventWatch
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
 
 MAX_STEPS_TO_RECOVER = 5_000
 """Steps of another solver over one interval between two outputs: what is stuck is not slow, and a
 section that is pressed to nothing takes ever smaller steps."""
-
-
-VANISHING_STRETCH = 0.01
-"""Stretch of a section below which no solver goes on: the linear law presses it to nothing."""
 
 
 class Fallbacks:
@@ -44,7 +42,7 @@ class Fallbacks:
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
         """Solve intervals first..stop, as far as a rod without inertia stays on its branch."""
-        return solve_on_branch(self.solver, here, first, stop, work)
+        return _solved(self.solver, here, first, stop, work)
 
     def recover(
         self, here: Start, edge: int, work: Work, failure: SolveError
@@ -54,31 +52,26 @@ class Fallbacks:
         reason = failure.short
         if self._others and has_branches(self.solver.problem) and failure.quantity == "motion":
             failure = end_of_branch(self.solver, here, edge, work) or failure
-        gone = failure.quantity == "equilibrium" or self._vanishes(here, edge)
+        piece = self.solver.problem.schedule.pieces[max(edge - 1, 0)]
+        unknowns = np.concatenate([here.states, here.algebraics])
+        failure = EventWatch(self.solver.problem).vanishing(time, piece, unknowns) or failure
+        gone = failure.quantity == "equilibrium" or isinstance(failure, EventError)
         if gone or not self._others:
             return self.solver.nothing(), failure  # no solver finds what does not exist
         for tried, solver in self._remedies(work):
-            columns, again = solve_on_branch(solver, here, edge, edge + 1, work)
+            columns, again = _solved(solver, here, edge, edge + 1, work)
             self.attempts.append(RetryAttempt(time, tried, again is None, reason))
             if again is None:
                 if self._has_failed:
                     self.solver = self._unlimited(solver)
                 self._has_failed = True
                 return columns, None
-            if again.quantity == "equilibrium":
-                return self.solver.nothing(), again
+            if again.quantity == "equilibrium" or isinstance(again, EventError):
+                return columns, again
             reason = again.short
             is_motion = failure.quantity == "motion" and again.quantity != "work"
             failure = again if is_motion else failure
         return self.solver.nothing(), failure
-
-    def _vanishes(self, here: Start, edge: int) -> bool:
-        """Whether a section has hardly any length left."""
-        problem = self.solver.problem
-        time, piece = problem.schedule.edges[edge], problem.schedule.pieces[max(edge - 1, 0)]
-        values = evaluate_at(problem, here.states, here.algebraics, float(time), piece)
-        stretch, _ = section_strains(problem, values)
-        return bool(np.min(stretch) < VANISHING_STRETCH)
 
     def _remedies(self, work: Work) -> Iterator[tuple[str, Solver]]:
         solver = self.solver
@@ -97,3 +90,12 @@ class Fallbacks:
         if solver.problem.max_steps == whole.max_steps:
             return solver
         return type(solver)(whole, solver.tolerance)
+
+
+def _solved(
+    solver: Solver, here: Start, first: int, stop: int, work: Work
+) -> tuple[Columns, SolveError | None]:
+    """A solver's solution, as far as a rod stays on its branch and no event ends the run."""
+    columns, failure = solve_on_branch(solver, here, first, stop, work)
+    columns, event = until_event(solver, here, first, columns, work)
+    return columns, event or failure

@@ -13,7 +13,8 @@ from viscodesign.model.unknowns import Block
 from viscodesign.solve.branch_following import (
     SAME_BRANCH_DISTANCE,
 )
-from viscodesign.solve.equilibrium_failures import no_pressures, vanished_section
+from viscodesign.solve.equilibrium_failures import no_pressures
+from viscodesign.solve.event_failures import thinnest_section
 from viscodesign.solve.numerics.newton import NewtonError, continuation, newton
 from viscodesign.solve.problem import Problem
 
@@ -123,6 +124,6 @@ def bend_to_arcs(problem: Problem, y: np.ndarray, tail: tuple[float | np.ndarray
     *_, curvature, stretch = problem.equations.statics_by_tape(y, *tail)
     total = 1 + np.asarray(stretch).ravel()
     if np.min(total) <= 0.0:
-        raise vanished_section(0.0, int(np.argmin(total)), float(np.min(total)))
+        raise thinnest_section(0.0, total)
     span = problem.equations.statics.branch_span
     y[span] = problem.rod.unloaded_coordinates(np.asarray(curvature).ravel(), total)

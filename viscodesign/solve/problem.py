@@ -193,6 +193,17 @@ def evaluate_after(
     return _evaluate_rows(problem, _rows_at(problem, states, algebraics, edges, edges))
 
 
+def evaluate_times(
+    problem: Problem,
+    states: np.ndarray,
+    algebraics: np.ndarray,
+    time: np.ndarray,
+    pieces: np.ndarray,
+) -> dict[str, np.ndarray]:
+    """The same at any times (m,), with the inputs' coefficients (m, c), or (c,) where equal."""
+    return _evaluate_rows(problem, _arguments(problem, states, algebraics, time, pieces))
+
+
 def _evaluate_rows(problem: Problem, rows: Sequence[np.ndarray]) -> dict[str, np.ndarray]:
     output = problem.equations.outputs_by_tape
     return dict(zip(output.names, output.rows(rows, len(rows[0])), strict=True))
@@ -217,12 +228,25 @@ def _rows_at(
     intervals: np.ndarray,
 ) -> list[np.ndarray]:
     """The same at the numbers of m edges, with the input of as many intervals."""
-    equations, schedule = problem.equations, problem.schedule
+    schedule = problem.schedule
+    return _arguments(
+        problem, states, algebraics, schedule.edges[edges], schedule.pieces[intervals]
+    )
+
+
+def _arguments(
+    problem: Problem,
+    states: np.ndarray,
+    algebraics: np.ndarray,
+    time: np.ndarray,
+    pieces: np.ndarray,
+) -> list[np.ndarray]:
+    equations = problem.equations
     return [
         states.T,
         algebraics.T,
-        schedule.edges[edges][:, None],
-        schedule.pieces[intervals],
+        time[:, None],
+        pieces,
         np.ones(1),
         equations.sealed_volumes,
         equations.parameter_values,

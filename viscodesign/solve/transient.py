@@ -19,6 +19,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.plugins import members
 from viscodesign.results.findings import RetryAttempt
 from viscodesign.solve import solvers
+from viscodesign.solve.event_failures import EventError
 from viscodesign.solve.fallbacks import Fallbacks
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work
@@ -184,12 +185,14 @@ def integrate(
     failure: SolveError | None = None
     length = _first_length(problem)
     with gentle_interrupt() as interrupt:
+        work.is_stopped = lambda: interrupt.asked
         while record.done < len(edges) - 1 and failure is None and not interrupt.asked:
             first, began, before = record.done, clock.perf_counter(), work.steps
             stop = min(first + length, len(edges) - 1)
             columns, failure = fallbacks.advance(record.here, first, stop, work)
             full = record.keep(columns, problem)
-            if failure is not None and failure.quantity != "work" and not interrupt.asked:
+            if _is_recoverable(failure) and not interrupt.asked:
+                assert failure is not None
                 columns, failure = fallbacks.recover(record.here, record.done, work, failure)
                 full = full or record.keep(columns, problem)
             failure = full or failure
@@ -204,13 +207,19 @@ def integrate(
     return Solution(
         *record.joined(),
         record.done + 1,
-        replace(work, progress=None),
-        failure if early else None,
+        replace(work, progress=None, is_stopped=Work().is_stopped),
+        failure if early and not interrupt.asked else None,
         interrupt.asked and early,
         interrupt.asked,
         tuple(fallbacks.attempts),
         solver,
     )
+
+
+def _is_recoverable(failure: SolveError | None) -> bool:
+    """Whether another solver may go on where one failed."""
+    is_final = failure is None or failure.quantity == "work" or isinstance(failure, EventError)
+    return not is_final
 
 
 def _first_length(problem: Problem) -> int:

@@ -20,9 +20,18 @@ def made(*changes: str) -> Problem:
     return problem_of(leg("bellows.count=4", *changes))
 
 
-def test_integrable_works_need_no_samples() -> None:
-    plain = schedule(leg("bellows.count=4", NETWORK, FEW))
-    assert np.array_equal(made(NETWORK, FEW).schedule.edges, plain.edges)
+def test_integrable_works_need_looks_for_events_alone() -> None:
+    plain, problem = schedule(leg("bellows.count=4", NETWORK, FEW)), made(NETWORK, FEW)
+    edges, spacing = problem.schedule.edges, problem.equations.swing_time / SAMPLING.looks_per_swing
+    assert np.isin(plain.edges, edges).all()
+    assert np.max(np.diff(edges)) <= spacing * (1 + 1e-9)
+    assert len(edges) <= 2.0 / spacing + len(plain.edges)
+
+
+def test_outputs_close_enough_need_nothing_more() -> None:
+    close = "run={duration: 2 s, output_interval: 0.02 s}"
+    plain = schedule(leg("bellows.count=4", NETWORK, close))
+    assert np.array_equal(made(NETWORK, close).schedule.edges, plain.edges)
 
 
 @pytest.mark.parametrize("changes", [(), (JUMP,)])

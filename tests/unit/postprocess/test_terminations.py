@@ -70,7 +70,7 @@ def test_an_angle_that_jumps_ends_a_run() -> None:
     values = rows()
     values["angle"][4:, 2:] = 3.5
     end, failure = ended(problem(), values)
-    assert (end, failure.quantity, failure.where) == (4, "angle", "section 1")
+    assert (end, failure.quantity, failure.where) == (4, "section angle", "section 1")
 
 
 def test_the_earliest_cause_is_told() -> None:

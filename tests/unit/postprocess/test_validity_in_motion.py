@@ -302,7 +302,7 @@ def test_a_gas_bellow_sucked_empty_ends_the_run_by_its_name() -> None:
     found = simulate(leg(*SUCKED, f"effects={{collapse: off, {GAS}}}"), verify=False)
     assert found.status == "failed"
     assert found.failure is not None
-    assert "R1 reached its minimum (collapsed) volume after t = " in found.failure
+    assert "R1 reached its minimum (collapsed) volume at t = " in found.failure
     assert "collapse" in found.failure
     # The linear law comes to its floor at -31.7 kPa, which the inlet passes after 0.39 s.
     assert 0.36 < found.time[-1] < 0.4

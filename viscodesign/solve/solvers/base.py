@@ -18,6 +18,10 @@ Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
 """States (nx, m), algebraic unknowns (nz, m) and integrals from the first edge (nq, m)."""
 
 
+def _never() -> bool:
+    return False
+
+
 @dataclass
 class Work:
     """Counts of work done, independent of any clock."""
@@ -31,6 +35,8 @@ class Work:
     """Whether any steps were taken in native code."""
     progress: Callable[[float], None] | None = None
     """Called with the time [s] after a step, by solvers whose steps are slow; may raise."""
+    is_stopped: Callable[[], bool] = _never
+    """Asked now and then: whether the user wants no more steps."""
 
 
 class Solver(ABC):
@@ -51,9 +57,16 @@ class Solver(ABC):
     """Whether its error is round-off, whatever the tolerance. It then comes before all others
     for the equations that it takes."""
 
+    watches_steps: ClassVar[bool] = False
+    """Whether it looks for events at its own steps, and not just at the edges."""
+
     def __init__(self, problem: Problem, tolerance: float) -> None:
         self.problem = problem
         self.tolerance = tolerance
+
+    def unwatched(self, problem: Problem) -> Solver:
+        """The same for a problem with other times, looking for no events."""
+        return type(self)(problem, self.tolerance)
 
     @abstractmethod
     def __call__(
@@ -110,9 +123,8 @@ class Solver(ABC):
             np.zeros((equations.integrals, 0)),
         )
 
-    def failure(self, reason: str, edge: int) -> SolveError:
-        """The failure of the interval that begins at an edge."""
-        time = float(self.problem.schedule.edges[edge])
+    def failure(self, reason: str, time: float) -> SolveError:
+        """The failure of steps that came as far as ``time`` [s]."""
         return SolveError(
             f"time integration failed at t = {time:.6g} s: {reason}",
             quantity="motion",

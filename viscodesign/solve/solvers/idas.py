@@ -156,7 +156,7 @@ class Idas(Solver):
         """The failure of one interval, which may be that of the run's step limit."""
         if work.steps >= self.problem.max_steps:
             return self.step_limit_reached(self.problem.schedule.edges[edge])
-        return self.failure(reason_of(error), edge)
+        return self.failure(reason_of(error), float(self.problem.schedule.edges[edge]))
 
     def _steps_after_failure(self) -> int:
         """Steps between two outputs, once a part of the run has failed."""

@@ -80,12 +80,15 @@ class Radau(Solver):
                 )
             except (SolveError, NewtonError) as error:
                 failure = (
-                    error if isinstance(error, SolveError) else self.failure(str(error), begin)
+                    error
+                    if isinstance(error, SolveError)
+                    else self.failure(str(error), float(schedule.edges[begin]))
                 )
                 break
             columns += found
             if len(found) < end - begin:
-                failure = self.failure("step size fell below its minimum", begin + len(found))
+                reached = float(schedule.edges[begin + len(found)])
+                failure = self.failure("step size fell below its minimum", reached)
                 break
             x, z, total = np.split(found[-1], [self.states, len(found[-1]) - len(total)])
             here = Start(x, z)

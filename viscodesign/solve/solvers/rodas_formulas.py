@@ -6,6 +6,7 @@ Serves where native code cannot be had.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import casadi as ca
@@ -16,6 +17,7 @@ from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
 from viscodesign.model.row_blocks import Bound
 from viscodesign.native import rodas
+from viscodesign.solve.events import Crossing, EventWatch
 from viscodesign.solve.numerics.symbolic_lu import SymbolicLU
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
@@ -48,7 +50,13 @@ class FormulaSteps(StretchSteps):
         largest = self.largest_size(last - time)
         found: list[np.ndarray] = []
         before = 1.0
+        watched, piece = [(time, y)], schedule.pieces[begin]
         for _ in range(max(self.problem.max_steps - work.steps, 1)):
+            if len(watched) > self.steps_at_once:
+                crossing = self._crossing(watched, piece)
+                if crossing is not None or work.is_stopped():
+                    return replace(self._reached(found, None, "", time), crossing=crossing)
+                del watched[:-1]
             remaining = last - time
             final = size >= remaining * (1 - 1e-9)
             taken = (
@@ -62,17 +70,32 @@ class FormulaSteps(StretchSteps):
             if not error <= 1.0:
                 size = taken * _factor(error, 1.0)
                 if size < CONTROL.min_step * whole:
-                    return self._reached(found, None, "step size fell below its minimum", time)
+                    reached = self._reached(found, None, "step size fell below its minimum", time)
+                    vanishing = EventWatch(self.problem).vanishing(time, piece, y)
+                    crossing = self._crossing(watched, piece)
+                    return replace(reached, crossing=crossing, vanishing=vanishing)
                 continue
             until = last if final else time + taken
             inside = edges[begin + 1 + len(found) : end + 1]
             found += _outputs(y, after, stages, time, until, inside)
+            watched.append((until, after))
             if final:
                 size = max(size, taken) * min(_factor(error, before), 1.0 / CONTROL.safety)
-                return self._reached(found, size, None, until)
+                reached = self._reached(found, size, None, until)
+                return replace(reached, crossing=self._crossing(watched, piece))
             size = min(taken * _factor(error, before), largest)
             y, time, before = after, until, max(error, 1e-4)
-        return self._reached(found, None, "", time)
+        crossing = self._crossing(watched, piece)
+        return replace(self._reached(found, None, "", time), crossing=crossing)
+
+    def _crossing(
+        self, steps: list[tuple[float, np.ndarray]], piece: np.ndarray
+    ) -> Crossing | None:
+        """The first event at the ends of steps, the beginning of the first among them."""
+        if self.watch is None:
+            return None
+        times, unknowns = zip(*steps, strict=True)
+        return self.watch.crossing(np.array(times), piece, np.array(unknowns))
 
     def _reached(
         self, found: list[np.ndarray], size: float | None, failure: str | None, time: float

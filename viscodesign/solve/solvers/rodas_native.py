@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from viscodesign.model.local_equations import LocalEquations
 from viscodesign.native.machine import this_machine
 from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, StepRecord, march
+from viscodesign.native.source.steps import RECORD_HEAD
 from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.solve.events import Crossing, EventWatch
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
@@ -68,17 +72,43 @@ class NativeSteps(StretchSteps):
         )
         allowed = max(self.problem.max_steps - work.steps, 1)
         rest, first = np.append(piece, 1.0), float(edges[0])
-        status, found = self.march(state, rest, first, edges[1:], allowed)
+        columns, crossing = [], None
+        while True:
+            record, tried = StepRecord(self.steps_at_once), 2 * self.steps_at_once
+            tried = max(min(tried, allowed - state.steps), 1)
+            status, found = self.march(state, rest, first, edges[1:], tried, record)
+            columns.append(found[:, self._kept])
+            crossing = self._crossing(record, state, piece)
+            is_over = status is not MarchStatus.STEP_LIMIT or state.steps >= allowed
+            if crossing is not None or is_over or work.is_stopped():
+                break
         work.native = True
         work.steps += state.steps
         work.residual_calls += state.residuals
         work.jacobian_calls += state.jacobians
-        columns = found[:, self._kept]
+        reached = Reached(np.concatenate(columns), None, "", state.time, crossing)
+        if status is MarchStatus.STEP_TOO_SMALL:
+            vanishing = EventWatch(self.problem).vanishing(state.time, piece, self._own(state.y))
+            failure = "step size fell below its minimum"
+            return replace(reached, failure=failure, vanishing=vanishing)
         if status is MarchStatus.FINISHED:
-            return Reached(columns, state.size, None, state.time)
-        limit = status is MarchStatus.STEP_LIMIT
-        failure = "" if limit else "step size fell below its minimum"
-        return Reached(columns, None, failure, state.time)
+            return replace(reached, size=state.size, failure=None)
+        return reached
+
+    def _crossing(
+        self, record: StepRecord, state: MarchState, piece: np.ndarray
+    ) -> Crossing | None:
+        """The first event in the steps of a record and at their end."""
+        if self.watch is None:
+            return None
+        rows = record.rows
+        time = np.append(rows[:, 0], state.time)
+        unknowns = np.vstack([rows[:, RECORD_HEAD:], state.y])
+        return self.watch.crossing(time, piece, self._own(unknowns))
+
+    def _own(self, y: np.ndarray) -> np.ndarray:
+        """States and algebraic unknowns (..., nx + nz), integrals behind them."""
+        return np.asarray(y[..., self._kept])
 
     def corrected(self, here: Start, time: float, piece: np.ndarray) -> Start | None:
         assembly, problem = self.assembly, self.problem

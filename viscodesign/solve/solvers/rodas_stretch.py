@@ -7,6 +7,8 @@ from abc import ABC, abstractmethod
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.solve.event_failures import EventError
+from viscodesign.solve.events import Crossing, EventWatch
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.statics import Start
@@ -28,6 +30,10 @@ class StepControl:
     """Steps that a stretch of smooth input takes at least, if its swings are short."""
     memory: float = 0.08
     """Exponent of the last error in the next step (a PI controller)."""
+    steps_at_once: int = 256
+    """Steps between two looks for events and for a request to stop."""
+    numbers_at_once: int = 100_000
+    """Unknowns times steps of that many, at most."""
     max_unknowns: int = 1_000
     """Up to which a whole step is written out as formulas."""
 
@@ -47,6 +53,10 @@ class Reached:
     """Why it was not; empty where the steps allowed were taken."""
     time: float = 0.0
     """How far the steps came [s]."""
+    crossing: Crossing | None = None
+    """The event that ended them."""
+    vanishing: EventError | None = None
+    """What the steps came to a stop at, where that is known."""
 
 
 class StretchSteps(ABC):
@@ -55,6 +65,8 @@ class StretchSteps(ABC):
     def __init__(self, problem: Problem, tolerance: float) -> None:
         self.problem = problem
         self.tolerance = tolerance
+        self.watch: EventWatch | None = EventWatch(problem)
+        """None where a search for events has been narrowed to where they are known to be."""
 
     @abstractmethod
     def __call__(
@@ -91,6 +103,12 @@ class StretchSteps(ABC):
         shorter than the stretch has corners of its own.
         """
         return max(self.problem.equations.swing_time, stretch / CONTROL.min_steps_per_stretch)
+
+    @property
+    def steps_at_once(self) -> int:
+        """Steps between two looks for events."""
+        few = CONTROL.numbers_at_once // max(self.problem.unknowns, 1)
+        return max(1, min(CONTROL.steps_at_once, few))
 
     def powers(self) -> np.ndarray:
         """Powers of the step by which errors of unknowns count (n,); infinite: not at all."""

@@ -14,6 +14,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.solve.event_location import located
 from viscodesign.solve.numerics.symbolic_lu import has_whole_diagonal
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
@@ -31,6 +32,7 @@ class Rosenbrock(Solver):
     title: ClassVar[str] = "Rodas5P: Rosenbrock of order 5, A-stable, exact Jacobian"
     # The largest over a hundred scenes; typically it is below one.
     tip_error_per_tolerance: ClassVar[float] = 5.0
+    watches_steps: ClassVar[bool] = True
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         super().__init__(problem, tolerance)
@@ -42,6 +44,12 @@ class Rosenbrock(Solver):
         """The latest unknowns that were made so, and their time [s]."""
         self.states = problem.equations.states.count
         self.unknowns = problem.unknowns
+
+    def unwatched(self, problem: Problem) -> Solver:
+        """Its steps look for no events."""
+        solver = Rosenbrock(problem, self.tolerance)
+        solver.steps.watch = None
+        return solver
 
     @classmethod
     def takes(cls, problem: Problem) -> bool:
@@ -90,8 +98,15 @@ class Rosenbrock(Solver):
             y = np.concatenate([here.states, here.algebraics, total])
             reached = self.steps(self.problem.schedule, y, begin, end, self.size, work)
             columns.append(reached.columns)
+            if reached.crossing is not None:
+                piece, edges = self.problem.schedule.pieces[begin], self.problem.schedule.edges
+                event = located(self, reached.crossing, piece, work)
+                valid = np.searchsorted(edges[begin + 1 : end + 1], event.time_s)
+                failure = event
+                columns[-1] = reached.columns[:valid]
+                break
             if reached.failure is not None:
-                failure = self._failure(reached, begin)
+                failure = self._failure(reached)
                 break
             self.size, last = reached.size, reached.columns[-1]
             x, z, total = np.split(last, [self.states, self.unknowns])
@@ -101,10 +116,10 @@ class Rosenbrock(Solver):
         x, z, q = np.split(np.concatenate(columns).T, [self.states, self.unknowns])
         return (x, z, q), failure
 
-    def _failure(self, reached: Reached, begin: int) -> SolveError:
+    def _failure(self, reached: Reached) -> SolveError:
         if not reached.failure:
             return self.step_limit_reached(reached.time)
-        return self.failure(reached.failure, begin + len(reached.columns))
+        return reached.vanishing or self.failure(reached.failure, reached.time)
 
 
 def _steps(problem: Problem, tolerance: float) -> StretchSteps:

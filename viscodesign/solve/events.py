@@ -1,0 +1,134 @@
+"""Events that end a run: from there on a solution has no meaning, whatever solves it.
+
+Each has one time. Solvers look for events at all their own steps, and locate them between two of
+these, so that no event depends on the outputs that were asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.rod_equations import RodForm
+from viscodesign.solve.event_failures import (
+    EventError,
+    emptied_bellow,
+    folded_axis,
+    thinnest_section,
+)
+from viscodesign.solve.problem import Problem, evaluate_at, evaluate_times, section_strains
+from viscodesign.solve.statics import Start
+
+FLOOR_REL_TOL = 0.02
+"""Part of its minimum volume by which a bellow may fall below it: loads take volume too."""
+VANISHING_STRETCH = 0.01
+"""Stretch of a section below which no solver goes on: the linear law presses it to nothing."""
+
+Rows = Mapping[str, np.ndarray]
+"""Named outputs, each (T, n); pressures and volumes in the order of the bellows."""
+
+
+Found = tuple[int, EventError] | None
+"""The first row without a meaning, and why."""
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """An event between two neighbouring times of a solution."""
+
+    before: Start
+    """Unknowns at the first of them."""
+    begin: float
+    end: float
+    """Equal to ``begin`` where the solution begins with the event [s]."""
+    error: EventError
+
+
+class EventWatch:
+    """Looks for events at any times of a solution."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+
+    def first(self, time: np.ndarray, piece: np.ndarray, unknowns: np.ndarray) -> Found:
+        """The first event among rows (m, nx + nz or more) at times (m,) of one smooth stretch.
+
+        ``piece``: coefficients of the inputs there.
+        """
+        problem = self._problem
+        states, count = problem.equations.states.count, problem.unknowns
+        x, z = unknowns[:, :states].T, unknowns[:, states:count].T
+        rows = evaluate_times(problem, x, z, time, piece)
+        for name in ("pressure", "volume"):
+            rows[name] = rows[name][:, problem.places]
+        stretch, _ = section_strains(problem, rows)
+        return first_event(problem, time, rows, stretch)
+
+    def crossing(
+        self, time: np.ndarray, piece: np.ndarray, unknowns: np.ndarray
+    ) -> Crossing | None:
+        """The same as the times between which it happens, and the unknowns before it."""
+        found = self.first(time, piece, unknowns)
+        if found is None:
+            return None
+        row, error = found
+        before = max(row - 1, 0)
+        here = start_of(self._problem, unknowns[before])
+        return Crossing(here, float(time[before]), float(time[row]), error)
+
+    def vanishing(self, time: float, piece: np.ndarray, unknowns: np.ndarray) -> EventError | None:
+        """The failure of a section that has hardly any length left, which no solver gets past."""
+        here = start_of(self._problem, unknowns)
+        values = evaluate_at(self._problem, here.states, here.algebraics, time, piece)
+        stretch, _ = section_strains(self._problem, values)
+        return thinnest_section(time, stretch[0]) if stretch.min() < VANISHING_STRETCH else None
+
+
+def start_of(problem: Problem, unknowns: np.ndarray) -> Start:
+    """States and algebraic unknowns of one row (nx + nz or more,)."""
+    x, z, _ = np.split(unknowns, [problem.equations.states.count, problem.unknowns])
+    return Start(x, z)
+
+
+def first_event(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndarray) -> Found:
+    """The first event at times (T,); ``stretch``: of every section (T, S)."""
+    checks: tuple[Callable[[], Found], ...] = (
+        lambda: _vanished(time, stretch),
+        lambda: _at_floor(problem, time, rows),
+        lambda: _jumped(problem, time, rows),
+    )
+    found = [event for check in checks if (event := check()) is not None]
+    return min(found, key=lambda event: event[0]) if found else None
+
+
+def _vanished(time: np.ndarray, stretch: np.ndarray) -> Found:
+    row = _first(stretch.min(axis=1) <= 0.0)
+    return None if row is None else (row, thinnest_section(float(time[row]), stretch[row]))
+
+
+def _at_floor(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
+    """A gas-filled bellow at its minimum volume, below which its law becomes negative."""
+    if problem.floor_volume is None:
+        return None
+    row = _first(rows["volume"].min(axis=1) < problem.floor_volume * (1 - FLOOR_REL_TOL))
+    if row is None:
+        return None
+    return row, emptied_bellow(problem, float(time[row]), rows["volume"][row])
+
+
+def _jumped(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
+    """The rod's axis folds onto itself between two rows."""
+    if problem.equations.rod_form is RodForm.ARCS:
+        return None
+    jump = problem.rod.angle_jump(rows)
+    if jump is None:
+        return None
+    row, section = jump
+    return row, folded_axis(float(time[row]), section)
+
+
+def _first(marked: np.ndarray) -> int | None:
+    """The first row that is marked, of (T,); None where none is."""
+    return int(np.argmax(marked)) if marked.any() else None
