@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import ClassVar, Self
 
-import casadi as ca
 import numpy as np
 
 from viscodesign.effects.base import Effect, Missed
@@ -13,6 +12,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
+from viscodesign.model.traced_formula import traced
 from viscodesign.physics import choking, gas, tube
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
@@ -119,14 +119,14 @@ class ChokedFlow(Effect):
             coefficient = system.parameter(
                 f"choked_flow.momentum.{t.name}", self.coefficients[t.name]
             )
-            system.drop[t.name] += choking.acceleration_drop(
+            system.drop[t.name] += traced(
+                choking.acceleration_drop,
                 system.flow[t.name],
                 system.node_pressure(t.start),
                 system.node_pressure(t.end),
                 system.ambient,
                 self.exponent,
                 coefficient,
-                ca,
             )
 
     # -- what a user is told --------------------------------------------------------

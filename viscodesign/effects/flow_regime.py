@@ -13,6 +13,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
+from viscodesign.model.traced_formula import traced
 from viscodesign.physics import tube
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
@@ -141,7 +142,7 @@ class FlowRegime(Effect):
         for name, radius in self.radii.items():
             flow = system.flow[name]
             size = system.parameter(f"radius.{name}", radius)
-            reynolds = tube.reynolds_number(flow, density, viscosity, size, ca)
+            reynolds = traced(tube.reynolds_number, flow, density, viscosity, size)
             ends = system.parameter(f"end_loss.{name}", self._ends(radius))
-            system.drop[name] *= tube.friction_multiplier(reynolds, ca)
+            system.drop[name] *= traced(tube.friction_multiplier, reynolds)
             system.drop[name] += ends * flow * ca.fabs(flow)

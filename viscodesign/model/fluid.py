@@ -7,6 +7,7 @@ from abc import ABC, abstractmethod
 import casadi as ca
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.traced_formula import traced
 from viscodesign.physics import gas
 
 SX = ca.SX
@@ -51,13 +52,13 @@ class Gas(FluidLaw):
     exponent: float
 
     def density(self, pressure: SX) -> SX:
-        return SX(gas.density_ratio(pressure, self.ambient, self.exponent, ca))
+        return traced(gas.density_ratio, pressure, self.ambient, self.exponent)
 
     def density_integral(self, pressure: SX) -> SX:
-        return SX(gas.density_integral(pressure, self.ambient, self.exponent, ca))
+        return traced(gas.density_integral, pressure, self.ambient, self.exponent)
 
     def specific_work(self, pressure: SX) -> SX:
-        return SX(gas.specific_work(pressure, self.ambient, self.exponent, ca))
+        return traced(gas.specific_work, pressure, self.ambient, self.exponent)
 
 
 @dataclass(frozen=True)
