@@ -44,7 +44,3 @@ def pytest_configure() -> None:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     settings.register_profile("untimed", deadline=None)
     settings.load_profile("untimed")
-
-
-# The hard cases take two minutes on two cores: `VISCODESIGN_TESTS=all` runs them and more scenes.
-collect_ignore = [] if os.environ.get("VISCODESIGN_TESTS") == "all" else ["hard"]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
-
 import pytest
 
 from tests.fuzz.trial import check_trial, drawn
+from tests.thorough import ALL
 
 SEED = "every change"
-SCENES = 40 if os.environ.get("VISCODESIGN_TESTS") == "all" else 12
+SCENES = 40 if ALL else 20
 
 
 @pytest.mark.parametrize("number", range(SCENES))

@@ -15,6 +15,7 @@ import pytest
 
 from tests.free_numbers import SHARED, Case, assert_equal, assert_slopes, of_build, valid_values
 from tests.scenes import CONFIGS, leg
+from tests.thorough import configs
 from viscodesign import load
 from viscodesign.compiled.free_keys import candidates
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
@@ -24,7 +25,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.system import System
 from viscodesign.simulation.build_problem import build
 
-SPECS = sorted(CONFIGS.glob("*.yaml"))
+SPECS = configs()
 OFF = "effects={pressure_distribution: on, others: off}"
 
 

@@ -66,17 +66,12 @@ def plain(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     return drawn(tmp_path_factory.mktemp("plain") / "run", tmp_path_factory.mktemp("desk"))
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-def test_any_backend_gives_the_same_pictures(
-    backend: str, plain: dict[str, bytes], tmp_path: Path
+@pytest.mark.parametrize(("backend", "theme"), list(zip(BACKENDS, THEMES, strict=True)))
+def test_no_backend_and_no_setting_of_a_user_shows(
+    backend: str, theme: str, plain: dict[str, bytes], tmp_path: Path
 ) -> None:
-    assert drawn(tmp_path / "run", tmp_path, MPLBACKEND=backend) == plain
-
-
-@pytest.mark.parametrize("theme", THEMES)
-def test_no_setting_of_a_user_shows(theme: str, plain: dict[str, bytes], tmp_path: Path) -> None:
     (tmp_path / "matplotlibrc").write_text(THEMES[theme])
-    assert drawn(tmp_path / "run", tmp_path) == plain
+    assert drawn(tmp_path / "run", tmp_path, MPLBACKEND=backend) == plain
 
 
 def test_the_backend_of_a_notebook_is_kept_for_its_own_pictures(tmp_path: Path) -> None:
