@@ -44,7 +44,8 @@ def test_derivatives_equal_differences_and_each_other(config: str) -> None:
 
 def problems(config: str) -> list[tuple[SceneQuantities, Problem]]:
     """A scene with all of its effects, and with random ones of them."""
-    changes = ["run={duration: 0.2 s, output_interval: 7 ms}", *AT_ONCE.get(config, [])]
+    short = "run={duration: 0.2 s, output_interval: 7 ms}"
+    changes = [short, "effects.shear=auto", *AT_ONCE.get(config, [])]
     scene = load(CONFIGS / f"{config}.yaml", changes)
     quantities = SceneQuantities(scene)
     sets = AllowedSets(quantities)

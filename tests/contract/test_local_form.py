@@ -50,7 +50,7 @@ def test_a_single_constraint_is_taken_apart() -> None:
 
 def problems(config: str) -> list[Problem]:
     """A scene with all of its effects, and with random ones of them."""
-    quantities = SceneQuantities(load(CONFIGS / f"{config}.yaml"))
+    quantities = SceneQuantities(load(CONFIGS / f"{config}.yaml", ["effects.shear=auto"]))
     sets = AllowedSets(quantities)
     names, chance = sorted(sets.everything), random.Random(f"{SEED} {config}")
     found = [sets.everything]

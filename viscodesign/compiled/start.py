@@ -217,7 +217,8 @@ def _resting_unknowns(problem: Problem, parameters: SX) -> SX:
     quantities = equations.compiled(of.quantities).call([parameters])
     sizes = quantities[-len(equations.statics.blocks) :]
     baseline = parameters[parameter_names(equations).index("gauge_pressure")]
-    parts = [SX(0, 1)]
+    parts, used = [SX(0, 1)], 0
+    straight = problem.rod.unloaded_coordinates(np.zeros(body.sections), np.ones(body.sections))
     for block, size in zip(equations.statics.blocks.values(), sizes, strict=True):
         if block.traits.is_multivalued or equations.rod_form is RodForm.STATIC:
             raise SpecError.plain(
@@ -227,8 +228,8 @@ def _resting_unknowns(problem: Problem, parameters: SX) -> SX:
         if block.traits.is_pressure:
             parts.append(ca.repmat(baseline, block.count, 1) / size)
         elif block.traits.identifies_branch:
-            straight = np.zeros(body.sections), np.ones(body.sections)
-            parts.append(SX(problem.rod.unloaded_coordinates(*straight)))
+            parts.append(SX(straight[used : used + block.count]))
+            used += block.count
         else:
             parts.append(SX.zeros(block.count))
     return ca.vertcat(*parts)

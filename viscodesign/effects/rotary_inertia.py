@@ -26,8 +26,8 @@ class RotaryInertia(Effect):
     order: ClassVar[int] = 32
     formula: ClassVar[str] = "(t_s / t_i)^2 h_s^2 / (12 l^2)"
     needs: ClassVar[tuple[str, ...]] = ("inertia",)
-    validity: ClassVar[str] = "Homogeneous cross sections that stay plane; no shear."
-    source: ClassVar[str] = "Rayleigh's beam."
+    validity: ClassVar[str] = "Homogeneous cross sections that stay plane."
+    source: ClassVar[str] = "Rayleigh's beam; with shear Timoshenko's."
     keys: ClassVar[tuple[str, ...]] = ("actuator.height",)
 
     gyration: float

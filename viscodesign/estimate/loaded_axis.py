@@ -17,6 +17,8 @@ from viscodesign.storage.cached_property import cached_property
 
 LARGEST_LOAD_TURN = 3.0
 """Angle by which a load may bend one piece [rad]."""
+LARGEST_SHEAR = 1.0
+"""Angle by which a load may shear one piece [rad]."""
 LOAD_ROUNDS = 2
 LEAST_STRETCH = 0.05
 
@@ -38,6 +40,17 @@ class Axis:
     load_stretch: np.ndarray
     """(T, K) stretch by loads [1]."""
 
+    @property
+    def across(self) -> np.ndarray:
+        """(T, K, 2) unit vectors perpendicular to the axis."""
+        return np.stack((self.direction[..., 1], -self.direction[..., 0]), axis=-1)
+
+    def sheared(self, angle: np.ndarray, length: float) -> Axis:
+        """The axis whose pieces (T, K) of this reference length also shear."""
+        moved = (length * self.stretch * angle)[..., None] * self.across
+        nodes = np.cumsum(moved, axis=1)
+        return replace(self, nodes=self.nodes + nodes, middle=self.middle + nodes - moved / 2)
+
     def strained(self, curvature: np.ndarray, stretch: np.ndarray) -> Axis:
         """The same places, with more elastic strain (T, K) from loads."""
         return replace(
@@ -56,6 +69,7 @@ class LoadEstimate:
     tip_force: tuple[float, float]
     tip_mass: float
     held_density: float
+    shear_compliance: float
 
     @classmethod
     def of(cls, network: NetworkEstimate, terms: Sequence[EstimateTerm]) -> LoadEstimate:
@@ -66,6 +80,7 @@ class LoadEstimate:
             _sum_of_pairs([term.tip_force for term in terms]),
             sum(term.tip_mass for term in terms),
             sum(term.held_density for term in terms),
+            sum(term.shear_compliance for term in terms),
         )
 
     @property
@@ -77,7 +92,7 @@ class LoadEstimate:
     def axis(self) -> Axis:
         """The axis at the network's pressures."""
         loads = (self.acceleration, self.tip_force, self.tip_mass, self.held_density)
-        key = (*self.network.key, *loads)
+        key = (*self.network.key, *loads, self.shear_compliance)
         return self.setting.remembered(key, lambda: self.axis_at(self.network.pressure))
 
     @property
@@ -95,8 +110,10 @@ class LoadEstimate:
         axis = _unloaded(curvature, 1 + stretch, length)
         for _ in range(LOAD_ROUNDS if np.any(force) else 0):
             bent, drawn = self.elastic_strains(axis, force)
+            shear = self.shear_angles(axis, force)
             axis = _unloaded(curvature + bent, 1 + stretch + drawn, length)
             axis = replace(axis, load_curvature=bent, load_stretch=drawn)
+            axis = axis if shear is None else axis.sheared(shear, length)
         return axis
 
     def _strains(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -145,6 +162,14 @@ class LoadEstimate:
         most = LARGEST_LOAD_TURN
         turn = np.clip(moment / setting.bending_stiffness * length, -most, most)
         return turn / length, normal / setting.extension_stiffness
+
+    def shear_angles(self, axis: Axis, force: np.ndarray) -> np.ndarray | None:
+        """Shear of the pieces (T, K) [rad] by the same forces; None where they do not shear."""
+        if self.shear_compliance == 0.0:
+            return None
+        across = np.sum(axis.across * _sum_to_tip(force), axis=-1)
+        most = LARGEST_SHEAR
+        return np.asarray(np.clip(self.shear_compliance * across, -most, most))
 
 
 def _sum_of_pairs(pairs: Sequence[tuple[float, float]]) -> tuple[float, float]:

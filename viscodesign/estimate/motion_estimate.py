@@ -102,6 +102,10 @@ class MotionEstimate:
         inertial = self.loads.masses(self.network.pressure)[..., None] * rate**2 * lag
         bent, drawn = self.loads.elastic_strains(axis, inertial)
         moved = self._tip_displacement(axis, bent, drawn) + self._stretching_lag(axis)
+        shear = self.loads.shear_angles(axis, inertial)
+        if shear is not None:
+            length = self.setting.length / shear.shape[1]
+            moved = moved + axis.sheared(shear, length).nodes[:, -1] - axis.nodes[:, -1]
         return tip + moved, axis.strained(bent, drawn)
 
     def _tip_displacement(self, axis: Axis, bent: np.ndarray, drawn: np.ndarray) -> np.ndarray:

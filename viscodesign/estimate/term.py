@@ -56,6 +56,8 @@ class EstimateTerm:
     resists_acceleration: bool = False
     """Whether masses have inertia; without, the rod is quasi-static."""
     modal_mass: ModalMass | None = None
+    shear_compliance: float = 0.0
+    """Shear angle of the axis per transverse force [1/N]."""
     damping_time: float = 0.0
     """Retardation time of the rod's strains [s]."""
     volume_per_force: float = 0.0

@@ -52,6 +52,11 @@ class Chain(RodDiscretisation):
         """Edges of the whole chain."""
         return self.body.sections * self.edges_per_section
 
+    def shearable(self) -> Chain:
+        from viscodesign.model.shearable_chain import ShearableChain
+
+        return ShearableChain(self.body, self.edges_per_section)
+
     def symbols(self, parameters: RodParameters) -> ChainSymbols:
         return ChainSymbols(self.body, self.edges_per_section, parameters)
 
@@ -72,7 +77,7 @@ class Chain(RodDiscretisation):
         times, edges = len(values["angle"]), self.edges
         position = values["position"].reshape(times, edges, 2)
         per_edge = max(1, -(-points // edges))
-        angle = np.concatenate([np.zeros((times, 1)), values["angle"]], axis=1)
+        angle = self.tangent_angles(values)
         nodes = np.concatenate([np.zeros((times, 1, 2)), position], axis=1)
         tangent = np.stack((np.sin(angle), np.cos(angle)), axis=-1)
         chord = np.diff(nodes, axis=1)
@@ -82,7 +87,11 @@ class Chain(RodDiscretisation):
             _hermite(nodes[:, :-1], nodes[:, 1:], *slopes, s)
             for s in np.arange(1, per_edge + 1) / per_edge
         ]
-        return np.stack(between, axis=2).reshape(times, edges * per_edge, 2), angle[:, -1]
+        return np.stack(between, axis=2).reshape(times, edges * per_edge, 2), values["angle"][:, -1]
+
+    def tangent_angles(self, values: Values) -> np.ndarray:
+        """Angle of the axis at the clamp and all nodes (T, edges + 1) [rad]."""
+        return np.concatenate([np.zeros((len(values["angle"]), 1)), values["angle"]], axis=1)
 
     def angle_jump(self, values: Values) -> tuple[int, int] | None:
         """A node's turn that changes by more than half a revolution between two rows."""

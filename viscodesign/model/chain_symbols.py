@@ -161,16 +161,25 @@ class ChainSymbols(RodSymbols):
         nodes = ca.horzcat(SX.zeros(2, 1), self.position)
         chords = nodes[:, 1:] - nodes[:, :-1]
         self.chord_lengths = ca.sqrt(chords[0, :] ** 2 + chords[1, :] ** 2).T
-        self.turns = _turns(chords)
+        self.turns = self._turns(chords)
         kappa = self._per_edge(self.intrinsic_curvature)
         zeta = self._per_edge(self.intrinsic_stretch)
         rest = ca.vertcat(kappa[0] * self.h / 2, (kappa[:-1] + kappa[1:]) * self.h / 2)
         measured = ca.vertcat((self.turns - rest) / self.tributary_lengths, self.tip_curvature)
         edge_curvature = kappa + (measured[:-1] + measured[1:]) / 2
-        self.stretch = self.chord_lengths / (self.h * _sinc(edge_curvature * self.h / 2))
+        self.stretch = self._edge_stretch(chords, self.h * _sinc(edge_curvature * self.h / 2))
         self.elastic_stretch = self.stretch - 1 - zeta
         self.elastic_turns = self.turns - rest
         self._kappa = kappa
+
+    def _turns(self, chords: SX) -> SX:
+        """Turn at nodes 0..edges-1 (edges,) [rad]; the clamp's is measured from +z."""
+        return _turns_of(chords)
+
+    def _edge_stretch(self, chords: SX, arc: SX) -> SX:
+        """Stretch of every edge (edges,) [1]; ``arc``: chords of the unstretched arcs [m]."""
+        del chords
+        return self.chord_lengths / arc
 
     def _per_edge(self, per_section: SX) -> SX:
         return ca.vertcat(
@@ -208,8 +217,8 @@ class ChainSymbols(RodSymbols):
         }
 
 
-def _turns(chords: SX) -> SX:
-    """Turn at nodes 0..edges-1 (edges,) [rad]; the clamp's is measured from +z."""
+def _turns_of(chords: SX) -> SX:
+    """Turns of successive chords (edges,) [rad]."""
     x, z = chords[0, :].T, chords[1, :].T
     x_before, z_before = ca.vertcat(0, x[:-1]), ca.vertcat(1, z[:-1])
     return ca.atan2(x * z_before - z * x_before, x * x_before + z * z_before)

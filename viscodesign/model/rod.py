@@ -1,7 +1,7 @@
 """The contract of a rod's discretisation: everything that the balances and the solvers ask of it.
 
-The planar, extensible, unshearable rod has internal forces, and an intrinsic curvature and
-stretch in every section. How finitely many unknowns describe its shape is the matter of one
+The planar, extensible rod has internal forces, and an intrinsic curvature and stretch in every
+section. How finitely many unknowns describe its shape is the matter of one
 discretisation; nothing outside its files knows. A new one
 
 1. subclasses `RodSymbols`: its coordinates q as symbols, their rates, and, for a mixed method,
@@ -11,7 +11,8 @@ discretisation; nothing outside its files knows. A new one
 3. subclasses `RodDiscretisation`, which answers with numbers: the coordinates of the unloaded
    rod, the drawn axis and the strains of a solved motion, the order in which a stability test
    may eliminate the unknowns, the geometry of an iteration's steps, the mesh for an accuracy;
-4. is chosen in `build_problem.build`.
+4. is chosen in `build_problem.build`; its `shearable` variant takes its place where cross sections
+   may turn against the axis (`System.let_shear`).
 
 A rod that no load bends consists of circular arcs and needs no discretisation at all
 (`arc_shape`).
@@ -61,6 +62,8 @@ class RodParameters:
     section_length: SX
     mass_per_length: SX
     length: SX
+    shear_stiffness: SX | None = None
+    """None where cross sections stay perpendicular to the axis [N]."""
 
 
 @dataclass(frozen=True)
@@ -92,6 +95,16 @@ class RodSymbols(ABC):
     """Of every section, as symbols (S,) [1]."""
     tip_moment: SX
     """Moment applied at the tip, a symbol [N m]."""
+
+    @property
+    def section_angles(self) -> SX:
+        """Coordinates besides, of a shearable rod: angles of cross sections (k,) [rad]."""
+        return SX(0, 1)
+
+    @property
+    def section_rates(self) -> SX:
+        """Their rates in time (k,) [rad/s]."""
+        return SX(0, 1)
 
     @property
     @abstractmethod
@@ -131,7 +144,7 @@ class RodSymbols(ABC):
 
     @abstractmethod
     def strain_rate_powers(self) -> list[SX]:
-        """EA times squared stretch rate plus EI times squared curvature rate, integrated [N m/s2].
+        """Each stiffness times its squared strain rate, integrated [N m/s2].
 
         One local term for each part of the rod.
 
@@ -176,12 +189,16 @@ class RodDiscretisation(ABC):
         """
 
     @abstractmethod
+    def shearable(self) -> RodDiscretisation:
+        """The same mesh for a rod whose cross sections may turn against the axis."""
+
+    @abstractmethod
     def symbols(self, parameters: RodParameters) -> RodSymbols:
         """The unknowns as symbols."""
 
     @abstractmethod
     def unloaded_coordinates(self, curvature: np.ndarray, stretch: np.ndarray) -> np.ndarray:
-        """Scaled coordinates (n,) of the unloaded rod.
+        """Scaled coordinates (n,) of the unloaded rod, then angles of cross sections (k,).
 
         ``curvature`` (S,) [1/m per reference length], ``stretch`` (S,) total stretch [1].
         """
@@ -205,10 +222,10 @@ class RodDiscretisation(ABC):
     def elimination_order(self) -> tuple[np.ndarray, np.ndarray]:
         """Order in which internal unknowns and coordinates are eliminated without pivoting.
 
-        Of n + m unknowns, internal ones counted first: the order (n + m,), and which of them,
-        in that order, are internal (n + m,).
+        Of all unknowns, internal ones counted first, angles of cross sections last: the order, and
+        which of them, in that order, are internal.
         """
 
     @abstractmethod
     def step_geometry(self, coordinates: slice) -> StepGeometry:
-        """How iterations step in a vector that holds the coordinates in this slice."""
+        """How iterations step in a vector that holds these in this slice, angles last."""

@@ -8,6 +8,7 @@ from enum import Enum
 
 import casadi as ca
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.sums import GradientRows, Rows, total, whole
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import SizeSymbols, SymbolicUnknowns, Traits, column, substitute
@@ -18,6 +19,8 @@ COORDINATES = "rod_coordinates"
 RATES = "rod_rates"
 ACCELERATIONS = "rod_accelerations"
 INTERNAL = "rod_internal"
+SECTION_ANGLES = "rod_section_angles"
+SECTION_RATES = "rod_section_rates"
 """Names of the rod's blocks of unknowns, whatever the discretisation. Solvers read the traits."""
 TRAITS = {
     COORDINATES: Traits(of_rod=True, identifies_branch=True),
@@ -28,6 +31,7 @@ TRAITS = {
     # They follow linearly from the coordinates, which do count.
     INTERNAL: Traits(of_rod=True, is_internal=True, integrations=math.inf),
 }
+TRAITS |= {SECTION_ANGLES: TRAITS[COORDINATES], SECTION_RATES: TRAITS[RATES]}
 MIN_REL_PRESSURE_SLOPE = 1e-9
 """Smallest pressure per swelling, over that of the linear law, by which a strain is divided."""
 
@@ -54,6 +58,19 @@ def rod_form(system: System) -> RodForm:
     return RodForm.STATIC if loaded else RodForm.ARCS
 
 
+@dataclass(frozen=True)
+class Coordinates:
+    """Coordinates of one kind with their rates, and how they enter the equations."""
+
+    name: str
+    values: SX
+    size: SX
+    rates_name: str
+    rates: SX
+    force_size: SX
+    form: RodForm
+
+
 class RodEquations:
     """Unknowns, balances and outputs of the rod, from the answers of its discretisation."""
 
@@ -62,20 +79,40 @@ class RodEquations:
         self.rod = system.rod
         self.sizes = sizes
         self.form = rod_form(system)
+        self.kinds = [kind for kind in (self._places(), self._angles()) if kind.values.numel()]
         self.acceleration = SX.sym("acceleration", self.rod.rates.numel())
         self.coupled = self.form is RodForm.DYNAMIC and not self._masses_are_constant()
 
+    def _places(self) -> Coordinates:
+        rod = self.rod
+        return Coordinates(
+            COORDINATES,
+            rod.coordinates,
+            rod.coordinate_size,
+            RATES,
+            rod.rates,
+            rod.force_size,
+            self.form,
+        )
+
+    def _angles(self) -> Coordinates:
+        """Angles of cross sections, which without inertia of their own follow what moves them."""
+        rod, system, form = self.rod, self.system, self.form
+        has_mass = ca.depends_on(system.kinetic_energy.total, rod.section_rates)
+        if form is RodForm.DYNAMIC and not has_mass:
+            form = RodForm.STATIC if system.dissipation_power.is_zero() else RodForm.DAMPED
+        angles, rates = rod.section_angles, rod.section_rates
+        moment = rod.force_size * system.length
+        return Coordinates(SECTION_ANGLES, angles, SX(1), SECTION_RATES, rates, moment, form)
+
     def _masses_are_constant(self) -> bool:
         """Whether every momentum is a constant times its own velocity."""
-        mass = self._mass_matrix()
+        mass = self._mass_matrix(self.rod.rates)
         free = not ca.depends_on(mass, ca.veccat(self.rod.rates, self.rod.coordinates))
         return mass.sparsity().is_diag() and free
 
-    def _momentum(self) -> SX:
-        return ca.gradient(self.system.kinetic_energy.total, self.rod.rates)
-
-    def _mass_matrix(self) -> SX:
-        return ca.jacobian(self._momentum(), self.rod.rates)
+    def _mass_matrix(self, rates: SX) -> SX:
+        return ca.jacobian(ca.gradient(self.system.kinetic_energy.total, rates), rates)
 
     def name_unknowns(
         self, states: SymbolicUnknowns, algebraics: SymbolicUnknowns, statics: SymbolicUnknowns
@@ -84,21 +121,33 @@ class RodEquations:
         if self.form is RodForm.ARCS:
             return
         rod, time = self.rod, self.sizes.time
-        coordinates = COORDINATES, rod.coordinates, rod.coordinate_size, TRAITS[COORDINATES]
         # Vibrations along a stiff axis are too fast to resolve, and hardly move it.
         internal = replace(TRAITS[INTERNAL], is_noisy=self.form in MOVING)
         for unknowns in (algebraics, statics):
             unknowns.add(INTERNAL, rod.internal, rod.internal_size, internal)
-        statics.add(*coordinates)
-        if self.form is RodForm.STATIC:
-            algebraics.add(*coordinates)
-            return
-        states.add(*coordinates)
-        speed = rod.coordinate_size / time
-        owner = states if self.form is RodForm.DYNAMIC else algebraics
-        owner.add(RATES, rod.rates, speed, TRAITS[RATES])
+        for kind in self.kinds:
+            statics.add(kind.name, kind.values, kind.size, TRAITS[kind.name])
+            self._name_moving(kind, states, algebraics, internal)
         if self.coupled:
-            algebraics.add(ACCELERATIONS, self.acceleration, speed / time, TRAITS[ACCELERATIONS])
+            size = rod.coordinate_size / time / time
+            algebraics.add(ACCELERATIONS, self.acceleration, size, TRAITS[ACCELERATIONS])
+
+    def _name_moving(
+        self,
+        kind: Coordinates,
+        states: SymbolicUnknowns,
+        algebraics: SymbolicUnknowns,
+        internal: Traits,
+    ) -> None:
+        """Add the unknowns of a kind to those of a motion; ``internal``: traits of what follows."""
+        if kind.form is RodForm.STATIC:
+            # Angles of sections follow linearly from the places that move.
+            traits = TRAITS[kind.name] if self.form is RodForm.STATIC else internal
+            algebraics.add(kind.name, kind.values, kind.size, traits)
+            return
+        states.add(kind.name, kind.values, kind.size, TRAITS[kind.name])
+        owner = states if kind.form is RodForm.DYNAMIC else algebraics
+        owner.add(kind.rates_name, kind.rates, kind.size / self.sizes.time, TRAITS[kind.rates_name])
 
     # -- coupling to the network ----------------------------------------------
 
@@ -173,18 +222,14 @@ class RodEquations:
         turns = [-rod.tip_moment * turn for turn in rod.tip_turns()]
         return [*rod.elastic_energies(), *loads, *turns]
 
-    def _forces(self, scale: SX) -> list[Rows]:
-        """Generalised forces, times ``scale``."""
-        rod = self.rod
-        forces: list[Rows] = [GradientRows(self._potential(), rod.coordinates, -scale)]
-        if self.form in MOVING:
+    def _forces(self, kind: Coordinates, scale: SX) -> list[Rows]:
+        """Generalised forces on coordinates, times ``scale``."""
+        forces: list[Rows] = [GradientRows(self._potential(), kind.values, -scale)]
+        if kind.form in MOVING:
             # A Rayleigh function is half the power, its gradient the force.
             power = self.system.dissipation_power.terms
-            forces.append(GradientRows(power, rod.rates, -scale / 2))
+            forces.append(GradientRows(power, kind.rates, -scale / 2))
         return forces
-
-    def _scaled_forces(self) -> list[Rows]:
-        return self._forces(1 / self.rod.force_size)
 
     def _momentum_rows(self) -> list[Rows]:
         """Lagrange's equations where the velocities are coupled, over the size of a force.
@@ -199,7 +244,7 @@ class RodEquations:
             GradientRows(powers, rod.rates, scale),
             GradientRows(energies, rod.coordinates, -2 * scale),
         ]
-        return [*inertia, *self._forces(-scale)]
+        return [*inertia, *self._forces(self.kinds[0], -scale)]
 
     def dynamics(self, with_accelerations: bool) -> tuple[list[list[Rows]], list[list[Rows]]]:
         """Rates of the scaled states and scaled algebraic residuals, not yet resolved.
@@ -209,27 +254,36 @@ class RodEquations:
         """
         if self.form is RodForm.ARCS:
             return [], []
-        size, time = self.rod.coordinate_size, self.sizes.time
+        ode: list[list[Rows]] = []
         alg: list[list[Rows]] = [[self._internal_rows()]]
-        motion: list[Rows] = [self.rod.rates / size]
-        if self.form is RodForm.STATIC:
-            return [], [*alg, self._scaled_forces()]
-        if self.form is RodForm.DAMPED:
-            return [motion], [*alg, self._scaled_forces()]
-        speed = size / time
-        if with_accelerations:
-            return [motion, [self.acceleration / speed]], [*alg, self._momentum_rows()]
-        return [motion, self._forces(1 / (ca.diag(self._mass_matrix()) * speed))], alg
+        for kind in self.kinds:
+            forces = self._forces(kind, 1 / kind.force_size)
+            if kind.form is not RodForm.STATIC:
+                ode.append([kind.rates / kind.size])
+            if kind.form is not RodForm.DYNAMIC:
+                alg.append(forces)
+            elif not (with_accelerations and kind.name == COORDINATES):
+                ode.append(self._own_accelerations(kind))
+            else:
+                ode.append([self.acceleration / (kind.size / self.sizes.time)])
+        return ode, [*alg, self._momentum_rows()] if with_accelerations else alg
+
+    def _own_accelerations(self, kind: Coordinates) -> list[Rows]:
+        """Scaled accelerations of coordinates, each with a constant mass of its own."""
+        speed = kind.size / self.sizes.time
+        return self._forces(kind, 1 / (ca.diag(self._mass_matrix(kind.rates)) * speed))
 
     def equilibrium(self) -> list[SX]:
         """Residuals of the steady state in the static unknowns, not yet resolved."""
         if self.form is RodForm.ARCS:
             return []
-        rates = self.rod.rates
-        at_rest = [(rates, SX.zeros(rates.shape))]
-        forces = whole(self._scaled_forces(), rates.numel())
+        at_rest = [(kind.rates, SX.zeros(kind.rates.shape)) for kind in self.kinds]
+        forces = [
+            whole(self._forces(kind, 1 / kind.force_size), kind.rates.numel())
+            for kind in self.kinds
+        ]
         internal = whole([self._internal_rows()], self.rod.internal.numel())
-        return [internal, *substitute([forces], at_rest)]
+        return [internal, *substitute(forces, at_rest)]
 
     def energy_size(self) -> SX:
         """Energy of bending the rod by a tenth of a radian [J]."""

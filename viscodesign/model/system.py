@@ -14,7 +14,7 @@ Amounts of fluid are stated as volume at ambient density; so are flows.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 
 import casadi as ca
 import numpy as np
@@ -81,15 +81,14 @@ class System:
         self.ambient = self.parameter("ambient_pressure", ambient)
         self.length = self.parameter("length", body.length)
         self.discretisation = rod
-        self.rod = rod.symbols(
-            RodParameters(
-                self.parameter("bending_stiffness", body.bending_stiffness),
-                self.parameter("extension_stiffness", body.extension_stiffness),
-                self.parameter("section_length", body.section_length),
-                self.parameter("mass_per_length", body.mass_per_length),
-                self.length,
-            )
+        self._rod_parameters = RodParameters(
+            self.parameter("bending_stiffness", body.bending_stiffness),
+            self.parameter("extension_stiffness", body.extension_stiffness),
+            self.parameter("section_length", body.section_length),
+            self.parameter("mass_per_length", body.mass_per_length),
+            self.length,
         )
+        self.rod = rod.symbols(self._rod_parameters)
         self.pressure = {name: SX.sym(f"pressure_{name}") for name in graph.bellows_along_tubes()}
         self.junction_pressure = {name: SX.sym(f"pressure_{name}") for name in graph.junctions}
         self.inlet_pressure: dict[str, SX] = {}
@@ -166,6 +165,18 @@ class System:
             self.stored(name)
         self.swelling_defects()
         self.fluid_energy()
+
+    # -- the rod --------------------------------------------------------------
+
+    def let_shear(self, stiffness: SX) -> None:
+        """Let cross sections turn against the axis; ``stiffness``: kappa G A [N].
+
+        The rod's symbols are new ones: nothing may have been said about the old ones.
+        """
+        self.discretisation = self.discretisation.shearable()
+        self.rod = self.discretisation.symbols(
+            replace(self._rod_parameters, shear_stiffness=stiffness)
+        )
 
     # -- the network ----------------------------------------------------------
 

@@ -99,9 +99,9 @@ class Unknowns:
 
     @property
     def branch_span(self) -> slice | None:
-        """Unknowns that tell one equilibrium from another; None where there are none."""
-        own = (b.span for b in self.blocks.values() if b.traits.identifies_branch)
-        return next(own, None)
+        """Unknowns that tell one equilibrium from another, side by side; None without any."""
+        own = [b.span for b in self.blocks.values() if b.traits.identifies_branch]
+        return slice(own[0].start, own[-1].stop) if own else None
 
     @property
     def multivalued(self) -> list[int]:

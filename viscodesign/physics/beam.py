@@ -31,6 +31,26 @@ def bending_stiffness(youngs_modulus: float, height: float, width: float, factor
     return youngs_modulus * width * height**3 / 12 * factor
 
 
+SHEAR_CORRECTION = 5 / 6
+"""Of a solid rectangle, kappa [1]: its shear stress is a parabola across the height."""
+SHEAR_MODULUS_RATIO = 1 / 3
+"""G/E of an incompressible material [1]."""
+
+
+def shear_stiffness(youngs_modulus: float, height: float, width: float, factor: float) -> float:
+    r"""Shear stiffness of the cross section [N].
+
+    .. math:: \kappa G A = \tfrac{5}{6} \tfrac{E}{3} h_s w_s f_s
+
+    ``youngs_modulus`` E [Pa], ``height`` h_s and ``width`` w_s [m]; ``factor`` f_s [1] corrects
+    the solid rectangle for the real section. An incompressible material, G = E/3.
+    Source: Timoshenko's beam, with the correction that equal energies of a parabolic and of an
+    even stress give (Reissner).
+    """
+    modulus = SHEAR_MODULUS_RATIO * youngs_modulus
+    return SHEAR_CORRECTION * modulus * height * width * factor
+
+
 def mass_per_length(density: float, height: float, width: float, solid_fraction: float) -> float:
     r"""Mass per length of the undeformed body [kg/m].
 

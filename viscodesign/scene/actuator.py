@@ -40,6 +40,13 @@ class Actuator(SpecPart):
         description="Bending stiffness, EI, relative to a solid rectangle of height x width",
         examples=["0.55"],
     )
+    shear_factor: Fraction | None = Field(
+        None,
+        gt=0,
+        description="Stiffness in shear, relative to a solid rectangle with kappa = 5/6 and "
+        "G = E/3; absent: extension_factor",
+        examples=["0.53"],
+    )
     damping_time: Time = Field(
         1e-3, ge=0, description="Kelvin-Voigt retardation time of the elastomer", examples=["1 ms"]
     )

@@ -64,7 +64,7 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
     equations = formulate(system, sizes_of(quantities))
     return Problem(
         equations=equations,
-        rod=rod,
+        rod=system.discretisation,
         inlets=tuple(scene.inputs),
         bellows=quantities.graph.bellows,
         bellows_along_tubes=quantities.graph.bellows_along_tubes(),

@@ -1,0 +1,88 @@
+"""Shear: cross sections turn against the axis where a transverse force acts."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar, Self
+
+from viscodesign.effects.base import Effect
+from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.term import EstimateTerm
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.system import System
+from viscodesign.physics import beam
+
+EVEN_LOAD = 4.0
+"""Deflection of a cantilever's tip under an even load by shear, q l^2/(2 kappa G A), over that by
+bending, q l^4/(8 EI), times kappa G A l^2/EI."""
+FIRST_MODE = 3.5160**2 / (math.pi / 2) ** 2
+"""Squared frequency of the first bending mode over that of the first mode of shear alone, times
+kappa G A l^2/EI. By Dunkerley, that mode takes so much longer, squared."""
+UNDAMPED_MODES = 10.0
+"""Factor on it where nothing damps the higher modes, which shear slows more than the first."""
+
+
+@dataclass(frozen=True)
+class Shear(Effect):
+    """Shear strain of the rod, Q/(kappa G A); off: cross sections stay perpendicular to the axis.
+
+    With `rotary_inertia` it is Timoshenko's beam, for large deflections the rod of Simo and
+    Reissner. An unloaded actuator has no transverse forces, whatever its pressures.
+    """
+
+    name: ClassVar[str] = "shear"
+    order: ClassVar[int] = 3  # before everything that says something of the rod
+    formula: ClassVar[str] = "4 E I / (kappa G A l^2), solid: E h_s^2 / (3 kappa G l^2)"
+    validity: ClassVar[str] = (
+        "A shear stiffness that is constant along the actuator; cross sections stay plane. "
+        "Bellows make it a guess that actuator.shear_factor replaces."
+    )
+    source: ClassVar[str] = "Timoshenko's beam; Reissner (1972) for large deflections."
+    keys: ClassVar[tuple[str, ...]] = ("actuator.shear_factor", "actuator.height")
+
+    stiffness: float
+    """kappa G A [N]."""
+    bending_stiffness: float
+    """EI [N m2]."""
+
+    @classmethod
+    def of(cls, quantities: SceneQuantities) -> Self:
+        a = quantities.scene.actuator
+        factor = a.extension_factor if a.shear_factor is None else a.shear_factor
+        stiffness = beam.shear_stiffness(a.youngs_modulus, a.height, a.width, factor)
+        return cls(stiffness, quantities.body.bending_stiffness)
+
+    def present(self, quantities: SceneQuantities) -> bool:
+        """Only where a spec names it, or includes everything.
+
+        Stiffnesses in bending are mostly those of a loaded cantilever, as the paper's is, and
+        contain shear then.
+        """
+        choice = quantities.scene.effects
+        return self.name in choice.modes or choice.others == "on"
+
+    def _softness(self, length: float) -> float:
+        """EI/(kappa G A l^2) [1]; ``length`` l [m]."""
+        return self.bending_stiffness / (self.stiffness * length**2)
+
+    def weight(self, quantities: SceneQuantities) -> float:
+        return EVEN_LOAD * self._softness(quantities.body.length)
+
+    def reason(self, quantities: SceneQuantities) -> str:
+        share = (
+            f"shear adds {100 * self.weight(quantities):.2g} % to the deflection by an even load"
+        )
+        if self.present(quantities):
+            return share
+        return f"the spec does not name it (effects.{self.name}: auto weighs it); {share}"
+
+    def modal_mass(self, length: float, is_damped: bool) -> float:
+        """Mass that would slow the first bending mode as shear does, relative [1]."""
+        share = FIRST_MODE * (1.0 if is_damped else UNDAMPED_MODES)
+        return share * self._softness(length)
+
+    def estimate_term(self) -> EstimateTerm:
+        return EstimateTerm(shear_compliance=1 / self.stiffness, modal_mass=self.modal_mass)
+
+    def join(self, system: System) -> None:
+        system.let_shear(system.parameter("shear.stiffness", self.stiffness))
