@@ -24,7 +24,7 @@ class Endings:
     def __init__(self, problem: Problem) -> None:
         symbols = Symbols.of(problem)
         named = symbols.outputs(problem)
-        looked_at = ["pressure"] if problem.floor_volume is None else ["pressure", "volume"]
+        looked_at = ["pressure", "volume"] if _volumes_count(problem) else ["pressure"]
         looked_at += OF_ARCS if problem.equations.rod_form is RodForm.ARCS else OF_CHAIN
         own = {name: named[name] for name in looked_at}
         self._sizes = {name: int(value.numel()) for name, value in own.items()}
@@ -40,3 +40,8 @@ class Endings:
         _, failure = first_termination(problem, times, values, stretch, None)
         if failure is not None:
             raise failure
+
+
+def _volumes_count(problem: Problem) -> bool:
+    """Whether a motion may end by the volumes of bellows."""
+    return problem.floor_volume is not None or problem.drawing is not None

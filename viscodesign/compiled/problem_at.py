@@ -9,23 +9,27 @@ import numpy as np
 from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.symbols import parameter_names
 from viscodesign.simulation.build_problem import one_period
-from viscodesign.solve.problem import SAME_TIME, Problem, Schedule
+from viscodesign.solve.problem import SAME_TIME, DrawingLimits, Problem, Schedule
 
 
 def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> Problem:
     """The problem with other numbers, solved at the output times (T,) and at the stops."""
     schedule = Schedule.of(times, numbers.stops, numbers.pieces, numbers.initial_piece)
     equations = problem.equations.shared.with_numbers(numbers.parameters)
-    floor = problem.floor_volume
-    if floor is not None:
-        floor *= equations.rest_amounts[0] / problem.equations.rest_amounts[0]
-    place = parameter_names(equations).index("gauge_pressure")
+    grown = float(equations.rest_amounts[0] / problem.equations.rest_amounts[0])
+    floor, drawing = problem.floor_volume, problem.drawing
+    names = parameter_names(equations)
+    if drawing is not None:
+        least = drawing.least_volume
+        vacuum = -float(numbers.parameters[names.index("ambient_pressure")])
+        drawing = DrawingLimits(vacuum, None if least is None else grown * least)
     return replace(
         problem,
         equations=equations,
         schedule=schedule,
-        floor_volume=floor,
-        baseline=float(numbers.parameters[place]),
+        floor_volume=None if floor is None else grown * floor,
+        drawing=drawing,
+        baseline=float(numbers.parameters[names.index("gauge_pressure")]),
     )
 
 

@@ -25,7 +25,7 @@ from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.obstacles import Obstacle, Remedies
-from viscodesign.solve.problem import Problem, Schedule, merged
+from viscodesign.solve.problem import DrawingLimits, Problem, Schedule, merged
 from viscodesign.solve.transient import DEFAULT_SOLVER, solver_catalogue
 
 SHARE_OF_TIME = 0.5
@@ -70,7 +70,8 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         bellows_along_tubes=quantities.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
         schedule=with_samples(schedule(scene), equations, scene.run.start != "equilibrium"),
-        floor_volume=quantities.bellow.floor_volume if _may_empty(effects) else None,
+        floor_volume=_floor_volume(quantities, effects),
+        drawing=_drawing_limits(quantities, effects),
         remedies=_remedies(quantities),
         max_steps=scene.run.max_steps,
         flow_shares=_flow_shares(quantities, equations.network_form),
@@ -147,15 +148,36 @@ def resolvable_body(quantities: SceneQuantities) -> Body:
     return replace(body, extension_stiffness=min(body.extension_stiffness, most))
 
 
-def _may_empty(effects: Sequence[Effect]) -> bool:
-    """Whether a compressible fluid fills bellows whose law leads to negative volumes."""
-    traits = {trait for effect in effects for trait in effect.traits}
-    return Trait.COMPRESSIBLE_FLUID in traits and Trait.LIMITED_EMPTYING not in traits
+def _floor_volume(quantities: SceneQuantities, effects: Sequence[Effect]) -> float | None:
+    """Minimum volume of bellows whose law leads to negative ones, with a fluid that fills them."""
+    traits = _traits(effects)
+    may_empty = Trait.COMPRESSIBLE_FLUID in traits and Trait.LIMITED_EMPTYING not in traits
+    return quantities.bellow.floor_volume if may_empty else None
+
+
+def _drawing_limits(quantities: SceneQuantities, effects: Sequence[Effect]) -> DrawingLimits | None:
+    scene = quantities.scene
+    if not any(isinstance(source, SyringeInput) for source in scene.inputs.values()):
+        return None
+    is_limited = Trait.LIMITED_EMPTYING in _traits(effects)
+    floor = None if is_limited else quantities.bellow.floor_volume
+    return DrawingLimits(-scene.ambient_pressure, floor)
+
+
+def _traits(effects: Sequence[Effect]) -> set[Trait]:
+    return {trait for effect in effects for trait in effect.traits}
 
 
 def _remedies(quantities: SceneQuantities) -> Remedies:
     """What every effect offers, included or not, if the scene has what it acts on."""
-    found: dict[Obstacle, tuple[str, ...]] = {}
+    law, count = quantities.bellow, len(quantities.graph.bellows)
+    held, kept = (1e6 * count * volume for volume in (law.rest_volume, law.floor_volume))
+    found: dict[Obstacle, tuple[str, ...]] = {
+        Obstacle.OVERDRAWN: (
+            f"Draw less: all bellows together hold {held:.3g} mL at rest, of which {kept:.3g} mL "
+            "cannot be drawn",
+        )
+    }
     for effect in every_effect(quantities).values():
         for obstacle, remedy in effect.remedies.items() if effect.present(quantities) else ():
             found[obstacle] = (*found.get(obstacle, ()), remedy)

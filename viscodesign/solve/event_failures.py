@@ -41,11 +41,24 @@ def emptied_bellow(problem: Problem, time: float, volume: np.ndarray) -> EventEr
     share = float(np.min(volume)) / rest_volume(problem)
     return EventError(
         f"{name} reached its minimum (collapsed) volume at t = {time:.6g} s, with {share:.3g} "
-        "of its rest volume: the linear law continues to negative volumes, which no gas can fill",
+        "of its rest volume: the linear law continues to negative volumes, which no fluid can fill",
         quantity="volume",
         where=name,
         time_s=time,
         remedy=advice(problem.remedies, Obstacle.EMPTY_BELLOW, "Raise the lowest pressure"),
+    )
+
+
+def overdrawn_bellow(problem: Problem, time: float, pressure: np.ndarray) -> EventError:
+    """The failure of bellows that have no more to give; the one whose pressure (B,) is lowest."""
+    name = problem.bellows[int(np.argmin(pressure))]
+    return EventError(
+        f"{name} is emptied at t = {time:.6g} s, at {pressure.min() / 1e3:.4g} kPa gauge: the "
+        "syringe draws more than the bellows can give",
+        quantity="volume",
+        where=name,
+        time_s=time,
+        remedy=advice(problem.remedies, Obstacle.OVERDRAWN),
     )
 
 

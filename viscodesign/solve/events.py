@@ -16,6 +16,7 @@ from viscodesign.solve.event_failures import (
     EventError,
     emptied_bellow,
     folded_axis,
+    overdrawn_bellow,
     thinnest_section,
 )
 from viscodesign.solve.problem import Problem, evaluate_at, evaluate_times, section_strains
@@ -97,6 +98,7 @@ def first_event(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndar
     checks: tuple[Callable[[], Found], ...] = (
         lambda: _vanished(time, stretch),
         lambda: _at_floor(problem, time, rows),
+        lambda: _overdrawn(problem, time, rows),
         lambda: _jumped(problem, time, rows),
     )
     found = [event for check in checks if (event := check()) is not None]
@@ -116,6 +118,20 @@ def _at_floor(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
     if row is None:
         return None
     return row, emptied_bellow(problem, float(time[row]), rows["volume"][row])
+
+
+def _overdrawn(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
+    """Bellows from which a syringe cannot draw anything: at a vacuum, or with nothing to give."""
+    if problem.drawing is None:
+        return None
+    is_over = rows["pressure"].min(axis=1) < problem.drawing.vacuum
+    least = problem.drawing.least_volume
+    if least is not None:
+        is_over |= rows["volume"].mean(axis=1) < least * (1 - FLOOR_REL_TOL)
+    row = _first(is_over)
+    if row is None:
+        return None
+    return row, overdrawn_bellow(problem, float(time[row]), rows["pressure"][row])
 
 
 def _jumped(problem: Problem, time: np.ndarray, rows: Rows) -> Found:

@@ -11,7 +11,8 @@ class Obstacle(Enum):
 
     NO_EQUILIBRIUM = "the rod has no equilibrium to start from under its loads"
     LIMIT_POINT = "a static rod's branch of equilibria ends"
-    EMPTY_BELLOW = "the law of a bellow leads to volumes that no gas can fill"
+    EMPTY_BELLOW = "the law of a bellow leads to volumes that no fluid can fill"
+    OVERDRAWN = "a syringe draws more than the bellows can give"
 
 
 Remedies = Mapping[Obstacle, tuple[str, ...]]
@@ -19,6 +20,6 @@ Remedies = Mapping[Obstacle, tuple[str, ...]]
 
 
 def advice(remedies: Remedies, obstacle: Obstacle, *measures: str) -> str:
-    """A sentence of measures, of which there is one at least, and of what effects offer."""
+    """A sentence of measures and of what effects offer, of which there is one at least."""
     *others, last = *measures, *remedies.get(obstacle, ())
     return f"{', '.join(others)}, or {last}." if others else f"{last}."

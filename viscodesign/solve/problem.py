@@ -92,6 +92,17 @@ class Schedule:
 
 
 @dataclass(frozen=True)
+class DrawingLimits:
+    """How far a syringe can empty the bellows."""
+
+    vacuum: float
+    """Gauge pressure of a vacuum [Pa], below which no bellow is drawn."""
+    least_volume: float | None
+    """Volume of a bellow, as a mean of all, that is left at the end [m3]; None where the law of
+    the bellows knows it."""
+
+
+@dataclass(frozen=True)
 class Problem:
     """Equations and the numbers that go into them."""
 
@@ -107,8 +118,10 @@ class Problem:
     floor_volume: float | None
     """Minimum volume, at which a gas-filled bellow ends a run [m3]; None where the model covers
     the contact of its walls, or where the fluid is no gas."""
+    drawing: DrawingLimits | None
+    """How far a syringe can empty the bellows; None without one."""
     remedies: Remedies
-    """What the scene's effects offer where a run cannot go on."""
+    """What the scene and its effects offer where a run cannot go on."""
     max_steps: int
     """Steps after which a run is ended."""
     flow_shares: np.ndarray

@@ -24,7 +24,12 @@ def problem(floor: float | None = None) -> Any:
     )
     rod = Chain(Body(1.0, 1, 1.0, 1.0, 1.0), 4)
     return SimpleNamespace(
-        equations=equations, rod=rod, bellows=("R1", "L1"), floor_volume=floor, remedies={}
+        equations=equations,
+        rod=rod,
+        bellows=("R1", "L1"),
+        floor_volume=floor,
+        drawing=None,
+        remedies={},
     )
 
 

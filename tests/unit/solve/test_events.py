@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 import pytest
@@ -13,6 +14,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.solve_once import Run, solve
 from viscodesign.solve.event_failures import EventError
+from viscodesign.solve.events import FLOOR_REL_TOL
 
 DURATION = 2.0
 DIP = "input={{kind: table, rows: [[0, 0], [1, {}], [2, 0]]}}"
@@ -77,3 +79,45 @@ def test_effects_chosen_by_the_outputs_do_not_move_an_event() -> None:
     times = [re.findall(r"at t = (\S+) s", failure or "") for failure in found]
     assert times[0]
     assert times == [times[0]] * len(times)
+
+
+RATE = 1e-6
+"""Drawn by the syringe [m3/s]."""
+BARREL = 20e-3
+
+
+def drawn(seconds: float, interval: float, *changes: str) -> Scene:
+    """A syringe that draws for so long from bellows filled with water, and then holds."""
+    speed = RATE / (math.pi * BARREL**2 / 4)
+    syringe = (
+        f"input={{kind: syringe, diameter: {BARREL} m, start: 50 mm, "
+        f"speeds: [[0 s, {-speed} m/s], [{seconds} s, 0 m/s]]}}"
+    )
+    run = f"run={{duration: 10 s, output_interval: {interval} s}}"
+    return leg("bellows.count=4", "fluid=water", syringe, run, *changes)
+
+
+@pytest.mark.parametrize("interval", [10.0, 0.5])
+def test_a_syringe_draws_no_more_than_the_bellows_hold(interval: float) -> None:
+    """At one pressure, all of them are at their minimum when that much has been drawn."""
+    overdrawn = drawn(10.0, interval, "effects={others: off}")
+    law = SceneQuantities(overdrawn).bellow
+    left = law.floor_volume * (1 - FLOOR_REL_TOL)
+    found = event(solved(overdrawn))
+    # The barrel's water gives 1e-5 of its own volume, 16 mL, as the pressure falls.
+    assert found.time_s == pytest.approx(4 * (law.rest_volume - left) / RATE, rel=1e-4)
+    assert found.quantity == "volume"
+    assert "syringe draws more" in str(found)
+
+
+def test_walls_that_meet_end_it_at_a_vacuum() -> None:
+    times = [event(solved(drawn(10.0, interval))).time_s for interval in (10.0, 0.5)]
+    assert times == pytest.approx([times[0]] * 2, abs=1e-5)
+    law = SceneQuantities(drawn(10.0, 0.5)).bellow
+    assert times[0] == pytest.approx(4 * (law.rest_volume - law.floor_volume) / RATE, rel=0.05)
+
+
+@pytest.mark.parametrize("changes", [(7.0,), (10.0, "fluid=air")], ids=["less", "a gas"])
+def test_what_can_be_drawn_is_drawn(changes: tuple[float, *tuple[str, ...]]) -> None:
+    seconds, *others = changes
+    assert solved(drawn(seconds, 0.5, *others)).is_complete
