@@ -27,7 +27,7 @@ LAYERS = [
     ["pump.bus"],
     ["pump"],
     ["inverse"],
-    ["studies", "exploration"],
+    ["studies", "exploration", "comparison"],
     ["compiled"],
     ["simulation"],
     ["checks", "loading"],

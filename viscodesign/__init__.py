@@ -7,8 +7,9 @@
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
 follows its motion, `compile` makes a function of its numbers with derivatives, `sweep` puts many
 designs in one table, `sensitivity` tells how far each number moves the tip, `design` finds the
-numbers and the graph that make the tip follow a path, `accuracy` measures what accuracy costs in
-time, `plan` turns its pressures into a pump's motion. Nothing here prints.
+numbers and the graph that make the tip follow a path, `compare` puts motions beside each other,
+`accuracy` measures what accuracy costs in time, `plan` turns its pressures into a pump's motion.
+Nothing here prints.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from viscodesign.checks.check import Check as Check
     from viscodesign.checks.check import check as check
     from viscodesign.checks.classify import classify as classify
+    from viscodesign.comparison.compare import compare as compare
     from viscodesign.compiled.function import Batch as Batch
     from viscodesign.compiled.function import CompiledFunction as CompiledFunction
     from viscodesign.compiled.function import compile as compile
@@ -39,6 +41,10 @@ if TYPE_CHECKING:
     from viscodesign.results.accuracy_study import AccuracyStudy as AccuracyStudy
     from viscodesign.results.findings import Classification as Classification
     from viscodesign.results.path_design import PathDesign as PathDesign
+    from viscodesign.results.run_comparison import Comparison as Comparison
+    from viscodesign.results.run_comparison import (
+        ComparisonInterruptedError as ComparisonInterruptedError,
+    )
     from viscodesign.results.sensitivity_study import SensitivityStudy as SensitivityStudy
     from viscodesign.results.sweep_table import Sweep as Sweep
     from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
@@ -53,6 +59,8 @@ _HOMES = {
     "Batch": ".compiled.function",
     "Check": ".checks.check",
     "Classification": ".results.findings",
+    "Comparison": ".results.run_comparison",
+    "ComparisonInterruptedError": ".results.run_comparison",
     "CompiledFunction": ".compiled.function",
     "PathDesign": ".results.path_design",
     "PumpPlan": ".pump.planning.result",
@@ -66,6 +74,7 @@ _HOMES = {
     "accuracy": ".studies.accuracy",
     "check": ".checks.check",
     "classify": ".checks.classify",
+    "compare": ".comparison.compare",
     "compile": ".compiled.function",
     "design": ".inverse.design",
     "load": ".loading",

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import itertools
 import json
-import re
 from collections.abc import Container
 from pathlib import Path
 
+from viscodesign.report.folder_names import folder_name as folder_name
+from viscodesign.report.folder_names import numbered
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 
@@ -50,13 +50,6 @@ def folder_in(output: Path, scene: Scene, taken: Container[Path]) -> Path:
     return next(path for path in numbered(output / folder_name(scene.name)) if path not in taken)
 
 
-def numbered(plain: Path) -> itertools.chain[Path]:
-    """A path, and the same with numbers from 2 on."""
-    return itertools.chain(
-        [plain], (plain.with_name(f"{plain.name}-{n}") for n in itertools.count(2))
-    )
-
-
 def holds_another(folder: Path, digest: str) -> bool:
     """Whether a folder holds results of another resolved spec than the one of this SHA-256."""
     from viscodesign.report.folder import DOCUMENTS
@@ -73,8 +66,3 @@ def _digest_in(document: Path) -> str | None:
     except (OSError, ValueError):
         return ""
     return str(found.get(KEY, "")) if isinstance(found, dict) else ""
-
-
-def folder_name(name: str) -> str:
-    """A scene's name as the name of a folder."""
-    return re.sub(r"[^\w.+-]+", "_", name).strip("._") or "run"

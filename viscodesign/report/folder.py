@@ -84,7 +84,14 @@ PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
 SWEEP_FILES = FileSet("sweep.csv", "sweep.json", "sweep.png")
 SENSITIVITY_FILES = FileSet("sensitivity.csv", "sensitivity.json", "sensitivity.png")
 DESIGN_FILES = FileSet("history.csv", "result.json", "design.png")
-FILE_SETS = (STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES, DESIGN_FILES)
+COMPARISON_FILES = FileSet("compare.csv", "compare.json", "compare.png")
+COMPARISON_PAGE = "compare.html"
+COMPARED_RUNS = "runs"
+"""Folder of the runs of specs that were compared."""
+FILE_SETS = (
+    *(STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES, DESIGN_FILES),
+    COMPARISON_FILES,
+)
 DESIGN_ALTERNATIVES = "alternatives"
 """Folder of other designs beside the best one."""
 SWEEP_ROWS = "sweep.rows.jsonl"
@@ -96,6 +103,8 @@ OUR_FILES = {
     PAGE,
     SWEEP_ROWS,
     DESIGN_ALTERNATIVES,
+    COMPARISON_PAGE,
+    COMPARED_RUNS,
     *(name for own in FILE_SETS for name in own.names),
 }
 DOCUMENTS = {SUMMARY, *(own.document for own in FILE_SETS)}

@@ -160,9 +160,10 @@ def _found(
         if cells.count(name) == 1:
             return ChosenColumn(cells.index(name), name, 1.0, "", name != wanted.header)
     fitting = {k: unit for k, cell in enumerate(cells) if (unit := header_unit(cell, wanted.kind))}
-    if len(fitting) > 1 and wanted.kind.unit == "s":
+    is_alone = _is_alone(wanted, all_wanted)
+    if not is_alone or (len(fitting) > 1 and wanted.kind.unit == "s"):
         named = [k for k, unit in fitting.items() if _is_named(wanted, unit.name)]
-        fitting = {k: fitting[k] for k in named} if len(named) == 1 else fitting
+        fitting = {k: fitting[k] for k in named} if len(named) == 1 or not is_alone else fitting
     if len(fitting) == 1:
         place, unit = next(iter(fitting.items()))
         return ChosenColumn(
@@ -171,6 +172,11 @@ def _found(
     if fitting:
         _refuse_several(wanted, header, [cells[k] for k in fitting])
     return _refuse_none(wanted, all_wanted, header, cells)
+
+
+def _is_alone(wanted: WantedColumn, all_wanted: Sequence[WantedColumn]) -> bool:
+    """Whether its unit tells it; of several columns with one unit, names have to."""
+    return sum(other.kind.unit == wanted.kind.unit for other in all_wanted) == 1
 
 
 def _is_named(wanted: WantedColumn, name: str) -> bool:
@@ -225,7 +231,8 @@ def _refuse_none(
         headers = [column.header for column in all_wanted]
         missing = [name for name in headers if name not in cells]
         hint = "".join(did_you_mean(cell, missing) for cell in cells if cell not in headers)
-        hint = hint[:200] or f"; no column is a {wanted.kind.name}"
+        missed = f"a {wanted.kind.name}" if _is_alone(wanted, all_wanted) else wanted.name
+        hint = hint[:200] or f"; no column is {missed}"
     raise invalid_at("file", f"{header.shown}: expected '{expected}', got '{given}'{hint}")
 
 

@@ -6,7 +6,8 @@
 const PANEL = { height: 136, left: 52, right: 10, top: 6, bottom: 20 };
 const MOST_CURVES = 16;
 
-// `panel`: {title, unit, curves: [{name, values, colour, thick, dashed}], note}.
+// `panel`: {title, unit, curves: [{name, values, colour, thick, dashed, time}], note, across}; a curve may
+// have times of its own, and what stands behind the last number of the axis is ` s` unless `across` says.
 function makePanel(host, time, panel, seekTime) {
   const figure = element("figure", { class: "chart" });
   const caption = element("figcaption", {}, `${panel.title} [${panel.unit}] `, legendOf(panel));
@@ -64,11 +65,10 @@ function layoutPanel(view, width) {
   svg.setAttribute("viewBox", `0 0 ${width} ${PANEL.height}`);
   svg.dataset.domain = [view.start, view.end, view.low, view.high].join(" ");
   svg.dataset.range = [view.x(view.start), view.x(view.end), view.y(view.low), view.y(view.high)].join(" ");
-  const times = Float64Array.from(view.time, view.x);
   const curves = panel.curves.map((curve) => drawn("path", {
     class: "curve", stroke: curve.colour, "stroke-width": curve.thick ? 2.6 : 1.3,
     "data-name": curve.name, ...(curve.dashed ? { "stroke-dasharray": "6 3" } : {}),
-    d: pathThrough(times, Float64Array.from(curve.values, view.y)),
+    d: pathThrough(Float64Array.from(curve.time || view.time, view.x), Float64Array.from(curve.values, view.y)),
   }));
   view.cursor = drawn("path", { class: "cursor" });
   view.dots = panel.curves.map((curve) => drawn("circle", { class: "dot", r: curve.thick ? 3.6 : 2.8, fill: curve.colour }));
@@ -89,7 +89,7 @@ function axesOf(view) {
     const anchor = x > view.width - 30 ? "end" : "middle";
     group.append(drawn("path", { class: "axis", d: `M${x} ${base}V${base + 3}` }),
       drawn("text", { x: anchor === "end" ? view.width - 2 : x, y: base + 14, "text-anchor": anchor },
-        tickText(value, across) + (last ? " s" : "")));
+        tickText(value, across) + (last ? view.panel.across ?? " s" : "")));
   });
   return group;
 }

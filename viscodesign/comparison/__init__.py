@@ -1,0 +1,1 @@
+"""Motions compared: runs, specs and measured tables, and the figures of the paper."""

@@ -1,0 +1,77 @@
+"""The motion of a measured table: columns of times and of the tip's x and z."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import get_args
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+
+from viscodesign.errors import UsageError
+from viscodesign.results.metrics import MetricInputs, metric_values
+from viscodesign.results.run_comparison import ComparedMotion
+from viscodesign.scene.spec_part import faults_of
+from viscodesign.scene.table_file import table_of_file
+from viscodesign.scene.tables.columns import WantedColumn
+from viscodesign.units import Length, Time
+
+MOST_ROWS = 5_000_000
+_LENGTH = get_args(Length)[1]
+COLUMNS = (
+    WantedColumn("time", get_args(Time)[1], ("t",)),
+    WantedColumn("tip_x", _LENGTH, ("x",)),
+    WantedColumn("tip_z", _LENGTH, ("z",)),
+)
+HEADERS = ",".join(column.header for column in COLUMNS)
+
+
+def measured_motion(file: Path) -> ComparedMotion:
+    """The motion in a table, read as `scene.tables` reads all of them.
+
+    Raises `UsageError` with what is wrong: no times, a unit that is unclear, a line that is no
+    row of numbers.
+    """
+    try:
+        table = table_of_file(
+            {"file": str(file)}, Path(), COLUMNS, _time_faults, most_rows=MOST_ROWS
+        )
+    except PydanticCustomError as error:
+        # What follows is for a spec, which can say where the columns are.
+        told = "; ".join(_without_spec_hint(fault.message) for fault in faults_of(error))
+        end = "" if told.endswith("?") else "."
+        raise UsageError(f"{told}{end} A table to compare has the columns {HEADERS}") from None
+    return motion_of_rows(file.stem, table.values, str(file))
+
+
+def motion_of_rows(label: str, rows: np.ndarray, source: str = "") -> ComparedMotion:
+    """The motion of rows (T, 3): time [s], x and z of the tip [m]."""
+    time, tip = rows[:, 0].copy(), rows[:, 1:].copy()
+    return ComparedMotion(
+        label=label,
+        origin="table",
+        source=source,
+        time=time,
+        tip=tip,
+        metrics=tip_metrics(time, tip),
+        error_words="none stated, a table",
+    )
+
+
+def tip_metrics(time: np.ndarray, tip: np.ndarray, period: float | None = None) -> dict[str, float]:
+    """Metrics of a tip (T, 2) alone, NaN where one is of pressures."""
+    return metric_values(MetricInputs(time, tip, np.zeros_like(tip), (), period))
+
+
+def _without_spec_hint(message: str) -> str:
+    for words in (" Or write columns:", " Choose one, as in columns:", "; name the columns in its"):
+        message = message.partition(words)[0]
+    return message.rstrip(".")
+
+
+def _time_faults(time: np.ndarray) -> Iterator[tuple[int, str]]:
+    for k in np.flatnonzero(~np.isfinite(time)):
+        yield int(k), f"time is {time[k]:g}"
+    for k in np.flatnonzero(time[1:] <= time[:-1]) + 1:
+        yield int(k), f"times must increase; got {time[k]:g} s after {time[k - 1]:g} s"

@@ -1,0 +1,150 @@
+"""`compare.png`: paths of tips over each other, and how far each is from the first."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from viscodesign.report.charts.tip_path import travelled
+from viscodesign.report.layout.downsampling import envelope, stretches
+from viscodesign.report.layout.motion_lines import line_style
+from viscodesign.report.layout.style import (
+    ACCENT,
+    FAINT,
+    GREY,
+    TITLE_ROOM,
+    Target,
+    axes_at,
+    picture,
+    shown,
+)
+from viscodesign.results.channels import channel
+from viscodesign.results.run_comparison import ComparedMotion, Comparison, TipDifference
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+LEFT, BOTTOM, SIDE, GAP, WIDE, RIGHT = 0.75, 0.6, 4.4, 0.95, 3.7, 0.25
+BETWEEN, KEY_LINE = 0.75, 0.19
+"""All in inches: between the charts on the right, and a line of the key."""
+MARGIN = 0.07
+LEAST_SPAN_MM = 0.1
+MOST_LABEL = 44
+KEY_COLUMNS = 2
+
+
+def draw_comparison(found: Comparison, path: Target) -> None:
+    """Paths on the left, distances over time (and over phase) on the right; png, pdf or svg."""
+    key = KEY_LINE * -(-len(found.motions) // KEY_COLUMNS)
+    broken = [m for m in found.motions if m.status != "complete"]
+    head = TITLE_ROOM + (0.18 if broken else 0.0)
+    width, height = LEFT + SIDE + GAP + WIDE + RIGHT, BOTTOM + SIDE + 0.12 + key + head
+    cyclic = any(d.phase is not None for d in found.differences)
+    with picture(path, width, height) as made:
+        made.text(LEFT / width, (height - 0.22) / height, shown(_title(found), 110), size=10)
+        if broken:
+            words = "; ".join(f"{m.title}: {m.failure or 'ended early'}" for m in broken)
+            made.text(
+                LEFT / width, (height - 0.4) / height, shown(words, 130),
+                size=8, color=ACCENT, weight="bold",
+            )  # fmt: skip
+        paths = axes_at(made, LEFT, BOTTOM, SIDE, SIDE)
+        draw_paths(paths, found.motions)
+        handles, labels = paths.get_legend_handles_labels()
+        made.legend(
+            handles, labels, loc="upper left", ncols=KEY_COLUMNS, borderaxespad=0, handlelength=2.6,
+            bbox_to_anchor=(LEFT / width, (BOTTOM + SIDE + 0.08 + key) / height),
+        )  # fmt: skip
+        left, tall = LEFT + SIDE + GAP, (SIDE - BETWEEN) / 2 if cyclic else SIDE
+        over_time = axes_at(made, left, BOTTOM + SIDE - tall, WIDE, tall)
+        _draw_over_time(over_time, found.differences)
+        if cyclic:
+            _draw_over_phase(axes_at(made, left, BOTTOM, WIDE, tall), found.differences)
+
+
+def _title(found: Comparison) -> str:
+    first = found.motions[0].title
+    worst = max(found.differences, key=lambda d: d.max_m)
+    size = f"{1e3 * worst.max_m:.3g} mm"
+    if len(found.differences) == 1:
+        return f"{worst.label} differs from {first} by {size} at most"
+    return f"{len(found.differences)} motions differ from {first} by up to {size} ({worst.label})"
+
+
+def draw_paths(axes: Axes, motions: tuple[ComparedMotion, ...], size: float = 1.0) -> None:
+    """Paths [mm] at one scale, z downwards; a dot where each starts, an arrow for its sense."""
+    every = np.concatenate([1e3 * motion.tip for motion in motions])
+    middle = (every.min(axis=0) + every.max(axis=0)) / 2
+    half = (0.5 + MARGIN) * max(float(np.ptp(every, axis=0).max()), LEAST_SPAN_MM)
+    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
+    axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
+    axes.grid(color="#ececec", lw=0.6)
+    axes.set_axisbelow(True)
+    for k, motion in enumerate(motions):
+        style = line_style(k)
+        lines: dict[str, Any] = {"color": style.colour, "lw": 1.6 * size, "zorder": 4}
+        if style.dashes:
+            lines["dashes"] = style.dashes
+        for n, rows in enumerate(stretches(motion.tip)):
+            label = shown(motion.title, MOST_LABEL) if n == 0 else None
+            axes.plot(*(1e3 * motion.tip[rows].T), label=label, **lines)
+        start = 1e3 * motion.tip[0]
+        axes.plot(*start, marker="o", ms=5 * size, mfc="white", mec=style.colour, zorder=6)
+        _draw_sense(axes, 1e3 * motion.tip[stretches(motion.tip)[-1]], style.colour, 2 * half, k)
+
+
+def _draw_sense(axes: Axes, way: np.ndarray, colour: str, side: float, k: int) -> None:
+    """An arrow head on the last round; of several paths at different places."""
+    along = travelled(way)
+    round_length = min(along[-1], 2.0 * float(np.sum(np.ptp(way, axis=0))))
+    if round_length < 0.05 * side:
+        return
+    at = along[-1] - round_length * (0.72 - 0.09 * (k % 5))
+    end, start = ([np.interp(s, along, way[:, i]) for i in (0, 1)] for s in (at, at - 0.004 * side))
+    axes.annotate(
+        "", xy=(float(end[0]), float(end[1])), xytext=(float(start[0]), float(start[1])), zorder=5,
+        arrowprops={"arrowstyle": "-|>", "color": colour, "mutation_scale": 12, "lw": 0},
+    )  # fmt: skip
+
+
+def _draw_over_time(axes: Axes, differences: tuple[TipDifference, ...]) -> None:
+    for k, found in enumerate(differences, start=1):
+        time, distance = envelope(found.time, 1e3 * found.distance[:, None])
+        _draw_distance(axes, time, distance[:, 0], k)
+    axes.set(xlabel=channel("time").label, ylabel="distance, same time [mm]")
+    _frame(axes)
+    known = [d.numerical_m for d in differences if d.numerical_m is not None]
+    if not known:
+        return
+    level, top = 1e3 * max(known), axes.get_ylim()[1]
+    if level < 0.02 * top:  # no more than the width of the axis
+        return
+    axes.axhspan(0, level, color=FAINT, alpha=0.35, lw=0, zorder=1)
+    axes.text(
+        1.0, level, "stated errors", color="#555555", size=7.5, ha="right", va="bottom",
+        transform=axes.get_yaxis_transform(),
+    )  # fmt: skip
+
+
+def _draw_over_phase(axes: Axes, differences: tuple[TipDifference, ...]) -> None:
+    for k, found in enumerate(differences, start=1):
+        if found.phase is not None:
+            _draw_distance(axes, found.phase.phase, 1e3 * found.phase.distance, k)
+    axes.set(xlim=(0, 1), xlabel="phase of the last period", ylabel="distance, same phase [mm]")
+    _frame(axes)
+
+
+def _draw_distance(axes: Axes, at: np.ndarray, distance: np.ndarray, k: int) -> None:
+    style = line_style(k)
+    dashes: dict[str, Any] = {"dashes": style.dashes} if style.dashes else {}
+    alone: dict[str, Any] = {"marker": "o", "ms": 4} if len(at) == 1 else {}
+    axes.plot(at, distance, color=style.colour, lw=1.3, zorder=3, **dashes, **alone)
+
+
+def _frame(axes: Axes) -> None:
+    axes.set_ylim(0, max(axes.get_ylim()[1], 1e3 * 1e-9))
+    axes.margins(x=0.01)
+    axes.grid(color="#ececec", lw=0.6)
+    axes.set_axisbelow(True)
+    axes.tick_params(color=GREY)

@@ -1,0 +1,46 @@
+"""The files of a comparison."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from viscodesign.report.csv_text import csv_table
+from viscodesign.report.folder import COMPARISON_FILES, COMPARISON_PAGE, Format, remove_files
+from viscodesign.results.run_comparison import Comparison
+
+
+def write_comparison(
+    found: Comparison,
+    directory: str | Path,
+    *,
+    plots: bool = True,
+    report: bool = True,
+    force: bool = False,
+    picture_format: Format = "png",
+) -> list[Path]:
+    """Write table, document, picture and page of a comparison and return them.
+
+    Those of an earlier one are replaced; see `FileSet.write`.
+    """
+    page = Path(directory) / COMPARISON_PAGE
+
+    def draw(picture: Path) -> None:
+        # Drawing is slow to import, and a comparison without a picture does not need it.
+        from viscodesign.report.charts.compare import draw_comparison
+
+        draw_comparison(found, picture)
+
+    files = COMPARISON_FILES.write(
+        directory,
+        csv_table(found.columns, found.rows()),
+        found.document(),
+        draw if plots else None,
+        force=force,
+        picture_format=picture_format,
+    )
+    if not report:
+        remove_files([page])
+        return files
+    from viscodesign.report.page.comparison_page import write_comparison_page
+
+    return [*files, write_comparison_page(found, page)]

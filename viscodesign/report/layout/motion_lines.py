@@ -1,0 +1,25 @@
+"""Lines of several motions that can be told apart, also in grey."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from viscodesign.lazy_dataclass import dataclass
+
+COLOURS = ("#000000", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
+"""Okabe-Ito, without its yellow, which is too pale for a line; the first motion is black."""
+DASHES: tuple[Sequence[float], ...] = ((), (5, 2), (1.2, 1.2), (6, 1.6, 1.2, 1.6))
+
+
+@dataclass(frozen=True)
+class LineStyle:
+    """Colour and dashes of a line."""
+
+    colour: str
+    dashes: Sequence[float]
+    """Lengths of strokes and gaps in turn, in widths of the line; none for a full line."""
+
+
+def line_style(k: int) -> LineStyle:
+    """The style of the k-th motion; after all colours the dashes change."""
+    return LineStyle(COLOURS[k % len(COLOURS)], DASHES[(k // len(COLOURS)) % len(DASHES)])

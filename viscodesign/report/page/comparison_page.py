@@ -1,0 +1,72 @@
+"""`compare.html`: paths over each other, distances, metrics side by side."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from viscodesign.report.page.packed_arrays import packed
+from viscodesign.report.page.self_contained import self_contained, write_html
+from viscodesign.results.run_comparison import ComparedMotion, Comparison, TipDifference
+
+TEMPLATE = "compare.html"
+SCRIPTS = ("data.js", "svg.js", "charts.js", "tip_path.js", "tables.js", "compare.js")
+"""In the order in which they run; those before the last only define functions."""
+MOST_ROWS = 1500
+"""Rows of a curve on the page; of more, some at equal distances."""
+
+
+def write_comparison_page(found: Comparison, file: str | Path) -> Path:
+    """Write the page of a comparison. Raises `UsageError` where the file cannot be written."""
+    return write_html(Path(file), self_contained(TEMPLATE, SCRIPTS, comparison_data(found)))
+
+
+def comparison_data(found: Comparison) -> dict[str, Any]:
+    """All that the page shows."""
+    document = found.document()
+    pairs = zip(document["motions"], found.motions, strict=True)
+    differences = zip(document["differences"], found.differences, strict=True)
+    return {
+        **document,
+        "notes": [*document["notes"], *_thinned(found)],
+        "motions": [{**told, **_curve(motion)} for told, motion in pairs],
+        "differences": [{**told, **_distances(own)} for told, own in differences],
+    }
+
+
+def _curve(motion: ComparedMotion) -> dict[str, Any]:
+    rows = _shown(len(motion.time))
+    return {
+        "title": motion.title,
+        "time": packed(motion.time[rows], "f8"),
+        "tip": packed(motion.tip[rows], "f8"),
+    }
+
+
+def _distances(difference: TipDifference) -> dict[str, Any]:
+    rows = _shown(len(difference.time))
+    phase = difference.phase
+    return {
+        "time": packed(difference.time[rows], "f8"),
+        "distance": packed(difference.distance[rows], "f8"),
+        "numerical_m": difference.numerical_m,
+        "phase": None if phase is None else packed(phase.phase, "f8"),
+        "phase_distance": None if phase is None else packed(phase.distance, "f8"),
+    }
+
+
+def _shown(count: int) -> np.ndarray:
+    """Rows that are shown, among them the first and the last."""
+    if count <= MOST_ROWS:
+        return np.arange(count)
+    return np.unique(np.linspace(0, count - 1, MOST_ROWS).round().astype(int))
+
+
+def _thinned(found: Comparison) -> list[str]:
+    return [
+        f"{MOST_ROWS:,} of {len(motion.time):,} rows of {motion.label} are drawn"
+        for motion in found.motions
+        if len(motion.time) > MOST_ROWS
+    ]
