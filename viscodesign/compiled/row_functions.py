@@ -7,7 +7,8 @@ from collections.abc import Sequence
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.row_blocks import BLOCK_ROWS, evaluate_rows
+from viscodesign.model.row_blocks import evaluate_rows
+from viscodesign.model.taped_function import TapedFunction, TapeWithPatterns
 from viscodesign.storage.cached_property import cached_property
 
 SX = ca.SX
@@ -20,54 +21,44 @@ class RowFunction:
     all rows and given once.
     """
 
-    def __init__(
-        self,
-        arguments: Sequence[SX],
-        result: SX,
-        *,
-        shared: int = 0,
-        at_once: int = BLOCK_ROWS,
-    ) -> None:
-        self._shared, self._at_once = shared, at_once
+    def __init__(self, arguments: Sequence[SX], result: SX, *, shared: int = 0) -> None:
+        self._shared = shared
         self._sizes = [int(argument.numel()) for argument in arguments]
         self._formulas = list(arguments), ca.densify(result)
         self.size = int(result.numel())
         """Entries of the result."""
 
     @cached_property
-    def _value(self) -> ca.Function:
+    def _value(self) -> TapedFunction:
         given, result = self._formulas
-        return ca.Function("value", given, [ca.cse(result)]).map(self._at_once)
+        return _taped(given, ca.cse(result))
 
     @cached_property
-    def _back(self) -> ca.Function:
+    def _back(self) -> TapedFunction:
         """Slopes of the weighted result by all arguments."""
         given, result = self._formulas
         weights = SX.sym("weights", self.size)
         slopes = ca.jtimes(result, ca.vertcat(*given), weights, True)
-        found = [ca.cse(ca.densify(slopes))]
-        return ca.Function("back", [*given, weights], found).map(self._at_once)
+        return _taped([*given, weights], ca.cse(ca.densify(slopes)))
 
     @cached_property
-    def _along(self) -> ca.Function:
+    def _along(self) -> TapedFunction:
         """Rates of the result for those of all arguments."""
         given, result = self._formulas
         whole = ca.vertcat(*given)
         rates = SX.sym("rates", whole.numel())
-        found = [ca.cse(ca.densify(ca.jtimes(result, whole, rates)))]
-        return ca.Function("along", [*given, rates], found).map(self._at_once)
+        return _taped([*given, rates], ca.cse(ca.densify(ca.jtimes(result, whole, rates))))
 
     def __call__(self, *arguments: np.ndarray) -> np.ndarray:
         """Results (m, size)."""
-        return self._evaluate(self._value, self._rows(arguments), self.size)
+        return self._found(self._value, arguments)
 
     def pull_back(self, arguments: Sequence[np.ndarray], weights: np.ndarray) -> list[np.ndarray]:
         """Slopes of the sum of weights (m, size) times results, one array per argument.
 
         Those of a shared argument are summed over the rows.
         """
-        rows = [*self._rows(arguments), weights]
-        found = self._evaluate(self._back, rows, sum(self._sizes))
+        found = self._found(self._back, arguments, weights)
         parts = np.split(found, np.cumsum(self._sizes)[:-1], axis=1)
         own = len(parts) - self._shared
         return [*parts[:own], *(part.sum(axis=0) for part in parts[own:])]
@@ -76,16 +67,28 @@ class RowFunction:
         self, arguments: Sequence[np.ndarray], rates: Sequence[np.ndarray]
     ) -> np.ndarray:
         """Rates (m, size) for the rates of all arguments, shaped like them."""
-        rows = self._rows(arguments)
-        moved = np.concatenate(self._rows(rates), axis=1)
-        return self._evaluate(self._along, [*rows, moved], self.size)
+        count = len(arguments[0])
+        own = len(rates) - self._shared
+        parts = [part.reshape(count, -1) for part in rates[:own]]
+        parts += [np.broadcast_to(part, (count, len(part))) for part in rates[own:]]
+        moved = np.concatenate(parts, axis=1)
+        return self._found(self._along, arguments, moved)
 
-    def _evaluate(self, function: ca.Function, rows: Sequence[np.ndarray], size: int) -> np.ndarray:
-        (found,) = evaluate_rows(function, rows, [size], self._at_once)
+    def _found(
+        self, function: TapedFunction, arguments: Sequence[np.ndarray], *more: np.ndarray
+    ) -> np.ndarray:
+        """Results (m, ...) for the arguments and ``more`` of them, which are not shared."""
+        own, count = len(arguments) - self._shared, len(arguments[0])
+        rows = [values.reshape(count, -1) for values in arguments[:own]]
+        given = [*rows, *arguments[own:], *more]
+        if count > 1:
+            (found,) = function.rows(given, count)
+        else:  # a tape works through several rows at once
+            single = [values.reshape(1, -1) for values in given]
+            (found,) = evaluate_rows(function.casadi, single, function.sizes, 1)
         return found
 
-    def _rows(self, arguments: Sequence[np.ndarray]) -> list[np.ndarray]:
-        own = len(arguments) - self._shared
-        count = len(arguments[0])
-        shared = [np.broadcast_to(values, (count, len(values))) for values in arguments[own:]]
-        return [*arguments[:own], *shared]
+
+def _taped(arguments: Sequence[SX], result: SX) -> TapedFunction:
+    function = ca.Function("rows", list(arguments), [result])
+    return TapedFunction(TapeWithPatterns.of(function), lambda: function)

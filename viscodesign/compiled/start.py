@@ -49,13 +49,11 @@ class StartFunction:
         make = _steady_formulas if steady else _rest_formulas
         unknowns, residual, start = make(problem, own.piece, own.parameters)
         arguments = (unknowns, own.piece, own.parameters)
-        self._residual = RowFunction(arguments, residual, at_once=1)
-        self._start = RowFunction(arguments, start, at_once=1)
+        self._residual = RowFunction(arguments, residual)
+        self._start = RowFunction(arguments, start)
         slopes = ca.jacobian(residual, unknowns)
         self._pattern = slopes.sparsity()
-        self._slopes = RowFunction(
-            arguments, ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:])), at_once=1
-        )
+        self._slopes = RowFunction(arguments, ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:])))
         piece_now = problem.schedule.initial_piece
         self._near = static_equilibrium(problem, 0.0, piece_now) if steady else None
 

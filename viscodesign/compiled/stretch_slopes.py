@@ -44,7 +44,7 @@ class StretchSlopes:
         assert local is not None, "native steps have it"
         self._compiled, own = local.compiled, Symbols.of(problem)
         (numbers,) = local.form.numbers.call([ca.vertcat(1, own.sealed, own.parameters)])
-        self._numbers = RowFunction([own.parameters], numbers, at_once=1)
+        self._numbers = RowFunction([own.parameters], numbers)
 
     def pull_back(
         self, solved: SolvedStretches, parameters: np.ndarray, weights: np.ndarray, end: np.ndarray
