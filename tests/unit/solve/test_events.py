@@ -121,3 +121,18 @@ def test_walls_that_meet_end_it_at_a_vacuum() -> None:
 def test_what_can_be_drawn_is_drawn(changes: tuple[float, *tuple[str, ...]]) -> None:
     seconds, *others = changes
     assert solved(drawn(seconds, 0.5, *others)).is_complete
+
+
+def test_sections_pressed_to_nothing_end_a_run_in_few_steps() -> None:
+    """Hardly any friction, no damping: a run that looked at its outputs alone took 10^5 steps."""
+    fluid = "{name: thin, viscosity: 2e-8 Pa*s, density: 1.2 kg/m^3, gas_constant: 287.05}"
+    crushed = leg(
+        "bellows.count=48",
+        f"fluid={fluid}",
+        "effects={pressure_distribution: on, inertia: on, others: off}",
+        "run={duration: 10 s, output_interval: 0.5 s}",
+    )
+    run = solved(crushed)
+    assert 0.5 < event(run).time_s < 1.0
+    assert run.solution.work.steps < 2_000
+    assert not run.solution.attempts

@@ -51,11 +51,16 @@ class FormulaSteps(StretchSteps):
         found: list[np.ndarray] = []
         before = 1.0
         watched, piece = [(time, y)], schedule.pieces[begin]
-        for _ in range(max(self.problem.max_steps - work.steps, 1)):
-            if len(watched) > self.steps_at_once:
+        progress = self.progress_watch(time)
+        for tried in range(max(self.problem.max_steps - work.steps, 1)):
+            if work.is_stopped():
+                break
+            crawl = progress.crawl(tried, time)
+            if len(watched) > self.steps_at_once or crawl is not None:
                 crossing = self._crossing(watched, piece)
-                if crossing is not None or work.is_stopped():
-                    return replace(self._reached(found, None, "", time), crossing=crossing)
+                if crossing is not None or crawl is not None:
+                    reached = self._reached(found, None, "", time)
+                    return replace(reached, crossing=crossing, cause=crawl)
                 del watched[:-1]
             remaining = last - time
             final = size >= remaining * (1 - 1e-9)
@@ -73,7 +78,7 @@ class FormulaSteps(StretchSteps):
                     reached = self._reached(found, None, "step size fell below its minimum", time)
                     vanishing = EventWatch(self.problem).vanishing(time, piece, y)
                     crossing = self._crossing(watched, piece)
-                    return replace(reached, crossing=crossing, vanishing=vanishing)
+                    return replace(reached, crossing=crossing, cause=vanishing)
                 continue
             until = last if final else time + taken
             inside = edges[begin + 1 + len(found) : end + 1]

@@ -72,7 +72,7 @@ class NativeSteps(StretchSteps):
         )
         allowed = max(self.problem.max_steps - work.steps, 1)
         rest, first = np.append(piece, 1.0), float(edges[0])
-        columns, crossing = [], None
+        columns, crossing, progress = [], None, self.progress_watch(first)
         while True:
             record, tried = StepRecord(self.steps_at_once), 2 * self.steps_at_once
             tried = max(min(tried, allowed - state.steps), 1)
@@ -80,19 +80,20 @@ class NativeSteps(StretchSteps):
             columns.append(found[:, self._kept])
             crossing = self._crossing(record, state, piece)
             is_over = status is not MarchStatus.STEP_LIMIT or state.steps >= allowed
-            if crossing is not None or is_over or work.is_stopped():
+            crawl = progress.crawl(state.steps, state.time)
+            if crossing is not None or is_over or crawl is not None or work.is_stopped():
                 break
         work.native = True
         work.steps += state.steps
         work.residual_calls += state.residuals
         work.jacobian_calls += state.jacobians
-        reached = Reached(np.concatenate(columns), None, "", state.time, crossing)
+        reached = Reached(np.concatenate(columns), None, "", state.time, crossing, crawl)
         if status is MarchStatus.STEP_TOO_SMALL:
             vanishing = EventWatch(self.problem).vanishing(state.time, piece, self._own(state.y))
             failure = "step size fell below its minimum"
-            return replace(reached, failure=failure, vanishing=vanishing)
+            return replace(reached, failure=failure, cause=vanishing)
         if status is MarchStatus.FINISHED:
-            return replace(reached, size=state.size, failure=None)
+            return replace(reached, size=state.size, failure=None, cause=None)
         return reached
 
     def _crossing(

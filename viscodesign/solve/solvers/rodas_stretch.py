@@ -6,10 +6,11 @@ from abc import ABC, abstractmethod
 
 import numpy as np
 
+from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.solve.event_failures import EventError
 from viscodesign.solve.events import Crossing, EventWatch
 from viscodesign.solve.problem import Problem, Schedule
+from viscodesign.solve.progress_watch import ProgressWatch
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.statics import Start
 
@@ -55,7 +56,7 @@ class Reached:
     """How far the steps came [s]."""
     crossing: Crossing | None = None
     """The event that ended them."""
-    vanishing: EventError | None = None
+    cause: SolveError | None = None
     """What the steps came to a stop at, where that is known."""
 
 
@@ -109,6 +110,11 @@ class StretchSteps(ABC):
         """Steps between two looks for events."""
         few = CONTROL.numbers_at_once // max(self.problem.unknowns, 1)
         return max(1, min(CONTROL.steps_at_once, few))
+
+    def progress_watch(self, begin: float) -> ProgressWatch:
+        """For steps from a time [s] on."""
+        problem = self.problem
+        return ProgressWatch(begin, float(problem.schedule.edges[-1]), problem.max_steps)
 
     def powers(self) -> np.ndarray:
         """Powers of the step by which errors of unknowns count (n,); infinite: not at all."""

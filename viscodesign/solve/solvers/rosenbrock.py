@@ -117,9 +117,11 @@ class Rosenbrock(Solver):
         return (x, z, q), failure
 
     def _failure(self, reached: Reached) -> SolveError:
+        if reached.cause is not None:
+            return reached.cause
         if not reached.failure:
             return self.step_limit_reached(reached.time)
-        return reached.vanishing or self.failure(reached.failure, reached.time)
+        return self.failure(reached.failure, reached.time)
 
 
 def _steps(problem: Problem, tolerance: float) -> StretchSteps:
