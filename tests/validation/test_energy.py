@@ -136,3 +136,27 @@ def test_a_wrong_term_is_detected(
     found = balance(scene).energy_imbalance_rel
     assert found is not None
     assert found >= SEEN
+
+
+RINGING = (
+    FEW,
+    "network={layout: crossed, tube_radius: 0.6 mm, tube_length: 60 mm, "
+    "tube_wall: {youngs_modulus: 3 MPa, thickness: 0.5 mm}}",
+    "input={kind: square, high: 35 kPa, low: -30 kPa, frequency: 4 Hz}",
+    "loads={gravity: {tilt: 0.7}, payload: 20 g}",
+    "accuracy=1 %",
+)
+ALL = "{others: on, choked_flow: off, shear: off}"
+
+
+@pytest.mark.parametrize("interval", ["5 ms", "50 ms"])
+@pytest.mark.parametrize(
+    "effects", [ALL, ALL.replace("{", "{damping: off, "), ALL.replace("{", "{flow_regime: off, ")]
+)
+def test_works_are_resolved_while_a_rod_rings(effects: str, interval: str) -> None:
+    """What square waves excite is summed up closely enough, whatever the outputs and accuracy."""
+    run = f"run={{duration: 0.5 s, output_interval: {interval}}}"
+    found = simulate(leg(*RINGING, run, f"effects={effects}"), verify=False)
+    assert found.status == "complete"
+    assert found.invariants.energy_imbalance_rel is not None
+    assert found.invariants.energy_imbalance_rel < 1e-4

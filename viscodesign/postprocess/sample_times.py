@@ -21,6 +21,10 @@ class SamplingRule:
     """Samples in the time of an input's swing."""
     per_motion_time: int = 2
     """Samples in the rod's time scale, of which its first period takes almost two (1.8)."""
+    per_ringing_time: int = 32
+    """The same where an input jumps: the rod's higher modes ring then."""
+    max_ringing: int = 8_000
+    """Samples of a rod that rings."""
     max_samples: int = 20_000
     """Samples beyond the outputs: they cost little beside a run's steps, but not nothing."""
     max_graded: int = 2_000
@@ -52,12 +56,12 @@ def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool)
     still = equations.swing_time >= duration and not len(corners)
     if still and not equations.states.count:
         return schedule
-    extra = [_even(edges, _spacing(equations, duration))]
     begins = np.concatenate([[0], corners])
+    sudden = _jumps(schedule, equations, begins)
+    sudden[0] |= starts_at_rest
+    extra = [_even(edges, _spacing(equations, duration, rings=bool(sudden.any())))]
     if len(begins) * SAMPLING.grades <= SAMPLING.max_graded:
         # At other corners they would only force an integrator to tiny steps.
-        sudden = _jumps(schedule, equations, begins)
-        sudden[0] |= starts_at_rest
         finer = distinct(np.concatenate([edges, extra[0]]))
         extra.append(_graded(finer, edges[begins[sudden]]))
     return _refined(schedule, np.concatenate(extra))
@@ -95,11 +99,14 @@ def _jumps(schedule: Schedule, equations: Equations, edges: np.ndarray) -> np.nd
     return np.asarray(np.any(changes > SAMPLING.jump_rel * sizes, axis=1))
 
 
-def _spacing(equations: Equations, duration: float) -> float:
+def _spacing(equations: Equations, duration: float, *, rings: bool) -> float:
     swing = equations.swing_time or duration
     spacing = swing / SAMPLING.per_swing
     if equations.rod_form is RodForm.DYNAMIC:
         spacing = min(spacing, equations.motion_time / SAMPLING.per_motion_time)
+        if rings:
+            finest = equations.motion_time / SAMPLING.per_ringing_time
+            spacing = min(spacing, max(finest, duration / SAMPLING.max_ringing))
     return max(spacing, duration / SAMPLING.max_samples)
 
 

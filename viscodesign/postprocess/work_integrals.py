@@ -28,9 +28,10 @@ class PathIntegralRule:
     group: int = 4
     """Intervals that share one polynomial; the last group of a stretch may have up to three
     more."""
-    error_share: float = 1 / 4
+    error_share: float = 1.0
     """Error of a polynomial's integral over its distance from that of two of half the degree: a
-    fifteenth where these are quadratic and all is smooth, more where barely resolved."""
+    fifteenth where these are quadratic and all is smooth, but up to all of it where samples barely
+    resolve an oscillation."""
     linear_error_share: float = 1 / 6
     """The same of a single straight line, over the change of the force times that of the path."""
 
