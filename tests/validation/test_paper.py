@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -10,6 +12,8 @@ import pytest
 
 from tests.scenes import CONFIGS, leg
 from viscodesign import Trajectory, check, classify, load, simulate
+from viscodesign.comparison.paper_figures import figure_plan
+from viscodesign.comparison.paper_statements import checks_of
 from viscodesign.results.findings import Verdict
 
 PAPER_SCENES = sorted(path.stem for path in CONFIGS.glob("*.yaml"))
@@ -179,6 +183,55 @@ def test_gauge_moves_the_path_along_the_actuator(shifted: str) -> None:
     assert np.max(np.abs(other.tip[:, 2] - plain.tip[:, 2])) <= 2e-2
     stretch = 8 * 0.047 * 2 * offset / 1.8e6
     assert other.tip[0, 1] - plain.tip[0, 1] == pytest.approx(stretch, rel=1e-6)
+
+
+# -- the statements that `compare --figure` checks -----------------------------------
+
+
+def verdicts_of(figure: int, change: Callable[[Trajectory], Trajectory]) -> dict[str, str]:
+    plan = figure_plan(figure, CONFIGS)
+    runs = {name: change(run(name)) for name in plan.specs}
+    return {check.words: check.verdict for check in checks_of(figure, runs)}
+
+
+def mirrored(found: Trajectory) -> Trajectory:
+    return found.with_arrays(tip=found.tip * (-1, 1, -1))
+
+
+def test_where_the_model_differs_from_the_words_of_the_figures() -> None:
+    """The same as the tests above find, apart from them in code."""
+    straight = verdicts_of(3, lambda found: found)
+    assert set(straight.values()) == {"agrees"}
+    found = verdicts_of(4, lambda found: found)
+    assert [words for words, verdict in found.items() if verdict != "agrees"] == [
+        "a tube three times as long can reduce local mass flux by a third",
+        "the first right bellow contracts and expands more, and only that",
+        "and to the left",
+    ]
+
+
+def test_statements_of_mirrored_motions_are_the_opposite() -> None:
+    for figure, sided in (
+        (3, ["(+) - (-) will bend to the right", "(-) - (+) to the left"]),
+        (4, ["water: first on the right half of the workspace, then the left", "to the right",
+             "to the left", "and to the left"]),
+    ):  # fmt: skip
+        plain, other = (verdicts_of(figure, change) for change in (lambda run: run, mirrored))
+        assert [words for words in plain if plain[words] != other[words]] == sided
+
+
+def test_no_statement_is_made_of_a_run_that_failed() -> None:
+    found = verdicts_of(3, lambda run: replace(run, status="failed"))
+    assert set(found.values()) == {"undecided"}
+
+
+def test_a_difference_within_the_stated_errors_is_none() -> None:
+    def unsure(found: Trajectory) -> Trajectory:
+        return replace(found, accuracy=replace(found.accuracy, estimated_tip_error_m=4e-3))
+
+    found = verdicts_of(4, unsure)
+    assert found["the motion tilts down"] == "undecided"  # 7.6 mm, of errors of 8 mm
+    assert found["to the right"] == "agrees"
 
 
 # -- every scene of the paper ---------------------------------------------------

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import contextlib
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -19,7 +20,8 @@ from viscodesign.cli.options import (
     RunFolder,
 )
 from viscodesign.cli.specs import STANDARD_INPUT, read_scene
-from viscodesign.errors import InterruptedRunError, ViscodesignError
+from viscodesign.errors import InterruptedRunError, UsageError, ViscodesignError
+from viscodesign.lazy_dataclass import dataclass
 
 if TYPE_CHECKING:
     from viscodesign.results.run_comparison import Comparison
@@ -30,7 +32,22 @@ Examples:
   viscodesign compare runs/leg runs/leg_water
   viscodesign compare leg.yaml camera.csv
   viscodesign compare straight.yaml crossed.yaml --set fluid=water
+  viscodesign compare --figure 3 --set effects=auto
 """
+
+
+@dataclass(frozen=True)
+class ComparisonOptions:
+    """What the command line asks of a comparison."""
+
+    overrides: list[str]
+    verify: bool
+    plots: bool
+    report: bool
+    picture_format: Literal["png", "pdf", "svg"]
+    force: bool
+    json: bool
+    quiet: bool
 
 
 class ComparedRunFailedError(ViscodesignError):
@@ -42,12 +59,18 @@ class ComparedRunFailedError(ViscodesignError):
 
 def command(
     motions: Annotated[
-        list[Path],
+        list[Path] | None,
         typer.Argument(
             metavar="A B...",
             help="Folders of runs, specs, or tables (CSV) of time and tip.",
         ),
-    ],
+    ] = None,
+    figure: Annotated[
+        int | None,
+        typer.Option(
+            "--figure", metavar="1|3|4", help="Make a figure of the paper, and check its words."
+        ),
+    ] = None,
     overrides: Overrides = None,
     period: Annotated[
         str | None,
@@ -71,13 +94,33 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Compare runs, specs and measured tables with the first of them.
+    """Compare runs, specs and measured tables, or the model with the paper.
 
-    Specs are simulated first. Differences are told at the same time and, of cyclic
-    motions, at the same phase, beside what numerical errors explain. Writes compare.csv,
-    compare.json, compare.png and compare.html; runs of specs are kept in the folder and
-    read when the same command is given again. Ctrl-C keeps the runs that are done.
+    Specs are simulated first. Each motion is compared with the first: at the same time
+    and, of cyclic motions, at the same phase, beside what numerical errors explain. Writes
+    compare.csv, compare.json, compare.png and compare.html. Runs of specs are kept in the
+    folder and read when the same command is given again; Ctrl-C keeps those that are done.
+
+    With --figure the scenes of a figure of the paper are simulated, and each of its
+    statements is checked: figure_3.csv, figure_3.json and figure_3.png.
     """
+    options = ComparisonOptions(
+        overrides or [], not no_verify, not no_plots, not no_report, picture_format, force, json,
+        quiet,
+    )  # fmt: skip
+    if figure is None:
+        _compare(motions or [], period, output, options)
+    elif motions:
+        raise UsageError(f"--figure {figure} takes no motions; got {motions[0]}")
+    else:
+        from viscodesign.cli.compare_figure import compare_figure
+
+        compare_figure(figure, output, options)
+
+
+def _compare(
+    motions: Sequence[Path], period: str | None, output: Path | None, options: ComparisonOptions
+) -> None:
     from viscodesign.cli.option_values import positive_time
 
     period_s = None if period is None else positive_time("--period", period)
@@ -86,45 +129,53 @@ def command(
     from viscodesign.cli.progress import progress
     from viscodesign.cli.texts.compare_text import comparison_lines
     from viscodesign.report.comparison_folder import write_comparison
-    from viscodesign.report.folder import COMPARED_RUNS, prepare_folder
+    from viscodesign.report.folder import COMPARED_RUNS
 
     folder = output if output is not None else _default_folder(motions)
-    is_new = not folder.exists()
-    prepare_folder(folder, force=force)
-    try:
-        with progress(quiet, first="simulating") as advance:
-            found = _kept(
-                lambda: compare(
-                    *(_operand(motion, overrides) for motion in motions),
-                    overrides=overrides or (),
-                    period=period_s,
-                    verify=not no_verify,
-                    folder=folder / COMPARED_RUNS,
-                    progress=advance,
-                ),
-                folder,
-            )
-    finally:
-        if is_new and not any(folder.iterdir()):
-            folder.rmdir()
+    with new_folder(folder, options), progress(options.quiet, first="simulating") as advance:
+        found = _kept(
+            lambda: compare(
+                *(_operand(motion, options.overrides) for motion in motions),
+                overrides=options.overrides,
+                period=period_s,
+                verify=options.verify,
+                folder=folder / COMPARED_RUNS,
+                progress=advance,
+            ),
+            folder,
+        )
     files = write_comparison(
         found,
         folder,
-        plots=not no_plots,
-        report=not no_report,
-        force=force,
-        picture_format=picture_format,
+        plots=options.plots,
+        report=options.report,
+        force=options.force,
+        picture_format=options.picture_format,
     )
-    if json:
+    if options.json:
         say(json_text({**found.document(), "files": [str(file) for file in files]}))
-        if not quiet and found.notes:
+        if not options.quiet and found.notes:
             complain("\n".join(f"note: {note}" for note in found.notes))
-    elif not quiet:
+    elif not options.quiet:
         say("\n".join(comparison_lines(found, folder, files)))
     _end(found, folder)
 
 
-def _operand(given: Path, overrides: list[str] | None) -> Path | Scene:
+@contextlib.contextmanager
+def new_folder(folder: Path, options: ComparisonOptions) -> Iterator[None]:
+    """A folder to write into; it does not stay if nothing comes to stand in it."""
+    from viscodesign.report.folder import prepare_folder
+
+    is_new = not folder.exists()
+    prepare_folder(folder, force=options.force)
+    try:
+        yield
+    finally:
+        if is_new and not any(folder.iterdir()):
+            folder.rmdir()
+
+
+def _operand(given: Path, overrides: Sequence[str]) -> Path | Scene:
     """What is named; `-` is a spec on standard input."""
     return read_scene(given, overrides) if str(given) == STANDARD_INPUT else given
 
@@ -132,7 +183,8 @@ def _operand(given: Path, overrides: list[str] | None) -> Path | Scene:
 def _default_folder(motions: Sequence[Path]) -> Path:
     from viscodesign.report.folder_names import folder_name
 
-    return Path("runs") / f"{folder_name(motions[0].stem)}_compare"
+    first = folder_name(motions[0].stem) if motions else "nothing"
+    return Path("runs") / f"{first}_compare"
 
 
 def _kept(compare: Callable[[], Comparison], folder: Path) -> Comparison:
@@ -143,11 +195,12 @@ def _kept(compare: Callable[[], Comparison], folder: Path) -> Comparison:
         return compare()
     except ComparisonInterruptedError as stopped:
         if stopped.comparison is None:
-            raise InterruptedRunError(f"interrupted\n{_rest(folder)}") from None
+            raise InterruptedRunError(f"interrupted\n{rest_of(folder)}") from None
         return stopped.comparison
 
 
-def _rest(folder: Path) -> str:
+def rest_of(folder: Path) -> str:
+    """Where to go on after an interrupt."""
     return f"runs that are done are in {folder}; the same command reads them and does the others"
 
 
@@ -155,7 +208,7 @@ def _end(found: Comparison, folder: Path) -> None:
     """Report what is incomplete as an error, after its files are written."""
     if found.missing:
         raise InterruptedRunError(
-            f"interrupted: without {', '.join(found.missing)}\n{_rest(folder)}"
+            f"interrupted: without {', '.join(found.missing)}\n{rest_of(folder)}"
         )
     failed = [m for m in found.motions if m.origin == "spec" and m.status == "failed"]
     if failed:

@@ -1,11 +1,18 @@
-"""The files of a comparison."""
+"""The files of a comparison, and of a figure of the paper."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from viscodesign.report.csv_text import csv_table
-from viscodesign.report.folder import COMPARISON_FILES, COMPARISON_PAGE, Format, remove_files
+from viscodesign.report.folder import (
+    COMPARISON_FILES,
+    COMPARISON_PAGE,
+    FIGURE_FILES,
+    Format,
+    remove_files,
+)
+from viscodesign.results.paper_figure import CHECK_COLUMNS, PaperFigure
 from viscodesign.results.run_comparison import Comparison
 
 
@@ -44,3 +51,28 @@ def write_comparison(
     from viscodesign.report.page.comparison_page import write_comparison_page
 
     return [*files, write_comparison_page(found, page)]
+
+
+def write_figure(
+    found: PaperFigure,
+    directory: str | Path,
+    *,
+    plots: bool = True,
+    force: bool = False,
+    picture_format: Format = "png",
+) -> list[Path]:
+    """Write the statements about a figure of the paper, and draw it; see `FileSet.write`."""
+
+    def draw(picture: Path) -> None:
+        from viscodesign.report.charts.paper_figure import draw_figure
+
+        draw_figure(found, picture)
+
+    return FIGURE_FILES[found.number].write(
+        directory,
+        csv_table(CHECK_COLUMNS, found.rows()),
+        found.document(),
+        draw if plots else None,
+        force=force,
+        picture_format=picture_format,
+    )

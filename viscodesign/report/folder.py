@@ -85,12 +85,17 @@ SWEEP_FILES = FileSet("sweep.csv", "sweep.json", "sweep.png")
 SENSITIVITY_FILES = FileSet("sensitivity.csv", "sensitivity.json", "sensitivity.png")
 DESIGN_FILES = FileSet("history.csv", "result.json", "design.png")
 COMPARISON_FILES = FileSet("compare.csv", "compare.json", "compare.png")
+FIGURE_FILES = {
+    number: FileSet(f"figure_{number}.csv", f"figure_{number}.json", f"figure_{number}.png")
+    for number in (1, 3, 4)
+}
+"""By the paper's figure."""
 COMPARISON_PAGE = "compare.html"
 COMPARED_RUNS = "runs"
 """Folder of the runs of specs that were compared."""
 FILE_SETS = (
     *(STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES, DESIGN_FILES),
-    COMPARISON_FILES,
+    *(COMPARISON_FILES, *FIGURE_FILES.values()),
 )
 DESIGN_ALTERNATIVES = "alternatives"
 """Folder of other designs beside the best one."""

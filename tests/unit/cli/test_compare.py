@@ -88,3 +88,23 @@ def test_a_spec_that_fails_is_compared_and_exits_with_3(
     assert done.status == 3
     assert "leg_made_up (failed at 1 s) differs from camera by 1 mm" in done.out
     assert "no step" in done.err
+
+
+def test_figure_1_of_the_paper(call: Call, tmp_path: Path) -> None:
+    done = call("compare", "--figure", "1", "-o", tmp_path / "out", "--json")
+    assert done.status == 0
+    document = json.loads(done.out)
+    found = {row["words"]: (row["verdict"], row["found"]) for row in document["statements"]}
+    assert found["t_f = 0.157 s"] == ("agrees", "0.157 s")
+    assert found["t_i = 0.74 s"][0] == "DIFFERS"
+    assert {file.name for file in (tmp_path / "out").iterdir()} == {
+        "figure_1.csv", "figure_1.json", "figure_1.png",
+    }  # fmt: skip
+
+
+def test_figures_take_no_motions_and_are_1_3_and_4(call: Call, tmp_path: Path) -> None:
+    done = call("compare", "--figure", "2", "-o", tmp_path / "out")
+    assert (done.status, done.err) == (2, "--figure: must be one of 1, 3, 4; got 2\n")
+    assert not (tmp_path / "out").exists()
+    done = call("compare", "leg.yaml", "--figure", "3", "-o", tmp_path / "out")
+    assert (done.status, done.err) == (2, "--figure 3 takes no motions; got leg.yaml\n")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from viscodesign.report.layout.style import (
     shown,
 )
 from viscodesign.results.channels import channel
-from viscodesign.results.run_comparison import ComparedMotion, Comparison, TipDifference
+from viscodesign.results.run_comparison import Comparison, TipDifference
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,6 +33,16 @@ MARGIN = 0.07
 LEAST_SPAN_MM = 0.1
 MOST_LABEL = 44
 KEY_COLUMNS = 2
+
+
+class TipMotion(Protocol):
+    """Anything with a path that has a name: a motion, or a whole run."""
+
+    @property
+    def title(self) -> str: ...
+
+    @property
+    def tip(self) -> np.ndarray: ...
 
 
 def draw_comparison(found: Comparison, path: Target) -> None:
@@ -72,26 +83,31 @@ def _title(found: Comparison) -> str:
     return f"{len(found.differences)} motions differ from {first} by up to {size} ({worst.label})"
 
 
-def draw_paths(axes: Axes, motions: tuple[ComparedMotion, ...], size: float = 1.0) -> None:
+def draw_paths(axes: Axes, motions: Sequence[TipMotion]) -> None:
     """Paths [mm] at one scale, z downwards; a dot where each starts, an arrow for its sense."""
-    every = np.concatenate([1e3 * motion.tip for motion in motions])
-    middle = (every.min(axis=0) + every.max(axis=0)) / 2
-    half = (0.5 + MARGIN) * max(float(np.ptp(every, axis=0).max()), LEAST_SPAN_MM)
-    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
-    axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
-    axes.grid(color="#ececec", lw=0.6)
-    axes.set_axisbelow(True)
+    half = frame_about(axes, np.concatenate([1e3 * motion.tip for motion in motions]))
     for k, motion in enumerate(motions):
         style = line_style(k)
-        lines: dict[str, Any] = {"color": style.colour, "lw": 1.6 * size, "zorder": 4}
+        lines: dict[str, Any] = {"color": style.colour, "lw": 1.6, "zorder": 4}
         if style.dashes:
             lines["dashes"] = style.dashes
         for n, rows in enumerate(stretches(motion.tip)):
             label = shown(motion.title, MOST_LABEL) if n == 0 else None
             axes.plot(*(1e3 * motion.tip[rows].T), label=label, **lines)
         start = 1e3 * motion.tip[0]
-        axes.plot(*start, marker="o", ms=5 * size, mfc="white", mec=style.colour, zorder=6)
+        axes.plot(*start, marker="o", ms=5, mfc="white", mec=style.colour, zorder=6)
         _draw_sense(axes, 1e3 * motion.tip[stretches(motion.tip)[-1]], style.colour, 2 * half, k)
+
+
+def frame_about(axes: Axes, points: np.ndarray) -> float:
+    """Square limits about points (n, 2) [mm], z downwards; returns half a side [mm]."""
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    half = (0.5 + MARGIN) * max(float(np.ptp(points, axis=0).max()), LEAST_SPAN_MM)
+    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
+    axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
+    axes.grid(color="#ececec", lw=0.6)
+    axes.set_axisbelow(True)
+    return half
 
 
 def _draw_sense(axes: Axes, way: np.ndarray, colour: str, side: float, k: int) -> None:

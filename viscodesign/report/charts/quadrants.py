@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -50,8 +50,15 @@ class Mark:
     names: tuple[str, ...]
 
 
-def draw_plane(classifications: Sequence[Classification], path: Path) -> None:
-    """Log-log, four quadrants, every spec named; png, pdf or svg by the ending."""
+def draw_plane(
+    classifications: Sequence[Classification],
+    path: Path,
+    beside: Mapping[str, str] | None = None,
+) -> None:
+    """Log-log, four quadrants, every spec named; png, pdf or svg by the ending.
+
+    ``beside``: words under those of a quadrant.
+    """
     places = [_place(found) for found in classifications]
     decades = (_decades([x for x, _ in places]), _decades([y for _, y in places]))
     marks = _marks(classifications, places, decades)
@@ -62,7 +69,7 @@ def draw_plane(classifications: Sequence[Classification], path: Path) -> None:
     with picture(path, width, BOTTOM + SIZE + ABOVE) as made:
         axes = axes_at(made, LEFT, BOTTOM, SIZE, SIZE)
         axes.set(xlim=(0, 1), ylim=(0, 1))
-        words = _draw_quadrants(axes, decades)
+        words = _draw_quadrants(axes, decades, beside or {})
         _draw_ticks(axes, decades)
         texts = ["\n".join(m.names) if direct else str(k + 1) for k, m in enumerate(marks)]
         _draw_marks(axes, marks, texts, words)
@@ -124,7 +131,9 @@ def _symbol(place: tuple[float, float], decades: tuple[tuple[int, int], tuple[in
     return "o"
 
 
-def _draw_quadrants(axes: Axes, decades: tuple[tuple[int, int], tuple[int, int]]) -> list[Box]:
+def _draw_quadrants(
+    axes: Axes, decades: tuple[tuple[int, int], tuple[int, int]], beside: Mapping[str, str]
+) -> list[Box]:
     """Draw them; return the room of their words and of the lines between them."""
     x, y = (-low / (high - low) for low, high in decades)
     axes.fill_between([x, 1], y, 1, color="#f4f4f4", lw=0)
@@ -138,8 +147,9 @@ def _draw_quadrants(axes: Axes, decades: tuple[tuple[int, int], tuple[int, int]]
     for quadrant, (right, up) in CORNERS.items():
         place = (0.98 if right else 0.02, 0.98 if up else 0.02)
         across, upright = "right" if right else "left", "top" if up else "bottom"
-        axes.text(*place, WORDS[quadrant], ha=across, va=upright, fontsize=8.5, color="#555555")
-        boxes.append(text_box(WORDS[quadrant], place, across, upright, 8.5, SIZE))
+        words = "\n".join(filter(None, (WORDS[quadrant], beside.get(quadrant))))
+        axes.text(*place, words, ha=across, va=upright, fontsize=8.5, color="#555555")
+        boxes.append(text_box(words, place, across, upright, 8.5, SIZE))
     return boxes
 
 

@@ -1,0 +1,62 @@
+"""Pictures of comparisons and of the paper's figures: what is in them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from tests.trajectories import made_run
+from viscodesign import compare
+from viscodesign.report.charts.compare import draw_comparison
+from viscodesign.report.charts.paper_figure import draw_figure
+from viscodesign.results.paper_figure import FigurePanel, PaperCheck, PaperFigure
+
+
+def test_paths_distances_and_what_failed(figures: list[Figure], tmp_path: Path) -> None:
+    failed = replace(
+        made_run(time=np.linspace(0, 3, 151), bending=0.8), name="bent", status="failed",
+        failure="no step",
+    )  # fmt: skip
+    found = compare(
+        made_run(period=8.0), failed, replace(made_run(lag=0.02, period=8.0), name="slow")
+    )
+    draw_comparison(found, tmp_path / "compare.svg")
+    paths, times, phases = figures[0].axes
+    lines = {line.get_label(): line.get_xydata() for line in paths.lines}
+    for motion in found.motions:
+        np.testing.assert_allclose(lines[motion.title], 1e3 * motion.tip)
+    for line, difference in zip(times.lines, found.differences, strict=False):
+        np.testing.assert_allclose(line.get_ydata(), 1e3 * difference.distance)
+    assert len(phases.lines) == 1
+    assert any("bent (failed at 3 s): no step" in text.get_text() for text in figures[0].texts)
+    assert (tmp_path / "compare.svg").stat().st_size > 10_000
+
+
+def test_one_motion_of_one_instant(tmp_path: Path) -> None:
+    one = made_run(time=np.array([0.0, 1.0])).with_arrays(time=np.array([0.0, 1e-3]))
+    draw_comparison(compare(one, replace(one, name="same")), tmp_path / "compare.png")
+    assert (tmp_path / "compare.png").exists()
+
+
+@pytest.mark.parametrize("agrees", [True, False, None])
+def test_panels_of_a_figure_and_their_statements(
+    figures: list[Figure], tmp_path: Path, agrees: bool | None
+) -> None:
+    still = made_run(bending=0.0, inlet=lambda t: 1e4 + 0 * t)
+    panels = (
+        FigurePanel("A", "one", "", (made_run(),)),
+        FigurePanel("B", "two", "sizes", (made_run(), replace(made_run(lag=0.02), name="slow"))),
+        FigurePanel("C", "steady", "", (still,)),
+    )
+    check = PaperCheck(3, "A", "3.1", "it moves", agrees, "10 mm")
+    draw_figure(PaperFigure(3, "Title", panels, (check,), "1"), tmp_path / "figure.png")
+    texts = [text.get_text() for text in figures[0].texts]
+    assert f"{check.verdict}: it moves: 10 mm" in texts
+    assert "Assumed: sizes." in texts
+    assert {"A  one", "B  two", "C  steady"} <= set(texts)
+    legends = [axes.get_legend() for axes in figures[0].axes if axes.get_legend()]
+    assert [t.get_text() for t in legends[0].get_texts()] == ["leg_made_up", "slow"]

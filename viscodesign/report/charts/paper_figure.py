@@ -1,0 +1,140 @@
+"""A figure of the paper: the plane of timescales, or panels of paths and what they show."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.charts.compare import draw_paths, frame_about
+from viscodesign.report.charts.quadrants import draw_plane
+from viscodesign.report.charts.tip_path import draw_path
+from viscodesign.report.layout.motion_lines import line_style
+from viscodesign.report.layout.snapshots import outline, spread_instants
+from viscodesign.report.layout.style import ACCENT, FAINT, INK, axes_at, picture, shown
+from viscodesign.results.channels import channel
+from viscodesign.results.paper_figure import FigurePanel, PaperCheck, PaperFigure
+from viscodesign.results.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LEFT, SIDE, GAP, RIGHT = 0.72, 3.5, 1.0, 0.25
+TOP, TITLE, AXIS, LINE, PADDING = 0.42, 0.3, 0.5, 0.145, 0.25
+"""All in inches: a row of panels has a title, a square, room for its axis, and lines of words."""
+STILL_SHARE = 1e-6
+"""Way of the tip, in lengths of the actuator, below which it is steady."""
+INSTANTS = 6
+"""Shapes drawn along the path of a single run."""
+COLUMNS = 74
+"""Characters of a line of words below a panel."""
+MOST_NAME = 30
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnPath:
+    """A path with its name in the key."""
+
+    title: str
+    tip: np.ndarray
+    """(T, 2) [m]"""
+
+
+def draw_figure(found: PaperFigure, path: Path) -> None:
+    """Draw a figure; png, pdf or svg by the ending."""
+    if not found.panels:
+        draw_plane(found.classifications, path, found.beside)
+        return
+    rows = [found.panels[k : k + 2] for k in range(0, len(found.panels), 2)]
+    texts = [[_lines(found, panel) for panel in row] for row in rows]
+    heights = [TITLE + SIDE + AXIS + LINE * max(len(own) for own in row) + PADDING for row in texts]
+    width, height = LEFT + 2 * SIDE + GAP + RIGHT, TOP + sum(heights)
+    with picture(path, width, height) as made:
+        made.text(LEFT / width, 1 - 0.27 / height, shown(_title(found), 100), size=11)
+        top = height - TOP
+        for row, words, tall in zip(rows, texts, heights, strict=True):
+            for k, panel in enumerate(row):
+                _draw_panel(made, panel, words[k], LEFT + k * (SIDE + GAP), top)
+            top -= tall
+
+
+def _title(found: PaperFigure) -> str:
+    agree, known = found.count
+    changed = f" ({', '.join(found.changes)})" if found.changes else ""
+    return f"Figure {found.number}: {found.title}. {agree} of {known} statements agree{changed}"
+
+
+def _lines(found: PaperFigure, panel: FigurePanel) -> list[tuple[str, str]]:
+    """Words below a panel, each line with its colour."""
+    lines = [
+        (line, INK if check.agrees else ACCENT)
+        for check in found.of_panel(panel.name)
+        for line in _wrapped(_words(check))
+    ]
+    assumed = f"Assumed: {panel.assumed}." if panel.assumed else ""
+    return lines + [(line, "#555555") for line in _wrapped(assumed)]
+
+
+def _words(check: PaperCheck) -> str:
+    return f"{check.verdict}: {check.words}: {check.found}"
+
+
+def _wrapped(text: str) -> list[str]:
+    return textwrap.wrap(text, COLUMNS, subsequent_indent="    ")
+
+
+def _draw_panel(
+    made: Figure, panel: FigurePanel, words: list[tuple[str, str]], left: float, top: float
+) -> None:
+    width, height = made.get_size_inches()
+    title = f"{panel.name}  {panel.title}"
+    made.text(left / width, (top - 0.19) / height, title, size=9.5, weight="bold")
+    bottom = top - TITLE - SIDE
+    axes = axes_at(made, left, bottom, SIDE, SIDE)
+    if panel.runs:
+        _draw_runs(axes, panel.runs)
+    for k, (line, colour) in enumerate(words):
+        at = bottom - AXIS - LINE * (k + 0.6)
+        made.text((left - 0.35) / width, at / height, line, size=7.2, color=colour)
+
+
+def _draw_runs(axes: Axes, runs: tuple[Trajectory, ...]) -> None:
+    """Steady actuators themselves, one moving one coloured by time, or several paths."""
+    if all(_is_still(run) for run in runs):
+        _draw_bodies(axes, [outline(run.shape[-1:], run.width) for run in runs])
+        for k, run in enumerate(runs):
+            axis, colour = 1e3 * run.shape[-1], line_style(k).colour
+            axes.plot(*axis.T, color=colour, lw=1.8, zorder=4, label=shown(run.name, MOST_NAME))
+            axes.plot(*axis[-1], marker="o", ms=5, mfc="white", mec=colour, zorder=5)
+    elif len(runs) == 1:
+        run = runs[0]
+        _draw_bodies(axes, [outline(run.shape[spread_instants(run, INSTANTS)], run.width)])
+        lines = draw_path(axes, run, 0.8)
+        bar = axes.figure.colorbar(lines, cax=axes.inset_axes((0.03, 0.03, 0.025, 0.28)))
+        bar.set_label(channel("time").label, size=7)
+        bar.ax.tick_params(labelsize=6.5)
+        bar.outline.set_visible(False)
+        return
+    else:
+        draw_paths(axes, [DrawnPath(shown(run.name, MOST_NAME), run.tip[:, :2]) for run in runs])
+    axes.legend(
+        loc="best", fontsize=7, handlelength=1.6, frameon=True, framealpha=0.8, edgecolor="none"
+    )
+
+
+def _is_still(run: Trajectory) -> bool:
+    return float(np.ptp(run.tip[:, :2], axis=0).max()) <= STILL_SHARE * run.length
+
+
+def _draw_bodies(axes: Axes, bodies: list[np.ndarray]) -> None:
+    """Outlines (n, M, 2) [m] in light grey, in a frame about all of them."""
+    every = 1e3 * np.concatenate(bodies)
+    frame_about(axes, every.reshape(-1, 2))
+    axes.add_collection(
+        PolyCollection(list(every), facecolors="#eeeeee", edgecolors=FAINT, lw=0.6, alpha=0.6)
+    )
