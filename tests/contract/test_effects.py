@@ -50,7 +50,9 @@ EFFECTS = every_effect()
 
 def scene_of(name: str, *overrides: str) -> Scene:
     """A scene in which the effect has something to act on; a curve would hide collapse."""
-    return leg(*LOADED, *([CURVE] if name == "material_curve" else []), *overrides)
+    own = [n for n, kind in catalogue().items() if n == name or (name == "all" and kind.own_rule)]
+    curve = [CURVE] if name == "material_curve" else []
+    return leg(*LOADED, *(f"effects.{n}=on" for n in own), *curve, *overrides)
 
 
 def made(name: str) -> tuple[Effect, SceneQuantities]:

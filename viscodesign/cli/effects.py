@@ -70,7 +70,7 @@ def _document(kind: type[Effect]) -> dict[str, Any]:
         "source": kind.source,
         "keys": _keys(kind),
         "needs": list(kind.needs),
-        "follows_others": kind.follows_others,
+        "follows_others": not kind.own_rule,
         "decision": _decision(kind),
     }
 
@@ -90,11 +90,8 @@ def _decision(kind: type[Effect]) -> str:
     from viscodesign.effects import select
     from viscodesign.effects.base import Effect
 
-    if not kind.follows_others:
-        return (
-            f"It is included where a spec defines it, also with `others: off`; "
-            f"`effects.{kind.name}: off` leaves it out."
-        )
+    if kind.own_rule:
+        return kind.own_rule
     parts = [f"`effects.{kind.name}: on` includes it, `off` forbids it, `auto` weighs it."]
     parts += inspect.cleandoc(select.__doc__ or "").split("\n\n")[1:]
     if kind.estimate_term is Effect.estimate_term:

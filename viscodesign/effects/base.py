@@ -65,8 +65,8 @@ class Effect(ABC):
     """Effects are listed and joined in this order."""
     formula: ClassVar[str]
     """The weight, in words of the field."""
-    follows_others: ClassVar[bool] = True
-    """Whether `others` decides it; a load that a spec states acts unless it is named `off`."""
+    own_rule: ClassVar[str] = ""
+    """How a spec decides on it, in a sentence, where `others` does not."""
     needs: ClassVar[tuple[str, ...]] = ()
     """Other effects without each of which this one has nothing to act on."""
     companion: ClassVar[str | None] = None
@@ -92,7 +92,7 @@ class Effect(ABC):
     @classmethod
     def mode_in(cls, choice: EffectsChoice) -> Mode:
         """Its mode by the spec, before what other effects need."""
-        is_named = cls.follows_others or cls.name in choice.modes
+        is_named = not cls.own_rule or cls.name in choice.modes
         return choice.mode(cls.name) if is_named else "auto"
 
     @classmethod

@@ -39,6 +39,10 @@ class Shear(Effect):
     )
     source: ClassVar[str] = "Timoshenko's beam; Reissner (1972) for large deflections."
     keys: ClassVar[tuple[str, ...]] = ("actuator.shear_factor", "actuator.height")
+    own_rule: ClassVar[str] = (
+        "Only a spec that names it has it, whatever `others` says: `effects.shear: on` includes "
+        "it, `auto` weighs it."
+    )
 
     stiffness: float
     """kappa G A [N]."""
@@ -53,13 +57,12 @@ class Shear(Effect):
         return cls(stiffness, quantities.body.bending_stiffness)
 
     def present(self, quantities: SceneQuantities) -> bool:
-        """Only where a spec names it, or includes everything.
+        """Only where a spec names it, whatever `others` says.
 
         Stiffnesses in bending are mostly those of a loaded cantilever, as the paper's is, and
         contain shear then.
         """
-        choice = quantities.scene.effects
-        return self.name in choice.modes or choice.others == "on"
+        return self.name in quantities.scene.effects.modes
 
     def _softness(self, length: float) -> float:
         """EI/(kappa G A l^2) [1]; ``length`` l [m]."""

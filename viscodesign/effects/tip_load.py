@@ -24,7 +24,10 @@ class TipLoad(Effect):
     name: ClassVar[str] = "tip_load"
     order: ClassVar[int] = 5  # before everything that acts on masses
     formula: ClassVar[str] = "F l^2 / (E I)"
-    follows_others: ClassVar[bool] = False
+    own_rule: ClassVar[str] = (
+        "It is included where a spec defines it, also with `others: off`; "
+        "`effects.tip_load: off` leaves it out."
+    )
     validity: ClassVar[str] = "A force of constant direction; a payload that is a point mass."
     keys: ClassVar[tuple[str, ...]] = ("loads.tip_force", "loads.payload")
 

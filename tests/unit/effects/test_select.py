@@ -329,7 +329,7 @@ def test_a_verdict_for_every_member(modes: str) -> None:
         assert verdict.reason
         assert verdict.contribution_m >= 0.0
         assert verdict.budget_share == pytest.approx(verdict.contribution_m / (0.005 * LEG_LENGTH))
-        follows = catalogue()[verdict.name].follows_others
+        follows = not catalogue()[verdict.name].own_rule
         assert verdict.mode == (modes if follows else "auto")
         assert not follows or modes != "off" or not verdict.taken
 
