@@ -59,7 +59,9 @@ class FreeKeys:
     overlap.
     """
 
-    def __init__(self, scene: Scene, keys: Sequence[str]) -> None:
+    def __init__(self, scene: Scene, keys: Sequence[str], *, one_period: bool = False) -> None:
+        self.one_period = one_period
+        """Whether runs last one period of their single input, whichever it has."""
         self.given = (keys,) if isinstance(keys, str) else tuple(keys)
         if not self.given:
             raise SpecError.plain("no key is free; give at least one, such as network.tube_length")
@@ -89,7 +91,7 @@ class FreeKeys:
                 here = here.setdefault(part, {})
             here[number.path[-1]] = value
         found: Scene = replaced(self.scene, tree)
-        return found
+        return over_one_period(found) if self.one_period else found
 
     def validated(self, values: Sequence[float] | np.ndarray) -> Scene:
         """The scene with other values, validated like a loaded one."""
@@ -190,6 +192,16 @@ class FreeKeys:
                 if own in seen and not is_given(self.scene, own):
                     message = f"overlaps with {shared}, which gives this tube its {size}"
                     raise SpecError([Fault(message, f"network.tubes[{name}].{size}")])
+
+
+def over_one_period(scene: Scene) -> Scene:
+    """The scene run over one period of its only input, with as many output times."""
+    run, (source,) = scene.run, scene.inputs.values()
+    period: Any = source.period
+    steps = round(run.duration / run.output_interval)
+    changes = {"duration": period, "output_interval": period / steps, "output_times": None}
+    found: Scene = copied(scene, {"run": copied(run, changes)})
+    return found
 
 
 def candidates(scene: Scene) -> list[str]:

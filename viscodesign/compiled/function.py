@@ -10,6 +10,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
+from viscodesign.compiled.free_keys import over_one_period
 from viscodesign.compiled.held_inlets import ControlState, HeldInlets, Inlets
 from viscodesign.compiled.integrated import IntegratedMotion
 from viscodesign.compiled.outputs import ChosenOutputs
@@ -125,7 +126,9 @@ class CompiledFunction:
     """Outputs of a scene as a function of free numbers [SI], with derivatives.
 
     Effects, mesh, tolerance and output times are those of the scene that it was made of. Safe in
-    threads, and picklable: a copy compiles the same scene again.
+    threads, and picklable: a copy compiles the same scene again. With ``one_period`` the run lasts
+    one period of its only input, and output times keep their share of it as the period changes;
+    derivatives are those at times that stay.
     """
 
     def __init__(
@@ -135,6 +138,8 @@ class CompiledFunction:
         outputs: Sequence[str],
         tolerance: float | None = None,
         edges_per_section: int | None = None,
+        *,
+        one_period: bool = False,
     ) -> None:
         free, outputs = _names("free", free), _names("outputs", outputs)
         if not isinstance(scene, Scene):
@@ -147,7 +152,9 @@ class CompiledFunction:
             raise SpecError.plain(
                 f"edges_per_section: must be from 1 to {MOST_EDGES}; got {edges_per_section!r}"
             )
-        self._made_of = (scene, free, outputs, tolerance, edges_per_section)
+        if one_period:
+            scene = over_one_period(scene)
+        self._made_of = (scene, free, outputs, tolerance, edges_per_section, one_period)
         quantities = SceneQuantities(scene)
         refuse_beyond_numbers(quantities)
         self._selection = select_effects(quantities)
@@ -157,15 +164,19 @@ class CompiledFunction:
             settings = replace(settings, tolerance=tolerance)
         if edges_per_section is not None:
             settings = replace(settings, edges_per_section=edges_per_section)
-        self._numbers = SceneNumbers(quantities, self._selection, settings, free)
+        self._numbers = SceneNumbers(
+            quantities, self._selection, settings, free, one_period=one_period
+        )
         problem = build(quantities, self._selection.effects, settings)
         self._built = quantities, self._selection.effects, settings, problem
         own = self._numbers.at(self._numbers.values)
-        self._motion, self._chosen = _motion(quantities, problem, settings, outputs, own)
+        self._motion, self._chosen = _motion(
+            quantities, problem, settings, outputs, own, follow=one_period
+        )
         self._kept: LruCache[_Solved] = LruCache(KEPT_SOLUTIONS)
 
     def __reduce__(self) -> tuple[Callable[..., CompiledFunction], tuple[Any, ...]]:
-        return CompiledFunction, self._made_of
+        return _made_again, self._made_of
 
     def __repr__(self) -> str:
         count, name = len(self.names), self._made_of[0].name
@@ -351,6 +362,20 @@ class CompiledFunction:
         return labels
 
 
+def _made_again(
+    scene: Scene,
+    free: Sequence[str],
+    outputs: Sequence[str],
+    tolerance: float | None,
+    edges_per_section: int | None,
+    one_period: bool,
+) -> CompiledFunction:
+    """A copy of a function."""
+    return CompiledFunction(
+        scene, free, outputs, tolerance, edges_per_section, one_period=one_period
+    )
+
+
 def _names(what: str, given: Sequence[str]) -> tuple[str, ...]:
     """Names as they were given; one alone is a sequence of one."""
     found = (
@@ -390,6 +415,8 @@ def _motion(
     settings: Settings,
     outputs: Sequence[str],
     numbers: ProblemNumbers,
+    *,
+    follow: bool,
 ) -> tuple[DifferentiableMotion, ChosenOutputs]:
     """How the columns are solved for, and how outputs are read from them."""
     members, start = Members.of(quantities), quantities.scene.run.start
@@ -398,13 +425,13 @@ def _motion(
     reason = ""
     if problem.equations.states.count:
         try:
-            own = MotionFunction(problem, tolerance, members, columns, start=start)
+            own = MotionFunction(problem, tolerance, members, columns, start=start, follow=follow)
             own.solve(numbers, recorded=False)  # its equations may be singular at the start
             return own, chosen
         except NativeUnavailable as error:
             reason = str(error)
     solver = suitable_solver(problem, settings.solver, settings.is_free)
     integrated = IntegratedMotion(
-        problem, tolerance, solver, members, columns, start=start, reason=reason
+        problem, tolerance, solver, members, columns, start=start, reason=reason, follow=follow
     )
     return integrated, chosen

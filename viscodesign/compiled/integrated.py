@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import casadi as ca
 import numpy as np
 
+from viscodesign.compiled.output_times import OutputTimes
 from viscodesign.compiled.problem_at import cycle_at, problem_at, stretch_of
 from viscodesign.compiled.reading import Members, ReadColumns, Reading
 from viscodesign.compiled.row_functions import RowFunction
@@ -53,11 +54,13 @@ class IntegratedMotion:
         *,
         start: str,
         reason: str = "",
+        follow: bool = False,
     ) -> None:
         self._problem, self._tolerance, self._solver = problem, tolerance, solver
         self._begins, self._reason = start, reason
-        self.times = problem.schedule.edges[problem.schedule.outputs]
-        """(T,) output times [s]."""
+        self._times = OutputTimes.of(problem, follow=follow)
+        self.times = self._times.own
+        """(T,) output times of the problem itself [s]."""
         self._reading = Reading(problem, members, columns)
         if not problem.equations.states.count:
             self._differentiate()
@@ -77,7 +80,8 @@ class IntegratedMotion:
         Raises `SolveError` where that fails on the way.
         """
         del recorded
-        problem = problem_at(self._problem, self.times, numbers)
+        times = self._times.at(numbers)
+        problem = problem_at(self._problem, times, numbers)
         start = self._start(problem, numbers)
         found = integrate(problem, start, self._tolerance, solver=self._solver)
         if found.interrupted:
@@ -85,7 +89,7 @@ class IntegratedMotion:
         if found.failure is not None:
             raise found.failure
         columns = np.concatenate([found.states, found.algebraics])[:, problem.schedule.outputs]
-        read = self._reading(problem, self.times, numbers, columns.T)
+        read = self._reading(problem, times, numbers, columns.T)
         return SolvedColumns(read, found.work.steps)
 
     def _start(self, problem: Problem, numbers: ProblemNumbers) -> Start:
@@ -108,7 +112,9 @@ class IntegratedMotion:
         _, _, more_piece, more = self._residual.pull_back(rows, passed)
         slopes = numbers.zeros()
         slopes.parameters[:] = parameters + more
-        np.add.at(slopes.pieces, stretch_of(self.times, numbers), piece_bar + more_piece)
+        np.add.at(
+            slopes.pieces, stretch_of(self._times.at(numbers), numbers), piece_bar + more_piece
+        )
         return slopes
 
     def push_forward(
@@ -116,7 +122,7 @@ class IntegratedMotion:
     ) -> np.ndarray:
         """Rates (d, T, columns) along d directions, the first axis of all ``dots``."""
         self._refuse_moving()
-        rows, stretches = solved.read.rows[1:], stretch_of(self.times, numbers)
+        rows, stretches = solved.read.rows[1:], stretch_of(self._times.at(numbers), numbers)
         jacobians = self._jacobians(rows)
         still = np.zeros((len(self.times), 0)), np.zeros((len(self.times), 1))
         found = []

@@ -146,7 +146,7 @@ def traced(keys: FreeKeys, values: np.ndarray, frozen: FrozenParts) -> ProblemTr
             raise SpecError([constant_fault(keys.given[0], tape.place)]) from error
     faults, half = [], len(keys.given) // 2
     for given in (keys.given[:half], keys.given[half:]):
-        own = FreeKeys(keys.scene, given)
+        own = FreeKeys(keys.scene, given, one_period=keys.one_period)
         try:
             traced(own, own.values, frozen)
         except SpecError as error:

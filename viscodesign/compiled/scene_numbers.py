@@ -50,8 +50,10 @@ class SceneNumbers:
         selection: Selection,
         settings: Settings,
         free: Sequence[str],
+        *,
+        one_period: bool = False,
     ) -> None:
-        self.keys = FreeKeys(quantities.scene, free)
+        self.keys = FreeKeys(quantities.scene, free, one_period=one_period)
         self.names = self.keys.names
         self.values = self.keys.values
         """(f,) The scene's own numbers [SI]."""

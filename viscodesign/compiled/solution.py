@@ -8,6 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from viscodesign.compiled.cycle_start import CycleStart
+from viscodesign.compiled.output_times import OutputTimes
 from viscodesign.compiled.problem_at import problem_at, stretch_of
 from viscodesign.compiled.reading import Members, ReadColumns, Reading
 from viscodesign.compiled.scene_numbers import ProblemNumbers
@@ -78,11 +79,13 @@ class MotionFunction:
         columns: Sequence[str],
         *,
         start: str,
+        follow: bool = False,
     ) -> None:
         self._problem, self._tolerance = problem, tolerance
         self.columns = tuple(columns)
-        self.times = problem.schedule.edges[problem.schedule.outputs]
-        """(T,) output times [s]."""
+        self._times = OutputTimes.of(problem, follow=follow)
+        self.times = self._times.own
+        """(T,) output times of the problem itself [s]."""
         self._stretches, self._slopes = Stretches(problem, tolerance), StretchSlopes(problem)
         steady = StartFunction(problem, steady=start != "rest")
         self._start: RunStart = steady
@@ -97,12 +100,13 @@ class MotionFunction:
 
         Raises `SolveError` where that fails on the way.
         """
-        problem = problem_at(self._problem, self.times, numbers)
+        times = self._times.at(numbers)
+        problem = problem_at(self._problem, times, numbers)
         steps = NativeSteps(problem, self._tolerance)
         found = self._start(problem, numbers)
-        own = found.start, numbers.stops, numbers.pieces, self.times
+        own = found.start, numbers.stops, numbers.pieces, times
         run = self._stretches.over(steps, *own, recorded=recorded)
-        read = self.reading(problem, self.times, numbers, run.columns)
+        read = self.reading(problem, times, numbers, run.columns)
         return SolvedMotion(problem, found, run, read)
 
     def begin(self, steps: NativeSteps, numbers: ProblemNumbers) -> np.ndarray:
@@ -131,7 +135,7 @@ class MotionFunction:
         x_bar, z_bar, _, piece_bar, parameters = self.reading.pull_back(solved.read.rows, weights)
         found = numbers.zeros()
         found.parameters[:] = parameters
-        np.add.at(found.pieces, stretch_of(self.times, numbers), piece_bar)
+        np.add.at(found.pieces, stretch_of(self._times.at(numbers), numbers), piece_bar)
         every, end = np.concatenate([x_bar, z_bar], axis=1), np.zeros(solved.problem.unknowns)
         bars = self._slopes.pull_back(solved.run, numbers.parameters, every, end)
         found.parameters[:] += bars.parameters
@@ -146,7 +150,10 @@ class MotionFunction:
         begin = self._start.push_forward(solved.problem, solved.start, numbers, dots)
         own = StretchDots(begin, dots.pieces, dots.stops, dots.parameters)
         every, _ = self._slopes.push_forward(solved.run, numbers.parameters, own)
-        states, stretches = solved.problem.equations.states.count, stretch_of(self.times, numbers)
+        states, stretches = (
+            solved.problem.equations.states.count,
+            stretch_of(self._times.at(numbers), numbers),
+        )
         return np.array([
             self.reading.push_forward(
                 solved.read.rows,

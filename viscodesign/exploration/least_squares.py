@@ -74,12 +74,13 @@ class NumberRanges:
 
     def starts(self, own: np.ndarray, count: int, seed: int = 0) -> list[np.ndarray]:
         """Values to start from: ``own``, and ``count`` of a Latin hypercube by the seed."""
-        from scipy.stats import qmc
-
         first = [self.values(self.shares(own))]
         if count < 1:
             return first
-        drawn = qmc.LatinHypercube(len(self.low), seed=np.random.default_rng(seed)).random(count)
+        # scipy's needs a second to be imported.
+        chance, size = np.random.default_rng(seed), (count, len(self.low))
+        places = chance.permuted(np.tile(np.arange(count)[:, None], size[1]), axis=0)
+        drawn = (places + chance.random(size)) / count
         return [*first, *(self.values(row) for row in drawn)]
 
     def _bent(self, values: np.ndarray) -> np.ndarray:

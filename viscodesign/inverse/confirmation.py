@@ -45,4 +45,4 @@ def tip_of(wanted: WantedPath, scene: Scene, run: Trajectory) -> np.ndarray:
             where="rod",
             time_s=float(run.time[-1]) if len(run.time) else 0.0,
         )
-    return tip[:-1] if wanted.closed and wanted.timing == "free" else tip
+    return tip[:-1] if wanted.is_free_loop else tip

@@ -13,6 +13,7 @@ from viscodesign.inverse.confirmation import Confirmation, confirm
 from viscodesign.inverse.free_choice import free_choice
 from viscodesign.inverse.graph_search import search_designs
 from viscodesign.inverse.limiting import limiting_reason
+from viscodesign.inverse.loop_sense import wrong_sense
 from viscodesign.inverse.number_search import NumberDesign
 from viscodesign.inverse.posed_scene import posed_scene
 from viscodesign.inverse.search_task import Progress, SearchLog, SearchTask
@@ -54,6 +55,8 @@ def design(
     read = read_target(target)
     scene = load_spec(read, overrides)
     wanted, choice = wanted_path(read), free_choice(read, scene)
+    if choice.harmonics is not None:
+        scene = choice.harmonics.placed(scene)
     scene = posed_scene(scene, wanted, read.spec.tolerance)
     seconds = read.spec.budget if budget is None else budget
     if not seconds > 0.0:
@@ -70,7 +73,25 @@ def design(
             seed=seed,
             progress=progress,
         )
-        return _designed(task, scene)
+        return _refused(task, scene) or _designed(task, scene)
+
+
+def _refused(task: SearchTask, scene: Scene) -> PathDesign | None:
+    """The answer to a path that no numbers can follow; None where some may."""
+    found = wrong_sense(task.wanted, task.choice, scene)
+    if found is None:
+        return None
+    return without_design(
+        scene.name,
+        "refused",
+        found.reason,
+        tolerance_m=task.tolerance_m,
+        wanted=task.wanted.way,
+        closed=task.wanted.closed,
+        hint=found.hint,
+        spec_text=resolved_yaml(found.mirrored),
+        wall_s=clock.perf_counter() - task.log.began,
+    )
 
 
 def load_spec(read: ReadTarget, overrides: Overrides) -> Scene:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any, Literal
 
 import numpy as np
 
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.errors import Fault, SpecError, described, not_among
-from viscodesign.exploration.key_values import read_values
 from viscodesign.exploration.least_squares import NumberRanges
+from viscodesign.inverse.free_range import FreeRange, bounds
+from viscodesign.inverse.harmonic_input import HarmonicChoice
 from viscodesign.inverse.target_spec import FREE_FORM, ReadTarget
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
@@ -21,28 +22,29 @@ GRAPHS: tuple[GraphChoice, ...] = ("keep", "chain", "tree")
 
 
 @dataclass(frozen=True)
-class FreeRange:
-    """A key of the spec, and between which bounds its numbers are sought [SI]."""
-
-    key: str
-    low: float
-    high: float
-
-
-@dataclass(frozen=True)
 class FreeChoice:
     """All that is free."""
 
     ranges: tuple[FreeRange, ...]
     graph: GraphChoice = "keep"
-    harmonics: Mapping[str, Any] | None = None
-    """What is written under `input` where it is a sum of harmonics."""
+    harmonics: HarmonicChoice | None = None
+    """Where the input is free; its numbers are among the ranges."""
+
+    @property
+    def keys(self) -> list[str]:
+        """Of all ranges."""
+        return [own.key for own in self.ranges]
+
+    @property
+    def moves_period(self) -> bool:
+        """Whether the period of the input is free."""
+        return any(key in ("input.period", "input.frequency") for key in self.keys)
 
     def numbers(self, scene: Scene) -> tuple[FreeKeys, NumberRanges] | None:
         """The numbers that are free in a scene, one by one, and their bounds."""
         if not self.ranges:
             return None
-        keys = FreeKeys(scene, [own.key for own in self.ranges])
+        keys = FreeKeys(scene, self.keys)
         counts = [len(FreeKeys(scene, [own.key]).numbers) for own in self.ranges]
         low = np.repeat([own.low for own in self.ranges], counts)
         high = np.repeat([own.high for own in self.ranges], counts)
@@ -54,13 +56,14 @@ def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
     faults: list[Fault] = []
     ranges: list[FreeRange] = []
     graph: GraphChoice = "keep"
-    harmonics = None
+    harmonics: HarmonicChoice | None = None
     for key, given in read.spec.free.items():
         try:
             if key == GRAPH:
                 graph = _graph(given)
             elif key == INPUT and isinstance(given, Mapping) and HARMONICS in given:
-                harmonics = given
+                harmonics = HarmonicChoice.of(given)
+                ranges += harmonics.ranges()
             elif key == INPUT:
                 ranges += [_range(scene, f"input.{own}", b) for own, b in _own_keys(given).items()]
             else:
@@ -69,6 +72,10 @@ def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
             faults += [_placed(fault, key, read) for fault in error.faults]
     if faults:
         raise SpecError(faults)
+    if harmonics is not None:
+        if len(scene.inputs) != 1 or scene.input is None:
+            raise SpecError([_placed(Fault("harmonics need a spec with one `input`"), INPUT, read)])
+        scene = harmonics.placed(scene)
     if ranges:
         FreeKeys(scene, [own.key for own in ranges])  # refuses keys that overlap
     if not ranges and harmonics is None and graph == "keep":
@@ -109,18 +116,3 @@ def _range(scene: Scene, key: str, given: Any) -> FreeRange:
         if fault := numbers[0].fault(value):
             raise SpecError([Fault(fault.message, key)])
     return FreeRange(key, low, high)
-
-
-def bounds(key: str, unit: str, given: Any) -> tuple[float, float]:
-    """Two bounds [unit], the lower one first. Raises `SpecError`."""
-    found = read_values(key, unit, given)
-    pair: Sequence[float] = (found.low, found.high) if found.is_range else found.listed
-    if len(pair) != 2:
-        message = f"expected two bounds, [low, high]; got {described(given)}"
-        raise SpecError([Fault(message, key)])
-    low, high = map(float, pair)
-    if not low < high:
-        wrong = "reversed" if low > high else "equal"
-        hint = "write the smaller one first" if low > high else "leave the key out to keep it fixed"
-        raise SpecError([Fault(f"the bounds {given} are {wrong}; {hint}", key)])
-    return low, high

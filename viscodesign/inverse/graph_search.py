@@ -1,12 +1,292 @@
-"""Designs over graphs: the one of the spec, all chains, or trees."""
+"""Designs over graphs and starts: ranked by the quick motion, fitted on the scene's own model.
+
+Few graphs are all tried; of many, the best are changed at random and fitted again, each from the
+numbers of the one that it came from. The best of them go on to the scene's own model.
+"""
 
 from __future__ import annotations
 
-from viscodesign.inverse.number_search import NumberDesign, search_numbers
+import itertools
+import math
+import random
+import time as clock
+from collections.abc import Iterator
+
+import numpy as np
+
+from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.errors import SolveError
+from viscodesign.exploration.least_squares import SearchLimits, least_squares
+from viscodesign.inverse.number_search import NumberDesign, limits_of, search_numbers
+from viscodesign.inverse.quick_motion import QuickMotion
 from viscodesign.inverse.search_task import SearchTask
+from viscodesign.inverse.tip_residuals import PathResiduals, distance
+from viscodesign.inverse.tree_changes import changed_chain, changed_tree
+from viscodesign.inverse.tree_graph import (
+    INLET,
+    TreeGraph,
+    chain,
+    mirrored,
+    sizes_of,
+    straight,
+    tree,
+    tree_of,
+    with_tree,
+)
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
+
+LENGTHS = ["network.tubes[*].length"]
+FEW_GRAPHS = 800
+"""Graphs that are all tried."""
+QUICK_SHARE = 0.45
+"""Of the budget, that ranking may take."""
+RANKED = 40
+"""Graphs whose numbers are fitted quickly after all were tried."""
+QUICK_EVALUATIONS = 40
+CHANGE_EVALUATIONS = 15
+MOST_CHANGES = 1500
+ELITE = 8
+QUICK_STARTS = 24
+SAME_OPTIMUM, ENOUGH_TIMES = 1.01, 4
+"""Fits that come as near as the best, and how many of them end the quick search."""
+FULL_DESIGNS, FULL_GRAPHS = 3, 6
+"""Candidates that go on to the scene's own model: of one graph, of several."""
+DIFFERENT = 1.5
+"""Times the tolerance, from which a quick distance is not worth a solution if others are near."""
+
+
+@dataclass(frozen=True, eq=False)
+class QuickCandidate:
+    """A graph, its numbers, and how near its quick motion comes."""
+
+    graph: TreeGraph
+    values: np.ndarray
+    rms_m: float
 
 
 def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
     """Designs of a posed scene, the best first."""
-    return search_numbers(task, scene)
+    own = tree_of(scene.graph)
+    is_quick = task.choice.graph != "keep" or task.choice.harmonics is not None
+    if not is_quick or (task.choice.graph == "keep" and own is None):
+        return search_numbers(task, scene)
+    quick = QuickSearch(task, scene, own)
+    found: list[NumberDesign] = []
+    error: SolveError | None = None
+    for candidate in quick.candidates():
+        try:
+            found += search_numbers(
+                task,
+                quick.scene_of(candidate.graph),
+                start=candidate.values if len(candidate.values) else None,
+                several_starts=False,
+                graph=candidate.graph.words(quick.sections) if quick.is_graph_free else "",
+            )
+        except SolveError as one:
+            error = one
+        if task.is_over or _is_enough(task, found):
+            break
+    if not found:
+        raise error or KeyboardInterrupt
+    return sorted(found, key=lambda one: one.distance.rms_m)
+
+
+def _is_enough(task: SearchTask, found: list[NumberDesign]) -> bool:
+    share = 0.1 if not task.choice.ranges else 0.7
+    return bool(found) and min(d.distance.rms_m for d in found) < share * task.tolerance_m
+
+
+class QuickSearch:
+    """Graphs and starts of a task, ranked by the quick motion."""
+
+    def __init__(self, task: SearchTask, scene: Scene, own: TreeGraph | None) -> None:
+        self._task = task
+        self.sections = scene.bellows.count // 2
+        self.is_graph_free = task.choice.graph != "keep"
+        self._own = own or straight(self.sections)
+        self._sizes = sizes_of(scene, scene.bellows.count)
+        self._base = with_tree(scene.replace({"network.feed_line": None}), self._own, self._sizes)
+        self._scene = scene
+        numbers = task.choice.numbers(self._base)
+        self._keys = FreeKeys(self._base, LENGTHS) if numbers is None else numbers[0]
+        self._ranges = None if numbers is None else numbers[1]
+        self._limits = None if numbers is None else limits_of(task, self._keys)
+        self._random = random.Random(task.seed)
+        self._slots = {
+            int(number.path[2]): k
+            for k, number in enumerate(self._keys.numbers)
+            if number.path[:2] == ("network", "tubes") and number.path[-1] == "length"
+        }
+        """Place of each tube's length among the numbers, by the tube."""
+
+    def scene_of(self, graph: TreeGraph) -> Scene:
+        """The scene with a graph."""
+        if not self.is_graph_free:
+            return self._scene
+        return with_tree(self._scene, graph, self._sizes)
+
+    def candidates(self) -> list[QuickCandidate]:
+        """The best graphs with their numbers, the best first."""
+        if not self.is_graph_free:
+            return self._of_one_graph()
+        graphs = list(itertools.islice(self._all_graphs(), FEW_GRAPHS + 1))
+        ranked = self._ranked(graphs) if len(graphs) <= FEW_GRAPHS else self._evolved()
+        best = ranked[0].rms_m
+        near = [one for one in ranked if one.rms_m <= best + DIFFERENT * self._task.tolerance_m]
+        return near[:FULL_GRAPHS]
+
+    @property
+    def _until(self) -> float:
+        began = self._task.log.began
+        return min(self._task.until, began + QUICK_SHARE * self._task.budget_s)
+
+    @property
+    def _is_over(self) -> bool:
+        return self._task.stop.asked or clock.perf_counter() > self._until
+
+    # -- one graph -------------------------------------------------------------------
+
+    def _of_one_graph(self) -> list[QuickCandidate]:
+        """Fits from several starts: one harmonic of many sizes and periods, and chance."""
+        found = []
+        for start in self._starts(QUICK_STARTS):
+            found.append(self._fitted(self._own, start, QUICK_EVALUATIONS))
+            best = min(one.rms_m for one in found)
+            again = sum(one.rms_m < SAME_OPTIMUM * best for one in found)
+            if self._is_over or best < 0.3 * self._task.tolerance_m or again >= ENOUGH_TIMES:
+                break
+        return _distinct(found)[:FULL_DESIGNS]
+
+    def _starts(self, count: int) -> Iterator[np.ndarray]:
+        """The scene's own numbers, then others by chance: high harmonics are small."""
+        assert self._ranges is not None
+        ranges, numbers = self._ranges, self._keys.numbers
+        drawn = ranges.starts(self._keys.values, count, self._task.seed)
+        yield drawn[0]
+        for own in drawn[1:]:
+            found = own.copy()
+            for k, number in enumerate(numbers):
+                if number.path[0] == "input" and number.path[1] in ("cosine", "sine"):
+                    found[k] *= 0.8 / (1 + int(number.path[2])) ** 2
+            yield found if self._limits is None else self._limits.within(found)
+
+    # -- all graphs --------------------------------------------------------------------
+
+    def _all_graphs(self) -> Iterator[TreeGraph]:
+        count = 2 * self.sections
+        if self._task.choice.graph == "chain":
+            yield from map(chain, itertools.permutations(range(count)))
+            return
+        for parent in itertools.product(range(-1, count), repeat=count):
+            if _is_tree(parent):
+                yield tree(parent)
+
+    def _ranked(self, graphs: list[TreeGraph]) -> list[QuickCandidate]:
+        found = [self._as_it_is(graph) for graph in graphs]
+        found.sort(key=lambda one: one.rms_m)
+        if self._ranges is None:
+            return found
+        fitted = []
+        for one in found[:RANKED]:
+            fitted.append(self._fitted(one.graph, one.values, QUICK_EVALUATIONS))
+            if self._is_over:
+                break
+        return sorted(fitted, key=lambda one: one.rms_m)
+
+    # -- many graphs ---------------------------------------------------------------------
+
+    def _evolved(self) -> list[QuickCandidate]:
+        """The best after many changes, each from one of the best so far."""
+        seen = {graph.key: graph for graph in self._first_graphs()}
+        starts = [*self._starts(3)] if self._ranges is not None else [np.zeros(0)]
+        pool = [self._fitted(g, s, QUICK_EVALUATIONS) for g in seen.values() for s in starts[:2]]
+        elite = self._best(pool)
+        for _ in range(MOST_CHANGES):
+            if self._is_over or elite[0].rms_m < 0.2 * self._task.tolerance_m:
+                break
+            place = min(int(self._random.expovariate(0.5)), len(elite) - 1)
+            parent = elite[place]
+            graph = self._changed(parent.graph)
+            if graph.key in seen:
+                continue
+            seen[graph.key] = graph
+            values = self._moved(parent, graph)
+            child = self._fitted(graph, values, CHANGE_EVALUATIONS)
+            if child.rms_m < elite[-1].rms_m:
+                elite = self._best([*elite, child])
+                self._task.tell()
+        return [self._fitted(one.graph, one.values, 2 * QUICK_EVALUATIONS) for one in elite]
+
+    def _first_graphs(self) -> list[TreeGraph]:
+        plain = straight(self.sections)
+        own = [self._own, mirrored(self._own, self.sections), plain, mirrored(plain, self.sections)]
+        if self._task.choice.graph == "chain":
+            own = [graph for graph in own if graph.is_chain]
+        changed = [self._changed(self._changed(graph)) for graph in own]
+        return [*own, *changed]
+
+    def _changed(self, graph: TreeGraph) -> TreeGraph:
+        change = changed_chain if self._task.choice.graph == "chain" else changed_tree
+        return change(graph, self._random)
+
+    def _moved(self, parent: QuickCandidate, graph: TreeGraph) -> np.ndarray:
+        """A parent's numbers for another graph: each bellow keeps the tube that feeds it."""
+        found = parent.values.copy()
+        own = {far: q for q, (far, _) in enumerate(parent.graph.parents)}
+        for q, (far, _) in enumerate(graph.parents):
+            if q in self._slots and own[far] in self._slots:
+                found[self._slots[q]] = parent.values[self._slots[own[far]]]
+        return found
+
+    def _best(self, pool: list[QuickCandidate]) -> list[QuickCandidate]:
+        """The best of every graph."""
+        found: dict[object, QuickCandidate] = {}
+        for one in sorted(pool, key=lambda one: one.rms_m):
+            found.setdefault(one.graph.key, one)
+        return list(found.values())[:ELITE]
+
+    # -- one candidate -----------------------------------------------------------------
+
+    def _motion(self, graph: TreeGraph) -> QuickMotion:
+        wanted = self._task.wanted
+        return QuickMotion(self._keys, graph, wanted.times if wanted.timing == "given" else None)
+
+    def _as_it_is(self, graph: TreeGraph) -> QuickCandidate:
+        values = self._keys.values
+        found = distance(self._task.wanted, self._motion(graph).tip(values))
+        own = values if self._ranges is not None else np.zeros(0)
+        return QuickCandidate(graph, own, found.rms_m)
+
+    def _fitted(self, graph: TreeGraph, start: np.ndarray, evaluations: int) -> QuickCandidate:
+        if self._ranges is None:
+            return self._as_it_is(graph)
+        residuals = PathResiduals(self._motion(graph), self._task.wanted, self._limits)
+        limits = SearchLimits(
+            met_cost=(0.01 * self._task.tolerance_m) ** 2,
+            evaluations=evaluations,
+            until=self._task.until,
+            stop=self._task.stop,
+        )
+        fit = least_squares(residuals, self._ranges, [start], limits=limits)
+        return QuickCandidate(graph, fit.values, math.sqrt(fit.cost))
+
+
+def _is_tree(parent: tuple[int, ...]) -> bool:
+    """Whether every bellow leads to the inlet."""
+    for bellow in range(len(parent)):
+        here, steps = bellow, 0
+        while here != INLET and steps <= len(parent):
+            here, steps = parent[here], steps + 1
+        if here != INLET:
+            return False
+    return True
+
+
+def _distinct(found: list[QuickCandidate]) -> list[QuickCandidate]:
+    """Candidates by their distance, without those that are as far and as large as another."""
+    kept: list[QuickCandidate] = []
+    for one in sorted(found, key=lambda one: one.rms_m):
+        if all(not np.allclose(one.values, other.values, rtol=0.02) for other in kept):
+            kept.append(one)
+    return kept

@@ -24,8 +24,15 @@ from viscodesign.exploration.least_squares import (
     least_squares,
 )
 from viscodesign.inverse.confirmation import tip_of
+from viscodesign.inverse.harmonic_input import InputLimits
 from viscodesign.inverse.search_task import SearchTask
-from viscodesign.inverse.tip_residuals import TIP, PathDistance, TipResiduals, distance
+from viscodesign.inverse.tip_residuals import (
+    TIP,
+    CompiledTip,
+    PathDistance,
+    PathResiduals,
+    distance,
+)
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.simulate import simulate
@@ -65,26 +72,44 @@ class NumberDesign:
 
 
 def search_numbers(
-    task: SearchTask, scene: Scene, *, several_starts: bool = True, graph: str = ""
+    task: SearchTask,
+    scene: Scene,
+    *,
+    start: np.ndarray | None = None,
+    several_starts: bool = True,
+    graph: str = "",
 ) -> list[NumberDesign]:
     """The best numbers of a posed scene within their bounds, and other optima behind them.
 
-    Without free numbers, the scene as it is. Raises `ViscodesignError` where no start has a
-    solution.
+    ``start``: instead of the scene's own numbers. Without free numbers, the scene as it is.
+    Raises `ViscodesignError` where no start has a solution.
     """
     found = task.choice.numbers(scene)
     if found is None:
         return [_as_it_is(task, scene, graph)]
     keys, ranges = found
-    here = scene_with(keys, ranges.values(ranges.shares(keys.values)))
+    values = keys.values if start is None else start
+    here = scene_with(keys, ranges.values(ranges.shares(values)))
+    limits = limits_of(task, keys)
     for turn in range(MOST_ROUNDS):
-        function = CompiledFunction(here, [own.key for own in task.choice.ranges], TIP)
-        residuals = TipResiduals(function, task.wanted)
+        function = CompiledFunction(
+            here, task.choice.keys, TIP, one_period=task.wanted.is_free_loop
+        )
+        model = CompiledTip(function, task.wanted.is_free_loop)
+        residuals = PathResiduals(model, task.wanted, limits)
         fit = _fit(task, residuals, ranges, function.values, graph, several_starts and not turn)
         if turn == MOST_ROUNDS - 1 or task.is_over or function.judge(fit.values).suits:
-            return _designs_of(task, function, residuals, fit, ranges)
+            return _designs_of(task, model, fit, ranges, limits)
         here = function.scene(fit.values)
     raise AssertionError("the last round returns")
+
+
+def limits_of(task: SearchTask, keys: FreeKeys) -> InputLimits | None:
+    """What a free input must keep."""
+    choice = task.choice.harmonics
+    if choice is None:
+        return None
+    return InputLimits(choice, keys.names, choice.period[0], task.tolerance_m)
 
 
 def scene_with(keys: FreeKeys, values: np.ndarray) -> Scene:
@@ -94,7 +119,7 @@ def scene_with(keys: FreeKeys, values: np.ndarray) -> Scene:
 
 def _fit(
     task: SearchTask,
-    residuals: TipResiduals,
+    residuals: PathResiduals,
     ranges: NumberRanges,
     own: np.ndarray,
     graph: str,
@@ -129,10 +154,10 @@ def _fit(
 
 def _designs_of(
     task: SearchTask,
-    function: CompiledFunction,
-    residuals: TipResiduals,
+    model: CompiledTip,
     fit: LeastSquaresFit,
     ranges: NumberRanges,
+    limits: InputLimits | None,
 ) -> list[NumberDesign]:
     """The best, and every other optimum that is not nearly the same."""
     values = [fit.values]
@@ -142,20 +167,25 @@ def _designs_of(
             np.abs(shares - ranges.shares(own)).max() > SAME_SHARE for own in values
         ):
             values.append(other.values)
-    return [_design_of(task, function, residuals, own, fit.status, ranges) for own in values]
+    kept = values if limits is None else [limits.within(own) for own in values]
+    return [_design_of(task, model, own, fit.status, ranges, limits) for own in kept]
 
 
 def _design_of(
     task: SearchTask,
-    function: CompiledFunction,
-    residuals: TipResiduals,
+    model: CompiledTip,
     values: np.ndarray,
     status: FitStatus,
     ranges: NumberRanges,
+    limits: InputLimits | None,
 ) -> NumberDesign:
-    tip, slopes = residuals.tip(values), residuals.slopes(values)
+    function = model.function
+    tip, slopes = model.tip(values), model.slopes(values)
     shares = ranges.shares(values)
     is_bound = (shares < AT_BOUND) | (shares > 1 - AT_BOUND)
+    bound = [name for name, own in zip(function.names, is_bound, strict=True) if own]
+    if limits is not None and limits.is_at_limit(values):
+        bound.append("the limits of the input")
     return NumberDesign(
         function.scene(values),
         function.names,
@@ -163,7 +193,7 @@ def _design_of(
         values,
         distance(task.wanted, tip),
         np.sqrt(((PERCENT * values * slopes) ** 2).sum(axis=2)),
-        tuple(name for name, bound in zip(function.names, is_bound, strict=True) if bound),
+        tuple(bound),
         status,
     )
 

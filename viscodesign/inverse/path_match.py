@@ -6,6 +6,8 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 
+COARSE_STARTS = 16
+"""Rows of a loop that are tried first as its beginning."""
 CLAMPED = 1e-9
 """Share of a step at which a place is at its end."""
 
@@ -46,7 +48,7 @@ def match_paths(wanted: np.ndarray, found: np.ndarray, *, closed: bool) -> PathM
     """The places on ``found`` (M, 2) nearest to ``wanted`` (N, 2), passed in the same order.
 
     The sum of the squared distances is the least over the rows of the path (dynamic programming;
-    of a loop for every row that it may begin at), then each place slides along its two steps.
+    of a loop for many rows that it may begin at), then each place slides along its two steps.
     """
     squares = ((wanted[:, None] - found[None]) ** 2).sum(axis=2)
     rows = _rows_of_loop(squares) if closed else _rows_of_way(squares)
@@ -60,15 +62,23 @@ def _rows_of_way(squares: np.ndarray) -> np.ndarray:
 
 
 def _rows_of_loop(squares: np.ndarray) -> np.ndarray:
-    """The same around a loop, from whichever row is best to begin at."""
+    """The same around a loop, from the row that is best to begin at: coarsely, then beside it."""
     count = squares.shape[1]
-    shifted = (np.arange(count)[:, None] + np.arange(count)[None]) % count
-    rows, costs = _traced(squares[:, shifted]), np.zeros(count)
-    for start in range(count):
-        costs[start] = squares[np.arange(len(squares)), (rows[start] + start) % count].sum()
-    best = int(costs.argmin())
-    around: np.ndarray = (rows[best] + best) % count
+    stride = max(1, count // COARSE_STARTS)
+    best, _ = _best_start(squares, np.arange(0, count, stride))
+    start, rows = _best_start(squares, np.arange(best - stride + 1, best + stride) % count)
+    around: np.ndarray = (rows + start) % count
     return around
+
+
+def _best_start(squares: np.ndarray, starts: np.ndarray) -> tuple[int, np.ndarray]:
+    """The best of some rows to begin at, and the rows (N,) from there."""
+    count = squares.shape[1]
+    shifted = (starts[:, None] + np.arange(count)[None]) % count
+    rows = _traced(squares[:, shifted])
+    own = squares[np.arange(len(squares))[None], (rows + starts[:, None]) % count]
+    best = int(own.sum(axis=1).argmin())
+    return int(starts[best]), rows[best]
 
 
 def _traced(squares: np.ndarray) -> np.ndarray:

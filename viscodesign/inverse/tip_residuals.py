@@ -24,12 +24,43 @@ class PathDistance:
     """Of the wanted points, the one that is farthest off."""
 
 
+class TipModel(Protocol):
+    """The path of a tip as a function of free numbers (f,); of a loop without its end."""
+
+    def tip(self, values: np.ndarray, /) -> np.ndarray:
+        """(T, 2) [m]"""
+
+    def slopes(self, values: np.ndarray, /) -> np.ndarray:
+        """(T, 2, f)"""
+
+
 class Penalty(Protocol):
     """More residuals of the free numbers: what a design must keep besides the path."""
 
     def __call__(self, values: np.ndarray, /) -> np.ndarray: ...
 
     def jacobian(self, values: np.ndarray, /) -> np.ndarray: ...
+
+
+@dataclass(frozen=True)
+class CompiledTip:
+    """The tip of a compiled function."""
+
+    function: CompiledFunction
+    is_loop: bool
+
+    def tip(self, values: np.ndarray) -> np.ndarray:
+        """(T, 2) [m]"""
+        found = self.function(values)
+        return self._opened(np.column_stack([found[name] for name in TIP]))
+
+    def slopes(self, values: np.ndarray) -> np.ndarray:
+        """(T, 2, f)"""
+        found = self.function.jacobian(values)
+        return self._opened(np.stack([found[name] for name in TIP], axis=1))
+
+    def _opened(self, rows: np.ndarray) -> np.ndarray:
+        return rows[:-1] if self.is_loop else rows
 
 
 def matched(wanted: WantedPath, tip: np.ndarray) -> tuple[PathMatch | None, np.ndarray]:
@@ -53,35 +84,24 @@ def distance(wanted: WantedPath, tip: np.ndarray) -> PathDistance:
     return PathDistance(rms(lengths), float(lengths.max()), int(lengths.argmax()))
 
 
-class TipResiduals:
+class PathResiduals:
     """Distances (2 N,) over the root of N, so that their squares add up to the mean square."""
 
-    def __init__(
-        self, function: CompiledFunction, wanted: WantedPath, penalty: Penalty | None = None
-    ) -> None:
-        self._function, self._wanted, self._penalty = function, wanted, penalty
+    def __init__(self, model: TipModel, wanted: WantedPath, penalty: Penalty | None = None) -> None:
+        self._model, self._wanted, self._penalty = model, wanted, penalty
         self._root = np.sqrt(len(wanted.points))
-
-    def tip(self, values: np.ndarray) -> np.ndarray:
-        """(T, 2) [m]; a closed path without its end, which is its beginning."""
-        found = self._function(values)
-        return self._opened(np.column_stack([found[name] for name in TIP]))
-
-    def slopes(self, values: np.ndarray) -> np.ndarray:
-        """(T, 2, f)"""
-        found = self._function.jacobian(values)
-        return self._opened(np.stack([found[name] for name in TIP], axis=1))
+        self._latest: tuple[bytes, PathMatch | None, np.ndarray] | None = None
 
     def __call__(self, values: np.ndarray) -> np.ndarray:
         """(2 N,) and the penalties."""
-        _, apart = matched(self._wanted, self.tip(values))
+        _, apart = self._matched(values)
         own = apart.ravel() / self._root
         return own if self._penalty is None else np.append(own, self._penalty(values))
 
     def jacobian(self, values: np.ndarray) -> np.ndarray:
         """(2 N, f)"""
-        match, _ = matched(self._wanted, self.tip(values))
-        slopes = self.slopes(values)
+        match, _ = self._matched(values)
+        slopes = self._model.slopes(values)
         if match is not None:
             slopes = match.across(match.along(slopes))
         own = slopes.reshape(-1, slopes.shape[-1]) / self._root
@@ -89,6 +109,10 @@ class TipResiduals:
             return np.asarray(own)
         return np.concatenate([own, self._penalty.jacobian(values)])
 
-    def _opened(self, rows: np.ndarray) -> np.ndarray:
-        is_loop = self._wanted.closed and self._wanted.timing == "free"
-        return rows[:-1] if is_loop else rows
+    def _matched(self, values: np.ndarray) -> tuple[PathMatch | None, np.ndarray]:
+        """As `matched`; kept for slopes at the same values."""
+        latest = self._latest
+        if latest is None or latest[0] != values.tobytes():
+            latest = values.tobytes(), *matched(self._wanted, self._model.tip(values))
+            self._latest = latest
+        return latest[1:]

@@ -41,6 +41,11 @@ class WantedPath:
     any_sense: bool = False
 
     @property
+    def is_free_loop(self) -> bool:
+        """Whether it is a limit cycle passed at any time."""
+        return self.closed and self.timing == "free"
+
+    @property
     def length(self) -> float:
         """Of the whole way [m]."""
         return float(np.linalg.norm(np.diff(self.way, axis=0), axis=1).sum())

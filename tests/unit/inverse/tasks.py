@@ -62,3 +62,11 @@ def task(folder: Path, free: dict[str, Any], target: Any, **more: Any) -> Path:
     document = {"spec": "spec.yaml", "free": free, "target": target, **more}
     (folder / "target.yaml").write_text(yaml.safe_dump(document))
     return folder / "target.yaml"
+
+
+def loop(sense: float) -> dict[str, Any]:
+    """A target: the limit cycle of one harmonic, or its mirror image for a positive sense."""
+    source = {"kind": "harmonics", "period": 7.0, "mean": 2e3, "cosine": [12e3]}
+    run = {"duration": 7.0, "output_interval": 0.125, "start": "periodic"}
+    rows = simulate(small(input=source, run=run), verify=False).tip[:, :2]
+    return {"rows": (rows * [-1 if sense > 0 else 1, 1]).tolist()}

@@ -19,6 +19,7 @@ SPECS = {
     "square": "{kind: square, high: 2 kPa, low: -1 kPa, frequency: 1 Hz, duty: 25 %}",
     "trapezoid": "{kind: trapezoid, high: 2 kPa, low: -1 kPa, rise: 0.5 s, hold: 1 s, fall: 0.25 s, rest: 0.25 s}",
     "double_sigmoid": "{kind: double_sigmoid, start: 40.41 kPa, drop: 141.3 kPa, fall_time: 0.5 s, rise_time: 4 s, transition: 0.875 s}",
+    "harmonics": "{kind: harmonics, period: 6.1 s, mean: 1 kPa, cosine: [1 kPa, -0.5 kPa], sine: [0.3 kPa, 0.4 kPa]}",
     "table": "{kind: table, rows: [[0.5, 1 kPa], [1, 2 kPa], [1, 0], [2, -1 kPa]]}",
     "syringe": "{kind: syringe, diameter: 20 mm, start: 40 mm, dead_volume: 1 mL, rows: [[0.5, 1 mm], [1, 3 mm], [2, -1 mm]]}",
 }  # fmt: skip

@@ -1,0 +1,107 @@
+"""Which way round the tip of a graph goes, and the refusal of a loop in the other sense.
+
+The signed area of a small loop is a sum over the harmonics of the input, each with the sign that
+the graph gives it at that frequency: the column that is fed first leads the other one. So the
+sign of one harmonic at all frequencies, with many lengths, is that of every input.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.inverse.free_choice import FreeChoice
+from viscodesign.inverse.quick_motion import QuickMotion
+from viscodesign.inverse.tree_graph import TreeGraph, mirrored, sizes_of, tree_of, with_tree
+from viscodesign.inverse.wanted_path import WantedPath
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.scene import Scene
+
+DRAWS, FREQUENCIES, WIDEST = 24, 7, 300.0
+"""Draws of lengths, periods of each, and how far these reach where none is free."""
+ROUND = 0.2
+"""Area of a loop, over that of a circle of its length, from which it has a sense."""
+SMALL_SHARE = 1e-4
+"""Amplitude of the harmonic, in parts of the limits: a linear motion."""
+LEAST_AREA = 1e-3
+"""Of the largest area of all draws, below which one has no sense."""
+
+
+@dataclass(frozen=True)
+class WrongSense:
+    """A loop that a graph cannot follow, and what could."""
+
+    reason: str
+    hint: str
+    mirrored: Scene
+
+
+def wrong_sense(wanted: WantedPath, choice: FreeChoice, scene: Scene) -> WrongSense | None:
+    """Why a free loop cannot be followed by a posed scene's graph; None where it may be."""
+    own = tree_of(scene.graph)
+    roundness = 4 * math.pi * abs(wanted.area) / wanted.length**2 if wanted.length else 0.0
+    if (
+        not wanted.is_free_loop
+        or wanted.any_sense
+        or choice.graph != "keep"
+        or own is None
+        or scene.input is None
+        or roundness < ROUND
+    ):
+        return None
+    sizes = sizes_of(scene, scene.bellows.count)
+    areas = list(_areas(choice, with_tree(scene, own, sizes), own))
+    sense = _common_sense(np.array(areas))
+    if sense == 0 or sense == np.sign(wanted.area):
+        return None
+    words = {1: "counter-clockwise", -1: "clockwise"}
+    sections = scene.bellows.count // 2
+    first = "R" if own.parents[0][0] < sections else "L"
+    other = "L" if first == "R" else "R"
+    return WrongSense(
+        f"wrong sense: the wanted loop goes {words[-sense]} (x to the right, z up), and with "
+        f"column {first} fed first the tip of this graph goes {words[sense]}, whatever its "
+        f"lengths, period and input ({len(areas)} of {len(areas)} draws)",
+        f"Feed column {other} first: spec.yaml has the mirrored graph, use it as `spec`; or set "
+        "network.graph: chain free, or target.sense: any",
+        with_tree(scene, mirrored(own, sections), sizes),
+    )
+
+
+def _common_sense(areas: np.ndarray) -> int:
+    """The sign of all areas that are not nearly zero; 0 where both occur."""
+    large = areas[np.abs(areas) > LEAST_AREA * np.abs(areas).max(initial=0.0)]
+    return int(np.sign(large[0])) if large.size and np.ptp(np.sign(large)) == 0.0 else 0
+
+
+def _areas(choice: FreeChoice, scene: Scene, graph: TreeGraph) -> Iterator[float]:
+    """Signed areas of loops by one small harmonic, with lengths and periods by chance."""
+    period = float(scene.period or scene.run.duration)
+    low, high = (period / WIDEST, period * WIDEST)
+    count = 1
+    if choice.harmonics is not None:
+        low, high = choice.harmonics.period
+        count = choice.harmonics.count
+    size = SMALL_SHARE * (choice.harmonics.span if choice.harmonics is not None else 1e4)
+    drive = {"kind": "harmonics", "period": period, "cosine": [size]}
+    probe = scene.replace({"input": drive})
+    lengths = [own for own in choice.ranges if own.key.startswith("network.")]
+    keys = FreeKeys(probe, ["input.period", *(own.key for own in lengths)])
+    motion = QuickMotion(keys, graph)
+    periods = np.geomspace(low / count, high, FREQUENCIES)
+    chance = np.random.default_rng(0)
+    for _ in range(DRAWS if lengths else 1):
+        values = keys.values
+        place = 1
+        for own in lengths:
+            numbers = len(FreeKeys(probe, [own.key]).numbers)
+            share = chance.random(numbers)
+            values[place : place + numbers] = own.low * (own.high / own.low) ** share
+            place += numbers
+        for each in periods:
+            values[0] = each
+            x, z = motion.tip(values).T
+            yield float(np.sum(x * np.roll(z, -1) - np.roll(x, -1) * z) / 2)
