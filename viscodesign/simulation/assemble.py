@@ -22,13 +22,9 @@ from viscodesign.results.findings import Notice
 from viscodesign.results.provenance import provenance
 from viscodesign.results.trajectory import Accuracy, Cost, Trajectory
 from viscodesign.scene.reading.write import resolved_yaml
-from viscodesign.simulation.error_control import ERROR_CONTROL, Verifier
 from viscodesign.simulation.outcome import NOT_VERIFIED
 from viscodesign.simulation.solve_once import Run
 from viscodesign.storage.disk_arrays import blocks
-
-FLOW_ERROR_WARNED = 0.02
-"""Estimated error of a flow, of the largest in the network, from which a warning is given."""
 
 
 def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -> Trajectory:
@@ -88,24 +84,6 @@ def cost_of(run: Run) -> Cost:
         steps=work.steps,
         residual_calls=work.residual_calls,
         jacobian_calls=work.jacobian_calls,
-    )
-
-
-def uncertain_flows(found: Trajectory, verifier: Verifier) -> Iterator[Notice]:
-    """A warning where smaller steps change the flows, even if the tip stays."""
-    apart = verifier.flows_apart
-    if apart is None or ERROR_CONTROL.time_share * apart.share <= FLOW_ERROR_WARNED:
-        return
-    if apart.row >= len(found.time):
-        return  # a finer solution ended before, and says so itself
-    tube = found.tubes[apart.tube]
-    yield Notice(
-        "uncertain_flows",
-        f"the flow in {tube} has an estimated error of "
-        f"{100 * ERROR_CONTROL.time_share * apart.share:.2g} % of the peak flow; tighten "
-        "`accuracy` if you use flows",
-        tube,
-        float(found.time[apart.row]),
     )
 
 

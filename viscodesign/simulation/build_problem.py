@@ -105,10 +105,17 @@ def assemble(
     return system
 
 
+LEAST_FILLING = 1e-10
+"""Part of its rest volume by which the pressures of a run fill a bellow at least: the volume is
+known to round-off, and with it the pressure."""
+
+
 def sizes_of(quantities: SceneQuantities) -> Sizes:
     """By which the unknowns are scaled."""
+    law = quantities.bellow
+    least = LEAST_FILLING * law.rest_volume / law.compliance
     return Sizes(
-        pressure=quantities.swing,
+        pressure=max(quantities.swing, least),
         time=quantities.scales.t_s,
         swing=quantities.swing_time,
     )

@@ -15,8 +15,9 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import EffectAblation, RetryAttempt
 from viscodesign.results.trajectory import RunInterruptedError, Trajectory
 from viscodesign.scene.scene import Scene
-from viscodesign.simulation.assemble import cost_of, trajectory_of, uncertain_flows
+from viscodesign.simulation.assemble import cost_of, trajectory_of
 from viscodesign.simulation.build_problem import suggest_settings
+from viscodesign.simulation.doubts import doubts
 from viscodesign.simulation.error_control import ErrorParts, Verifier
 from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, judgeable
 from viscodesign.simulation.measured_effects import measure_effects
@@ -97,11 +98,13 @@ def _simulated(
     status, failure = outcome_of(verifier, run, accuracy, verify)
     with watch("read"):
         trajectory = trajectory_of(quantities, selection, run)
-        doubts = tuple(uncertain_flows(trajectory, verifier))
+        inputs, duration = quantities.scene.inputs.values(), quantities.scene.run.duration
+        is_driven = any(source.moves_within(duration) for source in inputs)
+        doubted = doubts(trajectory, accuracy, verifier, is_driven=is_driven)
     is_only_solution = verifier.solutions == 1 and not (found.attempts or proof or judge.has_solved)
     return replace(
         trajectory,
-        warnings=(*trajectory.warnings, *doubts),
+        warnings=(*trajectory.warnings, *doubted),
         status=status,
         failure=failure,
         accuracy=accuracy,

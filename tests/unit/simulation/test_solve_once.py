@@ -9,7 +9,7 @@ import numpy as np
 
 from tests.scenes import leg
 from viscodesign import simulate
-from viscodesign.simulation.assemble import FLOW_ERROR_WARNED, uncertain_flows
+from viscodesign.simulation.doubts import FLOW_ERROR_WARNED, uncertain_flows
 from viscodesign.simulation.solve_once import FlowDifference, flow_difference
 
 
