@@ -94,7 +94,7 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Compare runs, specs and measured tables, or the model with the paper.
+    """Compare runs, specs and measured tables.
 
     Specs are simulated first. Each motion is compared with the first: at the same time
     and, of cyclic motions, at the same phase, beside what numerical errors explain. Writes
