@@ -23,6 +23,9 @@ CONVERGED = 1e-9
 MAX_EVALUATIONS = 200
 """Values of the residuals in one descent."""
 Loss = Literal["linear", "soft_l1", "huber", "cauchy"]
+Scaling = Literal["ranges", "slopes"]
+"""By what steps of different numbers are compared: their ranges, or what they do to the residuals,
+as in MINPACK, for numbers known far better than their ranges say."""
 FitStatus = Literal["converged", "met", "unfinished", "interrupted"]
 """Unfinished: out of evaluations or time."""
 
@@ -111,6 +114,8 @@ class SearchLimits:
     """Where a descent ends with such a sum, no other start is tried."""
     evaluations: int = MAX_EVALUATIONS
     """Of each descent."""
+    converged: float = CONVERGED
+    """See there."""
     until: float = math.inf
     """Time of `time.perf_counter` [s]."""
     stop: StopRequest = field(default_factory=StopRequest)
@@ -224,6 +229,7 @@ def least_squares(
     limits: SearchLimits | None = None,
     loss: Loss = "linear",
     loss_scale: float = 1.0,
+    scaling: Scaling = "ranges",
 ) -> LeastSquaresFit:
     """The least sum of squared residuals within bounds.
 
@@ -241,7 +247,7 @@ def least_squares(
     try:
         ranked = _ranked(search, [ranges.shares(start) for start in starts])
         for start in ranked[:descents]:
-            optima.append(_descend(search, ranges, start, limits.evaluations, loss, loss_scale))
+            optima.append(_descend(search, ranges, start, limits, loss, loss_scale, scaling))
             if optima[-1].cost <= limits.enough_cost:
                 break
     except _EndedError:
@@ -262,9 +268,10 @@ def _descend(
     search: _Search,
     ranges: NumberRanges,
     start: np.ndarray,
-    evaluations: int,
+    limits: SearchLimits,
     loss: Loss,
     scale: float,
+    scaling: Scaling,
 ) -> BestSoFar:
     """Where a descent from shares (f,) ends."""
     from scipy.optimize import least_squares as descend
@@ -279,10 +286,11 @@ def _descend(
             bounds=(0.0, 1.0),
             loss=loss,
             f_scale=scale,
-            ftol=CONVERGED,
-            xtol=CONVERGED,
+            ftol=limits.converged,
+            xtol=limits.converged,
             gtol=1e-15,
-            max_nfev=evaluations,
+            x_scale="jac" if scaling == "slopes" else 1.0,
+            max_nfev=limits.evaluations,
         )
     except ViscodesignError as error:  # no derivative there
         search.error = error
