@@ -104,7 +104,7 @@ def table_of_file(
             "columns",
             f"expected a mapping such as {{time: Time, pressure: P1}}; got {described(stated)}",
         )
-    text = taken_apart(_text(folder / shown, shown))
+    text = taken_apart(text_of_file(folder / shown, shown))
     header = Header(f"{shown}, line {text.header_line}", text.header, text.columns)
     chosen = chosen_columns(columns, header, stated or {}, inlet)
     return _read(text, chosen, check, shown, decimal, most_rows)
@@ -171,7 +171,7 @@ def _row_count_fault(count: int, most: int) -> str:
     return f"must have from 2 to {most} rows; got {count}"
 
 
-def _text(path: Path, shown: str) -> str:
+def text_of_file(path: Path, shown: str) -> str:
     """The text of a file with plain line ends."""
     try:
         with path.open("rb") as file:

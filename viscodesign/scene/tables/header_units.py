@@ -16,6 +16,7 @@ SPELLINGS = {
     "m": "m meter metre mm cm um µm μm inch in",
     "rad": "rad deg °",
     "m^2": "m^2 m2 m² mm^2 mm2 mm² cm^2 cm2 cm²",
+    "m^3": "m^3 m3 m³ mm^3 mm3 mm³ cm^3 cm3 cm³ L mL uL µL μL",
 }
 """Units that a header may have, by SI unit; the case of letters counts where two differ in it."""
 _MEANT = {"msec": "ms", "hours": "h", "hour": "h", "°": "deg", "inch": "in"}

@@ -68,7 +68,7 @@ def _is_rounded(value: np.ndarray, level: float) -> bool:
 
 def _level(time: np.ndarray, value: np.ndarray, order: int) -> tuple[float, float]:
     """Standard deviation of noise by residuals of an order, and their largest correlation."""
-    parts = [_residuals(time[b], value[b], order) for b in _blocks(len(time))]
+    parts = [prediction_errors(time[b], value[b], order) for b in _blocks(len(time))]
     residuals = np.concatenate(parts)
     if not len(residuals):
         return 0.0, 0.0
@@ -89,7 +89,7 @@ def _blocks(rows: int) -> list[slice]:
     return [slice(k, k + size) for k in np.linspace(0, rows - size, count).astype(int)]
 
 
-def _residuals(time: np.ndarray, value: np.ndarray, order: int) -> np.ndarray:
+def prediction_errors(time: np.ndarray, value: np.ndarray, order: int) -> np.ndarray:
     """Errors of predicting each row by ``order`` rows on each side, with the variance of a row.
 
     Rows beside a jump have none.

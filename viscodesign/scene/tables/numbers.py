@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import re
 from collections.abc import Callable, Iterator, Sequence
 from typing import Literal
@@ -17,6 +18,8 @@ from viscodesign.scene.tables.layout import NUMBER, SPACES, TableText
 Decimal = Literal["point", "comma"]
 _COMMA_NUMBER = re.compile(r"[-+]?[0-9]*,[0-9]+(?:[eE][-+]?[0-9]+)?", re.ASCII)
 _THOUSANDS = re.compile(r"[-+]?[1-9][0-9]{0,2},[0-9]{3}", re.ASCII)
+GAPS = ("", "nan", "na", "n/a", "-", "--")
+"""Cells that say that nothing was measured."""
 _SURELY_DECIMAL = re.compile(r"(?<![0-9])(?:0?|[0-9]{4,}),[0-9]|,[0-9]{1,2}(?![0-9])|,[0-9]{4}")
 """A comma that cannot group thousands."""
 
@@ -37,15 +40,18 @@ def read_numbers(
     names: Sequence[str],
     shown: str,
     decimal: Decimal | None,
+    *,
+    gaps: bool = False,
 ) -> TableNumbers:
     """Numbers (n, c) in the columns ``places``, called ``names`` in faults.
 
-    ``decimal`` is the sign that the spec states. Raises faults that name file and line.
+    ``decimal`` is the sign that the spec states. With ``gaps``, cells that are empty or say so
+    (nan) are NaN, but for those of the first column. Raises faults that name file and line.
     """
     values = _at_once(text, places, decimal)
     if values is not None:
         return TableNumbers(values, _CellReader(text, shown).lines)
-    return _CellReader(text, shown).numbers(places, names, decimal)
+    return _CellReader(text, shown, gaps).numbers(places, names, decimal)
 
 
 def _at_once(text: TableText, places: Sequence[int], decimal: Decimal | None) -> np.ndarray | None:
@@ -84,6 +90,7 @@ class _CellReader:
 
     text: TableText
     shown: str
+    gaps: bool = False
 
     def numbers(
         self, places: Sequence[int], names: Sequence[str], decimal: Decimal | None
@@ -97,10 +104,13 @@ class _CellReader:
             for found in self._bad_cells(cells, places, names, mark)
         )
         values = [
-            [float(_pointed(cells[place].strip(), mark)) for place in places] for _, cells in rows
+            [self._value(cells[place].strip(), mark) for place in places] for _, cells in rows
         ]
         lines = [line for line, _ in rows]
         return TableNumbers(np.array(values).reshape(-1, len(places)), lambda: lines)
+
+    def _value(self, cell: str, mark: str) -> float:
+        return math.nan if self.gaps and _is_gap(cell) else float(_pointed(cell, mark))
 
     def lines(self) -> list[int]:
         """The line of every row."""
@@ -162,6 +172,8 @@ class _CellReader:
             return
         for place, name in zip(places, names, strict=True):
             cell = cells[place].strip()
+            if self.gaps and place != places[0] and _is_gap(cell):
+                continue
             if not cell:
                 yield f"{name} is empty"
             elif NUMBER.fullmatch(_pointed(cell, mark)) is None:
@@ -177,6 +189,10 @@ class _CellReader:
         if self.text.delimiter == "," and len(cells) == 2 * self.text.columns:
             return "; a table with decimal commas needs semicolons or tabs between its columns"
         return ""
+
+
+def _is_gap(cell: str) -> bool:
+    return cell.lower() in GAPS
 
 
 def _pointed(cell: str, mark: str) -> str:
