@@ -26,7 +26,7 @@ LAYERS = [
     ["pump.ax.protocol"],
     ["pump.bus"],
     ["pump"],
-    ["inverse"],
+    ["inverse", "calibration"],
     ["studies", "exploration", "comparison"],
     ["compiled"],
     ["simulation"],

@@ -7,9 +7,9 @@
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
 follows its motion, `compile` makes a function of its numbers with derivatives, `sweep` puts many
 designs in one table, `sensitivity` tells how far each number moves the tip, `design` finds the
-numbers and the graph that make the tip follow a path, `compare` puts motions beside each other,
-`accuracy` measures what accuracy costs in time, `plan` turns its pressures into a pump's motion.
-Nothing here prints.
+numbers and the graph that make the tip follow a path, `fit` finds numbers by measurements,
+`compare` puts motions beside each other, `accuracy` measures what accuracy costs in time, `plan`
+turns its pressures into a pump's motion. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from viscodesign._version import __version__ as __version__
 from viscodesign.lazy_names import lazy_names
 
 if TYPE_CHECKING:
+    from viscodesign.calibration.fit import fit as fit
     from viscodesign.checks.check import Check as Check
     from viscodesign.checks.check import check as check
     from viscodesign.checks.classify import classify as classify
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
     )
     from viscodesign.results.accuracy_study import AccuracyStudy as AccuracyStudy
     from viscodesign.results.findings import Classification as Classification
+    from viscodesign.results.fit_result import Fit as Fit
     from viscodesign.results.path_design import PathDesign as PathDesign
     from viscodesign.results.run_comparison import Comparison as Comparison
     from viscodesign.results.run_comparison import (
@@ -62,6 +64,7 @@ _HOMES = {
     "Comparison": ".results.run_comparison",
     "ComparisonInterruptedError": ".results.run_comparison",
     "CompiledFunction": ".compiled.function",
+    "Fit": ".results.fit_result",
     "PathDesign": ".results.path_design",
     "PumpPlan": ".pump.planning.result",
     "RunInterruptedError": ".results.trajectory",
@@ -77,6 +80,7 @@ _HOMES = {
     "compare": ".comparison.compare",
     "compile": ".compiled.function",
     "design": ".inverse.design",
+    "fit": ".calibration.fit",
     "load": ".loading",
     "plan": ".pump.planning.plan",
     "sensitivity": ".exploration.sensitivity",

@@ -84,6 +84,7 @@ PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
 SWEEP_FILES = FileSet("sweep.csv", "sweep.json", "sweep.png")
 SENSITIVITY_FILES = FileSet("sensitivity.csv", "sensitivity.json", "sensitivity.png")
 DESIGN_FILES = FileSet("history.csv", "result.json", "design.png")
+FIT_FILES = FileSet("spec.yaml", "fit.json", "fit.png")
 COMPARISON_FILES = FileSet("compare.csv", "compare.json", "compare.png")
 FIGURE_FILES = {
     number: FileSet(f"figure_{number}.csv", f"figure_{number}.json", f"figure_{number}.png")
@@ -95,7 +96,7 @@ COMPARED_RUNS = "runs"
 """Folder of the runs of specs that were compared."""
 FILE_SETS = (
     *(STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES, DESIGN_FILES),
-    *(COMPARISON_FILES, *FIGURE_FILES.values()),
+    *(COMPARISON_FILES, *FIGURE_FILES.values(), FIT_FILES),
 )
 DESIGN_ALTERNATIVES = "alternatives"
 """Folder of other designs beside the best one."""

@@ -1,0 +1,1 @@
+"""Numbers of a spec from measurements: what they are, how surely, and what to measure next."""

@@ -1,0 +1,206 @@
+"""What drives a recorded run: the spec's input where it fits the measured pressure, else that."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from viscodesign.calibration.noise_level import noise_level, white_level
+from viscodesign.calibration.recorded_columns import Measured
+from viscodesign.calibration.recording import RecordedChannel, Recording
+from viscodesign.compiled.free_keys import FreeKeys, candidates
+from viscodesign.errors import SpecError
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.cross_checks import SINGLE_INLET
+from viscodesign.scene.scene import Scene
+from viscodesign.scene.tables.smoothing import without_noise
+from viscodesign.scene.tables.straight_pieces import straight_pieces
+
+MOST_SQUARES = 2.0
+"""Mean square of what an input leaves of a measured pressure, over that of its noise, up to which
+it counts as what drove the run."""
+MOST_CORRELATION = 4.0
+"""Correlation of neighbours in what it leaves, times the root of their number, likewise."""
+GROSS, MOST_GROSS = 6.0, 0.06
+"""Standard deviations from which a sample is gross, and the part of them that may be."""
+CLEARLY_BETTER = 0.8
+"""Of the squares that remain without a shift, those with it that make the clocks differ."""
+MOST_SHIFTS = 801
+"""Shifts that are tried."""
+LONGEST_SHIFT = 0.5
+"""Of the recording."""
+BOUND_NOISE = 0.1
+"""Distance of straight pieces from the smoothed rows, in standard deviations of the noise."""
+BOUND_REL = 2e-4
+"""The least such distance, in parts of the range."""
+MOST_FREE_ROWS = 150
+"""Of a measured input, rows whose pressures are unknown: of more, noise is taken out, and what is
+left counts as exact."""
+
+
+@dataclass(frozen=True)
+class RecordedDrive:
+    """The inputs of a recorded run."""
+
+    scene: Scene
+    """With the inputs that drove it."""
+    free: tuple[str, ...]
+    """Numbers of the inputs that the measured pressures tell, and so are unknown like others."""
+    late_s: float
+    """Time of the recording at which the run begins [s]."""
+    shift_s: float
+    """By how much its clock is later than that of the spec's input [s]; 0 where that is unknown."""
+    compared: tuple[RecordedChannel, ...]
+    """Pressures that tell these numbers."""
+    words: tuple[str, ...]
+    """What was done, inlet by inlet."""
+
+
+def driven(scene: Scene, recording: Recording) -> RecordedDrive:
+    """The drive of a recording, whose pressures some or no channels have measured."""
+    late, shift, found = 0.0, 0.0, RecordedDrive(scene, (), 0.0, 0.0, (), ())
+    channels = recording.of(Measured.PRESSURE)
+    for own in channels:
+        inlet = _inlet_of(own, scene)
+        fitted = _fitted(found.scene, inlet, recording.time - late, own)
+        if fitted is None and own is channels[0]:
+            late = shift = _shift(scene, inlet, recording.time, own.values)
+            fitted = _fitted(found.scene, inlet, recording.time - late, own) if late else None
+        if fitted is None:
+            if not found.words:
+                late, shift = float(recording.time[0]), 0.0
+            fitted = _followed(found.scene, inlet, recording.time - late, own)
+        found = RecordedDrive(
+            fitted.scene,
+            (*found.free, *fitted.free),
+            late,
+            shift,
+            (*found.compared, *fitted.compared),
+            (*found.words, *fitted.words),
+        )
+    return found
+
+
+def _inlet_of(channel: RecordedChannel, scene: Scene) -> str:
+    tail = channel.output.removeprefix("inlet_pressure").removesuffix("_pa").strip("_")
+    return tail if tail in scene.inputs else SINGLE_INLET
+
+
+def _key(inlet: str) -> str:
+    return "input" if inlet == SINGLE_INLET else f"inputs.{inlet}"
+
+
+# -- by the spec's own input ------------------------------------------------------
+
+
+def _fitted(
+    scene: Scene, inlet: str, time: np.ndarray, channel: RecordedChannel
+) -> RecordedDrive | None:
+    """The spec's input with numbers that fit a pressure; None where none do, to its noise."""
+    from scipy.optimize import least_squares
+
+    keys = _input_keys(scene, inlet)
+    if not keys or not scene.inputs[inlet].gives_pressure:
+        return None
+    known = ~np.isnan(channel.values)
+    t, pressure = time[known], channel.values[known] - scene.gauge_pressure
+    noise, free = noise_level(t, pressure), FreeKeys(scene, keys)
+    sizes = np.where(free.values, np.abs(free.values), 1.0)
+
+    def left(shares: np.ndarray) -> np.ndarray:
+        try:
+            source: Any = free.placed((shares * sizes).tolist()).inputs[inlet]
+            values = source.values(np.maximum(t, 0.0))
+        except (SpecError, ValueError, ZeroDivisionError):
+            return np.full(len(t), 1e6)
+        found = (values - pressure) / noise
+        return np.where(np.isfinite(found), found, 1e6)
+
+    with np.errstate(all="ignore"):
+        found = least_squares(left, free.values / sizes, loss="soft_l1", f_scale=3.0, x_scale="jac")
+    residual = left(found.x)
+    if not _is_noise(t, residual, len(keys)):
+        return None
+    try:
+        own = free.validated(found.x * sizes)
+    except SpecError:
+        return None
+    kind = scene.inputs[inlet].name
+    words = f"{channel.header}: the spec's {kind} fits it to its noise of {noise:.3g} Pa"
+    return RecordedDrive(own, tuple(keys), 0.0, 0.0, (channel,), (words,))
+
+
+def _is_noise(time: np.ndarray, residual: np.ndarray, fitted: int) -> bool:
+    """Whether what is left (T,) of a pressure is noise, but for a few gross samples.
+
+    Its level is that by which neighbours differ in what is left: the pressure itself moves.
+    """
+    level = white_level(time, residual[:, None])
+    plain = residual[np.abs(residual) < GROSS * level]
+    gross = len(residual) - len(plain)
+    if gross > 1 + MOST_GROSS * len(residual) or len(plain) < fitted + 3:
+        return False
+    squares = float(plain @ plain)
+    correlation = abs(float(plain[1:] @ plain[:-1])) / squares * np.sqrt(len(plain))
+    is_small = squares / (len(plain) - fitted) < MOST_SQUARES * level**2
+    return is_small and correlation < MOST_CORRELATION
+
+
+def _input_keys(scene: Scene, inlet: str) -> list[str]:
+    """Keys of the numbers of an input, unless it is a table."""
+    start = f"{_key(inlet)}."
+    every = [key for key in candidates(scene) if key.startswith(start)]
+    if any("[" in key for key in every):
+        return []
+    return [key for key in every if not key.endswith(".transient_time")]
+
+
+def _shift(scene: Scene, inlet: str, time: np.ndarray, pressure: np.ndarray) -> float:
+    """By how much a measured pressure is later than the spec's input [s]; 0 where that is unclear.
+
+    By the least squares of a level and an amplitude for each of many shifts.
+    """
+    known = ~np.isnan(pressure)
+    t, p = time[known], pressure[known]
+    longest = LONGEST_SHIFT * float(t[-1] - t[0])
+    step = max(float(np.median(np.diff(t))) / 4, 2 * longest / MOST_SHIFTS)
+    count = int(longest / step)
+    shifts = step * np.arange(-count, count + 1)
+    squares = [_unlike(p, scene.inputs[inlet].values(np.maximum(t - own, 0.0))) for own in shifts]
+    best = int(np.argmin(squares))
+    own = _unlike(p, scene.inputs[inlet].values(np.maximum(t, 0.0)))
+    return float(shifts[best]) if squares[best] < CLEARLY_BETTER * own else 0.0
+
+
+def _unlike(measured: np.ndarray, values: np.ndarray) -> float:
+    """Squares that remain of a measurement without a level and a multiple of values (T,)."""
+    basis = np.column_stack([np.ones(len(values)), values])
+    _, left, rank, _ = np.linalg.lstsq(basis, measured, rcond=None)
+    return float(left[0]) if rank == 2 and len(left) else float(np.var(measured) * len(measured))
+
+
+# -- by the measured pressure -----------------------------------------------------
+
+
+def _followed(
+    scene: Scene, inlet: str, time: np.ndarray, channel: RecordedChannel
+) -> RecordedDrive:
+    """A table of the measured pressure without its noise, in straight pieces."""
+    known = ~np.isnan(channel.values)
+    t, pressure = time[known], channel.values[known] - scene.gauge_pressure
+    t, first = np.unique(np.maximum(t, 0.0), return_index=True)
+    pressure = pressure[first]
+    noise, span = noise_level(t, pressure), float(np.ptp(pressure))
+    smooth = without_noise(t, pressure, noise, 0.0) if span > 4 * noise else pressure
+    knots = straight_pieces(t, smooth, max(BOUND_NOISE * noise, BOUND_REL * span))
+    rows = list(zip(t[knots].tolist(), smooth[knots].tolist(), strict=True))
+    table = {"kind": "table", "rows": rows, "smooth": "off"}
+    own = scene.replace({_key(inlet): table})
+    words = (
+        f"{channel.header}: noise of {noise:.3g} Pa taken out, followed by {len(rows) - 1} "
+        "straight pieces"
+    )
+    if len(rows) > MOST_FREE_ROWS:
+        return RecordedDrive(own, (), 0.0, 0.0, (), (f"{words}, taken as exact",))
+    return RecordedDrive(own, (f"{_key(inlet)}.rows[*].pressure",), 0.0, 0.0, (channel,), (words,))

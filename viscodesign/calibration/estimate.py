@@ -1,0 +1,177 @@
+"""The most likely numbers: gross samples found and left out, noise taken from what remains."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from viscodesign.calibration.misfit import Misfit, noise_groups
+from viscodesign.calibration.spread import covariance_of
+from viscodesign.calibration.unknowns import ranges_of
+from viscodesign.exploration.least_squares import (
+    BestSoFar,
+    FitStatus,
+    SearchLimits,
+    least_squares,
+)
+from viscodesign.interrupt import StopRequest
+from viscodesign.lazy_dataclass import dataclass
+
+ROBUST_SCALE = 2.0
+"""Residual, in standard deviations, from which it counts less while gross ones are sought."""
+GROSS = 4.5
+"""Standard deviations from which a sample is gross: of 10,000 good ones 0.07 are."""
+MOST_GROSS = 0.1
+"""Part of a group's samples that may be gross: more are no slips of the tracking, but a model that
+does not fit."""
+REWEIGHTINGS = 2
+NORMAL_MAD = 0.6745
+MAX_EVALUATIONS = 60
+"""Of one descent."""
+CONVERGED = 1e-6
+"""Relative change of the squares that ends a descent: of 1,000 samples' squares it is a number's
+move by 0.03 standard deviations. Below it are changes by the steps of the solver."""
+MOST_POLISHING = 6
+POLISHED = 0.02
+"""Largest step, in standard deviations, at which an estimate has settled."""
+SLACK = 0.05
+"""Rise of the squares by such a step that is put down to the solver."""
+LEAST_LEVEL = 1e-3
+"""Noise in parts of that found in the data alone, below which it does not fall."""
+
+Tell = Callable[[BestSoFar], None]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """Numbers that were found, and the misfit, with its noise, that they are best for."""
+
+    values: np.ndarray
+    misfit: Misfit
+    status: FitStatus
+
+
+class Search:
+    """What all estimates of one fit share: the request to stop, and who is told of progress."""
+
+    def __init__(self, stop: StopRequest, tell: Tell | None = None) -> None:
+        self.stop, self._tell = stop, tell
+        self.evaluations = 0
+
+    def descend(
+        self, misfit: Misfit, start: np.ndarray, *, robust: bool = False
+    ) -> tuple[np.ndarray, FitStatus]:
+        """The least squares near a start."""
+        limits = SearchLimits(
+            stop=self.stop, tell=self._tell, evaluations=MAX_EVALUATIONS, converged=CONVERGED
+        )
+        found = least_squares(
+            misfit,
+            ranges_of(misfit.models, misfit.unknowns),
+            [start],
+            limits=limits,
+            loss="soft_l1" if robust else "linear",
+            loss_scale=ROBUST_SCALE if robust else 1.0,
+            scaling="slopes",
+        )
+        self.evaluations += found.evaluations
+        return found.values, found.status
+
+
+def estimated(search: Search, misfit: Misfit, start: np.ndarray) -> Estimate:
+    """The numbers that fit best, from a start: first a robust fit, then without gross samples."""
+    values, status = search.descend(misfit, start, robust=True)
+    return refined(search, _cleaned(misfit, values), values, status)
+
+
+def refined(
+    search: Search,
+    misfit: Misfit,
+    start: np.ndarray,
+    status: FitStatus = "converged",
+    rounds: int = REWEIGHTINGS,
+) -> Estimate:
+    """The same from a good start, whose noise is then taken from its residuals."""
+    values = start
+    for _ in range(rounds):
+        if status == "interrupted":
+            break
+        values, status = search.descend(misfit, values)
+        if status != "interrupted":
+            misfit = _cleaned(misfit.with_(levels=residual_levels(misfit, values)), values)
+    return Estimate(values, misfit, status)
+
+
+def polished(search: Search, found: Estimate, misfit: Misfit) -> Estimate:
+    """An estimate moved to where it is best for another misfit that differs a little.
+
+    By Gauss-Newton steps with the derivatives where it is, which settle within a few percent of a
+    standard deviation: models that are slow to differentiate need values alone.
+    """
+    values = found.values
+    jacobian = misfit.jacobian(values) * misfit.sizes(values)
+    covariance = covariance_of(jacobian)
+    deviations = np.sqrt(np.diag(covariance))
+    residual = misfit(values)
+    for _ in range(MOST_POLISHING):
+        if search.stop.asked:
+            return Estimate(values, misfit, "interrupted")
+        steps = -covariance @ (jacobian.T @ residual)
+        moved = misfit.stepped(values, steps)
+        new = misfit(moved)
+        if not new @ new <= residual @ residual + SLACK:
+            break
+        values, residual = moved, new
+        if np.max(np.abs(steps / deviations)) < POLISHED:
+            break
+    levels = residual_levels(misfit, values)
+    return Estimate(values, _cleaned(misfit.with_(levels=levels), values), found.status)
+
+
+def _cleaned(misfit: Misfit, values: np.ndarray) -> Misfit:
+    """Without samples that are grossly off at these values."""
+    kept = []
+    apart = misfit.deviations(values)
+    for model, own in zip(misfit.models, apart, strict=True):
+        mask = np.isfinite(own)
+        for group in noise_groups(model):
+            mask[:, group] &= ~_gross(own[:, group])
+        kept.append(mask)
+    return misfit.with_(kept=kept)
+
+
+def _gross(apart: np.ndarray) -> np.ndarray:
+    """Which residuals (T, c) of a group are gross; none where they are too many."""
+    known = np.isfinite(apart)
+    size = np.abs(apart[known])
+    level = float(np.median(size)) / NORMAL_MAD
+    found = known & (np.abs(np.where(known, apart, 0.0)) > GROSS * level)
+    return found if found.sum() <= MOST_GROSS * known.sum() else np.zeros_like(found)
+
+
+def residual_levels(misfit: Misfit, values: np.ndarray) -> list[np.ndarray]:
+    """(C,) a run: noise by the residuals, and by how many unknowns each group of them tells."""
+    residuals, levers = misfit.data_residuals(values), _levers(misfit, values)
+    found, begin = [], 0
+    for model, level, kept in zip(misfit.models, misfit.levels, misfit.kept, strict=True):
+        channel = np.nonzero(kept)[1]
+        own = slice(begin, begin + len(channel))
+        begin += len(channel)
+        new = level.copy()
+        for group in noise_groups(model):
+            rows = np.isin(channel, group)
+            free = float(rows.sum() - levers[own][rows].sum())
+            if free > 1.0:
+                squares = float(np.sum(residuals[own][rows] ** 2)) / free
+                new[group] = level[group] * max(np.sqrt(squares), LEAST_LEVEL)
+        found.append(new)
+    return found
+
+
+def _levers(misfit: Misfit, values: np.ndarray) -> np.ndarray:
+    """(n,) By how much each sample pulls its own expectation: they sum to the unknowns told."""
+    jacobian = misfit.jacobian(values) * misfit.sizes(values)
+    rows = len(jacobian) - len(misfit.pulled)
+    left, sizes, _ = np.linalg.svd(jacobian, full_matrices=False)
+    return np.asarray(np.sum(left[:rows, sizes > 1e-12 * sizes[0]] ** 2, axis=1))

@@ -1,0 +1,235 @@
+"""Numbers of a scene from recordings of its motion: `fit`."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from viscodesign._version import __version__
+from viscodesign.calibration.clocks import guessed_lateness, is_late
+from viscodesign.calibration.driving import RecordedDrive, driven
+from viscodesign.calibration.estimate import Estimate, Search, estimated, polished
+from viscodesign.calibration.findings import fitted_numbers, fitted_products, fitted_runs
+from viscodesign.calibration.fitted_spec import fitted_scene, spec_text
+from viscodesign.calibration.misfit import Misfit, Unknown, first_levels
+from viscodesign.calibration.pattern import pattern_of
+from viscodesign.calibration.recording import Recording, read_recording
+from viscodesign.calibration.resolution import ResolutionCheck, first_solving, resolved
+from viscodesign.calibration.run_model import RunModel, Solving
+from viscodesign.calibration.spread import spread_of
+from viscodesign.calibration.unknowns import DEFAULT_KEYS, run_unknowns, scene_unknowns
+from viscodesign.errors import Fault, SpecError
+from viscodesign.exploration.least_squares import BestSoFar
+from viscodesign.interrupt import StopRequest, gentle_interrupt
+from viscodesign.results.fit_result import Fit
+from viscodesign.scene.reading.write import resolved_sha256
+from viscodesign.scene.scene import Scene
+
+Progress = Callable[[float], None]
+TYPICAL_EVALUATIONS = 60.0
+
+
+def fit(
+    scene: Scene,
+    data: str | Path | Sequence[str | Path],
+    free: Sequence[str] | str | None = None,
+    *,
+    progress: Progress | None = None,
+) -> Fit:
+    """Numbers of a scene by what was measured of its motion, with 95 % intervals.
+
+    ``data``: files with columns ``time_s``, ``inlet_pressure_pa``, ``syringe_volume_m3``,
+    ``m1_x_m``, ``m1_z_m``, ... (markers at the ends of the sections) or ``tip_x_m``, ``tip_z_m``,
+    some of them; ``DATA.csv@KEY=VALUE`` has another value of a key. ``free``: keys of the spec, by
+    default the bellows' coefficients, the fluid's viscosity and the damping time.
+
+    Noise, gross samples and late clocks are found in the data. ``progress`` is called with the
+    fraction done. Ctrl-C raises nothing once a first solution is there: the best so far is
+    returned.
+
+    Raises `SpecError` for files and keys that are none, `SolveError` where the scene has no
+    solution.
+    """
+    began = clock.perf_counter()
+    if not isinstance(scene, Scene):
+        raise SpecError.plain(f"scene: needs a scene, such as load({scene!r}); got {scene!r}")
+    sources = [data] if isinstance(data, (str, Path)) else list(data)
+    if not sources:
+        raise SpecError.plain("no data; give at least one file, such as data.csv")
+    recordings = [read_recording(source, scene) for source in sources]
+    with gentle_interrupt(second_raises=True) as stop:
+        fitting = _Fitting(scene, recordings, free, stop, progress)
+        found = fitting.found()
+    return replace(found, wall_s=clock.perf_counter() - began)
+
+
+class _Fitting:
+    """One fit, from recordings to numbers."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        recordings: Sequence[Recording],
+        free: Sequence[str] | str | None,
+        stop: StopRequest,
+        progress: Progress | None,
+    ) -> None:
+        self.scene, self.recordings = scene, list(recordings)
+        given = DEFAULT_KEYS if free is None else [free] if isinstance(free, str) else list(free)
+        unknowns = scene_unknowns(scene, given)
+        self.names = [own.name for own in unknowns]
+        self._are_defaults = free is None
+        self._progress, self._evaluations = progress, 0
+        self.search = Search(stop, self._tell)
+        self.drives = [self._drive(own) for own in self.recordings]
+        self.clocks = [True] * len(self.recordings)
+        self.solving = Solving()
+        self.left_out: dict[str, str] = {}
+
+    def _tell(self, best: BestSoFar) -> None:
+        del best
+        self._evaluations += 1
+        if self._progress is not None:
+            self._progress(1 - np.exp(-self._evaluations / TYPICAL_EVALUATIONS))
+
+    def _drive(self, recording: Recording) -> RecordedDrive:
+        """What drives a recording, in the scene with its overrides."""
+        scene = self.scene
+        if recording.overrides:
+            pairs = (text.partition("=") for text in recording.overrides)
+            changes = {key.strip(): value.strip() for key, _, value in pairs}
+            if both := [name for name in self.names if name in changes]:
+                message = f"is free and cannot have a value of its own in {recording.file}"
+                raise SpecError([Fault(message, both[0])])
+            scene = with_overrides(scene, changes, recording.file)
+        return driven(scene, recording)
+
+    # -- models -------------------------------------------------------------------
+
+    def models(self, solving: Solving) -> list[RunModel]:
+        """Models of all recordings, solved so finely."""
+        return [
+            RunModel(recording, drive, self.names, solving, clock_is_free=is_free)
+            for recording, drive, is_free in zip(
+                self.recordings, self.drives, self.clocks, strict=True
+            )
+        ]
+
+    def _first_models(self) -> list[RunModel]:
+        """Models, after numbers that nothing measured depends on are left out, or refused."""
+        models = self.models(self.solving)
+        for name in list(self.names):
+            reasons = [own.unmoved[name] for own in models if name in own.unmoved]
+            if len(reasons) < len(models):
+                continue
+            if not self._are_defaults:
+                raise SpecError([Fault(reasons[0], name)])
+            self.left_out[name] = reasons[0].removeprefix("cannot be free: ")
+            self.names.remove(name)
+        self.solving = first_solving(models)
+        return self.models(self.solving)
+
+    def _unknowns(self, models: Sequence[RunModel]) -> list[Unknown]:
+        own = [unknown for k, model in enumerate(models) for unknown in run_unknowns(model, k)]
+        return [*scene_unknowns(self.scene, self.names), *own]
+
+    # -- steps of the fit ---------------------------------------------------------
+
+    def found(self) -> Fit:
+        """The whole fit."""
+        models = self._first_models()
+        misfit = Misfit(
+            models,
+            self._unknowns(models),
+            [first_levels(own) for own in models],
+            [np.isfinite(own.measured) for own in models],
+        )
+        best = estimated(self.search, misfit, self._start(misfit))
+        best = self._with_certain_clocks(best)
+        best, check = resolved(self.search, best, self.models, self.solving)
+        return self._told(best, check)
+
+    def _start(self, misfit: Misfit) -> np.ndarray:
+        """The spec's numbers, and clocks as late as the motion looks."""
+        start = np.array([own.start for own in misfit.unknowns])
+        for k, own in enumerate(misfit.unknowns):
+            if own.is_clock and own.run is not None:
+                model, levels = misfit.models[own.run], misfit.levels[own.run]
+                free = model.function.values[: model.free_count]
+                start[k] = guessed_lateness(model, free, levels)
+        return start
+
+    def _with_certain_clocks(self, best: Estimate) -> Estimate:
+        """The fit again with clocks on time, but those that are late beyond doubt."""
+        deviations = spread_of(best.misfit, best.values)
+        kept = np.ones(len(best.values), dtype=bool)
+        for k, own in enumerate(best.misfit.unknowns):
+            if own.is_clock and own.run is not None:
+                sd = float(deviations.deviations[k] * deviations.sizes[k])
+                kept[k] = self.clocks[own.run] = is_late(float(best.values[k]), sd)
+        if kept.all():
+            return best
+        models = self.models(self.solving)
+        before = best.misfit
+        misfit = Misfit(models, self._unknowns(models), before.levels, before.kept)
+        return polished(self.search, Estimate(best.values[kept], misfit, best.status), misfit)
+
+    def _told(self, best: Estimate, check: ResolutionCheck) -> Fit:
+        pattern = pattern_of(best.misfit, best.values)
+        pairs = zip(best.misfit.levels, pattern.widening, strict=True)
+        widened = best.misfit.with_(levels=[level * factor for level, factor in pairs])
+        self.best, self.spread = best, spread_of(widened, best.values)
+        stop = self.search.stop
+        numbers = fitted_numbers(widened, self.spread, stop)
+        scene = fitted_scene(self.scene, numbers)
+        status = "interrupted" if stop.asked else best.status
+        mesh = {
+            "edges_per_section": check.edges_per_section,
+            "tolerance": check.tolerance,
+            "bias_sd": check.bias,
+            "bias_key": check.key or None,
+        }
+        return Fit(
+            name=self.scene.name,
+            version=__version__,
+            spec_sha256=self.scene.source.sha256,
+            status=status if status in ("interrupted", "unfinished") else "complete",
+            numbers=numbers,
+            products=fitted_products(widened, self.spread, numbers),
+            runs=fitted_runs(best.misfit, self.spread, best.values),
+            chi2_per_dof=pattern.chi2_per_dof,
+            effects=frozenset().union(*(m.function.effects for m in best.misfit.models)),
+            mesh=mesh,
+            spec=spec_text(scene, numbers),
+            resolved_sha256=resolved_sha256(self.scene),
+            left_out=tuple(self.left_out.items()),
+            warnings=tuple(self._warnings(check, pattern.channels)),
+            evaluations=self.search.evaluations,
+        )
+
+    def _warnings(self, check: ResolutionCheck, patterned: Sequence[str]) -> list[str]:
+        found = [f"{own.file}: {notice}" for own in self.recordings for notice in own.notices]
+        if patterned:
+            found.append(
+                f"what the model leaves of {', '.join(patterned)} follows a pattern: it misses "
+                "something that the data show; the intervals are widened, and may still be too "
+                "narrow"
+            )
+        if not check.is_sufficient:
+            found.append(
+                f"a finer mesh or tolerance would move {check.key or 'numbers'} by about "
+                f"{check.bias:.2g} standard deviations"
+            )
+        return found
+
+
+def with_overrides(scene: Scene, changes: dict[str, str], file: str) -> Scene:
+    """The scene of one recording. Raises `SpecError` that names its file."""
+    try:
+        return scene.replace(changes)
+    except SpecError as error:
+        raise SpecError([replace(fault, file=file) for fault in error.faults]) from None

@@ -1,0 +1,190 @@
+"""Recordings: what was measured of an actuator, one file a run."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+
+from viscodesign.calibration.recorded_columns import (
+    Measured,
+    RecordedColumn,
+    recorded_columns,
+)
+from viscodesign.errors import Fault, SpecError
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.scene import Scene
+from viscodesign.scene.table_file import text_of_file
+from viscodesign.scene.tables.layout import taken_apart
+from viscodesign.scene.tables.numbers import read_numbers
+
+FEWEST_ROWS = 10
+MOST_ROWS = 200_000
+MOST_LISTED = 5
+"""Faults of one kind that a message lists."""
+OVERRIDE = "@"
+
+
+@dataclass(frozen=True, eq=False)
+class RecordedChannel:
+    """One column of a recording."""
+
+    header: str
+    measured: Measured
+    output: str
+    """The output of a compiled function that it is compared with."""
+    values: np.ndarray
+    """(T,) In SI, pressures gauge; NaN where nothing was measured."""
+
+    @property
+    def gaps(self) -> int:
+        """Rows without a value."""
+        return int(np.isnan(self.values).sum())
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """One run of an actuator, as it was measured."""
+
+    file: str
+    """As the user calls it."""
+    time: np.ndarray
+    """(T,) Increasing [s]."""
+    channels: tuple[RecordedChannel, ...]
+    overrides: tuple[str, ...] = ()
+    """Keys of the spec that are others in this run, ``KEY=VALUE``."""
+    notices: tuple[str, ...] = ()
+    """What a user should know of how it was read."""
+
+    def of(self, *measured: Measured) -> list[RecordedChannel]:
+        """The channels of some kinds."""
+        return [own for own in self.channels if own.measured in measured]
+
+
+def split_source(source: str) -> tuple[str, tuple[str, ...]]:
+    """The file, and the overrides, of a text ``DATA.csv@KEY=VALUE@KEY=VALUE``."""
+    if Path(source).exists() or OVERRIDE not in source:
+        return source, ()
+    file, *parts = source.split(OVERRIDE)
+    for part in parts:
+        if "=" not in part or not part.partition("=")[0].strip():
+            raise SpecError.plain(
+                f"'{source}': expected KEY=VALUE behind '@', such as "
+                f"{file}@loads.payload=200 g; got '{part}'"
+            )
+    return file, tuple(part.strip() for part in parts)
+
+
+def read_recording(source: str | Path, scene: Scene) -> Recording:
+    """The recording of a source ``DATA.csv`` or ``DATA.csv@KEY=VALUE``, read for a scene.
+
+    Raises `SpecError` that names the file and the line.
+    """
+    file, overrides = split_source(str(source))
+    try:
+        text = taken_apart(text_of_file(Path(file), file))
+    except PydanticCustomError as error:
+        raise SpecError.plain(error.message()) from None
+    if not text.header:
+        problem = "is empty" if not text.columns else "has no header"
+        message = f"{problem}; expected a line with the names and units of its columns"
+        raise SpecError([Fault(message, file=file, line=1)])
+    columns, others = recorded_columns(text.header, scene, file, text.header_line)
+    places, headers = [own.place for own in columns], [own.header for own in columns]
+    try:
+        values = read_numbers(text, places, headers, file, None, gaps=True)
+    except PydanticCustomError as error:
+        raise SpecError.plain(error.message()) from None
+    scaled = values.values * [own.factor for own in columns]
+    _check_times(scaled[:, 0], values.lines, file)
+    channels = [
+        _channel(own, row, scene) for own, row in zip(columns[1:], scaled.T[1:], strict=True)
+    ]
+    _check_channels(channels, file)
+    return Recording(file, scaled[:, 0], tuple(channels), overrides, _notices(channels, others))
+
+
+def _channel(column: RecordedColumn, values: np.ndarray, scene: Scene) -> RecordedChannel:
+    if column.is_absolute:
+        values = values - scene.ambient_pressure
+    return RecordedChannel(column.header, column.measured, column.output, values)
+
+
+def _check_times(time: np.ndarray, lines: Callable[[], list[int]], file: str) -> None:
+    if len(time) < FEWEST_ROWS or len(time) > MOST_ROWS:
+        raise SpecError(
+            [Fault(f"has {len(time)} rows; a fit needs {FEWEST_ROWS} to {MOST_ROWS}", file=file)]
+        )
+    back = np.flatnonzero(~(np.diff(time) > 0.0)) + 1
+    if not len(back):
+        return
+    numbers = lines()
+    faults = [
+        Fault(
+            f"time goes from {time[k - 1]:g} s to {time[k]:g} s; times must increase from row to "
+            "row. Sort the rows, or remove those that stand twice",
+            file=file,
+            line=numbers[k],
+        )
+        for k in back[:MOST_LISTED]
+    ]
+    raise SpecError(faults)
+
+
+def _check_channels(channels: Sequence[RecordedChannel], file: str) -> None:
+    """Raise faults for columns without numbers, and for markers that never move."""
+    faults = []
+    still = _still_markers(channels)
+    for own in channels:
+        known = own.values[~np.isnan(own.values)]
+        if len(known) < FEWEST_ROWS:
+            faults.append(
+                Fault(
+                    f"column '{own.header}' has {len(known)} values, the rest is missing; a fit "
+                    f"needs {FEWEST_ROWS}. Remove the column",
+                    file=file,
+                )
+            )
+    for name, headers in still.items():
+        faults.append(
+            Fault(
+                f"{name} never moves: every row has the same value, to the last digit, so that "
+                f"nothing was tracked. Remove {' and '.join(headers)}",
+                file=file,
+            )
+        )
+    if faults:
+        raise SpecError(faults)
+
+
+def _still_markers(channels: Sequence[RecordedChannel]) -> dict[str, list[str]]:
+    """Headers of markers, and of volumes, all of whose numbers stay the same."""
+    groups: dict[str, list[RecordedChannel]] = {}
+    for own in channels:
+        if own.measured is Measured.PLACE:
+            groups.setdefault(f"marker {own.output.split('_')[0]}", []).append(own)
+        elif own.measured is Measured.VOLUME:
+            groups.setdefault(f"column '{own.header}'", []).append(own)
+    return {
+        name: [own.header for own in members]
+        for name, members in groups.items()
+        if all(_range(own.values) == 0.0 for own in members)
+    }
+
+
+def _range(values: np.ndarray) -> float:
+    known = values[~np.isnan(values)]
+    return float(np.ptp(known)) if len(known) else math.nan
+
+
+def _notices(channels: Sequence[RecordedChannel], others: Sequence[str]) -> tuple[str, ...]:
+    found = []
+    gaps = [f"{own.header} {own.gaps}" for own in channels if own.gaps]
+    if gaps:
+        found.append(f"missing samples are left out: {', '.join(gaps)}")
+    if others:
+        found.append(f"columns that mean nothing to a fit are ignored: {', '.join(others[:8])}")
+    return tuple(found)

@@ -1,0 +1,95 @@
+"""`viscodesign fit`: numbers of a spec from measurements."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from viscodesign.cli.options import (
+    Debug,
+    Force,
+    Json,
+    NoPlots,
+    Overrides,
+    PictureFormat,
+    Quiet,
+    RunFolder,
+    Spec,
+)
+from viscodesign.cli.specs import read_scene
+from viscodesign.errors import InterruptedRunError
+
+if TYPE_CHECKING:
+    from viscodesign.results.fit_result import Fit
+
+EXAMPLE = """\b
+Examples:
+  viscodesign fit leg.yaml data.csv
+  viscodesign fit leg.yaml slow.csv "fast.csv@loads.payload=200 g"
+  viscodesign fit leg.yaml data.csv --free fluid.viscosity \\
+    --free network.tube_radius
+"""
+
+
+def command(
+    spec: Spec,
+    data: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="DATA...",
+            help="Recordings (CSV); DATA.csv@KEY=VALUE has another value of a key.",
+        ),
+    ],
+    overrides: Overrides = None,
+    free: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--free",
+            metavar="KEY",
+            help="Key to fit; repeatable. Default: all coefficients, viscosity and damping.",
+        ),
+    ] = None,
+    output: RunFolder = None,
+    no_plots: NoPlots = False,
+    picture_format: PictureFormat = "png",
+    force: Force = False,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Fit numbers of a spec to recordings of its motion.
+
+    A recording has a column time_s, and some of inlet_pressure_pa, syringe_volume_m3,
+    m1_x_m, m1_z_m, ... (markers at the ends of the sections, from the clamp), tip_x_m
+    and tip_z_m. Writes spec.yaml with the fitted numbers, fit.json and fit.png, and
+    says which numbers the data cannot tell apart. Ctrl-C keeps the best so far.
+    """
+    from viscodesign import fit as find
+    from viscodesign.cli.output import complain, json_text, say
+    from viscodesign.cli.progress import progress
+    from viscodesign.cli.run_folders import folder_for
+    from viscodesign.cli.texts.fit_text import fit_lines
+    from viscodesign.report.fit_folder import write_fit
+    from viscodesign.report.folder import prepare_folder
+
+    scene = read_scene(spec, overrides)
+    folder, remark = folder_for(scene, output, suffix="_fit")
+    if remark and not quiet:
+        complain(remark)
+    prepare_folder(folder, force=force)
+    with progress(quiet, first="fitting") as advance:
+        found = find(scene, data, free or None, progress=advance)
+    files = write_fit(found, folder, plots=not no_plots, force=force, picture_format=picture_format)
+    if json:
+        say(json_text({**found.document(), "files": [str(file) for file in files]}))
+    elif not quiet:
+        say("\n".join(fit_lines(found, folder, files)))
+    _end(found, folder)
+
+
+def _end(found: Fit, folder: Path) -> None:
+    """Report a fit that was stopped, after its files are written."""
+    if found.status == "interrupted":
+        raise InterruptedRunError(f"interrupted; the best numbers so far are in {folder}")

@@ -1,0 +1,123 @@
+"""`fit.png`: what was measured and what the fitted numbers make of it, and all that is left."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from viscodesign.report.layout.style import (
+    ACCENT,
+    DIVERGING,
+    FAINT,
+    GREY,
+    INK,
+    TITLE_ROOM,
+    axes_at,
+    picture,
+    shown,
+)
+from viscodesign.results.channels import PICTURE_UNITS
+from viscodesign.results.fit_result import Fit, FittedRun
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LEFT, RUN_WIDTH, GAP, RIGHT = 1.35, 4.2, 1.1, 0.75
+BOTTOM, MAP_HEIGHT, ROW_HEIGHT, CURVE_HEIGHT, PANEL_GAP = 0.5, 1.3, 0.115, 1.15, 0.12
+"""In inches."""
+HEADER_ROOM = 0.2
+MOST_RUNS = 3
+"""Recordings that are drawn side by side."""
+REACH = 4.0
+"""Standard deviations at which the colours of residuals end."""
+
+
+def draw_fit(found: Fit, path: Path) -> None:
+    """A column a recording: the last marker over time, and residuals of all channels."""
+    runs = found.runs[:MOST_RUNS]
+    rows = max(len(run.headers) for run in runs)
+    map_height = max(MAP_HEIGHT, ROW_HEIGHT * rows)
+    width = LEFT + len(runs) * (RUN_WIDTH + GAP) - GAP + RIGHT
+    curves = max(len(_drawn(run)) for run in runs)
+    height = BOTTOM + map_height + curves * (CURVE_HEIGHT + PANEL_GAP) + HEADER_ROOM + TITLE_ROOM
+    with picture(path, width, height) as made:
+        for k, run in enumerate(runs):
+            left = LEFT + k * (RUN_WIDTH + GAP)
+            image = _draw_map(axes_at(made, left, BOTTOM, RUN_WIDTH, map_height), run)
+            if k == len(runs) - 1:
+                _draw_key(made, image, left + RUN_WIDTH + 0.08, map_height)
+            bottom = BOTTOM + map_height + PANEL_GAP
+            for place in _drawn(run):
+                _draw_curve(axes_at(made, left, bottom, RUN_WIDTH, CURVE_HEIGHT), run, place)
+                bottom += CURVE_HEIGHT + PANEL_GAP
+            words = shown(" ".join([Path(run.file).name, *run.overrides]), 60)
+            made.text(left / width, (bottom + 0.02) / height, words, size=8, color=GREY)
+        more = len(found.runs) - len(runs)
+        title = (
+            f"{shown(found.name, 40)}: measured and fitted{f', and {more} more' if more else ''}"
+        )
+        made.text(0.1 / width, 1 - 0.21 / height, title, size=10, va="baseline")
+
+
+def _drawn(run: FittedRun) -> list[int]:
+    """Channels that are drawn over time, from below: the last marker, pressure, volume."""
+    places = [k for k, unit in enumerate(run.units) if unit == "m"]
+    return [*places[-2:][::-1], *(k for k, unit in enumerate(run.units) if unit == "m^3")]
+
+
+def _draw_curve(axes: Axes, run: FittedRun, place: int) -> None:
+    unit, factor = PICTURE_UNITS[run.units[place]]
+    measured, kept = factor * run.measured[:, place], run.kept[:, place]
+    gross = np.isfinite(measured) & ~kept
+    axes.plot(run.time[kept], measured[kept], ".", ms=2.5, color=FAINT, label="measured")
+    if gross.any():
+        axes.plot(
+            run.time[gross], measured[gross], "x", ms=4, color=ACCENT, label="gross, left out"
+        )
+    axes.plot(run.time, factor * run.expected[:, place], color=INK, lw=0.9, label="fitted")
+    axes.set_ylabel(f"{_bare(run.headers[place])} [{unit}]", fontsize=7.5)
+    axes.set_xlim(run.time[0], run.time[-1])
+    axes.tick_params(labelbottom=False)
+    if place == _drawn(run)[0]:
+        axes.legend(fontsize=6.5, loc="best", markerscale=1.5)
+
+
+def _bare(header: str) -> str:
+    """A header without its unit."""
+    name, _, unit = header.rpartition("_")
+    return shown(name if name and len(unit) <= 3 else header, 22)
+
+
+def _draw_map(axes: Axes, run: FittedRun) -> object:
+    """Residuals of every channel and row."""
+    residuals = np.where(run.kept, run.residuals, np.nan).T
+    edges = np.concatenate([[run.time[0]], (run.time[1:] + run.time[:-1]) / 2, [run.time[-1]]])
+    image = axes.pcolormesh(
+        edges,
+        np.arange(len(run.headers) + 1),
+        np.ma.masked_invalid(residuals),
+        cmap=DIVERGING,
+        vmin=-REACH,
+        vmax=REACH,
+        rasterized=True,
+    )
+    gross = np.isfinite(run.measured) & ~run.kept
+    rows, channels = np.nonzero(gross)
+    axes.plot(run.time[rows], channels + 0.5, "x", ms=2.5, mew=0.6, color=ACCENT)
+    axes.set_ylim(len(run.headers), 0)
+    axes.set_yticks(
+        np.arange(len(run.headers)) + 0.5, [_bare(h) for h in run.headers], fontsize=5.5
+    )
+    axes.tick_params(axis="y", length=0)
+    axes.set_xlabel("time [s]")
+    return image
+
+
+def _draw_key(made: Figure, image: object, left: float, height: float) -> None:
+    axes = axes_at(made, left, BOTTOM, 0.1, height)
+    made.colorbar(image, cax=axes)  # type: ignore[arg-type]
+    axes.set_ylabel("measured - fitted [sd of the noise]", fontsize=6.5)
+    axes.tick_params(labelsize=6.5)
