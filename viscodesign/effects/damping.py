@@ -24,6 +24,8 @@ class Damping(Effect):
 
     name: ClassVar[str] = "damping"
     order: ClassVar[int] = 40
+    # Without it a rod with inertia would ring for ever, and its steps become no cheaper.
+    free_with: ClassVar[str] = "inertia"
     formula: ClassVar[str] = "t_v / t_s"
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.ROD_DAMPING})
     validity: ClassVar[str] = "A loss that grows with frequency; 1 ms is a guess for silicone."

@@ -424,3 +424,21 @@ def test_gas_that_may_not_choke_is_told_of() -> None:
 def test_a_stated_load_acts_unless_it_is_named_off(modes: str, taken: bool) -> None:
     found = verdicts(AUTO, "loads.payload=20 g", f"effects={modes}")
     assert found["tip_load"].taken is taken
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        ("effects={inertia: on}",),
+        ("effects={inertia: on}", "actuator.damping_time=1 us"),
+        ("loads.gravity={acceleration: 9.81, tilt: 90 deg}", "run.start=rest", "effects=auto"),
+    ],
+)
+def test_damping_goes_with_inertia_however_little_it_does(changes: tuple[str, ...]) -> None:
+    scene = leg(
+        "bellows.count=4", "input={kind: sine, amplitude: 10 kPa, frequency: 0.1 Hz}", *changes
+    )
+    active = select_effects(SceneQuantities(scene)).active
+    assert {"inertia", "damping"} <= active
+    forbidden = leg("bellows.count=4", *changes, "effects.damping=off")
+    assert "damping" not in select_effects(SceneQuantities(forbidden)).active
