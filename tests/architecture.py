@@ -27,7 +27,7 @@ LAYERS = [
     ["pump.bus"],
     ["pump"],
     ["inverse", "calibration"],
-    ["studies", "exploration", "comparison"],
+    ["studies", "exploration", "comparison", "citations"],
     ["compiled"],
     ["simulation"],
     ["checks", "loading"],
@@ -45,7 +45,7 @@ LAYERS = [
     [
         *("units", "common_units", "values"),
         *("errors", "plugins", "interrupt"),
-        *("lazy_dataclass", "lazy_names", "_version"),
+        *("lazy_dataclass", "lazy_names", "references", "_version"),
     ],
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}

@@ -11,6 +11,7 @@ from viscodesign.errors import Fault
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
+from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
 from viscodesign.scene.effects_choice import EffectsChoice, Mode
 from viscodesign.solve.obstacles import Obstacle
@@ -84,6 +85,8 @@ class Effect(ABC):
     """Where the term as computed here holds, in one sentence."""
     source: ClassVar[str] = ""
     """Where it is taken from."""
+    references: ClassVar[tuple[LiteratureReference, ...]] = ()
+    """What to cite for it."""
     keys: ClassVar[tuple[str, ...]] = ()
     """Keys of the spec that it reads."""
 

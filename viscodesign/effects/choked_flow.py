@@ -18,6 +18,7 @@ from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
 from viscodesign.postprocess.sustained import Sustained
 from viscodesign.postprocess.tube_ends import end_pressures
+from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem
 from viscodesign.storage.disk_arrays import blocks
@@ -45,6 +46,19 @@ class ChokedFlow(Effect):
     )
     source: ClassVar[str] = (
         "Shapiro (1953), chapter 6: isothermal flow with friction; Crane TP 410, equation 1-6."
+    )
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "shapiro1953",
+            "book",
+            {
+                "author": "Shapiro, Ascher H.",
+                "title": "The Dynamics and Thermodynamics of Compressible Fluid Flow",
+                "volume": "1",
+                "publisher": "Ronald Press",
+                "year": "1953",
+            },
+        ),
     )
     keys: ClassVar[tuple[str, ...]] = (
         "fluid.density",

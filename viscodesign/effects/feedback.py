@@ -15,6 +15,7 @@ from viscodesign.model.bellow_law import places
 from viscodesign.model.system import System
 from viscodesign.physics import bellow
 from viscodesign.postprocess.stability import growth_notices
+from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start
@@ -32,6 +33,7 @@ class Feedback(Effect):
     formula: ClassVar[str] = "(da/dN N + da/dM M) / (da/dp p)"
     validity: ClassVar[str] = "Small changes of a bellow's volume by the loads of its section."
     source: ClassVar[str] = "The paper, equation (1)."
+    references: ClassVar[tuple[LiteratureReference, ...]] = (PAPER,)
     keys: ClassVar[tuple[str, ...]] = ("bellows.area_per_force", "bellows.area_per_moment")
 
     area_per_force: float

@@ -18,6 +18,7 @@ from viscodesign.physics import tube
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
 from viscodesign.postprocess.sustained import Sustained
+from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem
 from viscodesign.storage.disk_arrays import blocks
@@ -38,6 +39,21 @@ class FlowRegime(Effect):
         "Smooth tubes, fully developed flow; no law is reliable between Re 2300 and 4000."
     )
     source: ClassVar[str] = "Churchill (1977) for friction; local losses as for a sharp edge."
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "churchill1977",
+            "article",
+            {
+                "author": "Churchill, S. W.",
+                "title": "Friction-factor equation spans all fluid-flow regimes",
+                "journal": "Chemical Engineering",
+                "volume": "84",
+                "number": "24",
+                "pages": "91--92",
+                "year": "1977",
+            },
+        ),
+    )
     keys: ClassVar[tuple[str, ...]] = (
         "network.entrance_loss",
         "network.exit_loss",

@@ -16,6 +16,7 @@ from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.system import System
 from viscodesign.physics.timescales import LARGEST_TIME_RATIO
 from viscodesign.postprocess.motion import Motion
+from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.solve.obstacles import Obstacle
 from viscodesign.solve.problem import Problem
 
@@ -40,6 +41,7 @@ class Inertia(Effect):
     }
     validity: ClassVar[str] = "A slender rod, its mass lumped at points of the axis."
     source: ClassVar[str] = "The paper, equation (4)."
+    references: ClassVar[tuple[LiteratureReference, ...]] = (PAPER,)
     keys: ClassVar[tuple[str, ...]] = ("actuator.density", "actuator.solid_fraction")
 
     @classmethod

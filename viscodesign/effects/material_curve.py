@@ -18,6 +18,7 @@ from viscodesign.model.system import System
 from viscodesign.physics.curves import PiecewiseCubic
 from viscodesign.physics.snapping import SnapCurves
 from viscodesign.postprocess.motion_limits import Limit, Peak
+from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
 from viscodesign.scene.bellows import falls, first_peak, snaps
 from viscodesign.solve.obstacles import Obstacle
@@ -47,6 +48,21 @@ class MaterialCurve(Effect):
     }
     validity: ClassVar[str] = "Within the measured range; beyond it a warning is given."
     source: ClassVar[str] = "Interpolation by Fritsch and Butland (1984)."
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "fritsch1984",
+            "article",
+            {
+                "author": "Fritsch, F. N. and Butland, J.",
+                "title": "A Method for Constructing Local Monotone Piecewise Cubic Interpolants",
+                "journal": "SIAM Journal on Scientific and Statistical Computing",
+                "volume": "5",
+                "number": "2",
+                "pages": "300--304",
+                "year": "1984",
+            },
+        ),
+    )
     keys: ClassVar[tuple[str, ...]] = ("bellows.curve",)
 
     curves: tuple[PiecewiseCubic, ...]

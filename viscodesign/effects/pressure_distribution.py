@@ -12,6 +12,7 @@ from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 from viscodesign.physics.timescales import LARGEST_TIME_RATIO
+from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.scene.bellows import snaps
 
 
@@ -25,6 +26,7 @@ class PressureDistribution(Effect):
     traits: ClassVar[frozenset[Trait]] = frozenset({Trait.DISTRIBUTED_PRESSURE})
     validity: ClassVar[str] = "Slow laminar flow of a Newtonian fluid in slender tubes."
     source: ClassVar[str] = "Hagen and Poiseuille; the paper, equation (1)."
+    references: ClassVar[tuple[LiteratureReference, ...]] = (PAPER,)
     keys: ClassVar[tuple[str, ...]] = (
         "network.layout",
         "network.tube_radius",

@@ -11,6 +11,7 @@ from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 from viscodesign.physics import beam
+from viscodesign.references import LiteratureReference
 
 EVEN_LOAD = 4.0
 """Deflection of a cantilever's tip under an even load by shear, q l^2/(2 kappa G A), over that by
@@ -38,6 +39,19 @@ class Shear(Effect):
         "Bellows make it a guess that actuator.shear_factor replaces."
     )
     source: ClassVar[str] = "Timoshenko's beam; Reissner (1972) for large deflections."
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "reissner1972",
+            "article",
+            {
+                "author": "Reissner, Eric",
+                "title": "On one-dimensional finite-strain beam theory: the plane problem",
+                "journal": "Journal of Applied Mathematics and Physics (ZAMP)",
+                "volume": "23",
+                "year": "1972",
+            },
+        ),
+    )
     keys: ClassVar[tuple[str, ...]] = ("actuator.shear_factor", "actuator.height")
     own_rule: ClassVar[str] = (
         "Only a spec that names it has it, whatever `others` says: `effects.shear: on` includes "

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import ClassVar
 
+from viscodesign.references import LiteratureReference
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
 
 HEAT_CAPACITY_RATIO = 1.4
@@ -18,6 +19,40 @@ class Air(NamedFluid):
     """
 
     name: ClassVar[str] = "air"
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "lemmon2000",
+            "article",
+            {
+                "author": "Lemmon, Eric W. and Jacobsen, Richard T. and Penoncello,"
+                " Steven G. and Friend, Daniel G.",
+                "title": "Thermodynamic Properties of Air and Mixtures of "
+                "Nitrogen, Argon, and Oxygen From 60 to 2000 {K} at "
+                "Pressures to 2000 {MPa}",
+                "journal": "Journal of Physical and Chemical LiteratureReference Data",
+                "volume": "29",
+                "number": "3",
+                "pages": "331--385",
+                "year": "2000",
+                "doi": "10.1063/1.1285884",
+            },
+        ),
+        LiteratureReference(
+            "lemmon2004",
+            "article",
+            {
+                "author": "Lemmon, E. W. and Jacobsen, R. T.",
+                "title": "Viscosity and Thermal Conductivity Equations for "
+                "Nitrogen, Oxygen, Argon, and Air",
+                "journal": "International Journal of Thermophysics",
+                "volume": "25",
+                "number": "1",
+                "pages": "21--69",
+                "year": "2004",
+                "doi": "10.1023/B:IJOT.0000022327.04529.f3",
+            },
+        ),
+    )
     min_temperature: ClassVar[float] = 132.7
     max_temperature: ClassVar[float] = 1000.0
 

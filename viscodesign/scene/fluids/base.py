@@ -7,6 +7,7 @@ from abc import ABC, abstractmethod
 from typing import ClassVar
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.references import LiteratureReference
 from viscodesign.scene.spec_part import invalid_at
 
 
@@ -54,6 +55,8 @@ class NamedFluid(ABC):
     """Kinematic viscosity at 25 degC of one of these [cSt]."""
     is_mixture: ClassVar[bool] = False
     """Whether its properties depend on the mass fraction of a solute."""
+    references: ClassVar[tuple[LiteratureReference, ...]] = ()
+    """What to cite for it."""
 
     @classmethod
     def at(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import ClassVar
 
+from viscodesign.references import LiteratureReference
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
 from viscodesign.scene.spec_part import invalid, invalid_at
 
@@ -23,6 +24,33 @@ class GlycerolWater(NamedFluid):
     """
 
     name: ClassVar[str] = "glycerol-water"
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "cheng2008",
+            "article",
+            {
+                "author": "Cheng, Nian-Sheng",
+                "title": "Formula for the Viscosity of a Glycerol-Water Mixture",
+                "journal": "Industrial \\& Engineering Chemistry Research",
+                "volume": "47",
+                "pages": "3285--3288",
+                "year": "2008",
+            },
+        ),
+        LiteratureReference(
+            "volk2018",
+            "article",
+            {
+                "author": 'Volk, A. and K{\\"a}hler, C. J.',
+                "title": "Density model for aqueous glycerol solutions",
+                "journal": "Experiments in Fluids",
+                "volume": "59",
+                "pages": "75",
+                "year": "2018",
+                "doi": "10.1007/s00348-018-2527-y",
+            },
+        ),
+    )
     min_temperature: ClassVar[float] = 253.15
     max_temperature: ClassVar[float] = 373.15
     is_mixture: ClassVar[bool] = True

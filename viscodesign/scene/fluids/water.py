@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import ClassVar
 
+from viscodesign.references import LiteratureReference
 from viscodesign.scene.fluids.base import FluidProperties, NamedFluid
 from viscodesign.scene.spec_part import invalid_at
 
@@ -20,6 +21,40 @@ class Water(NamedFluid):
     """
 
     name: ClassVar[str] = "water"
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "wagner2002",
+            "article",
+            {
+                "author": "Wagner, Wolfgang and Pru{\\ss}, Andreas",
+                "title": "The {IAPWS} Formulation 1995 for the Thermodynamic "
+                "Properties of Ordinary Water Substance for General and "
+                "Scientific Use",
+                "journal": "Journal of Physical and Chemical LiteratureReference Data",
+                "volume": "31",
+                "number": "2",
+                "pages": "387--535",
+                "year": "2002",
+            },
+        ),
+        LiteratureReference(
+            "huber2009",
+            "article",
+            {
+                "author": "Huber, M. L. and Perkins, R. A. and Laesecke, A. and "
+                "Friend, D. G. and Sengers, J. V. and Assael, M. J. and "
+                "Metaxa, I. N. and Vogel, E. and Mares, R. and Miyagawa, "
+                "K.",
+                "title": "New International Formulation for the Viscosity of {H2O}",
+                "journal": "Journal of Physical and Chemical LiteratureReference Data",
+                "volume": "38",
+                "number": "2",
+                "pages": "101--125",
+                "year": "2009",
+                "doi": "10.1063/1.3088050",
+            },
+        ),
+    )
     min_temperature: ClassVar[float] = 273.16
     max_temperature: ClassVar[float] = 640.0
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.references import LiteratureReference
 from viscodesign.solve.problem import Pieces, Problem
 from viscodesign.solve.statics import Instant, Start, consistent
 
@@ -51,6 +52,8 @@ class Solver(ABC):
     """Its name in settings and tables."""
     title: ClassVar[str]
     """Method and author, in one line."""
+    references: ClassVar[tuple[LiteratureReference, ...]] = ()
+    """What to cite for it."""
     tip_error_per_tolerance: ClassVar[float]
     """Typical tip error in actuator lengths, over the tolerance."""
     is_exact: ClassVar[bool] = False

@@ -20,6 +20,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.formulas import Formulas
+from viscodesign.references import LiteratureReference
 from viscodesign.solve.numerics.newton import integrator_linear_solver
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
@@ -64,6 +65,24 @@ class Idas(Solver):
     """Variable-order BDF of SUNDIALS on the whole system of equations."""
 
     name: ClassVar[str] = "idas"
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "hindmarsh2005",
+            "article",
+            {
+                "author": "Hindmarsh, A. C. and Brown, P. N. and Grant, K. E. and "
+                "Lee, S. L. and Serban, R. and Shumaker, D. E. and "
+                "Woodward, C. S.",
+                "title": "{SUNDIALS}: Suite of nonlinear and "
+                "differential/algebraic equation solvers",
+                "journal": "ACM Transactions on Mathematical Software",
+                "volume": "31",
+                "number": "3",
+                "pages": "363--396",
+                "year": "2005",
+            },
+        ),
+    )
     order: ClassVar[int] = 20
     title: ClassVar[str] = "SUNDIALS IDAS: BDF of order 1 to 5, exact Jacobian"
     # Nine configs at their first tolerances: 6 in the median, 14 at most but for a payload that

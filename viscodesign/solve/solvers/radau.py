@@ -15,6 +15,7 @@ from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.jacobian import jacobian
+from viscodesign.references import LiteratureReference
 from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
@@ -44,6 +45,19 @@ class Radau(Solver):
     """SciPy's Radau of order 5, restarted at every corner."""
 
     name: ClassVar[str] = "radau"
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "hairer1996",
+            "book",
+            {
+                "author": "Hairer, Ernst and Wanner, Gerhard",
+                "title": "Solving Ordinary Differential Equations {II}: Stiff and "
+                "Differential-Algebraic Problems",
+                "publisher": "Springer",
+                "year": "1996",
+            },
+        ),
+    )
     order: ClassVar[int] = 30
     title: ClassVar[str] = "SciPy's Radau IIA: order 5, exact Jacobian, in Python"
     tip_error_per_tolerance: ClassVar[float] = 5.0

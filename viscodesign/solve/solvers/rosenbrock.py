@@ -14,6 +14,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.references import LiteratureReference
 from viscodesign.solve.event_location import located
 from viscodesign.solve.numerics.symbolic_lu import has_whole_diagonal
 from viscodesign.solve.problem import Problem
@@ -28,6 +29,24 @@ class Rosenbrock(Solver):
     """Steps of Rodas5P, as long as the embedded error allows."""
 
     name: ClassVar[str] = "rosenbrock"
+    references: ClassVar[tuple[LiteratureReference, ...]] = (
+        LiteratureReference(
+            "steinebach2023",
+            "article",
+            {
+                "author": "Steinebach, G.",
+                "title": "Construction of {Rosenbrock--Wanner} method {Rodas5P} "
+                "and numerical benchmarks within the {Julia Differential "
+                "Equations} package",
+                "journal": "BIT Numerical Mathematics",
+                "volume": "63",
+                "number": "2",
+                "pages": "27",
+                "year": "2023",
+                "doi": "10.1007/s10543-023-00967-x",
+            },
+        ),
+    )
     order: ClassVar[int] = 10
     title: ClassVar[str] = "Rodas5P: Rosenbrock of order 5, A-stable, exact Jacobian"
     # The largest over a hundred scenes; typically it is below one.

@@ -1,0 +1,51 @@
+"""`viscodesign cite`: BibTeX of what a run used."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from viscodesign.cli.options import Debug, Json, Output, Quiet
+
+EXAMPLE = """\b
+Examples:
+  viscodesign cite runs/leg
+  viscodesign cite runs/leg > references.bib"""
+
+
+def command(
+    run: Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")],
+    output: Output = None,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Print BibTeX of what a run used.
+
+    The works behind its model, the effects that it includes, the properties of its fluid
+    and its time integration, each with a comment that says what for. With -o also writes
+    DIR/references.bib.
+    """
+    from viscodesign.citations import citations_of
+    from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.report.read_run import read_run
+
+    found = citations_of(read_run(run))
+    text = "\n\n".join(citation.bibtex for citation in found)
+    if output is not None:
+        write_text(output / "references.bib", text + "\n", overwrite=True)
+    if json:
+        entries = [
+            {
+                "key": c.reference.key,
+                "type": c.reference.kind,
+                "uses": list(c.uses),
+                **c.reference.fields,
+            }
+            for c in found
+        ]
+        say(json_text({"references": entries}))
+    elif not quiet:
+        say(text)
