@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: run test lint check clean
+.PHONY: run test lint check docs clean
 
 run: $(VENV)/.main
 	$(BIN)/viscodesign simulate configs/leg.yaml
@@ -19,6 +19,9 @@ lint: $(VENV)/.dev
 check: lint
 	$(BIN)/python -m pytest -n 2 --dist worksteal -x tests/unit tests/contract
 
+docs: $(VENV)/.dev
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs site
+
 $(VENV)/.main: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade pip
@@ -30,4 +33,4 @@ $(VENV)/.dev: $(VENV)/.main
 	touch $@
 
 clean:
-	rm -rf $(VENV)
+	rm -rf $(VENV) site

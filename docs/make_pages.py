@@ -1,7 +1,7 @@
 """Fill the computed parts of these pages: python docs/make_pages.py [PAGE ...]
 
-Without a page it fills all, which solves many scenes; `effects`, `keys` and `quantities` take a
-moment.
+Without a page it fills all, which solves many scenes; `effects`, `keys`, `commands`, `api` and
+`quantities` take a moment.
 A page is written by hand except for blocks between `<!-- made: NAME -->` and `<!-- made: end -->`;
 these are replaced. Pictures go to docs/published_and_called_for/.
 """
@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from commands_table import commands, public_names
 from keys_table import HEAD, coefficient_units, sections
 from tip_pair import draw_tips
 
@@ -41,6 +42,8 @@ def main(names: list[str]) -> None:
         "effects": lambda: {"effects": effects_table()},
         "measuring": lambda: {"estimates": estimates_table()},
         "keys": lambda: {"keys": keys_tables()},
+        "commands": lambda: {"commands": "\n\n".join(commands())},
+        "api": lambda: {"names": "\n\n".join(public_names())},
         "quantities": lambda: {"quantities": quantities_table(), "metrics": metrics_table()},
         "accuracy": lambda: {"accuracy": accuracy_block()},
         "published_and_called_for": comparison_blocks,
