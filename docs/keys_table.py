@@ -18,6 +18,7 @@ from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.reading.field_lookup import alternatives, entry_of, quantity_of
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.uncertainty import Uncertainty
 from viscodesign.units import QuantityKind
 
 HEAD = ("key", "meaning", "unit", "default", "range", "effects")
@@ -38,11 +39,19 @@ def sections() -> Iterator[Section]:
         for model in _models(found.annotation):
             if model is EffectsChoice:
                 yield "effects", "Names of effects, each with its mode.", _effect_rows()
+            elif model is Uncertainty:
+                yield name, _summary(model), _uncertainty_rows()
             elif not issubclass(model, Input):
                 yield f"{name}", _summary(model), list(_rows(name, model))
     for kind, model in INPUT_KINDS.items():
         rows = [row for row in _rows("input", model) if row[0] != f"`input.{KIND}`"]
         yield f"input of kind {kind}", _summary(model), rows
+
+
+def _uncertainty_rows() -> list[Row]:
+    fields = Uncertainty.model_fields
+    keyed = _row("uncertainty", "KEY", fields["spreads"])
+    return [keyed, _row("uncertainty", "others", fields["others"])]
 
 
 def coefficient_units() -> dict[str, QuantityKind]:

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from viscodesign.errors import SpecError as SpecError
     from viscodesign.errors import ViscodesignError as ViscodesignError
     from viscodesign.exploration.sensitivity import sensitivity as sensitivity
+    from viscodesign.exploration.simulate import simulate as simulate
     from viscodesign.exploration.sweep import sweep as sweep
     from viscodesign.inverse.design import design as design
     from viscodesign.loading import load as load
@@ -52,7 +53,6 @@ if TYPE_CHECKING:
     from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
     from viscodesign.results.trajectory import Trajectory as Trajectory
     from viscodesign.scene.scene import Scene as Scene
-    from viscodesign.simulation.simulate import simulate as simulate
     from viscodesign.studies.accuracy import accuracy as accuracy
 
 _HOMES = {
@@ -84,7 +84,7 @@ _HOMES = {
     "load": ".loading",
     "plan": ".pump.planning.plan",
     "sensitivity": ".exploration.sensitivity",
-    "simulate": ".simulation.simulate",
+    "simulate": ".exploration.simulate",
     "sweep": ".exploration.sweep",
 }
 """Where each name is imported from when it is first asked for: `--help` needs none of them."""

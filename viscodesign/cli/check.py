@@ -37,7 +37,12 @@ def command(
     def run(spec: Path) -> SpecResult:
         from viscodesign import check
 
-        found = check(read_scene(spec, overrides))
+        scene = read_scene(spec, overrides)
+        found = check(scene)
+        if scene.uncertainty is not None:
+            from viscodesign.exploration.coefficient_band import refuse_uncertainty
+
+            refuse_uncertainty(scene)
         return SpecResult(found.document(), [] if json or quiet else _lines(found))
 
     def keep(document: dict[str, Any]) -> None:

@@ -36,6 +36,7 @@ Examples:
   viscodesign simulate leg.yaml
   viscodesign simulate leg.yaml -o runs/water --set fluid=water
   viscodesign simulate leg.yaml --prove
+  viscodesign simulate leg.yaml --set uncertainty=typical
   viscodesign simulate configs/leg_*.yaml --no-plots"""
 
 
@@ -60,6 +61,12 @@ def command(
     no_verify: Annotated[
         bool, typer.Option("--no-verify", help="Skip the estimate of the tip error.")
     ] = False,
+    no_uncertainty: Annotated[
+        bool,
+        typer.Option(
+            "--no-uncertainty", help="Leave out the band that the spec's `uncertainty` gives."
+        ),
+    ] = False,
     no_plots: NoPlots = False,
     no_report: NoReport = False,
     picture_format: PictureFormat = "png",
@@ -78,7 +85,15 @@ def command(
     largest.
     """
     options = RunOptions(
-        prove, not no_verify, not no_plots, not no_report, picture_format, force, json, quiet
+        prove,
+        not no_verify,
+        not no_uncertainty,
+        not no_plots,
+        not no_report,
+        picture_format,
+        force,
+        json,
+        quiet,
     )
     begun = Beginnings(context.obj)
     taken: set[Path] = set()
@@ -102,6 +117,7 @@ class RunOptions:
 
     prove: bool
     verify: bool
+    uncertainty: bool
     plots: bool
     report: bool
     picture_format: Literal["png", "pdf", "svg"]
@@ -138,6 +154,7 @@ def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) ->
                 scene,
                 verify=options.verify,
                 prove=options.prove,
+                uncertainty=options.uncertainty,
                 progress=advance,
                 scratch=folder,
             )

@@ -28,6 +28,7 @@ FROZEN_SECTIONS = {
     "effects": "which effects are included stays as it was chosen",
     "name": "it is no number of the equations",
     "pump": "no equation contains the pump's data",
+    "uncertainty": "it says how well other numbers are known",
     "spec": "it is the version of the keys",
     "run": "times of the run and of its outputs stay as they are",
 }

@@ -193,6 +193,11 @@ class CompiledFunction:
         return self._numbers.values.copy()
 
     @property
+    def units(self) -> tuple[str, ...]:
+        """SI units of the free numbers, "1" for a ratio."""
+        return tuple(number.unit for number in self._numbers.keys.numbers)
+
+    @property
     def times(self) -> np.ndarray:
         """(T,) output times [s]."""
         return self._motion.times.copy()

@@ -13,6 +13,7 @@ from viscodesign._version import __version__
 from viscodesign.compiled.free_keys import FreeKeys, candidates
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.errors import SpecError
+from viscodesign.exploration.differentiable import LeftOut, differentiable
 from viscodesign.exploration.sampled_variance import sampled_variance
 from viscodesign.exploration.tolerances import deviations
 from viscodesign.results.sensitivity_study import SensitiveNumber, SensitivityStudy
@@ -23,7 +24,7 @@ from viscodesign.storage.lru_cache import LruCache
 TIP = ("tip_x_m", "tip_z_m")
 QUADRATURE_DEVIATIONS = np.sqrt(3.0)
 """Distance of the outer points from the middle, in standard deviations; the middle weighs 4/6."""
-_FUNCTIONS: LruCache[tuple[CompiledFunction, tuple[tuple[str, str], ...]]] = LruCache(4)
+_FUNCTIONS: LruCache[tuple[CompiledFunction, LeftOut]] = LruCache(4)
 """Those of the latest scenes, for other tolerances of the same numbers."""
 
 
@@ -77,9 +78,7 @@ def sensitivity(
     return replace(study, wall_s=clock.perf_counter() - began)
 
 
-def _function(
-    scene: Scene, keys: tuple[str, ...] | None
-) -> tuple[CompiledFunction, tuple[tuple[str, str], ...]]:
+def _function(scene: Scene, keys: tuple[str, ...] | None) -> tuple[CompiledFunction, LeftOut]:
     """The tip as a function of numbers, all that can be free by default, and what cannot."""
     kept = scene.digest, scene.source, keys
     if keys is not None:
@@ -87,25 +86,9 @@ def _function(
     return _FUNCTIONS.get(kept, lambda: _of_all_numbers(scene))
 
 
-def _of_all_numbers(scene: Scene) -> tuple[CompiledFunction, tuple[tuple[str, str], ...]]:
-    """Numbers are left out as they are refused, until the others have derivatives."""
-    left_out: dict[str, str] = {}
+def _of_all_numbers(scene: Scene) -> tuple[CompiledFunction, LeftOut]:
     keys = [key for key in candidates(scene) if "[" not in key]
-    while True:
-        keys = [key for key in keys if key not in left_out]
-        try:
-            zero = [number.name for number in FreeKeys(scene, keys).numbers if not number.value]
-            left_out |= dict.fromkeys(zero, "it is 0, of which a percent is nothing")
-            keys = [key for key in keys if key not in left_out]
-            function = CompiledFunction(scene, keys, TIP)
-            function.jacobian()
-        except SpecError as error:
-            faults = {fault.key: fault.message for fault in error.faults if fault.key in keys}
-            if not faults or len(faults) == len(keys):
-                raise
-            left_out |= {key: why.removeprefix("cannot be free: ") for key, why in faults.items()}
-        else:
-            return function, tuple(sorted(left_out.items()))
+    return differentiable(scene, keys, TIP)
 
 
 def _variances(study: SensitivityStudy, function: CompiledFunction) -> np.ndarray:

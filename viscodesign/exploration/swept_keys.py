@@ -14,7 +14,8 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.reading.document import parse_value
 from viscodesign.scene.scene import Scene
 
-INERT = {"name": "it changes no number of a run", "pump": "a run does not contain the pump"}
+INERT = {"name": "it changes no number of a run", "pump": "a run does not contain the pump",
+         "uncertainty": "it changes no number of a run"}  # fmt: skip
 """Sections of a spec that a study cannot vary, and why."""
 
 

@@ -74,6 +74,8 @@ class FileSet:
 
 
 RUN_TABLES = ("trajectory.csv", "shape.csv", "spec.yaml")
+BAND_TABLE = "uncertainty.csv"
+"""Written where the spec says how well its numbers are known."""
 RUN_PICTURES = ("tip.png", "pressures.png", "shapes.png")
 EFFECTS_PICTURE = "effects.png"
 """Drawn where a run measured its effects."""
@@ -104,6 +106,7 @@ SWEEP_ROWS = "sweep.rows.jsonl"
 """Rows of a sweep as they are computed."""
 OUR_FILES = {
     *RUN_TABLES,
+    BAND_TABLE,
     *in_every_format([*RUN_PICTURES, EFFECTS_PICTURE, *(own.picture for own in FILE_SETS)]),
     SUMMARY,
     PAGE,

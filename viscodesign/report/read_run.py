@@ -14,8 +14,9 @@ import numpy as np
 
 from viscodesign.errors import UsageError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.folder import RUN_TABLES, SUMMARY
+from viscodesign.report.folder import BAND_TABLE, RUN_TABLES, SUMMARY
 from viscodesign.results.channels import SHAPE, TRAJECTORY, Per, channel
+from viscodesign.results.coefficient_band import BAND_COLUMNS, CoefficientBand, UncertainNumber
 from viscodesign.results.findings import (
     Classification,
     EffectAblation,
@@ -53,7 +54,7 @@ def read_run(directory: str | Path) -> Trajectory:
         arrays = _arrays(motion, names)
         axes = _axes(shape, arrays["time"])
         arrays["shape"] = axes.shape
-        told = _told(summary)
+        told = _told(summary) | _band(folder, summary.get("uncertainty"))
     except (ValueError, IndexError, KeyError, TypeError) as error:
         raise UsageError(
             f"the files in {folder} do not fit together ({error}). Simulate the spec again"
@@ -146,6 +147,25 @@ def _axes(table: _RunTable, time: np.ndarray) -> _Axes:
         raise ValueError("shapes are at other times than the motion")
     every = int(rows[1] - rows[0]) if len(rows) > 1 else 1
     return _Axes(shapes[..., 2:].copy(), shapes[0, :, 1].copy(), every)
+
+
+def _band(folder: Path, told: Mapping[str, Any] | None) -> dict[str, Any]:
+    """How uncertain the tip is, of a run whose summary tells it."""
+    if told is None:
+        return {}
+    time, x, z, xz = _table(folder / BAND_TABLE).columns(BAND_COLUMNS).T
+    numbers = [
+        {**own, "deviation": own["standard_deviation"], "share": own["share_of_variance"]}
+        for own in told["keys"]
+    ]
+    band = CoefficientBand(
+        covariance=np.column_stack([x**2, z**2, xz]),
+        time=time,
+        numbers=_all(UncertainNumber, numbers),
+        left_out=tuple((own["key"], own["reason"]) for own in told["left_out"]),
+        wall_s=told["wall_s"],
+    )
+    return {"uncertainty": band}
 
 
 def _table(file: Path) -> _RunTable:

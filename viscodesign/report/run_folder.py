@@ -6,10 +6,13 @@ import time as clock
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
+
 from viscodesign.interrupt import StopRequest, gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
+    BAND_TABLE,
     EFFECTS_PICTURE,
     PAGE,
     RUN_PICTURES,
@@ -24,6 +27,7 @@ from viscodesign.report.folder import (
     text_bytes,
 )
 from viscodesign.results.channels import shape_columns, trajectory_columns
+from viscodesign.results.coefficient_band import BAND_COLUMNS, CoefficientBand
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import write_all, write_bytes
 from viscodesign.storage.disk_arrays import BLOCK, blocks
@@ -76,18 +80,26 @@ def write_timed(
     """
     began = clock.perf_counter()
     folder = prepare_folder(directory, force=force)
-    contents = (
-        trajectory_lines(trajectory),
-        shape_lines(trajectory),
-        [text_bytes(trajectory.spec_text)],
-    )
-    tables = [folder / name for name in RUN_TABLES]
+    contents = {
+        folder / name: lines
+        for name, lines in zip(
+            RUN_TABLES,
+            (
+                trajectory_lines(trajectory),
+                shape_lines(trajectory),
+                [text_bytes(trajectory.spec_text)],
+            ),
+            strict=True,
+        )
+    }
+    if trajectory.uncertainty is not None:
+        contents[folder / BAND_TABLE] = band_lines(trajectory.uncertainty)
     summary = folder / SUMMARY
     drawn = in_every_format([*RUN_PICTURES, EFFECTS_PICTURE])
-    old = [summary, *(folder / name for name in (*drawn, PAGE))]
+    old = [summary, *(folder / name for name in (*drawn, PAGE, BAND_TABLE))]
     # A run that took long to solve may take a while to write: it is not lost for an interrupt.
     with gentle_interrupt() as interrupt:
-        write_all(dict(zip(tables, contents, strict=True)), first=lambda: remove_files(old))
+        write_all(contents, first=lambda: remove_files(old))
         pictures = list(_draw(trajectory, folder, picture_format, interrupt)) if plots else []
         if report and not interrupt.asked:
             pictures.append(_write_page(trajectory, folder / PAGE))
@@ -95,7 +107,7 @@ def write_timed(
         write_bytes(summary, json_bytes(told.summary()))
     if interrupt.asked:
         raise KeyboardInterrupt
-    return WrittenRun([*tables, *pictures, summary], told)
+    return WrittenRun([*contents, *pictures, summary], told)
 
 
 def _draw(
@@ -125,6 +137,12 @@ def _write_page(trajectory: Trajectory, file: Path) -> Path:
     from viscodesign.report.page.page import write_page
 
     return write_page(trajectory, file)
+
+
+def band_lines(band: CoefficientBand) -> Iterator[bytes]:
+    """`uncertainty.csv`."""
+    yield csv_table(BAND_COLUMNS, [])
+    yield csv_rows(np.column_stack([band.time, band.deviation, band.covariance[:, 2]]))
 
 
 def trajectory_lines(trajectory: Trajectory) -> Iterator[bytes]:

@@ -24,6 +24,7 @@ from viscodesign.results.channels import (
     columns_of,
     shape_columns,
 )
+from viscodesign.results.coefficient_band import CoefficientBand
 from viscodesign.results.findings import (
     Classification,
     EffectAblation,
@@ -172,6 +173,8 @@ class Trajectory(MotionArrays):
     """Absolute [Pa]."""
     period: float | None = None
     """Time after which all inputs repeat together [s]; None where they do not."""
+    uncertainty: CoefficientBand | None = None
+    """How uncertain the tip is by the coefficients of its spec; None where that says nothing."""
     proof: tuple[EffectAblation, ...] = ()
     """The measured change by every effect, if that was requested."""
     ladder: tuple[RetryAttempt, ...] = ()
@@ -305,7 +308,7 @@ class Trajectory(MotionArrays):
     def summary(self) -> dict[str, Any]:
         """The run without its arrays, ready for JSON (numbers that are not finite as None).
 
-        ``proof`` is there where it was asked for.
+        ``proof`` and ``uncertainty`` are there where they were asked for.
         """
         document = {
             "name": self.name,
@@ -324,6 +327,7 @@ class Trajectory(MotionArrays):
             "effects": documents(self.effects),
             **({"proof": documents(self.proof)} if self.proof else {}),
             "accuracy": asdict(self.accuracy),
+            **({"uncertainty": self.uncertainty.document()} if self.uncertainty else {}),
             "cost": self.cost.document(),
             "invariants": asdict(self.invariants),
             "ladder": documents(self.ladder),

@@ -30,6 +30,7 @@ from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_below, invalid, raise_faults
 from viscodesign.scene.spec_version import SPEC_VERSION, version_problem
+from viscodesign.scene.uncertainty import Uncertainty
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
 
@@ -94,6 +95,11 @@ class Scene(SpecPart):
     loads: Loads = Field(default_factory=Loads, description="Gravity, tip force and payload")
     effects: EffectsChoice = Field(
         default_factory=EffectsChoice, description="auto, or effect: auto | on | off"
+    )
+    uncertainty: Uncertainty | None = Field(
+        None,
+        description="How well numbers are known: key: 5 % (one standard deviation) or key: "
+        "[low, high]; or typical, for all coefficients",
     )
     run: RunSettings = Field(description="Duration, outputs and initial state")
     pump: PumpSpec | None = Field(None, description="The syringe pump, for the pump commands")

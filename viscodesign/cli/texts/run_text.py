@@ -8,6 +8,7 @@ from pathlib import Path
 
 from viscodesign.cli.texts.check_text import notice_lines, percent, quadrant_lines
 from viscodesign.cli.texts.layout import number, table
+from viscodesign.results.coefficient_band import CoefficientBand
 from viscodesign.results.findings import RetryAttempt
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
@@ -24,6 +25,8 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         *_loop(trajectory),
         ("tip error", _tip_error(trajectory)),
         ("error breakdown", _error_parts(trajectory)),
+        ("both errors", both_errors(trajectory)),
+        *_contributors(trajectory),
         *_outside(trajectory),
         *(("retry", _retry(attempt)) for attempt in trajectory.ladder[:MOST_RETRIES]),
         *_decisions(trajectory),
@@ -109,6 +112,40 @@ def _tip_error(trajectory: Trajectory) -> str:
         return f"{accuracy.method} ({requested})"
     stated = f"{number(1e3 * error, 'mm')}, {percent(error, length)} of the length ({requested})"
     return ", ".join(filter(None, (stated, trajectory.error_qualifier)))
+
+
+MOST_CONTRIBUTORS = 4
+"""Numbers that are named as the largest contributions to the uncertainty."""
+SMALL_SHARE = 0.005
+"""Of the variance, below which a number is not named."""
+
+
+def both_errors(trajectory: Trajectory) -> str:
+    """What the numbers cost, what is known of the actuator, and whether the model holds."""
+    error, band = trajectory.accuracy.estimated_tip_error_m, trajectory.uncertainty
+    numerical = "not estimated" if error is None else number(1e3 * error, "mm")
+    if band is None:
+        known = "not stated (`uncertainty: typical` for a first band)"
+    else:
+        known = f"+-{number(1e3 * band.half_width_m, 'mm')} (95 %, at {_at(band)})"
+        known += ", some assumed" if band.is_assumed else ""
+    return f"numerical {numerical}; from the coefficients {known}; validity {trajectory.validity}"
+
+
+def _at(band: CoefficientBand) -> str:
+    return number(float(band.time[band.worst_row]), "s")
+
+
+def _contributors(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
+    """The numbers whose uncertainty counts most."""
+    band = trajectory.uncertainty
+    if band is None:
+        return
+    named = [n for n in band.numbers[:MOST_CONTRIBUTORS] if n.share >= SMALL_SHARE]
+    told = [f"{n.key} {100 * n.share:.0f} %{' (assumed)' if n.assumed else ''}" for n in named] or [
+        "none moves the tip"
+    ]
+    yield "contributions", ", ".join(told)
 
 
 def _outside(trajectory: Trajectory) -> Iterator[tuple[str, str]]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
+from viscodesign.report.charts.coefficient_band import band_corners, draw_band
 from viscodesign.report.charts.tip_path import draw_path, time_range
 from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
@@ -56,6 +57,7 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
         _draw_clamp(axes, trajectory)
         _draw_bodies(axes, trajectory, instants, bodies)
+        draw_band(axes, trajectory)
         lines = draw_path(axes, trajectory, 0.4 if zoomed else 1.0)
         if zoomed:
             axes = axes_at(made, LEFT + width + ZOOM_GAP, BOTTOM, ZOOM, ZOOM)
@@ -68,7 +70,10 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         if len(trajectory.time) == 1:
             bar.set_ticks([float(trajectory.time[0])])
         thinned = len(trajectory.time) > MOST_PLOTTED_ROWS
-        head(made, trajectory, f"tip path{' (excerpts)' if thinned else ''}", LEFT)
+        told = f"tip path{' (excerpts)' if thinned else ''}"
+        if trajectory.uncertainty is not None:
+            told += ", 95 % band"
+        head(made, trajectory, told, LEFT)
 
 
 def _is_small(trajectory: Trajectory) -> bool:
@@ -85,6 +90,7 @@ def _draw_enlarged(axes: Axes, trajectory: Trajectory) -> None:
     axes.ticklabel_format(style="plain", useOffset=False)
     axes.set(xlabel=channel("x").label)
     axes.set_title("enlarged", loc="left", fontsize=9)
+    draw_band(axes, trajectory)
     draw_path(axes, trajectory)
 
 
@@ -101,7 +107,7 @@ def _limits(trajectory: Trajectory, bodies: np.ndarray) -> tuple[np.ndarray, np.
     """Corners (x, z) [mm] of a frame about all that is drawn, of a sensible shape."""
     half, hatch = _clamp_size(trajectory)
     corners = [1e3 * corner[None, :2] for corner in extremes(trajectory.tip)]
-    points = np.concatenate([bodies.reshape(-1, 2), *corners])
+    points = np.concatenate([bodies.reshape(-1, 2), *corners, band_corners(trajectory)])
     low = np.minimum(points.min(axis=0), (-half, -hatch))
     high = np.maximum(points.max(axis=0), (half, 0.0))
     margin = 0.04 * float(np.max(high - low))

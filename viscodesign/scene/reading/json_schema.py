@@ -8,6 +8,7 @@ from viscodesign.scene.effects_choice import OTHERS
 from viscodesign.scene.fluid import named_fluids
 from viscodesign.scene.reading.read import IGNORED_PREFIX, KnownEffects
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.uncertainty import NONE, TYPICAL
 
 _ON = ["on", "yes", True]
 _OFF = ["off", "no", False]
@@ -51,6 +52,25 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
         "description": "auto, or effect: auto | on | off",
     }
     definitions.pop("EffectsChoice", None)
+    end = {"anyOf": [{"type": "string"}, {"type": "number"}]}
+    properties["uncertainty"] = {
+        "anyOf": [
+            {"const": TYPICAL},
+            {
+                "type": "object",
+                "properties": {OTHERS: {"enum": [TYPICAL, NONE]}},
+                "additionalProperties": {
+                    "anyOf": [
+                        {"type": "string"},
+                        {"type": "array", "items": end, "minItems": 2, "maxItems": 2},
+                        {"type": "object"},
+                    ]
+                },
+            },
+        ],
+        "description": properties["uncertainty"]["description"],
+    }
+    definitions.pop("Uncertainty", None)
     gravity = definitions["Loads"]["properties"]["gravity"]
     gravity["anyOf"] = [{"enum": [*_ON, *_OFF, None]}, {"$ref": "#/$defs/GravityLoad"}]
     schema["oneOf"] = [{"required": ["input"]}, {"required": ["inputs"]}]

@@ -13,6 +13,7 @@ from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.reading.yaml_events import plain_value
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import SpecPart
+from viscodesign.scene.uncertainty import Uncertainty
 from viscodesign.storage.lru_cache import LruCache
 
 
@@ -62,6 +63,9 @@ def plain_part(part: SpecPart) -> dict[str, Any]:
     """A part as a spec has it: fields under their YAML keys, without those that are unset."""
     if isinstance(part, EffectsChoice):
         return {**part.modes, OTHERS: part.others}
+    if isinstance(part, Uncertainty):
+        return {k: _entry(tuple(v)) if isinstance(v, list) else v
+                for k, v in part.as_in_a_spec().items()}  # fmt: skip
     data: dict[str, Any] = {}
     for name, found in type(part).model_fields.items():
         value = getattr(part, name)

@@ -56,7 +56,7 @@ def test_how_far_the_left_column_is_behind() -> None:
 
 
 def test_a_run_outside_of_its_model_says_so(trajectory: Trajectory) -> None:
-    assert "validity" not in _summary(trajectory)
+    assert "outside of the model" not in _summary(trajectory)
     outside = replace(trajectory, violations=(*trajectory.warnings, trajectory.warnings[0]))
     assert "validity         outside of the model: negative_volume, reynolds;" in _summary(outside)
     (stated,) = (line for line in _summary(outside).splitlines() if "tip error  " in line)

@@ -53,6 +53,23 @@ function showAccuracy(run) {
   const known = parts.filter(([, value]) => value !== null && value !== undefined);
   if (known.length) host.append(barTable(["part", "size beside the accuracy", "error"], known.map(([name, value]) => ({ cells: [name], value, after: [millimetres(value)] })), asked, "error parts"));
   if (accuracy.method) host.append(element("p", { class: "hint" }, accuracy.method));
+  showBand(run, host);
+}
+
+// What the numbers cost beside what is known of the actuator: never one without the other.
+function showBand(run, host) {
+  const { accuracy, uncertainty, validity } = run.summary, stated = accuracy.estimated_tip_error_m;
+  const numerical = stated === null || stated === undefined ? "not estimated" : millimetres(stated);
+  const known = uncertainty
+    ? `±${millimetres(uncertainty.half_width_95_m)} (95 %, at ${shortNumber(uncertainty.time_s, 3)} s)`
+    : "not stated (uncertainty: typical for a first band)";
+  host.append(element("p", { id: "both-errors" }, element("strong", {}, "Both errors"), `: numerical ${numerical}; from the coefficients ${known}; validity ${validity.state}.`));
+  if (!uncertainty) return;
+  const rows = uncertainty.keys.filter((own) => own.share_of_variance >= 0.0005).map((own) => [own.key,
+    `${shortNumber(own.value, 4)} ${own.unit === "1" ? "" : own.unit}`, `${shortNumber((100 * own.standard_deviation) / Math.abs(own.value), 3)} %`,
+    own.assumed ? "assumed" : "stated", `${shortNumber(100 * own.share_of_variance, 3)} %`]);
+  if (rows.length) host.append(table(["number", "value", "standard deviation", "known", "share of the variance"], rows, { label: "uncertain numbers" }));
+  host.append(element("p", { class: "hint" }, `Band of the tip by ${uncertainty.method}, at its widest, in the direction that is most uncertain.`));
 }
 
 // Rows with a bar in millimetres on a logarithmic axis; the accuracy is a line.
