@@ -25,7 +25,7 @@ from viscodesign.calibration.unknowns import DEFAULT_KEYS, run_unknowns, scene_u
 from viscodesign.errors import Fault, SpecError
 from viscodesign.exploration.least_squares import BestSoFar
 from viscodesign.interrupt import StopRequest, gentle_interrupt
-from viscodesign.results.fit_result import Fit
+from viscodesign.results.fit_result import Experiment, Fit
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 
@@ -38,6 +38,7 @@ def fit(
     data: str | Path | Sequence[str | Path],
     free: Sequence[str] | str | None = None,
     *,
+    next_experiment: bool | None = None,
     progress: Progress | None = None,
 ) -> Fit:
     """Numbers of a scene by what was measured of its motion, with 95 % intervals.
@@ -47,9 +48,10 @@ def fit(
     some of them; ``DATA.csv@KEY=VALUE`` has another value of a key. ``free``: keys of the spec, by
     default the bellows' coefficients, the fluid's viscosity and the damping time.
 
-    Noise, gross samples and late clocks are found in the data. ``progress`` is called with the
-    fraction done. Ctrl-C raises nothing once a first solution is there: the best so far is
-    returned.
+    Noise, gross samples and late clocks are found in the data. ``next_experiment``: whether to tell
+    which experiment would tell most; by default where a number is not identified. ``progress`` is
+    called with the fraction done. Ctrl-C raises nothing once a first solution is there: the best so
+    far is returned.
 
     Raises `SpecError` for files and keys that are none, `SolveError` where the scene has no
     solution.
@@ -64,6 +66,9 @@ def fit(
     with gentle_interrupt(second_raises=True) as stop:
         fitting = _Fitting(scene, recordings, free, stop, progress)
         found = fitting.found()
+        is_unsure = any(not number.is_identified for number in found.numbers)
+        if not stop.asked and (is_unsure if next_experiment is None else next_experiment):
+            found = replace(found, next_experiment=fitting.next_experiment(found))
     return replace(found, wall_s=clock.perf_counter() - began)
 
 
@@ -152,6 +157,13 @@ class _Fitting:
         best = self._with_certain_clocks(best)
         best, check = resolved(self.search, best, self.models, self.solving)
         return self._told(best, check)
+
+    def next_experiment(self, found: Fit) -> Experiment | None:
+        """The experiment that would tell most beside the recordings."""
+        from viscodesign.calibration.next_experiment import best_experiment
+
+        scene = fitted_scene(self.scene, found.numbers)
+        return best_experiment(scene, self.best.misfit, self.spread, self.search.stop)
 
     def _start(self, misfit: Misfit) -> np.ndarray:
         """The spec's numbers, and clocks as late as the motion looks."""

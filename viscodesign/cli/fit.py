@@ -51,6 +51,13 @@ def command(
             help="Key to fit; repeatable. Default: all coefficients, viscosity and damping.",
         ),
     ] = None,
+    following: Annotated[
+        bool | None,
+        typer.Option(
+            "--next/--no-next",
+            help="Tell which experiment would tell most. Default: where a number is unknown.",
+        ),
+    ] = None,
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
@@ -80,7 +87,7 @@ def command(
         complain(remark)
     prepare_folder(folder, force=force)
     with progress(quiet, first="fitting") as advance:
-        found = find(scene, data, free or None, progress=advance)
+        found = find(scene, data, free or None, next_experiment=following, progress=advance)
     files = write_fit(found, folder, plots=not no_plots, force=force, picture_format=picture_format)
     if json:
         say(json_text({**found.document(), "files": [str(file) for file in files]}))

@@ -120,10 +120,27 @@ def test_what_cannot_be_told_apart_has_no_interval(scene: Scene, tmp_path: Path)
     for key in pair:
         assert not found[key].is_identified
         assert (found[key].low, found[key].high) == (None, None)
+    assert found.next_experiment is not None
+    assert found.next_experiment.sensors == ("syringe_volume_m3",)
+    assert all(found.next_experiment.half_widths[key] < 0.02 for key in pair)
     (product,) = found.products
     assert product.low <= TRUTH[pair[0]] * TRUTH[pair[1]] <= product.high
     assert product.high / product.low < 1.1
     assert "cannot be told apart" in next(untold(found))
+
+
+def test_the_same_run_once_more_tells_as_much_again(
+    plain: Fit, scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An interval is narrower by the root of two, but for what the pressures' noise has in it."""
+    monkeypatch.setattr("viscodesign.calibration.next_experiment.EFFORT", 10.0)
+    assert plain.next_experiment is None
+    found = fit(scene, plain.runs[0].file, next_experiment=True).next_experiment
+    assert found is not None
+    assert (found.words, found.overrides) == ("record the same run once more", ())
+    for number in plain.numbers:
+        wanted = (number.half_width or 0.0) / np.sqrt(2)
+        assert found.half_widths[number.key] == pytest.approx(wanted, rel=0.25)
 
 
 def test_several_recordings_each_with_its_own_keys(scene: Scene, tmp_path: Path) -> None:

@@ -71,9 +71,11 @@ def untold(found: Fit) -> Iterator[str]:
             f"{product.formula} = {product.value:.5g} (SI, ± {_percent(half)}), "
             "and hardly anything of its factors alone."
         )
-    alone = [n.key for n in found.numbers if not n.is_identified and n.key not in in_products]
-    if alone:
-        yield f"{_listed(alone)}: the data say little or nothing; kept near the spec's values."
+    alone = [n for n in found.numbers if not n.is_identified and n.key not in in_products]
+    if unknown := [n.key for n in alone if n.half_width is None]:
+        yield f"{_listed(unknown)}: not known by these data; kept near the spec's values."
+    if hardly := [f"{n.key} (± {_percent(n.half_width)})" for n in alone if n.half_width]:
+        yield f"Hardly known by these data: {_listed(hardly)}."
 
 
 def _listed(words: Sequence[str]) -> str:
