@@ -118,7 +118,7 @@ def compared(
         differences=tuple(tip_difference_of(cyclic[0], other) for other in cyclic[1:]),
         version=__version__,
         missing=missing,
-        notes=(*notes, *more),
+        notes=(*notes, *(f"{m.label}: {m.note}" for m in cyclic if m.note), *more),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
@@ -35,14 +36,31 @@ def measured_motion(file: Path) -> ComparedMotion:
     """
     try:
         table = table_of_file(
-            {"file": str(file)}, Path(), COLUMNS, _time_faults, most_rows=MOST_ROWS
+            {"file": str(file)}, Path(), COLUMNS, _time_faults, most_rows=MOST_ROWS, gaps=True
         )
     except PydanticCustomError as error:
         # What follows is for a spec, which can say where the columns are.
         told = "; ".join(_without_spec_hint(fault.message) for fault in faults_of(error))
         end = "" if told.endswith("?") else "."
         raise UsageError(f"{told}{end} A table to compare has the columns {HEADERS}") from None
-    return motion_of_rows(file.stem, table.values, str(file))
+    rows, note = _without_gaps(table.values)
+    if len(rows) < 2:
+        raise UsageError(f"{file}: fewer than two rows have x and z of the tip")
+    return replace(motion_of_rows(file.stem, rows, str(file)), note=note)
+
+
+def _without_gaps(rows: np.ndarray) -> tuple[np.ndarray, str]:
+    """The rows that are whole, and what to say of the others."""
+    whole = np.isfinite(rows).all(axis=1)
+    kept = rows[whole]
+    if whole.all() or len(kept) < 2:
+        return kept, ""
+    gap = float(np.diff(kept[:, 0]).max())
+    missing = len(rows) - len(kept)
+    return kept, (
+        f"{missing:,} of {len(rows):,} rows lack x or z and are left out; it is interpolated over "
+        f"up to {gap:.3g} s"
+    )
 
 
 def motion_of_rows(label: str, rows: np.ndarray, source: str = "") -> ComparedMotion:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.lazy_names import module_above
 from viscodesign.results.findings import json_ready
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.trajectory import Status
@@ -22,6 +24,8 @@ INTERPOLATION = (
     "times a motion is a cubic through its two neighbours, with the slopes of central differences"
 )
 """How motions on different times are compared."""
+IN_PHASE = 1e-3
+"""Shift, in periods, below which nobody is called late."""
 DIFFERENCE_COLUMNS = (
     *("from_s", "to_s", "rms_m", "max_m", "max_time_s", "interpolation_m", "verdict"),
     *("phase_rms_m", "phase_max_m", "phase_shift_s", "shifted_rms_m"),
@@ -51,6 +55,8 @@ class ComparedMotion:
     """Of which model the error is, or why there is none."""
     period: float | None = None
     """[s]; None where the motion is not cyclic, or it is not known."""
+    note: str = ""
+    """What was left out of its file."""
 
     @property
     def title(self) -> str:
@@ -176,11 +182,17 @@ class TipDifference:
         if self.phase is None:
             return ""
         found = self.phase
+        sizes = (
+            f"at the same phase of the last period: {_mm(found.max_m)} at most, "
+            f"{_mm(found.rms_m)} rms"
+        )
+        if abs(found.shift) < IN_PHASE:
+            return f"{sizes}; neither is later by {100 * IN_PHASE:g} % of the period"
         late = "late" if found.shift_s >= 0 else "early"
         return (
-            f"at the same phase of the last period: {_mm(found.max_m)} at most, "
-            f"{_mm(found.rms_m)} rms; {self.label} is {abs(found.shift_s):.3g} s {late} "
-            f"({abs(found.shift):.2%} of the period), without that {_mm(found.shifted_rms_m)} rms"
+            f"{sizes}; {self.label} is {abs(found.shift_s):.3g} s {late} "
+            f"({100 * abs(found.shift):.2g} % of the period), without that "
+            f"{_mm(found.shifted_rms_m)} rms"
         )
 
     def row(self) -> dict[str, Any]:
@@ -281,6 +293,26 @@ class Comparison:
             "notes": list(self.notes),
         }
         return dict(json_ready(document))
+
+    def save(
+        self,
+        directory: str | Path,
+        *,
+        plots: bool = True,
+        report: bool = True,
+        force: bool = False,
+        picture_format: Literal["png", "pdf", "svg"] = "png",
+    ) -> list[Path]:
+        """Write table, document, picture and page, as `viscodesign compare` does; returns them.
+
+        Raises `UsageError` where the folder cannot be written, or (without ``force``) holds
+        files that are not ours.
+        """
+        options = {"force": force, "picture_format": picture_format}
+        files: list[Path] = module_above("report.comparison_folder").write_comparison(
+            self, directory, plots=plots, report=report, **options
+        )
+        return files
 
     def __repr__(self) -> str:
         return f"<Comparison of {', '.join(m.title for m in self.motions)}: {self.status}>"

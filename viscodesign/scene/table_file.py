@@ -92,8 +92,12 @@ def table_of_file(
     *,
     most_rows: int,
     inlet: str = "",
+    gaps: bool = False,
 ) -> FileTable:
-    """The table that the keys of a spec describe; ``inlet`` is the name of the input it is for."""
+    """The table that the keys of a spec describe; ``inlet`` is the name of the input it is for.
+
+    With ``gaps`` cells that are empty are NaN, but not those of the first column.
+    """
     shown, decimal, stated = given["file"], given.get("decimal"), given.get("columns")
     if not isinstance(shown, str):
         raise invalid_at("file", "expected the name of a CSV file, such as 'table.csv'")
@@ -107,7 +111,7 @@ def table_of_file(
     text = taken_apart(text_of_file(folder / shown, shown))
     header = Header(f"{shown}, line {text.header_line}", text.header, text.columns)
     chosen = chosen_columns(columns, header, stated or {}, inlet)
-    return _read(text, chosen, check, shown, decimal, most_rows)
+    return _read(text, chosen, check, shown, decimal, most_rows, gaps)
 
 
 def _read(
@@ -117,9 +121,10 @@ def _read(
     shown: str,
     decimal: Decimal | None,
     most_rows: int,
+    gaps: bool,
 ) -> FileTable:
     places, names = [c.place for c in chosen], [c.header for c in chosen]
-    found = read_numbers(text, places, names, shown, decimal)
+    found = read_numbers(text, places, names, shown, decimal, gaps=gaps)
     values = np.stack(
         [_scaled(v, c.factor) for v, c in zip(found.values.T, chosen, strict=True)], 1
     )

@@ -83,6 +83,18 @@ def test_cycles_are_compared_at_the_same_phase(late: float) -> None:
     assert found.shifted_rms_m < 1e-3 * RADIUS
 
 
+@pytest.mark.parametrize(
+    ("late", "words"),
+    [
+        (0.1, "b is 0.1 s late (5 % of the period), without that"),
+        (-0.1, "b is 0.1 s early (5 % of the period)"),
+        (1e-4, "neither is later by 0.1 % of the period"),
+    ],
+)
+def test_a_delay_is_told_where_it_is_one(late: float, words: str) -> None:
+    assert words in tip_difference_of(circle("a", GRID), circle("b", GRID, late)).phase_sentence
+
+
 def test_without_a_whole_period_there_is_no_phase() -> None:
     assert phase_difference(circle("a", GRID), circle("b", GRID[:90])) is None
     assert phase_difference(circle("a", GRID), circle("b", GRID, period=None)) is None

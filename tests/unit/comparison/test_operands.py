@@ -122,6 +122,22 @@ def test_units_of_a_table_are_read(tmp_path: Path) -> None:
     np.testing.assert_allclose(found.tip, [[1.5e-3, 0.109], [2.5e-3, 0.108]])
 
 
+def test_rows_without_a_position_are_left_out_and_it_is_said(tmp_path: Path) -> None:
+    table, run = tmp_path / "camera.csv", made_run()
+    rows = [
+        f"{float(t)},{float(x)},{float(z)}"
+        for t, (x, z) in zip(run.time, run.tip[:, :2], strict=True)
+    ]
+    rows[7], rows[8] = f"{run.time[7]},,{run.tip[7, 1]}", f"{run.time[8]},nan,nan"
+    table.write_text("\n".join(["time_s,tip_x_m,tip_z_m", *rows]))
+    found = compare(run, table)
+    assert len(found.motions[1].time) == 399
+    assert found.notes == (
+        "camera: 2 of 401 rows lack x or z and are left out; it is interpolated over up to 0.06 s",
+    )
+    assert 0 < found.differences[0].max_m < found.differences[0].interpolation_m
+
+
 def test_what_cannot_be_compared(tmp_path: Path, short_runs: Path) -> None:
     run = short_runs / "leg_4_air"
     cases: list[tuple[list[Any], str]] = [

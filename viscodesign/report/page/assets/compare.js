@@ -56,7 +56,7 @@ function showComparedMetrics(found) {
     if (values.every((value) => value === null)) continue;
     rows.push([words.slice(0, -1).join(" "), ...values.map((v) => (v === null ? "–" : `${shortNumber(factor * v, 4)} ${unit}`))]);
   }
-  byId("metrics").append(table(["", ...found.motions.map((m) => m.title)], rows, { label: "metrics side by side" }));
+  byId("metrics").append(table(["number", ...found.motions.map((m) => m.title)], rows, { label: "metrics side by side" }));
 }
 
 function makePaths(found) {
