@@ -7,9 +7,9 @@
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
 follows its motion, `compile` makes a function of its numbers with derivatives, `sweep` puts many
 designs in one table, `sensitivity` tells how far each number moves the tip, `design` finds the
-numbers and the graph that make the tip follow a path, `fit` finds numbers by measurements,
-`compare` puts motions beside each other, `accuracy` measures what accuracy costs in time, `plan`
-turns its pressures into a pump's motion. Nothing here prints.
+numbers and the graph that make the tip follow a path, `reach` tells where it can be, `fit` finds
+numbers by measurements, `compare` puts motions beside each other, `accuracy` measures what accuracy
+costs in time, `plan` turns its pressures into a pump's motion. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from viscodesign.exploration.simulate import simulate as simulate
     from viscodesign.exploration.sweep import sweep as sweep
     from viscodesign.inverse.design import design as design
+    from viscodesign.inverse.reach import reach as reach
     from viscodesign.loading import load as load
     from viscodesign.pump.planning.plan import plan as plan
     from viscodesign.pump.planning.result import PumpPlan as PumpPlan
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
     from viscodesign.results.findings import Classification as Classification
     from viscodesign.results.fit_result import Fit as Fit
     from viscodesign.results.path_design import PathDesign as PathDesign
+    from viscodesign.results.reach_study import ReachStudy as ReachStudy
     from viscodesign.results.run_comparison import Comparison as Comparison
     from viscodesign.results.run_comparison import (
         ComparisonInterruptedError as ComparisonInterruptedError,
@@ -66,6 +68,7 @@ _HOMES = {
     "CompiledFunction": ".compiled.function",
     "Fit": ".results.fit_result",
     "PathDesign": ".results.path_design",
+    "ReachStudy": ".results.reach_study",
     "PumpPlan": ".pump.planning.result",
     "RunInterruptedError": ".results.trajectory",
     "Scene": ".scene.scene",
@@ -83,6 +86,7 @@ _HOMES = {
     "fit": ".calibration.fit",
     "load": ".loading",
     "plan": ".pump.planning.plan",
+    "reach": ".inverse.reach",
     "sensitivity": ".exploration.sensitivity",
     "simulate": ".exploration.simulate",
     "sweep": ".exploration.sweep",

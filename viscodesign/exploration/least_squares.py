@@ -20,6 +20,8 @@ AT_BOUND = 1e-4
 """Distance from a bound, in parts of the range, at which a number counts as at it."""
 CONVERGED = 1e-9
 """Relative change of the sum of squares, and step in parts of the ranges, that ends a descent."""
+SAME_COST = 1.02
+"""Ratio of two sums of squares up to which they count as the same optimum."""
 MAX_EVALUATIONS = 200
 """Values of the residuals in one descent."""
 Loss = Literal["linear", "soft_l1", "huber", "cauchy"]
@@ -112,6 +114,8 @@ class SearchLimits:
     """Sum of squares at which nothing better is sought."""
     enough_cost: float = 0.0
     """Where a descent ends with such a sum, no other start is tried."""
+    repeats: int = 3
+    """Descents that end as low as the best of them, after which no other start is tried."""
     evaluations: int = MAX_EVALUATIONS
     """Of each descent."""
     converged: float = CONVERGED
@@ -248,7 +252,9 @@ def least_squares(
         ranked = _ranked(search, [ranges.shares(start) for start in starts])
         for start in ranked[:descents]:
             optima.append(_descend(search, ranges, start, limits, loss, loss_scale, scaling))
-            if optima[-1].cost <= limits.enough_cost:
+            least = min(own.cost for own in optima)
+            again = sum(own.cost <= SAME_COST * least for own in optima)
+            if least <= limits.enough_cost or again >= limits.repeats:
                 break
     except _EndedError:
         pass

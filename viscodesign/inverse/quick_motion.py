@@ -117,15 +117,24 @@ class QuickMotion:
         found: np.ndarray = np.einsum("tcb,tbf->tcf", self._rod.slopes(pressure), slopes)
         return found
 
+    def network(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
+        """G (B, B), g (B,) and the compliance of a bellow."""
+        scene = self._keys.placed([float(value) for value in values])
+        return *self._network(self._resistances(scene, values)[0]), self._stored
+
+    def _network(self, resistance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """G (B, B) and g (B,) for resistances (Q,)."""
+        conductance = 1 / resistance
+        matrix = (self._drops.T * conductance) @ self._drops
+        return matrix, self._drops.T @ (conductance * self._fed)
+
     def _pressures(
         self, values: np.ndarray, *, with_slopes: bool = False
     ) -> tuple[np.ndarray, np.ndarray]:
         """(T, B) and (T, B, f) [Pa]"""
         scene = self._keys.placed([float(value) for value in values])
         resistance, by_number = self._resistances(scene, values)
-        conductance = 1 / resistance
-        matrix = (self._drops.T * conductance) @ self._drops
-        feed = self._drops.T @ (conductance * self._fed)
+        matrix, feed = self._network(resistance)
         solve = self._cycle if self._is_periodic else self._run
         return solve(
             scene, values, matrix, feed, -by_number / resistance[:, None] ** 2, with_slopes

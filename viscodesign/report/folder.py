@@ -96,12 +96,15 @@ FIGURE_FILES = {
 COMPARISON_PAGE = "compare.html"
 COMPARED_RUNS = "runs"
 """Folder of the runs of specs that were compared."""
-FILE_SETS = (
-    *(STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES, DESIGN_FILES),
-    *(COMPARISON_FILES, *FIGURE_FILES.values(), FIT_FILES),
-)
+REACH_FILES = FileSet("reach.csv", "reach.json", "reach.png")
+REACH_INPUT = "input.csv"
+"""The input that brings a tip to a point."""
 DESIGN_ALTERNATIVES = "alternatives"
 """Folder of other designs beside the best one."""
+FILE_SETS = (
+    *(STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES, DESIGN_FILES),
+    *(COMPARISON_FILES, *FIGURE_FILES.values(), FIT_FILES, REACH_FILES),
+)
 SWEEP_ROWS = "sweep.rows.jsonl"
 """Rows of a sweep as they are computed."""
 OUR_FILES = {
@@ -112,6 +115,7 @@ OUR_FILES = {
     PAGE,
     SWEEP_ROWS,
     DESIGN_ALTERNATIVES,
+    REACH_INPUT,
     COMPARISON_PAGE,
     COMPARED_RUNS,
     *(name for own in FILE_SETS for name in own.names),

@@ -48,7 +48,7 @@ def test_common_options_are_everywhere(name: str) -> None:
     page = CliRunner().invoke(app, [name, "--help"]).stdout
     for option in ("--json", "--quiet", "-q", "--output", "-o", "--debug", "--help"):
         assert option in page
-    solving = ("simulate", "accuracy", "sweep", "sensitivity", "design", "compare", "fit")
+    solving = ("simulate", "accuracy", "sweep", "sensitivity", "design", "reach", "compare", "fit")
     takes_spec = name in ("init", "check", "classify", *solving)
     assert ("--set" in page) == takes_spec
 

@@ -1,0 +1,107 @@
+"""The input that brings a tip to a point at a time, by the run's own effects, and verified."""
+
+from __future__ import annotations
+
+import time as clock
+
+import numpy as np
+
+from viscodesign.errors import SolveError
+from viscodesign.interrupt import StopRequest
+from viscodesign.inverse.confirmation import confirm
+from viscodesign.inverse.free_choice import FreeChoice
+from viscodesign.inverse.free_range import FreeRange
+from viscodesign.inverse.number_search import search_numbers
+from viscodesign.inverse.posed_scene import posed_scene
+from viscodesign.inverse.search_task import SearchLog, SearchTask
+from viscodesign.inverse.wanted_path import WantedPath
+from viscodesign.results.reach_study import ReachedPoint
+from viscodesign.scene.reading.write import resolved_yaml
+from viscodesign.scene.scene import Scene
+from viscodesign.simulation.simulate import simulate
+
+TOLERANCE = 0.2e-3
+"""Distance at which a point counts as reached [m]."""
+LEFT = (0.95, 0.72, 0.52, 0.36, 0.24, 0.15, 0.08, 0.035, 0.0)
+"""Times of the free rows of the input before the end, in parts of the run: what lies far from the
+inlet has a long memory, what lies near it a short one."""
+KNOTS = len(LEFT)
+BUDGET_S = 20.0
+PATH_TIMES = 200
+
+
+def reach_point(
+    scene: Scene,
+    at: tuple[float, float],
+    time_s: float,
+    limits: tuple[float, float],
+    stop: StopRequest,
+    seed: int,
+) -> ReachedPoint:
+    """The input within limits that brings the tip nearest to a point at a time.
+
+    From the baseline at t = 0 (or the limit nearest to it), straight between rows that
+    are the closer the later they are. Raises `SolveError` where no start has a solution.
+    """
+    began = clock.perf_counter()
+    wanted = WantedPath(np.array([at]), np.array([time_s]), False, "given")
+    begins = min(max(0.0, limits[0]), limits[1])
+    level = (limits[0] + limits[1]) / 2
+    times = np.append(0.0, time_s * (1.0 - np.array(LEFT)))
+    rows = [[0.0, begins], *([t, level] for t in times[1:].tolist())]
+    posed = posed_scene(
+        scene.replace(
+            {
+                "input": {"kind": "table", "rows": rows},
+                "run.duration": time_s,
+                "run.output_times": [time_s],
+                "run.start": "equilibrium" if scene.run.start == "periodic" else scene.run.start,
+            }
+        ),
+        wanted,
+        TOLERANCE,
+    )
+    ranges = tuple(FreeRange(f"input.rows[{k}].pressure", *limits) for k in range(1, KNOTS + 1))
+    log = SearchLog(began)
+    task = SearchTask(
+        wanted, FreeChoice(ranges), TOLERANCE, began + BUDGET_S, BUDGET_S, stop, log, seed
+    )
+    found = search_numbers(task, posed)[0]
+    if stop.asked:
+        raise KeyboardInterrupt
+    run = confirm(wanted, found.scene)
+    if run.distance.rms_m > TOLERANCE >= found.distance.rms_m:
+        # The run has more effects than the search had: go on with them.
+        pinned = posed.replace({"effects": {name: "on" for name in run.effects}})
+        again = search_numbers(task, pinned, start=found.values, several_starts=False)[0]
+        better = confirm(wanted, found.scene.replace(dict(_rows(again.values, times, begins))))
+        if better.distance.rms_m < run.distance.rms_m:
+            found, run = again, better
+    pressures = np.append(begins, found.values)
+    final = posed.replace(
+        {
+            **_rows(found.values, times, begins),
+            "run.output_times": np.linspace(0.0, time_s, PATH_TIMES).tolist(),
+        }
+    )
+    path = np.asarray(simulate(final, verify=False).tip)[:, :2]
+    if not len(path):
+        raise SolveError("the run has no motion", quantity="tip", where="rod")
+    return ReachedPoint(
+        at,
+        time_s,
+        (float(run.tip[-1, 0]), float(run.tip[-1, 1])),
+        run.distance.rms_m,
+        run.run.accuracy.estimated_tip_error_m,
+        TOLERANCE,
+        path,
+        times,
+        pressures,
+        resolved_yaml(final),
+        log.evaluations,
+    )
+
+
+def _rows(values: np.ndarray, times: np.ndarray, begins: float) -> dict[str, object]:
+    pairs = zip(times.tolist(), [begins, *values.tolist()], strict=True)
+    return {"input": {"kind": "table", "rows": [list(pair) for pair in pairs]}}
