@@ -11,6 +11,7 @@ from viscodesign.comparison.interpolation import (
     merged_times,
     positions,
 )
+from viscodesign.comparison.time_shift import time_shift
 from viscodesign.errors import UsageError
 from viscodesign.results.loop_part import LoopPart
 from viscodesign.results.run_comparison import ComparedMotion, PhaseDifference, TipDifference
@@ -30,6 +31,7 @@ def tip_difference_of(first: ComparedMotion, other: ComparedMotion) -> TipDiffer
     apart = positions(other.time, other.tip, time) - positions(first.time, first.tip, time)
     distance = np.hypot(*apart.T)
     near = SAME_TIME_SHARE * max(np.ptp(first.time), np.ptp(other.time))
+    phase = phase_difference(first, other)
     ends = ((m.time[0] - time[0], m.time[-1] - time[-1]) for m in (first, other))
     return TipDifference(
         label=other.title,
@@ -41,7 +43,8 @@ def tip_difference_of(first: ComparedMotion, other: ComparedMotion) -> TipDiffer
         own_error_m=other.stated_error_m,
         first_error_m=first.stated_error_m,
         is_part=any(abs(gap) > near for pair in ends for gap in pair),
-        phase=phase_difference(first, other),
+        phase=phase,
+        shift=time_shift(first, other) if phase is None else None,
     )
 
 

@@ -2,28 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
+Curve = Callable[[np.ndarray], np.ndarray]
 SAME_TIME_SHARE = 1e-9
 """Times nearer than this, of the whole span, are one."""
 LEAST_ROWS = 4
 """Rows below which a motion is a polyline, and no error can be estimated."""
 
 
-def positions(time: np.ndarray, tip: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Tip (m, 2) at times ``at`` (m,) within those of a motion (T,), (T, 2) [m].
+def motion_curve(time: np.ndarray, tip: np.ndarray) -> Curve:
+    """Tip (m, 2) at times (m,) within those of a motion (T,), (T, 2) [m].
 
     A cubic in each interval, with the slopes of central differences: third order where the
     motion is smooth, and a corner is felt in the intervals beside it alone.
     """
     if len(time) == 1:
-        return np.repeat(tip, len(at), axis=0)
+        return lambda at: np.repeat(tip, len(at), axis=0)
     if len(time) < LEAST_ROWS:
-        return np.column_stack([np.interp(at, time, values) for values in tip.T])
-    slopes = np.gradient(tip, time, axis=0)
-    inside = np.clip(at, time[0], time[-1])
-    return np.asarray(CubicHermiteSpline(time, tip, slopes)(inside))
+        return lambda at: np.column_stack([np.interp(at, time, values) for values in tip.T])
+    cubic = CubicHermiteSpline(time, tip, np.gradient(tip, time, axis=0))
+    return lambda at: np.asarray(cubic(np.clip(at, time[0], time[-1])))
+
+
+def positions(time: np.ndarray, tip: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Tip (m, 2) of a motion at times ``at`` (m,); see `motion_curve`."""
+    return motion_curve(time, tip)(at)
 
 
 def interpolation_error(time: np.ndarray, tip: np.ndarray) -> float:

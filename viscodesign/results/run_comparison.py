@@ -25,10 +25,13 @@ INTERPOLATION = (
 )
 """How motions on different times are compared."""
 IN_PHASE = 1e-3
-"""Shift, in periods, below which nobody is called late."""
+"""Shift, in periods or of the whole time, below which nobody is called late."""
+EXPLAINED = 0.5
+"""Part of the distance that a shift of time has to leave at most to be told."""
 DIFFERENCE_COLUMNS = (
     *("from_s", "to_s", "rms_m", "max_m", "max_time_s", "interpolation_m", "verdict"),
-    *("phase_rms_m", "phase_max_m", "phase_shift_s", "shifted_rms_m"),
+    *("shift_s", "shifted_rms_m"),
+    *("phase_rms_m", "phase_max_m", "phase_shift_s", "phase_shifted_rms_m"),
 )
 
 
@@ -100,6 +103,16 @@ class PhaseDifference:
         return float(self.distance.max())
 
 
+@dataclass(frozen=True)
+class TimeShift:
+    """How late one motion is, where both fit best."""
+
+    shift_s: float
+    """By how much the second is late [s]."""
+    rms_m: float
+    """Distance after that shift, root mean square [m]."""
+
+
 @dataclass(frozen=True, eq=False)
 class TipDifference:
     """A motion against the first one."""
@@ -124,6 +137,8 @@ class TipDifference:
     """Whether one of the two lasts longer than what was compared."""
     phase: PhaseDifference | None = None
     """Where both are cyclic and have a whole period."""
+    shift: TimeShift | None = None
+    """Of motions that are not cyclic."""
 
     @property
     def max_m(self) -> float:
@@ -177,6 +192,27 @@ class TipDifference:
         return words
 
     @property
+    def shift_sentence(self) -> str:
+        """What a shift of time explains; empty where that is less than half of the distance."""
+        found = self.shift
+        if found is None or self.verdict == "within errors":
+            return ""
+        least = IN_PHASE * float(self.time[-1] - self.time[0])
+        if found.rms_m > EXPLAINED * self.rms_m or abs(found.shift_s) < least:
+            return ""
+        late = "later" if found.shift_s >= 0 else "earlier"
+        return (
+            f"{self.label} fits best {abs(found.shift_s):.3g} s {late}: without that "
+            f"{_mm(found.rms_m)} rms; are their clocks the same?"
+        )
+
+    @property
+    def sentences(self) -> list[str]:
+        """All that is to say of the two."""
+        said = (self.sentence, self.shift_sentence, self.phase_sentence)
+        return [text for text in said if text]
+
+    @property
     def phase_sentence(self) -> str:
         """The difference at the same phase in words; empty where there is none."""
         if self.phase is None:
@@ -206,10 +242,12 @@ class TipDifference:
             "max_time_s": self.max_time_s,
             "interpolation_m": self.interpolation_m,
             "verdict": self.verdict,
+            "shift_s": None if self.shift is None else self.shift.shift_s,
+            "shifted_rms_m": None if self.shift is None else self.shift.rms_m,
             "phase_rms_m": None if phase is None else phase.rms_m,
             "phase_max_m": None if phase is None else phase.max_m,
             "phase_shift_s": None if phase is None else phase.shift_s,
-            "shifted_rms_m": None if phase is None else phase.shifted_rms_m,
+            "phase_shifted_rms_m": None if phase is None else phase.shifted_rms_m,
         }
 
 
@@ -286,7 +324,7 @@ class Comparison:
                 for m in self.motions
             ],
             "differences": [
-                {"label": m.label, "to": self.motions[0].label, **d.row(), "words": _words(d)}
+                {"label": m.label, "to": self.motions[0].label, **d.row(), "words": d.sentences}
                 for m, d in zip(self.motions[1:], self.differences, strict=True)
             ],
             "missing": list(self.missing),
@@ -324,10 +362,6 @@ class ComparisonInterruptedError(KeyboardInterrupt):
     def __init__(self, comparison: Comparison | None) -> None:
         self.comparison = comparison
         super().__init__()
-
-
-def _words(difference: TipDifference) -> list[str]:
-    return [text for text in (difference.sentence, difference.phase_sentence) if text]
 
 
 def _mm(length: float, digits: int = 3) -> str:

@@ -83,6 +83,26 @@ def test_cycles_are_compared_at_the_same_phase(late: float) -> None:
     assert found.shifted_rms_m < 1e-3 * RADIUS
 
 
+@pytest.mark.parametrize("late", [0.137, -0.731, 0.0])
+def test_a_late_clock_is_found(late: float) -> None:
+    """A pulse that does not repeat, seen on other times by a clock that is late."""
+
+    def pulse(time: np.ndarray) -> np.ndarray:
+        return 0.03 * np.column_stack((np.exp(-((time - 2) ** 2)), np.tanh(time - 2.5)))
+
+    there = np.linspace(0.5, 5.0, 223)
+    tables = [
+        motion_of_rows(name, np.column_stack((shown, pulse(time))))
+        for name, shown, time in (("model", GRID, GRID), ("camera", there + late, there))
+    ]
+    found = tip_difference_of(*tables)
+    assert found.shift is not None
+    assert found.shift.shift_s == pytest.approx(late, abs=1e-3)
+    assert found.shift.rms_m < 1e-5
+    word = f"camera fits best {abs(late):.3g} s {'later' if late > 0 else 'earlier'}"
+    assert (word in found.shift_sentence) == (late != 0.0)
+
+
 @pytest.mark.parametrize(
     ("late", "words"),
     [

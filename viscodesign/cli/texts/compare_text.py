@@ -22,9 +22,10 @@ def comparison_lines(found: Comparison, folder: Path, files: Sequence[Path]) -> 
         lines += table(list(_side_by_side(found.motions[k : k + MOST_BESIDE])), indent="")
         lines.append("")
     for difference in found.differences:
-        lines += wrap(difference.sentence, "", "  ")
-        if difference.phase is not None:
-            lines += wrap(difference.phase_sentence, "  ", "    ")
+        first, *more = difference.sentences
+        lines += wrap(first, "", "  ")
+        for sentence in more:
+            lines += wrap(sentence, "  ", "    ")
     for note in found.notes:
         lines += wrap(f"note: {note}", "", "  ")
     return [*lines, f"files  {folder}: {', '.join(file.name for file in files)}"]
