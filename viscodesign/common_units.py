@@ -75,7 +75,7 @@ def _unit(spelled: str) -> CommonUnit:
     return _evaluated(spelled, _table())
 
 
-def _evaluated(spelled: str, table: _Table) -> CommonUnit:
+def _evaluated(spelled: str, table: _Table | _Names) -> CommonUnit:
     tokens = _tokens(spelled)
     found = _product(tokens, table)
     if tokens:
@@ -95,7 +95,7 @@ def _tokens(spelled: str) -> list[str]:
     return tokens[::-1]
 
 
-def _product(tokens: list[str], table: _Table) -> CommonUnit:
+def _product(tokens: list[str], table: _Table | _Names) -> CommonUnit:
     """Consume ``unit * unit / unit ...``."""
     found = _power(tokens, table)
     while tokens and tokens[-1] in "*/":
@@ -104,7 +104,7 @@ def _product(tokens: list[str], table: _Table) -> CommonUnit:
     return found
 
 
-def _power(tokens: list[str], table: _Table) -> CommonUnit:
+def _power(tokens: list[str], table: _Table | _Names) -> CommonUnit:
     """Consume a unit or a product in parentheses, with its power."""
     token = tokens.pop() if tokens else ""
     if token == "(":
@@ -178,3 +178,26 @@ def _table() -> _Table:
 def definitions() -> list[str]:
     """The lines of the table of common units, as pint reads them too."""
     return Path(__file__).with_name("units.txt").read_text(encoding="utf-8").splitlines()
+
+
+class _Names:
+    """A table in which every name is a unit of its own."""
+
+    def unit(self, name: str) -> CommonUnit:
+        return CommonUnit(Fraction(1), ((name, 1),))
+
+
+def powers_of_names(spelled: str) -> dict[str, int]:
+    """The power of every name that is left in a product like ``m^2/(N*m)``; empty for others."""
+    try:
+        return dict(_evaluated(spelled, _Names()).powers)
+    except _NotCommonError:
+        return {}
+
+
+def dimensions(name: str) -> tuple[tuple[str, int], ...]:
+    """Base units of a common unit, with their powers; empty for any other name."""
+    try:
+        return _table().unit(name).powers
+    except _NotCommonError:
+        return ()

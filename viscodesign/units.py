@@ -20,6 +20,7 @@ from viscodesign.common_units import definitions, value_in_si
 from viscodesign.errors import described
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.values.grammar import GrammarError, ValueText, parse_value_text
+from viscodesign.values.repeated_units import repeated_units
 from viscodesign.values.unit_hints import unit_hint
 
 if TYPE_CHECKING:
@@ -86,6 +87,9 @@ class QuantityKind:
             raise self._invalid(f"'{text}' is a difference of temperatures")
         if found.unit in _NO_UNITS:
             raise self._unreadable(text, f"'{found.unit}' is no unit that a value may have")
+        if len(found.names) > 1 and (repeated := repeated_units(found.unit, found.names)):
+            written = " and ".join(f"'{name}'" for name in repeated)
+            raise self._unreadable(text, f"{written} cancel{'s' * (len(repeated) == 1)}")
         value = value_in_si(found.number, found.unit, self.unit)
         return self._by_pint(text, found) if value is None else value
 

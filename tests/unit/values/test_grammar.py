@@ -196,3 +196,39 @@ def test_a_character_that_slips_in_changes_no_number_unseen(where: int, char: st
     plain = re.sub(r"[ \t\r\n]", "", slipped)
     assert plain.isascii()
     assert value == pytest.approx(float(plain.removesuffix("mm")) / 1000)
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "words"),
+    [
+        (PRESSURE, "1.8 MPa MPa/Pa", "'MPa' and 'Pa' cancel"),
+        (PRESSURE, "1.8 MPa^2/Pa", "'MPa' and 'Pa' cancel"),
+        (PRESSURE, "1.8 MPa*MPa/MPa", "'MPa' cancels"),
+        (PRESSURE, "1.8 MPa*m/m", "'m' cancels"),
+        (PRESSURE, "1.8 MPa*mm/m", "cancel"),
+        (FREQUENCY, "5 kHz*s/s", "'s' cancels"),
+        (kind_of(units.AreaPerPressure), "3 psi m^2/(Pa psi)", "'psi' cancels"),
+    ],
+)
+def test_units_that_cancel_are_refused(kind: QuantityKind, text: str, words: str) -> None:
+    with pytest.raises(PydanticCustomError, match=words):
+        kind.parse(text)
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "value"),
+    [
+        (kind_of(units.AreaPerMoment), "1.2 mm^2/(N*m)", 1.2e-6),
+        (kind_of(units.AreaPerMoment), "1.2e-6 m^2/(N*m)", 1.2e-6),
+        (kind_of(units.Acceleration), "9.81 m/s/s", 9.81),
+        (PRESSURE, "5 kg*m/s^2/m^2", 5.0),
+        (FRACTION, "3 mm/m", 3e-3),
+        (FRACTION, "0.5 m/m", 0.5),
+        (GAS_CONSTANT, "287 J/(kg*degC)", 287.0),
+        (VISCOSITY, "1 dyn*s/cm^2", 0.1),
+    ],
+)
+def test_lengths_may_stand_above_and_below_the_line(
+    kind: QuantityKind, text: str, value: float
+) -> None:
+    assert kind.parse(text) == pytest.approx(value, rel=1e-15)
