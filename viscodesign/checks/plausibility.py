@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from viscodesign.checks.plausible_ranges import RANGES, PlausibleRange
+from viscodesign.checks.relative_ranges import relative_ranges
 from viscodesign.errors import Fault
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice
@@ -72,8 +73,17 @@ def impossible_values(scene: Scene) -> Iterator[Fault]:
 
 
 def _outside(scene: Scene) -> Iterator[tuple[PlausibleRange, float]]:
-    """Given numbers outside of their usual ranges."""
-    for found in RANGES:
+    """Given numbers outside of their usual ranges; beside others where these are sound."""
+    alone = list(_beyond(scene, RANGES))
+    yield from alone
+    if not any(found.key.startswith(("actuator.", "bellows.")) for found, _ in alone):
+        yield from _beyond(scene, relative_ranges(scene))
+
+
+def _beyond(
+    scene: Scene, ranges: Iterable[PlausibleRange]
+) -> Iterator[tuple[PlausibleRange, float]]:
+    for found in ranges:
         value = _value_at(scene, found.key)
         if value is not None and not found.low <= value <= found.high:
             yield found, value

@@ -45,6 +45,15 @@ SLIPS = [
     (["actuator.density=0.95"], "actuator.density", "0.95 kg/m^3 is", "950 kg/m^3?"),
     (["actuator.density=950000"], "actuator.density", "9.5e+05 kg/m^3 is", "950 kg/m^3?"),
     (["actuator.damping_time=1000"], "actuator.damping_time", "1000 s is", "1 s?"),
+    # coefficients and loads beside the actuator
+    (["bellows.area_per_pressure=3.413e-3 m^2/Pa"], "bellows.area_per_pressure", "0.003413 m^2/Pa is", "3.413e-09 m^2/Pa?"),
+    (["bellows.area_per_pressure=3.413e-15 m^2/Pa"], "bellows.area_per_pressure", "far below", "3.413e-09 m^2/Pa?"),
+    (["bellows.angle_per_pressure=-1e7 rad"], "bellows.angle_per_pressure", "far below", "-10 rad?"),
+    (["bellows.extension_per_pressure=47 km"], "bellows.extension_per_pressure", "47 km is", "47 mm?"),
+    (["bellows.area_per_force=0.3 m^2/N"], "bellows.area_per_force", "0.3 m^2/N is", "3e-07 m^2/N?"),
+    (["bellows.area_per_moment=1.2 m^2/(N*m)"], "bellows.area_per_moment", "1.2 m^2/(N*m) is", "1.2e-06"),
+    (["loads.payload=200 kg"], "loads.payload", "200 kg is", "did you mean 0.2 kg?"),
+    (["loads.tip_force={x: -5 kN}"], "loads.tip_force.x", "-5000 N is", "-5 N?"),
     # parts that do not fit
     (["bellows.height=40 mm"], "bellows.height", "a pair needs 80 mm", "actuator.height, 30 mm"),
     (["bellows.height=16 mm"], "bellows.height", "a pair needs 32 mm", ""),
