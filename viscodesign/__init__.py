@@ -50,6 +50,9 @@ if TYPE_CHECKING:
     from viscodesign.results.run_comparison import (
         ComparisonInterruptedError as ComparisonInterruptedError,
     )
+    from viscodesign.results.sensitivity_study import (
+        SensitivityInterruptedError as SensitivityInterruptedError,
+    )
     from viscodesign.results.sensitivity_study import SensitivityStudy as SensitivityStudy
     from viscodesign.results.sweep_table import Sweep as Sweep
     from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
@@ -72,6 +75,7 @@ _HOMES = {
     "PumpPlan": ".pump.planning.result",
     "RunInterruptedError": ".results.trajectory",
     "Scene": ".scene.scene",
+    "SensitivityInterruptedError": ".results.sensitivity_study",
     "SensitivityStudy": ".results.sensitivity_study",
     "SpecError": ".errors",
     "Sweep": ".results.sweep_table",

@@ -83,11 +83,11 @@ def _pressure_notices(quantities: SceneQuantities) -> Iterator[Notice]:
 
 
 def _lowest_absolute(quantities: SceneQuantities) -> float:
-    return quantities.scene.ambient_pressure + quantities.lowest_pressure
+    return quantities.scene.ambient_pressure + quantities.lowest_inlet_pressure
 
 
 def _lowest_words(quantities: SceneQuantities) -> str:
-    return f"the lowest inlet pressure, {quantities.lowest_pressure / 1e3:.4g} kPa gauge, is"
+    return f"the lowest inlet pressure, {quantities.lowest_inlet_pressure / 1e3:.4g} kPa gauge, is"
 
 
 def _network_notices(quantities: SceneQuantities) -> Iterator[Notice]:

@@ -17,6 +17,7 @@ from viscodesign.cli.options import (
     RunFolder,
     Spec,
 )
+from viscodesign.errors import InterruptedRunError
 
 EXAMPLE = """\b
 Examples:
@@ -62,13 +63,18 @@ def command(
     from viscodesign.cli.texts.sensitivity_text import sensitivity_lines
     from viscodesign.report.folder import prepare_folder
     from viscodesign.report.sensitivity_folder import write_sensitivity
+    from viscodesign.results.sensitivity_study import SensitivityInterruptedError
 
     scene = read_scene(spec, overrides)
     folder, remark = folder_for(scene, output)
     if remark and not quiet:
         complain(remark)
     prepare_folder(folder, force=force)
-    study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
+    stopped: SensitivityInterruptedError | None = None
+    try:
+        study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
+    except SensitivityInterruptedError as early:
+        study, stopped = early.study, early
     files = write_sensitivity(
         study, folder, plots=not no_plots, force=force, picture_format=picture_format
     )
@@ -76,3 +82,5 @@ def command(
         say(json_text({**study.document(), "files": [str(file) for file in files]}))
     elif not quiet:
         say("\n".join(sensitivity_lines(study, folder, files)))
+    if stopped is not None:
+        raise InterruptedRunError(f"{stopped}\nwhat there is is in {folder}")

@@ -221,6 +221,10 @@ def _incomplete(
     message = trajectory.failure or f"{trajectory.name}: the run is {trajectory.status}"
     if trajectory.status == "failed":
         return RunFailedError(f"{message}\n{kept}")
-    if interrupted or trajectory.status == "interrupted":
+    if trajectory.status == "interrupted":
         return InterruptedRunError(f"{message}\n{kept}")
+    if interrupted:
+        return InterruptedRunError(
+            f"{trajectory.interrupted_afterwards}\nits files are in {folder}"
+        )
     return None

@@ -67,7 +67,7 @@ class Collapse(Effect):
     def reason(self, quantities: SceneQuantities) -> str:
         return (
             f"the walls start to touch at {(self.floor + self.fade) / 1e3:.3g} kPa gauge; "
-            f"the lowest inlet pressure is {quantities.lowest_pressure / 1e3:.3g} kPa"
+            f"the lowest inlet pressure is {quantities.lowest_inlet_pressure / 1e3:.3g} kPa"
         )
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

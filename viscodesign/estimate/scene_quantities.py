@@ -148,11 +148,17 @@ class SceneQuantities:
     @cached_property
     def _pressures_met(self) -> tuple[float, float]:
         """Lowest and highest gauge pressure of the baseline and of all inlets over the run [Pa]."""
-        baseline, met = self.scene.gauge_pressure, [self.scene.gauge_pressure]
+        met = [self.scene.gauge_pressure, *self._inlet_pressures]
+        return min(met), max(met)
+
+    @cached_property
+    def _inlet_pressures(self) -> list[float]:
+        """Extremes of every inlet over the run, gauge [Pa]."""
+        baseline, met = self.scene.gauge_pressure, []
         for name, source in self.scene.inputs.items():
             unit = 1.0 if source.gives_pressure else self._yield(name)
             met += [baseline + unit * value for value in source.extremes(self.scene.run.duration)]
-        return min(met), max(met)
+        return met
 
     def _yield(self, name: str) -> float:
         """Pressure per volume that a plunger pushes into its closed network [Pa/m3]."""
@@ -221,12 +227,17 @@ class SceneQuantities:
 
     @property
     def lowest_pressure(self) -> float:
-        """Lowest gauge pressure of any inlet over the run [Pa]."""
+        """Lowest gauge pressure of the baseline and of any inlet over the run [Pa]."""
         return self._pressures_met[0]
 
     @property
+    def lowest_inlet_pressure(self) -> float:
+        """Lowest gauge pressure of any inlet over the run, or the baseline without any [Pa]."""
+        return min(self._inlet_pressures, default=self.scene.gauge_pressure)
+
+    @property
     def highest_pressure(self) -> float:
-        """Highest gauge pressure of any inlet over the run [Pa]."""
+        """Highest gauge pressure of the baseline and of any inlet over the run [Pa]."""
         return self._pressures_met[1]
 
     @property

@@ -16,7 +16,11 @@ from viscodesign.errors import SpecError
 from viscodesign.exploration.differentiable import LeftOut, differentiable
 from viscodesign.exploration.sampled_variance import sampled_variance
 from viscodesign.exploration.tolerances import deviations
-from viscodesign.results.sensitivity_study import SensitiveNumber, SensitivityStudy
+from viscodesign.results.sensitivity_study import (
+    SensitiveNumber,
+    SensitivityInterruptedError,
+    SensitivityStudy,
+)
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.lru_cache import LruCache
@@ -45,7 +49,8 @@ def sensitivity(
     do together.
 
     Raises `SpecError` for keys that cannot be free and for tolerances that are none, `SolveError`
-    where the scene has no solution.
+    where the scene has no solution. Ctrl-C after the derivatives raises
+    `SensitivityInterruptedError`, a `KeyboardInterrupt` that holds the study as far as it came.
     """
     began = clock.perf_counter()
     if not isinstance(scene, Scene):
@@ -71,10 +76,15 @@ def sensitivity(
         left_out=left_out,
         resolved_sha256=resolved_sha256(scene),
     )
-    if spread is not None:
-        study = replace(study, variances=_variances(study, function))
-    if sobol:
-        study = _checked(study, function, seed)
+    try:
+        if spread is not None:
+            study = replace(study, variances=_variances(study, function))
+        if sobol:
+            study = _checked(study, function, seed)
+    except KeyboardInterrupt:
+        study = replace(study, wall_s=clock.perf_counter() - began)
+        missing = "the sample that checks the band" if study.has_band else "the band"
+        raise SensitivityInterruptedError(study, missing) from None
     return replace(study, wall_s=clock.perf_counter() - began)
 
 

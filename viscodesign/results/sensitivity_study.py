@@ -218,3 +218,15 @@ class SensitivityStudy:
                 ],
             }
         return found
+
+
+class SensitivityInterruptedError(KeyboardInterrupt):
+    """Ctrl-C ended a study whose run and slopes are complete; ``study`` is what there is of it.
+
+    ``missing``: what is not, in words.
+    """
+
+    def __init__(self, study: SensitivityStudy, missing: str) -> None:
+        self.study = study
+        self.missing = missing
+        super().__init__(f"interrupted: the run and its slopes are complete, without {missing}")

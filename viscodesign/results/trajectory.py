@@ -305,6 +305,13 @@ class Trajectory(MotionArrays):
         shown: str = module_above("report.notebook").trajectory_html(self)
         return shown
 
+    @property
+    def interrupted_afterwards(self) -> str:
+        """What is said of a complete run when the user stopped what came after it."""
+        done = len(self.proof)
+        measured = f" while effects were measured, {done} of them done" if done else " afterwards"
+        return f"interrupted{measured}: the run itself is complete"
+
     def summary(self) -> dict[str, Any]:
         """The run without its arrays, ready for JSON (numbers that are not finite as None).
 
@@ -400,4 +407,7 @@ class RunInterruptedError(KeyboardInterrupt):
 
     def __init__(self, trajectory: Trajectory | None) -> None:
         self.trajectory = trajectory
-        super().__init__("interrupted" if trajectory is None else trajectory.failure or "")
+        message = "interrupted"
+        if trajectory is not None:
+            message = trajectory.failure or trajectory.interrupted_afterwards
+        super().__init__(message)

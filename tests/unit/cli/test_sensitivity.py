@@ -43,3 +43,29 @@ def test_its_words_and_a_folder_that_a_run_of_the_same_spec_shares(
     assert "network.tube_radius" in said
     assert "mm per percent at" in said
     assert "left out" in said
+
+
+@pytest.mark.parametrize(
+    ("place", "missing"), [("_variances", "the band"), ("_checked", "the sample")]
+)
+def test_an_interrupt_behind_the_slopes_keeps_them_and_says_so(
+    place: str,
+    missing: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def pressed(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(f"viscodesign.exploration.sensitivity.{place}", pressed)
+    words = ["--tolerance", "network.tube_radius=5%", "--sobol", "--no-plots"]
+    assert main(["sensitivity", *LEG, *words, "-o", str(tmp_path)]) == 130
+    said = capsys.readouterr()
+    assert f"the run and its slopes are complete, without {missing}" in said.err
+    assert str(tmp_path) in said.err
+    assert "mm per percent at" in said.out
+    assert (tmp_path / "sensitivity.csv").is_file()
+    assert ("band" in json.loads((tmp_path / "sensitivity.json").read_text())) == (
+        place == "_checked"
+    )

@@ -442,3 +442,17 @@ def test_damping_goes_with_inertia_however_little_it_does(changes: tuple[str, ..
     assert {"inertia", "damping"} <= active
     forbidden = leg("bellows.count=4", *changes, "effects.damping=off")
     assert "damping" not in select_effects(SceneQuantities(forbidden)).active
+
+
+@pytest.mark.parametrize(
+    ("source", "lowest"),
+    [
+        ("{kind: table, rows: [[0, 2 kPa], [1, 40 kPa], [2, 2 kPa]]}", "2 kPa"),
+        ("{kind: constant, value: 5 kPa}", "5 kPa"),
+        ("{kind: table, rows: [[0, 0], [1, -3 kPa]]}", "-3 kPa"),
+    ],
+)
+def test_the_lowest_inlet_pressure_is_one_that_is_met(source: str, lowest: str) -> None:
+    """The baseline is none of an inlet that never comes down to it."""
+    reason = verdicts("bellows.count=4", f"input={source}", "effects=auto")["collapse"].reason
+    assert reason.endswith(f"the lowest inlet pressure is {lowest}")

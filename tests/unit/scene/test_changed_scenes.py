@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 import pickle
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +16,7 @@ from pydantic import ValidationError
 from tests.scenes import CONFIGS, leg
 from viscodesign import Scene, load
 from viscodesign.errors import SpecError
+from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.spec_part import SpecPart
 
 Change = Callable[[Scene, float], Scene]
@@ -159,3 +162,43 @@ def test_a_scene_is_shown_in_one_short_line() -> None:
         assert len(repr(scene)) < 120
         assert scene.name in repr(scene)
         assert str(scene) == repr(scene)
+
+
+ROWS = "rows: [[0 s, 0 mm], [1 s, 2 mm]]"
+SYRINGE = f"input={{kind: syringe, diameter: 20 mm, start: 50 mm, {ROWS}}}"
+
+
+@pytest.fixture
+def table(tmp_path: Path) -> Path:
+    file = tmp_path / "table.csv"
+    file.write_text("time_s,pressure_pa\n0,0\n1,10000\n2,0\n")
+    return file
+
+
+@pytest.mark.parametrize("was", ["rows: [[0, 0], [1, 5]]", "file: {}"])
+def test_another_file_takes_the_place_of_rows(was: str, table: Path) -> None:
+    """A loaded scene lists its rows, whatever file they came from."""
+    scene = leg(f"input={{kind: table, {was.format(table)}}}")
+    found = scene.replace({"input.file": str(table)}).inputs["inlet"]
+    assert isinstance(found, TableInput)
+    assert found.rows == ((0.0, 0.0), (1.0, 1e4), (2.0, 0.0))
+    assert found.measured is not None
+    assert found.measured.file == str(table)
+
+
+def test_rows_take_the_place_of_a_file_and_of_what_was_read_from_it(table: Path) -> None:
+    scene = leg(f"input={{kind: table, file: {table}}}")
+    found = scene.replace({"input.rows": [[0, 0], [1, 5.0]]}).inputs["inlet"]
+    assert isinstance(found, TableInput)
+    assert found.rows == ((0.0, 0.0), (1.0, 5.0))
+    assert found.measured is None
+
+
+def test_speeds_take_the_place_of_positions() -> None:
+    found = leg(SYRINGE).replace({"input.speeds": [["0 s", "1 mm/s"], ["1 s", "0 mm/s"]]})
+    assert found.inputs["inlet"].profile()[-1][1] == pytest.approx(1e-3 * 1e-4 * math.pi)
+
+
+def test_a_spec_that_gives_both_is_still_refused(table: Path) -> None:
+    with pytest.raises(SpecError, match="exactly one of 'file' and 'rows'"):
+        leg(f"input={{kind: table, file: {table}, rows: [[0, 0], [1, 5]]}}")

@@ -17,8 +17,8 @@ from viscodesign import simulate
 from viscodesign.interrupt import ended_like_interrupts, gentle_interrupt
 from viscodesign.results.trajectory import RunInterruptedError
 from viscodesign.scene.scene import Scene
+from viscodesign.simulation import measured_effects, solve_once
 from viscodesign.simulation import simulate as simulating
-from viscodesign.simulation import solve_once
 from viscodesign.solve import transient
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
@@ -89,6 +89,26 @@ def test_what_was_computed_is_on_it(
         simulate(scene)
     assert stopped.value.trajectory is not None
     assert len(stopped.value.trajectory.time) == 41
+
+
+@pytest.mark.parametrize("done", [0, 2])
+def test_a_press_while_effects_are_measured_says_that_the_run_is_complete(
+    done: int, scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own, begun = measured_effects.solve, []
+
+    def pressing(*words: Any, **options: Any) -> Any:
+        begun.append(True)
+        if len(begun) == done + 2:  # the first one is that of all that follow
+            press()
+        return own(*words, **options)
+
+    monkeypatch.setattr(measured_effects, "solve", pressing)
+    with pytest.raises(RunInterruptedError, match="the run itself is complete") as stopped:
+        simulate(scene, prove=True)
+    assert stopped.value.trajectory is not None
+    assert stopped.value.trajectory.status == "complete"
+    assert len(stopped.value.trajectory.proof) in (done, done + 1)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.2, 0.4, 0.6, 0.9])

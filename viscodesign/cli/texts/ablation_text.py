@@ -19,7 +19,9 @@ WRONG_RATIO = 3.0
 def ablation_lines(trajectory: Trajectory) -> list[str]:
     """A table of the effects, the sum of the neglected ones, and warnings."""
     if not trajectory.proof:
-        return wrap("measured effects: none; effects are switched only after a complete run")
+        is_complete = trajectory.status == "complete"
+        why = "none was done" if is_complete else "effects are switched only after a complete run"
+        return wrap(f"measured effects: none; {why}")
     budget = trajectory.accuracy.requested_m
     rows = [("effect", "verdict", "estimated", "measured", "of budget", "result")]
     for ablation in trajectory.proof:

@@ -38,7 +38,7 @@ def page_data(run: Trajectory) -> dict[str, Any]:
         "bellows": run.bellows,
         "all_tubes": tube_ends(run, scene),
         "total_rows": len(run.time),
-        "notes": [],
+        "notes": list(run.notes),
     }
     return {**data, **_motion(run, scene)} if len(run.time) else data
 
@@ -65,7 +65,7 @@ def _motion(run: Trajectory, scene: Scene | None) -> dict[str, Any]:
 
 
 def _notes(run: Trajectory, chosen: ShownRows, tubes: np.ndarray) -> Sequence[str]:
-    notes = [chosen.note] if chosen.note else []
+    notes = [*run.notes, *([chosen.note] if chosen.note else [])]
     if len(tubes) < len(run.tubes):
         notes.append(
             f"flows are shown of {len(tubes)} of {len(run.tubes):,} tubes, those with the largest"

@@ -24,6 +24,7 @@ from viscodesign.scene.run import OUTPUT_KEYS
 from viscodesign.scene.scene import Provenance, Scene
 from viscodesign.scene.spec_part import VALID_FIELDS, KeyPath
 from viscodesign.scene.spec_version import version_problem
+from viscodesign.scene.table_file import FILE_KEYS
 
 IGNORED_PREFIX = "x-"
 """How top-level keys begin that a spec keeps for itself, such as values that anchors name."""
@@ -143,11 +144,19 @@ def _override(document: Document, key: str, value: Any, place: str) -> None:
     _put(document, parts, value, place)
 
 
+EXCLUDED_BY = {
+    "file": ("rows", "speeds", "measured"),
+    "rows": (*FILE_KEYS, "speeds", "measured"),
+    "speeds": (*FILE_KEYS, "rows", "measured"),
+}
+"""Where the rows of a table come from: a loaded scene has them listed, whatever file it had."""
+
+
 def _replaced_by(path: KeyPath) -> list[KeyPath]:
     """Keys of the file that an override takes the place of."""
-    if path[:-1] != ("run",) or path[-1] not in OUTPUT_KEYS:
-        return []
-    return [("run", key) for key in OUTPUT_KEYS if key != path[-1]]
+    if path[:-1] == ("run",) and path[-1] in OUTPUT_KEYS:
+        return [("run", key) for key in OUTPUT_KEYS if key != path[-1]]
+    return [(*path[:-1], key) for key in EXCLUDED_BY.get(path[-1], ())] if path[:-1] else []
 
 
 def _remove(document: Document, path: KeyPath) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -113,3 +114,13 @@ def test_the_page_lets_nothing_run_but_its_own() -> None:
         assert outside not in page.replace("http://www.w3.org/2000/svg", "").replace(
             "url(#pressures)", ""
         )
+
+
+@pytest.mark.parametrize("rows", [401, 0])
+def test_what_was_taken_out_of_a_recording_is_told_first(rows: int) -> None:
+    told = "input: 200 rows of trace.csv; noise of 250 Pa was smoothed"
+    run = replace(made_run(), notes=(told,))
+    if not rows:
+        run = run.with_arrays(**{name: values[:0] for name, values in run.arrays.items()})
+    assert data_of(run)["notes"][0] == told
+    assert told in page_bytes(run).decode()
