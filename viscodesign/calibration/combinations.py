@@ -8,6 +8,7 @@ viscosity * length / radius^4.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 
@@ -83,4 +84,5 @@ def _product(row: np.ndarray, places: Sequence[int], covariance: np.ndarray) -> 
     least = float(np.sqrt(np.diag(block)).min())
     if len(own) < 2 or deviation > min(FAR_BETTER * least, WELL_KNOWN):
         return None
-    return KnownProduct(tuple(own), tuple(powers), deviation)
+    whole = math.lcm(*(power.denominator for power in powers))
+    return KnownProduct(tuple(own), tuple(power * whole for power in powers), deviation * whole)
