@@ -31,7 +31,7 @@ BETWEEN, KEY_LINE = 0.75, 0.19
 """All in inches: between the charts on the right, and a line of the key."""
 MARGIN = 0.07
 LEAST_SPAN_MM = 0.1
-MOST_LABEL = 44
+MOST_LABEL, MOST_IN_TITLE = 44, 30
 KEY_COLUMNS = 2
 
 
@@ -75,12 +75,13 @@ def draw_comparison(found: Comparison, path: Target) -> None:
 
 
 def _title(found: Comparison) -> str:
-    first = found.motions[0].title
+    first = shown(found.motions[0].title, MOST_IN_TITLE)
     worst = max(found.differences, key=lambda d: d.max_m)
-    size = f"{1e3 * worst.max_m:.3g} mm"
+    size, label = f"{1e3 * worst.max_m:.3g} mm", shown(worst.label, MOST_IN_TITLE)
     if len(found.differences) == 1:
-        return f"{worst.label} differs from {first} by {size} at most"
-    return f"{len(found.differences)} motions differ from {first} by up to {size} ({worst.label})"
+        told = ", within the stated errors" if worst.verdict == "within errors" else ""
+        return f"{label} differs from {first} by {size} at most{told}"
+    return f"{len(found.differences)} motions differ from {first} by up to {size} ({label})"
 
 
 def draw_paths(axes: Axes, motions: Sequence[TipMotion]) -> None:
@@ -137,9 +138,11 @@ def _draw_over_time(axes: Axes, differences: tuple[TipDifference, ...]) -> None:
     if level < 0.02 * top:  # no more than the width of the axis
         return
     axes.axhspan(0, level, color=FAINT, alpha=0.35, lw=0, zorder=1)
+    axes.set_ylim(0, top)
+    place, upright = (level, "bottom") if level < 0.95 * top else (top, "top")
     axes.text(
-        1.0, level, "stated errors", color="#555555", size=7.5, ha="right", va="bottom",
-        transform=axes.get_yaxis_transform(),
+        0.99, place, f"stated errors, {level:.2g} mm", color="#555555", size=7.5, ha="right",
+        va=upright, transform=axes.get_yaxis_transform(),
     )  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from viscodesign import compare
 from viscodesign.report.charts.compare import draw_comparison
 from viscodesign.report.charts.paper_figure import draw_figure
 from viscodesign.results.paper_figure import FigurePanel, PaperCheck, PaperFigure
+from viscodesign.results.trajectory import Accuracy
 
 
 def test_paths_distances_and_what_failed(figures: list[Figure], tmp_path: Path) -> None:
@@ -34,6 +35,23 @@ def test_paths_distances_and_what_failed(figures: list[Figure], tmp_path: Path) 
     assert len(phases.lines) == 1
     assert any("bent (failed at 3 s): no step" in text.get_text() for text in figures[0].texts)
     assert (tmp_path / "compare.svg").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(("stated", "at"), [(1e-3, "bottom"), (1e-1, "top")])
+def test_stated_errors_are_a_band_with_its_size(
+    figures: list[Figure], tmp_path: Path, stated: float, at: str
+) -> None:
+    runs = [
+        replace(made_run(bending=bending), accuracy=Accuracy(1e-3, stated / 2, "made up"))
+        for bending in (1.0, 0.8)
+    ]
+    draw_comparison(compare(*runs), tmp_path / "compare.png")
+    (label,) = figures[0].axes[1].texts
+    assert label.get_text() == f"stated errors, {1e3 * stated:.2g} mm"
+    assert label.get_va() == at
+    assert label.get_position()[1] <= figures[0].axes[1].get_ylim()[1]
+    title = figures[0].texts[0].get_text()
+    assert title.endswith("within the stated errors") == (at == "top")
 
 
 def test_one_motion_of_one_instant(tmp_path: Path) -> None:
