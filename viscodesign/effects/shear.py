@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import ClassVar, Self
 
+import numpy as np
+
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
@@ -19,6 +21,9 @@ bending, q l^4/(8 EI), times kappa G A l^2/EI."""
 FIRST_MODE = 3.5160**2 / (math.pi / 2) ** 2
 """Squared frequency of the first bending mode over that of the first mode of shear alone, times
 kappa G A l^2/EI. By Dunkerley, that mode takes so much longer, squared."""
+UNSHEARABLE = 300.0
+"""Shear stiffness over what the accuracy asks for under a load of EI/l^2: a stiffer rod only makes
+its equations harder to solve. Under ten times that load a thirtieth of the accuracy is lost."""
 UNDAMPED_MODES = 10.0
 """Factor on it where nothing damps the higher modes, which shear slows more than the first."""
 
@@ -68,7 +73,8 @@ class Shear(Effect):
         a = quantities.scene.actuator
         factor = a.extension_factor if a.shear_factor is None else a.shear_factor
         stiffness = beam.shear_stiffness(a.youngs_modulus, a.height, a.width, factor)
-        return cls(stiffness, quantities.body.bending_stiffness)
+        most = UNSHEARABLE / quantities.accuracy * quantities.bending_force
+        return cls(np.minimum(stiffness, most), quantities.body.bending_stiffness)
 
     def present(self, quantities: SceneQuantities) -> bool:
         """Only where a spec names it, whatever `others` says.
