@@ -32,7 +32,8 @@ def doubts(
 
 def _unresolved_motion(found: Trajectory, accuracy: Accuracy, is_driven: bool) -> Notice | None:
     """A warning where the stated error exceeds all that the tip does."""
-    error, size = accuracy.estimated_tip_error_m, _motion_size(found, is_driven)
+    error = accuracy.estimated_tip_error_m
+    size = _motion_size(found, is_driven) if error is not None and len(found.tip) else None
     if error is None or size is None or error <= size:
         return None
     enough = 100 * RESOLVED_SHARE * size / found.length

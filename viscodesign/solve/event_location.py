@@ -6,21 +6,54 @@ from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.event_failures import EventError
 from viscodesign.solve.events import Crossing, EventWatch
-from viscodesign.solve.problem import Pieces, Schedule
+from viscodesign.solve.problem import Pieces, Problem, Schedule
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
 from viscodesign.storage.distinct import distinct
 
 LOCATED_REL_TOL = 1e-8
 """Of the run's duration, to which the time of an event is found."""
+MARGIN_STEPS = 3.0
+"""Steps behind an event within which a more accurate solution is to meet it, too."""
 PARTS = 64
 """Into which the time in question is cut, again and again."""
 
 
-def located(solver: Solver, crossing: Crossing, piece: np.ndarray, work: Work) -> EventError:
-    """The event at the time at which a solver meets it, in one smooth stretch of the inputs.
+@dataclass(frozen=True)
+class Located:
+    """An event, and up to when a solution may be read."""
+
+    error: EventError
+    valid_until: float
+    """Neither this solution nor a more accurate one has met the event before [s]."""
+
+
+def located(
+    solver: Solver, crossing: Crossing, piece: np.ndarray, work: Work, latest: float
+) -> Located:
+    """The event that a solver meets in one smooth stretch of the inputs, which ends at ``latest``.
+
+    Two solutions of one tolerance differ by how their steps fall, and their events with them. So
+    the event is that of a far more accurate solution from some steps before, where the solver has
+    one and it meets the event as well.
+    """
+    error = _narrowed(solver, crossing, piece, work)
+    until = min(crossing.end + MARGIN_STEPS * (crossing.end - crossing.begin), latest)
+    if until <= crossing.origin_time:
+        return Located(error, error.time_s)
+    times = np.array([crossing.origin_time, until])
+    finer = solver.finest(_over(solver.problem, times, piece))
+    finest = finer(crossing.origin, 0, 1, work)[1] if finer is not None else None
+    if not isinstance(finest, EventError):
+        return Located(error, error.time_s)
+    return Located(finest, min(error.time_s, finest.time_s))
+
+
+def _narrowed(solver: Solver, crossing: Crossing, piece: np.ndarray, work: Work) -> EventError:
+    """The event at the time at which a solver itself meets it.
 
     The solver goes over the time in question once more, again and again in the same steps, and is
     read ever more densely where the event is.
@@ -47,13 +80,17 @@ def _rows_at(
     solver: Solver, here: Start, times: np.ndarray, piece: np.ndarray, work: Work
 ) -> np.ndarray:
     """Unknowns (m, nx + nz) at rising times (m,) in one stretch, or as many as a solver reaches."""
-    count = len(times) - 1
-    same = Pieces(piece[None], np.array([0]), count)
-    schedule = Schedule(times, same, np.arange(count + 1), piece)
-    finer = solver.unwatched(replace(solver.problem, schedule=schedule))
-    (states, algebraics, _), _ = finer(here, 0, count, work)
+    narrow = solver.unwatched(_over(solver.problem, times, piece))
+    (states, algebraics, _), _ = narrow(here, 0, len(times) - 1, work)
     first = np.concatenate([here.states, here.algebraics])
     return np.vstack([first, np.concatenate([states, algebraics]).T])
+
+
+def _over(problem: Problem, times: np.ndarray, piece: np.ndarray) -> Problem:
+    """The problem at rising times (m,) of one stretch."""
+    count = len(times) - 1
+    same = Pieces(piece[None], np.array([0]), count)
+    return replace(problem, schedule=Schedule(times, same, np.arange(count + 1), piece))
 
 
 def until_event(
@@ -72,7 +109,8 @@ def until_event(
     if crossing is None:
         return columns, None
     interval = int(np.searchsorted(schedule.edges, crossing.end)) - 1
-    event = located(solver, crossing, schedule.pieces[max(interval, 0)], work)
-    valid = int(np.searchsorted(schedule.edges[first + 1 : first + count + 1], event.time_s))
+    piece = schedule.pieces[max(interval, 0)]
+    event = located(solver, crossing, piece, work, latest=crossing.end)
+    valid = int(np.searchsorted(schedule.edges[first + 1 : first + count + 1], event.valid_until))
     states, algebraics, integrals = (values[:, :valid] for values in columns)
-    return (states, algebraics, integrals), event
+    return (states, algebraics, integrals), event.error

@@ -25,7 +25,8 @@ from viscodesign.solve.statics import Start
 FLOOR_REL_TOL = 0.02
 """Part of its minimum volume by which a bellow may fall below it: loads take volume too."""
 VANISHING_STRETCH = 0.01
-"""Stretch of a section below which no solver goes on: the linear law presses it to nothing."""
+"""Stretch of a section that ends a run: the linear law presses it to nothing, and on the way there
+any two solutions part."""
 
 Rows = Mapping[str, np.ndarray]
 """Named outputs, each (T, n); pressures and volumes in the order of the bellows."""
@@ -39,8 +40,11 @@ Found = tuple[int, EventError] | None
 class Crossing:
     """An event between two neighbouring times of a solution."""
 
+    origin: Start
+    origin_time: float
+    """Unknowns some steps earlier, and when [s]."""
     before: Start
-    """Unknowns at the first of them."""
+    """Unknowns at the first of the two."""
     begin: float
     end: float
     """Equal to ``begin`` where the solution begins with the event [s]."""
@@ -76,8 +80,9 @@ class EventWatch:
             return None
         row, error = found
         before = max(row - 1, 0)
-        here = start_of(self._problem, unknowns[before])
-        return Crossing(here, float(time[before]), float(time[row]), error)
+        origin, here = (start_of(self._problem, unknowns[k]) for k in (0, before))
+        times = float(time[before]), float(time[row])
+        return Crossing(origin, float(time[0]), here, *times, error)
 
     def vanishing(self, time: float, piece: np.ndarray, unknowns: np.ndarray) -> EventError | None:
         """The failure of a section that has hardly any length left, which no solver gets past."""
@@ -106,7 +111,7 @@ def first_event(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndar
 
 
 def _vanished(time: np.ndarray, stretch: np.ndarray) -> Found:
-    row = _first(stretch.min(axis=1) <= 0.0)
+    row = _first(stretch.min(axis=1) < VANISHING_STRETCH)
     return None if row is None else (row, thinnest_section(float(time[row]), stretch[row]))
 
 

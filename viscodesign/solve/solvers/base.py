@@ -67,6 +67,13 @@ class Solver(ABC):
         self.problem = problem
         self.tolerance = tolerance
 
+    def finest(self, problem: Problem) -> Solver | None:
+        """The same with a far smaller tolerance for a problem with other times, to locate events;
+        None where that would find the same, or costs too much.
+        """
+        del problem
+        return None
+
     def unwatched(self, problem: Problem) -> Solver:
         """The same for a problem with other times, looking for no events."""
         return type(self)(problem, self.tolerance)

@@ -24,6 +24,10 @@ from viscodesign.solve.solvers.rodas_native import NativeSteps, has_native_code
 from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
 from viscodesign.solve.statics import Instant, Start
 
+FINEST = 1e-3
+"""Tolerance by which events are located, over that of the run."""
+LEAST_TOLERANCE = 1e-11
+
 
 class Rosenbrock(Solver):
     """Steps of Rodas5P, as long as the embedded error allows."""
@@ -59,10 +63,19 @@ class Rosenbrock(Solver):
         self.steps = _steps(problem, tolerance)
         self.build_s = clock.perf_counter() - began
         self.size: float | None = None
+        self._is_finest = False
         self._consistent: tuple[Start | None, float] = None, 0.0
         """The latest unknowns that were made so, and their time [s]."""
         self.states = problem.equations.states.count
         self.unknowns = problem.unknowns
+
+    def finest(self, problem: Problem) -> Solver | None:
+        """With a thousandth of the tolerance, once."""
+        if self._is_finest:
+            return None
+        solver = Rosenbrock(problem, max(self.tolerance * FINEST, LEAST_TOLERANCE))
+        solver._is_finest = True
+        return solver
 
     def unwatched(self, problem: Problem) -> Solver:
         """Its steps look for no events."""
@@ -119,9 +132,9 @@ class Rosenbrock(Solver):
             columns.append(reached.columns)
             if reached.crossing is not None:
                 piece, edges = self.problem.schedule.pieces[begin], self.problem.schedule.edges
-                event = located(self, reached.crossing, piece, work)
-                valid = np.searchsorted(edges[begin + 1 : end + 1], event.time_s)
-                failure = event
+                event = located(self, reached.crossing, piece, work, latest=float(edges[end]))
+                valid = np.searchsorted(edges[begin + 1 : end + 1], event.valid_until)
+                failure = event.error
                 columns[-1] = reached.columns[:valid]
                 break
             if reached.failure is not None:
