@@ -216,7 +216,8 @@ class _Search:
     def _look(self) -> None:
         if self._limits.stop.asked:
             self._end("interrupted")
-        if clock.perf_counter() > self._limits.until:
+        # Late as it may be, a first solution is worth more than none.
+        if self.best is not None and clock.perf_counter() > self._limits.until:
             self._end("unfinished")
 
     def _end(self, status: FitStatus) -> Any:

@@ -111,7 +111,8 @@ def _designed(task: SearchTask, scene: Scene) -> PathDesign:
         try:
             designs = search_designs(task, posed)
         except KeyboardInterrupt:
-            return _without_solution(task, scene, "interrupted before a first solution")
+            why = "interrupted" if task.stop.asked else "the search ran out of time"
+            return _without_solution(task, scene, f"{why} before a first solution")
         except SolveError as error:
             return _without_solution(task, scene, f"no start has a solution: {error}")
         found = copied(designs[0].scene, {"effects": effects})

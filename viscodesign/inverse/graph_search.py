@@ -7,7 +7,6 @@ numbers of the one that it came from. The best of them go on to the scene's own 
 from __future__ import annotations
 
 import itertools
-import math
 import random
 import time as clock
 from collections.abc import Iterator
@@ -16,9 +15,10 @@ import numpy as np
 
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.errors import SolveError
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.exploration.least_squares import SearchLimits, least_squares
 from viscodesign.inverse.number_search import NumberDesign, limits_of, search_numbers
-from viscodesign.inverse.quick_motion import QuickMotion
+from viscodesign.inverse.quick_motion import ArcRod, QuickMotion
 from viscodesign.inverse.search_task import SearchTask
 from viscodesign.inverse.tip_residuals import PathResiduals, distance
 from viscodesign.inverse.tree_changes import changed_chain, changed_tree
@@ -47,7 +47,11 @@ QUICK_EVALUATIONS = 40
 CHANGE_EVALUATIONS = 15
 MOST_CHANGES = 1500
 ELITE = 8
-QUICK_STARTS = 24
+SIZINGS, MOST_SIZING = 3, 10.0
+"""Times that a start is sized by the path, and by how much at most each time."""
+QUICK_MET = 0.25
+"""Of the tolerance, at which the quick motion is near enough."""
+QUICK_DRAWS, QUICK_STARTS = 80, 16
 SAME_OPTIMUM, ENOUGH_TIMES = 1.01, 4
 """Fits that come as near as the best, and how many of them end the quick search."""
 FULL_DESIGNS, FULL_GRAPHS = 3, 6
@@ -101,7 +105,7 @@ class QuickSearch:
     """Graphs and starts of a task, ranked by the quick motion."""
 
     def __init__(self, task: SearchTask, scene: Scene, own: TreeGraph | None) -> None:
-        self._task = task
+        self._task, self._wanted = task, task.wanted.coarser
         self.sections = scene.bellows.count // 2
         self.is_graph_free = task.choice.graph != "keep"
         self._own = own or straight(self.sections)
@@ -150,7 +154,9 @@ class QuickSearch:
     def _of_one_graph(self) -> list[QuickCandidate]:
         """Fits from several starts: one harmonic of many sizes and periods, and chance."""
         found = []
-        for start in self._starts(QUICK_STARTS):
+        first, *drawn = self._starts(QUICK_DRAWS)
+        drawn.sort(key=lambda start: self._cost(self._own, start))
+        for start in [*drawn[:2], first, *drawn[2:QUICK_STARTS]]:
             found.append(self._fitted(self._own, start, QUICK_EVALUATIONS))
             best = min(one.rms_m for one in found)
             again = sum(one.rms_m < SAME_OPTIMUM * best for one in found)
@@ -169,7 +175,38 @@ class QuickSearch:
             for k, number in enumerate(numbers):
                 if number.path[0] == "input" and number.path[1] in ("cosine", "sine"):
                     found[k] *= 0.8 / (1 + int(number.path[2])) ** 2
-            yield found if self._limits is None else self._limits.within(found)
+                if number.path == ("input", "mean"):
+                    found[k] = self._mean_pressure
+            yield found if self._limits is None else self._sized(found)
+
+    def _sized(self, values: np.ndarray) -> np.ndarray:
+        """Numbers whose input keeps its limits and moves the tip as far as the path is long."""
+        assert self._limits is not None
+        motion, found = self._motion(self._own), self._limits.within(values)
+        amplitudes = [
+            k for k, own in enumerate(self._keys.numbers) if own.path[1] in ("cosine", "sine")
+        ]
+        for _ in range(SIZINGS):
+            tip = motion.tip(found)
+            way = np.linalg.norm(np.diff(tip, axis=0, append=tip[:1]), axis=1).sum()
+            found[amplitudes] *= min(self._wanted.length / max(float(way), 1e-9), MOST_SIZING)
+            found = self._limits.within(found)
+        return found
+
+    @property
+    def _mean_pressure(self) -> float:
+        """That of a straight rod as long as the path is high in the mean [Pa]."""
+        assert self._task.choice.harmonics is not None
+        rod = ArcRod.of(SceneQuantities(self._base))
+        length = self._base.actuator.length
+        height = float(self._wanted.points[:, 1].mean())
+        level = (height / length - 1) / (2 * rod.stretch) - self._base.gauge_pressure
+        return float(np.clip(level, *self._task.choice.harmonics.limits))
+
+    def _cost(self, graph: TreeGraph, values: np.ndarray) -> float:
+        """Sum of squares of a start."""
+        residuals = PathResiduals(self._motion(graph), self._wanted, self._limits)
+        return float(np.sum(residuals(values) ** 2))
 
     # -- all graphs --------------------------------------------------------------------
 
@@ -254,22 +291,27 @@ class QuickSearch:
 
     def _as_it_is(self, graph: TreeGraph) -> QuickCandidate:
         values = self._keys.values
-        found = distance(self._task.wanted, self._motion(graph).tip(values))
+        found = distance(self._wanted, self._motion(graph).tip(values))
         own = values if self._ranges is not None else np.zeros(0)
         return QuickCandidate(graph, own, found.rms_m)
 
     def _fitted(self, graph: TreeGraph, start: np.ndarray, evaluations: int) -> QuickCandidate:
         if self._ranges is None:
             return self._as_it_is(graph)
-        residuals = PathResiduals(self._motion(graph), self._task.wanted, self._limits)
+        motion = self._motion(graph)
+        residuals = PathResiduals(motion, self._wanted, self._limits, both_ways=True)
         limits = SearchLimits(
-            met_cost=(0.01 * self._task.tolerance_m) ** 2,
+            met_cost=(
+                (QUICK_MET if self._wanted.timing == "free" else 0.01) * self._task.tolerance_m
+            )
+            ** 2,
             evaluations=evaluations,
             until=self._task.until,
             stop=self._task.stop,
         )
         fit = least_squares(residuals, self._ranges, [start], limits=limits)
-        return QuickCandidate(graph, fit.values, math.sqrt(fit.cost))
+        found = distance(self._wanted, motion.tip(fit.values))
+        return QuickCandidate(graph, fit.values, found.rms_m)
 
 
 def _is_tree(parent: tuple[int, ...]) -> bool:

@@ -43,8 +43,9 @@ DESCENTS = 6
 STARTS_PER_NUMBER, LEAST_STARTS, MOST_STARTS = 4, 12, 48
 ENOUGH_SHARE = 0.1
 """Of the tolerance, at which a descent has found the path and no other start is tried."""
-EXACT_SHARE = 0.01
-"""Of the tolerance, at which nothing better is sought: solutions are no more accurate."""
+EXACT_SHARE, NEAR_SHARE = 0.01, 0.3
+"""Of the tolerance, at which nothing better is sought: solutions are no more accurate; of a path
+without times, whose numbers are not unique."""
 PERCENT = 0.01
 SAME_SHARE = 0.02
 """Of its range, up to which a number of two optima counts as the same."""
@@ -134,8 +135,9 @@ def _fit(
         task.log.note(math.sqrt(best.cost), graph)
         task.tell()
 
+    share = EXACT_SHARE if task.wanted.timing == "given" else NEAR_SHARE
     limits = SearchLimits(
-        met_cost=(EXACT_SHARE * task.tolerance_m) ** 2,
+        met_cost=(share * task.tolerance_m) ** 2,
         enough_cost=(ENOUGH_SHARE * task.tolerance_m) ** 2,
         until=task.until,
         stop=task.stop,

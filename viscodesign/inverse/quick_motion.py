@@ -23,7 +23,7 @@ from viscodesign.scene.inputs.harmonics import HarmonicsInput
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import KeyPath
 
-PHASES = 96
+PHASES = 64
 """Samples of a period."""
 MOST_TIMES = 241
 """Samples of a run with free timing."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Protocol
 
 import numpy as np
@@ -85,34 +86,65 @@ def distance(wanted: WantedPath, tip: np.ndarray) -> PathDistance:
 
 
 class PathResiduals:
-    """Distances (2 N,) over the root of N, so that their squares add up to the mean square."""
+    """Distances (2 N,) over the root of N, so that their squares add up to the mean square.
 
-    def __init__(self, model: TipModel, wanted: WantedPath, penalty: Penalty | None = None) -> None:
+    ``both_ways``: those of the tip's path from the wanted one as well, for a search that begins far
+    off: a path that is passed nearby on wide ways is near, but leads nowhere.
+    """
+
+    def __init__(
+        self,
+        model: TipModel,
+        wanted: WantedPath,
+        penalty: Penalty | None = None,
+        *,
+        both_ways: bool = False,
+    ) -> None:
         self._model, self._wanted, self._penalty = model, wanted, penalty
-        self._root = np.sqrt(len(wanted.points))
-        self._latest: tuple[bytes, PathMatch | None, np.ndarray] | None = None
+        self._both_ways = both_ways and wanted.timing == "free" and not wanted.any_sense
+        self._latest: tuple[bytes, list[_Part]] | None = None
 
     def __call__(self, values: np.ndarray) -> np.ndarray:
-        """(2 N,) and the penalties."""
-        _, apart = self._matched(values)
-        own = apart.ravel() / self._root
-        return own if self._penalty is None else np.append(own, self._penalty(values))
+        """(2 N,), what is asked for besides, and the penalties."""
+        own = [part.apart.ravel() / part.root for part in self._parts(values)]
+        return np.concatenate([*own, self._penalty(values)] if self._penalty else own)
 
     def jacobian(self, values: np.ndarray) -> np.ndarray:
-        """(2 N, f)"""
-        match, _ = self._matched(values)
+        """The same, f columns."""
         slopes = self._model.slopes(values)
-        if match is not None:
-            slopes = match.across(match.along(slopes))
-        own = slopes.reshape(-1, slopes.shape[-1]) / self._root
-        if self._penalty is None:
-            return np.asarray(own)
-        return np.concatenate([own, self._penalty.jacobian(values)])
+        own = [part.slopes(slopes) / part.root for part in self._parts(values)]
+        return np.concatenate([*own, self._penalty.jacobian(values)] if self._penalty else own)
 
-    def _matched(self, values: np.ndarray) -> tuple[PathMatch | None, np.ndarray]:
-        """As `matched`; kept for slopes at the same values."""
-        latest = self._latest
-        if latest is None or latest[0] != values.tobytes():
-            latest = values.tobytes(), *matched(self._wanted, self._model.tip(values))
-            self._latest = latest
-        return latest[1:]
+    def _parts(self, values: np.ndarray) -> list[_Part]:
+        """Distances each way; kept for slopes at the same values."""
+        if self._latest is None or self._latest[0] != values.tobytes():
+            tip = self._model.tip(values)
+            match, apart = matched(self._wanted, tip)
+            found = [_Part(match, apart, is_of_tip=False)]
+            if self._both_ways:
+                back = match_paths(tip, self._wanted.points, closed=self._wanted.closed)
+                found.append(_Part(back, tip - back.along(self._wanted.points), is_of_tip=True))
+            self._latest = values.tobytes(), found
+        return self._latest[1]
+
+
+@dataclass(frozen=True, eq=False)
+class _Part:
+    """Distances between two paths, and which of them slides along the other."""
+
+    match: PathMatch | None
+    apart: np.ndarray
+    is_of_tip: bool
+    """Whether every row of the tip is matched, rather than every wanted point."""
+
+    @property
+    def root(self) -> float:
+        """Of the count of distances."""
+        return math.sqrt(len(self.apart))
+
+    def slopes(self, slopes: np.ndarray) -> np.ndarray:
+        """(2 N, f) of the distances for those of the tip (T, 2, f)."""
+        if self.match is not None:
+            own = slopes if self.is_of_tip else self.match.along(slopes)
+            slopes = self.match.across(own)
+        return slopes.reshape(-1, slopes.shape[-1])

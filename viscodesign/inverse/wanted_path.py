@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal, get_args
 
@@ -44,6 +45,13 @@ class WantedPath:
     def is_free_loop(self) -> bool:
         """Whether it is a limit cycle passed at any time."""
         return self.closed and self.timing == "free"
+
+    @property
+    def coarser(self) -> WantedPath:
+        """With every second point, where times do not count."""
+        if self.timing == "given" or len(self.points) < SPACED_POINTS:
+            return self
+        return replace(self, points=self.points[::2])
 
     @property
     def length(self) -> float:

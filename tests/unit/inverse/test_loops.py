@@ -88,7 +88,7 @@ def test_a_tree_finds_the_branch_that_made_a_path(tmp_path: Path) -> None:
 def test_the_quick_motion_is_that_of_slow_flow(start: str) -> None:
     """By `simulate` with the flow through the tubes alone; slopes by differences."""
     source = {"kind": "harmonics", "period": 12.0, "cosine": [8e3, 2e3], "sine": [0, -3e3]}
-    scene = small(input=source, run={"duration": 12, "output_interval": 0.125, "start": start})
+    scene = small(input=source, run={"duration": 12, "output_interval": 0.1875, "start": start})
     scene = scene.replace({"effects": {"pressure_distribution": "on", "others": "off"}})
     graph = tree_of(scene.graph)
     assert graph is not None
