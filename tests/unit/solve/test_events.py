@@ -23,6 +23,10 @@ FLOOR = "effects={collapse: off, gas_compressibility: on, pressure_distribution:
 SOFT = "bellows.extension_per_pressure=0.5 m"
 """A section shortens ten times as much as those of the leg."""
 CRUSHED = "effects={pressure_distribution: on, inertia: on, damping: on, others: off}"
+SUDDEN = (
+    "input={kind: table, rows: [[0, 0], [0.9, 0], [0.95, -400 kPa], [1.05, -400 kPa], [1.1, 0]]}"
+)
+"""Sections are pressed to nothing while the pressure falls; on the way there solutions part."""
 INTERVALS = (2.0, 0.3, 0.02)
 
 
@@ -63,8 +67,10 @@ def test_an_equilibrium_vanishes_at_its_exact_time(interval: float) -> None:
         ((DIP.format("-150 kPa"), SOFT, "effects={pressure_distribution: on, others: off}"),
          "stretch"),
         ((DIP.format("-150 kPa"), SOFT, CRUSHED), "stretch"),
+        ((SUDDEN, "bellows.count=16", "network.tube_radius=1 mm", "ambient_pressure=10 bar",
+          CRUSHED), "stretch"),
     ],
-    ids=["a gas runs out", "linear modes", "inertia"],
+    ids=["a gas runs out", "linear modes", "inertia", "a blow"],
 )  # fmt: skip
 def test_an_event_does_not_hang_on_the_outputs(changes: tuple[str, ...], quantity: str) -> None:
     runs = [solved(scene(interval, *changes)) for interval in INTERVALS]
