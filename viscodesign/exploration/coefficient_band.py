@@ -65,7 +65,7 @@ def _slopes(
     """Derivatives of the tip (T, 2, k) [m/unit]; key, value and unit of each number."""
 
     def solved() -> tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]:
-        function, left_out = differentiable(scene, list(stated), TIP)
+        function, left_out = differentiable(scene, list(stated), TIP, by_percent=False)
         slopes, names = function.jacobian(), function.names
         found = tuple(zip(names, map(float, function.values), function.units, strict=True))
         return np.stack([slopes[name] for name in TIP], axis=1), found, left_out

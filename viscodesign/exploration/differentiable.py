@@ -14,9 +14,9 @@ LeftOut = tuple[tuple[str, str], ...]
 
 
 def differentiable(
-    scene: Scene, keys: Sequence[str], outputs: Sequence[str]
+    scene: Scene, keys: Sequence[str], outputs: Sequence[str], *, by_percent: bool
 ) -> tuple[CompiledFunction, LeftOut]:
-    """Outputs as a function of the numbers with these keys that are not zero.
+    """Outputs as a function of the numbers with these keys; ``by_percent``: that are not zero.
 
     They are left out as they are refused, until the others have derivatives. Raises `SpecError`
     where none is left.
@@ -26,9 +26,10 @@ def differentiable(
     while True:
         keys = [key for key in keys if key not in left_out]
         try:
-            zero = [number.name for number in FreeKeys(scene, keys).numbers if not number.value]
-            left_out |= dict.fromkeys(zero, "it is 0, of which a percent is nothing")
-            keys = [key for key in keys if key not in left_out]
+            if by_percent:
+                zero = [number.name for number in FreeKeys(scene, keys).numbers if not number.value]
+                left_out |= dict.fromkeys(zero, "it is 0, of which a percent is nothing")
+                keys = [key for key in keys if key not in left_out]
             function = CompiledFunction(scene, keys, outputs)
             function.jacobian()
         except SpecError as error:

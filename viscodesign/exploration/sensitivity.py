@@ -98,7 +98,7 @@ def _function(scene: Scene, keys: tuple[str, ...] | None) -> tuple[CompiledFunct
 
 def _of_all_numbers(scene: Scene) -> tuple[CompiledFunction, LeftOut]:
     keys = [key for key in candidates(scene) if "[" not in key]
-    return differentiable(scene, keys, TIP)
+    return differentiable(scene, keys, TIP, by_percent=True)
 
 
 def _variances(study: SensitivityStudy, function: CompiledFunction) -> np.ndarray:

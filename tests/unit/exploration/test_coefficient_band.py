@@ -81,6 +81,14 @@ def test_a_range_counts_by_its_mean_square_about_the_value() -> None:
     assert wide.numbers[0].deviation == pytest.approx(0.05e-3 / math.sqrt(12), rel=1e-9)
 
 
+def test_a_number_that_is_zero_may_be_uncertain_in_its_unit() -> None:
+    words = (STILL, *SWING, "gauge_pressure=0")
+    band = band_of(*words, "uncertainty={gauge_pressure: 500 Pa}")
+    raised = run_of(STILL, *SWING, "gauge_pressure=1 Pa").tip - run_of(*words).tip
+    assert band.deviation[-1, 1] == pytest.approx(500 * abs(raised[-1, 1]), rel=1e-4)
+    assert band.deviation[-1, 1] > 1e-5
+
+
 def test_the_band_is_that_of_its_widest_direction(swinging: Trajectory) -> None:
     band = swinging.uncertainty
     assert band is not None

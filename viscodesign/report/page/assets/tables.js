@@ -66,7 +66,7 @@ function showBand(run, host) {
   host.append(element("p", { id: "both-errors" }, element("strong", {}, "Both errors"), `: numerical ${numerical}; from the coefficients ${known}; validity ${validity.state}.`));
   if (!uncertainty) return;
   const rows = uncertainty.keys.filter((own) => own.share_of_variance >= 0.0005).map((own) => [own.key,
-    `${shortNumber(own.value, 4)} ${own.unit === "1" ? "" : own.unit}`, `${shortNumber((100 * own.standard_deviation) / Math.abs(own.value), 3)} %`,
+    `${shortNumber(own.value, 4)} ${own.unit === "1" ? "" : own.unit}`, own.value ? `${shortNumber((100 * own.standard_deviation) / Math.abs(own.value), 3)} %` : `${shortNumber(own.standard_deviation, 3)} ${own.unit}`,
     own.assumed ? "assumed" : "stated", `${shortNumber(100 * own.share_of_variance, 3)} %`]);
   if (rows.length) host.append(table(["number", "value", "standard deviation", "known", "share of the variance"], rows, { label: "uncertain numbers" }));
   host.append(element("p", { class: "hint" }, `Band of the tip by ${uncertainty.method}, at its widest, in the direction that is most uncertain.`));
