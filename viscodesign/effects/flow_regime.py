@@ -8,7 +8,7 @@ from typing import ClassVar, Self
 import casadi as ca
 import numpy as np
 
-from viscodesign.effects.base import Effect, Missed
+from viscodesign.effects.base import Effect, Missed, Trait
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
@@ -35,6 +35,7 @@ class FlowRegime(Effect):
     order: ClassVar[int] = 16
     formula: ClassVar[str] = "f Re/64 - 1 + K Re r/(32 L), at the largest flow"
     needs: ClassVar[tuple[str, ...]] = ("pressure_distribution",)
+    traits: ClassVar[frozenset[Trait]] = frozenset({Trait.FLOW_LOSSES})
     validity: ClassVar[str] = (
         "Smooth tubes, fully developed flow; no law is reliable between Re 2300 and 4000."
     )

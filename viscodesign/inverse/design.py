@@ -9,6 +9,7 @@ import numpy as np
 from viscodesign.errors import Fault, SolveError, SpecError, UsageError
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.inverse.alternatives import alternatives
+from viscodesign.inverse.beyond_reach import beyond_reach
 from viscodesign.inverse.confirmation import Confirmation, confirm
 from viscodesign.inverse.free_choice import free_choice
 from viscodesign.inverse.graph_search import search_designs
@@ -78,18 +79,19 @@ def design(
 
 def _refused(task: SearchTask, scene: Scene) -> PathDesign | None:
     """The answer to a path that no numbers can follow; None where some may."""
-    found = wrong_sense(task.wanted, task.choice, scene)
-    if found is None:
+    reason = beyond_reach(task.wanted, task.choice, scene, task.tolerance_m)
+    found = None if reason else wrong_sense(task.wanted, task.choice, scene)
+    if reason is None and found is None:
         return None
     return without_design(
         scene.name,
         "refused",
-        found.reason,
+        reason or (found.reason if found else ""),
         tolerance_m=task.tolerance_m,
         wanted=task.wanted.way,
         closed=task.wanted.closed,
-        hint=found.hint,
-        spec_text=resolved_yaml(found.mirrored),
+        hint=found.hint if found else "Move the path, or allow higher pressures",
+        spec_text=resolved_yaml(found.mirrored) if found else "",
         wall_s=clock.perf_counter() - task.log.began,
     )
 

@@ -78,7 +78,13 @@ def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
     quick = QuickSearch(task, scene, own)
     found: list[NumberDesign] = []
     error: SolveError | None = None
-    for candidate in quick.candidates():
+    candidates = quick.candidates()
+    if not candidates:
+        raise KeyboardInterrupt
+    task.log.quick_m = candidates[0].rms_m
+    if task.stop.asked:
+        return [quick.unsolved(candidates[0])]
+    for candidate in candidates:
         try:
             found += search_numbers(
                 task,
@@ -130,6 +136,23 @@ class QuickSearch:
             return self._scene
         return with_tree(self._scene, graph, self._sizes)
 
+    def unsolved(self, candidate: QuickCandidate) -> NumberDesign:
+        """A candidate as it is, where the search was interrupted before a solution."""
+        scene = self.scene_of(candidate.graph)
+        numbers = self._task.choice.numbers(scene)
+        names: tuple[str, ...] = ()
+        units: tuple[str, ...] = ()
+        if numbers is not None:
+            keys, _ = numbers
+            scene, names = keys.validated(candidate.values), keys.names
+            units = tuple(number.unit for number in keys.numbers)
+        tip = self._motion(candidate.graph).tip(
+            candidate.values if len(candidate.values) else self._keys.values
+        )
+        near = distance(self._wanted, tip)
+        none = np.zeros((0, 2))
+        return NumberDesign(scene, names, units, candidate.values, near, none, (), "interrupted")
+
     def candidates(self) -> list[QuickCandidate]:
         """The best graphs with their numbers, the best first."""
         if not self.is_graph_free:
@@ -157,8 +180,12 @@ class QuickSearch:
         first, *drawn = self._starts(QUICK_DRAWS)
         drawn.sort(key=lambda start: self._cost(self._own, start))
         for start in [*drawn[:2], first, *drawn[2:QUICK_STARTS]]:
-            found.append(self._fitted(self._own, start, QUICK_EVALUATIONS))
+            try:
+                found.append(self._fitted(self._own, start, QUICK_EVALUATIONS))
+            except KeyboardInterrupt:
+                break
             best = min(one.rms_m for one in found)
+            self._task.tell()
             again = sum(one.rms_m < SAME_OPTIMUM * best for one in found)
             if self._is_over or best < 0.3 * self._task.tolerance_m or again >= ENOUGH_TIMES:
                 break
@@ -226,7 +253,10 @@ class QuickSearch:
             return found
         fitted = []
         for one in found[:RANKED]:
-            fitted.append(self._fitted(one.graph, one.values, QUICK_EVALUATIONS))
+            try:
+                fitted.append(self._fitted(one.graph, one.values, QUICK_EVALUATIONS))
+            except KeyboardInterrupt:
+                return sorted([*fitted, *found[:1]], key=lambda one: one.rms_m)
             if self._is_over:
                 break
         return sorted(fitted, key=lambda one: one.rms_m)
@@ -249,10 +279,15 @@ class QuickSearch:
                 continue
             seen[graph.key] = graph
             values = self._moved(parent, graph)
-            child = self._fitted(graph, values, CHANGE_EVALUATIONS)
+            try:
+                child = self._fitted(graph, values, CHANGE_EVALUATIONS)
+            except KeyboardInterrupt:
+                return elite
             if child.rms_m < elite[-1].rms_m:
                 elite = self._best([*elite, child])
                 self._task.tell()
+        if self._task.stop.asked:
+            return elite
         return [self._fitted(one.graph, one.values, 2 * QUICK_EVALUATIONS) for one in elite]
 
     def _first_graphs(self) -> list[TreeGraph]:

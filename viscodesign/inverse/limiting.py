@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from viscodesign.effects.base import Trait
+from viscodesign.effects.catalogue import traits_of
 from viscodesign.inverse.confirmation import Confirmation
 from viscodesign.inverse.number_search import NumberDesign
 from viscodesign.inverse.search_task import SearchTask
@@ -14,6 +16,8 @@ def limiting_reason(task: SearchTask, best: NumberDesign, run: Confirmation | No
     parts = [_distance_words(task, best, run)]
     if task.stop.asked:
         parts.append("interrupted: this is the best so far, not confirmed")
+        if not task.log.evaluations:
+            parts.append("its distances are those of a linear network and a rod of arcs")
     elif best.status == "unfinished":
         parts.append("the search ran out of time; give it a larger budget")
     if best.at_bounds:
@@ -22,7 +26,19 @@ def limiting_reason(task: SearchTask, best: NumberDesign, run: Confirmation | No
         parts.append(f"at their bounds: {shown}" + (f" and {more} more" if more > 0 else ""))
     elif best.status == "converged" and best.names:
         parts.append("no bound is active: these numbers can do no better, others must be free")
+    if run is not None and _is_lost_in_flow(task, run):
+        parts.append(
+            "without the losses at the ends of tubes and at high Reynolds numbers it would be "
+            f"{1e3 * (task.log.quick_m or 0.0):.2g} mm: free network.tube_radius or "
+            "fluid.viscosity, or a longer period"
+        )
     return "; ".join(parts)
+
+
+def _is_lost_in_flow(task: SearchTask, run: Confirmation) -> bool:
+    """Whether slow flow would follow the path, and the run's flow does not."""
+    quick, is_lossy = task.log.quick_m, Trait.FLOW_LOSSES in traits_of(run.effects)
+    return quick is not None and quick <= task.tolerance_m and is_lossy
 
 
 def _distance_words(task: SearchTask, best: NumberDesign, run: Confirmation | None) -> str:

@@ -23,6 +23,8 @@ class SearchLog:
     began: float
     rows: list[HistoryRow] = field(default_factory=list)
     evaluations: int = 0
+    quick_m: float | None = None
+    """Best distance of the quick motion [m], where it was asked."""
 
     @property
     def best_m(self) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import signal
 from pathlib import Path
 
 import numpy as np
@@ -62,6 +63,17 @@ def test_the_wrong_sense_is_refused_and_the_mirrored_graph_is_not(tmp_path: Path
     assert found.evaluations == 0
     (tmp_path / "spec.yaml").write_text(found.spec_text)
     assert design(path).status == "met"
+
+
+def test_a_path_beyond_the_longest_rod_is_refused_by_how_much(tmp_path: Path) -> None:
+    """At 25 kPa a straight rod is so long: by a static simulation."""
+    longest = simulate(small(input={"kind": "constant", "value": 25e3}), verify=False).tip[0, 1]
+    rows = [[0.0, 0.030], [0.001, 0.034], [-0.001, 0.034]]
+    found = design(task(tmp_path, FREE, {"rows": rows, "closed": True}))
+    assert found.status == "refused"
+    assert "out of reach" in found.reason
+    beyond = float(found.reason.split("it is ")[1].split(" mm")[0])
+    assert beyond == pytest.approx(1e3 * (np.hypot(0.001, 0.034) - longest), rel=0.02)
 
 
 def test_the_chain_that_made_a_path_is_found(tmp_path: Path) -> None:
@@ -130,3 +142,29 @@ def test_a_free_input_without_sense_is_refused(
 ) -> None:
     with pytest.raises(SpecError, match=message):
         design(task(tmp_path, {"input": {**HARMONICS, **changes}}, loop(-1.0)))
+
+
+@pytest.mark.parametrize(
+    ("free", "calls", "solved"), [(FREE, 1, False), ({"input.drop": ["10 kPa", "90 kPa"]}, 3, True)]
+)
+def test_ctrl_c_keeps_the_best_so_far(
+    free: dict[str, object], calls: int, solved: bool, tmp_path: Path
+) -> None:
+    """In the ranking of starts, and in the search on the scene's own model."""
+    told: list[float] = []
+
+    def progress(share: float, best_m: float) -> None:
+        told.append(best_m)
+        if len(told) == calls:
+            signal.raise_signal(signal.SIGINT)
+
+    path = task(tmp_path, free, small(input__drop=55e3) if solved else loop(-1.0))
+    found = design(path, progress=progress)
+    assert found.interrupted
+    assert found.status == "not_met"
+    assert "interrupted: this is the best so far, not confirmed" in found.reason
+    assert found.confirmed_rms_m is None
+    assert set(found.parameters) == set(
+        FreeKeys(load(found.spec_text), list(found.parameters)).names
+    )
+    assert (found.evaluations > 0) == solved

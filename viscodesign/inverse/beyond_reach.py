@@ -1,0 +1,47 @@
+"""Paths that no pressure within limits can reach: the rod is not long enough."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.inverse.free_choice import FreeChoice
+from viscodesign.inverse.quick_motion import ArcRod
+from viscodesign.inverse.wanted_path import WantedPath
+from viscodesign.scene.scene import Scene
+
+SLACK = 0.02
+"""Of the length, that loads and feedback may add to the rod's own stretch."""
+
+
+def beyond_reach(
+    wanted: WantedPath, choice: FreeChoice, scene: Scene, tolerance: float
+) -> str | None:
+    """Why a path is out of reach: a point is farther from the clamp than the rod may be long.
+
+    The highest pressure is that of the limits, or of the input where its numbers are not free;
+    with other numbers of the body free, nothing is said.
+    """
+    has_free_pressure = any(key.startswith(("input", "gauge")) for key in choice.keys)
+    has_free_body = any(key.startswith(("actuator", "bellows", "loads")) for key in choice.keys)
+    if has_free_body or (has_free_pressure and choice.harmonics is None):
+        return None
+    if choice.harmonics is not None:
+        high = choice.harmonics.limits[1]
+    else:
+        high = max(source.extremes(scene.run.duration)[1] for source in scene.inputs.values())
+        if not all(source.gives_pressure for source in scene.inputs.values()):
+            return None
+    rod, length = ArcRod.of(SceneQuantities(scene)), scene.actuator.length
+    level = max(scene.gauge_pressure + high, 0.0)
+    longest = length * (1 + 2 * rod.stretch * level)
+    far = np.linalg.norm(wanted.points, axis=1)
+    beyond = float(far.max()) - longest
+    if beyond <= max(tolerance, SLACK * length):
+        return None
+    x, z = 1e3 * wanted.points[int(far.argmax())]
+    return (
+        f"out of reach: ({x:.4g}, {z:.4g}) mm is {1e3 * far.max():.4g} mm from the clamp, and at "
+        f"{1e-3 * level:.3g} kPa the actuator is {1e3 * longest:.4g} mm long; it is "
+        f"{1e3 * beyond:.3g} mm too far"
+    )
