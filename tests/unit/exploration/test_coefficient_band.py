@@ -249,7 +249,7 @@ def test_both_errors_are_told_in_one_line(swinging: Trajectory, tmp_path: Path) 
     assert f"s), some assumed; validity {swinging.validity}" in text
     assert f"{band.numbers[0].key} {100 * band.numbers[0].share:.0f} %" in text
     bare = "\n".join(summary_lines(run_of(*PULLED), tmp_path, ()))
-    assert "numerical not estimated; from the coefficients not stated" in bare
+    assert "numerical not estimated; from the coefficients unknown" in bare
 
 
 def test_a_check_takes_it_as_it_is() -> None:

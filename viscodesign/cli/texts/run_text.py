@@ -125,7 +125,7 @@ def both_errors(trajectory: Trajectory) -> str:
     error, band = trajectory.accuracy.estimated_tip_error_m, trajectory.uncertainty
     numerical = "not estimated" if error is None else number(1e3 * error, "mm")
     if band is None:
-        known = "not stated (`uncertainty: typical` for a first band)"
+        known = "unknown (`uncertainty: typical` gives a first band)"
     else:
         known = f"+-{number(1e3 * band.half_width_m, 'mm')} (95 %, at {_at(band)})"
         known += ", some assumed" if band.is_assumed else ""

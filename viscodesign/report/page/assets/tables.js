@@ -62,7 +62,7 @@ function showBand(run, host) {
   const numerical = stated === null || stated === undefined ? "not estimated" : millimetres(stated);
   const known = uncertainty
     ? `±${millimetres(uncertainty.half_width_95_m)} (95 %, at ${shortNumber(uncertainty.time_s, 3)} s)`
-    : "not stated (uncertainty: typical for a first band)";
+    : "unknown (uncertainty: typical gives a first band)";
   host.append(element("p", { id: "both-errors" }, element("strong", {}, "Both errors"), `: numerical ${numerical}; from the coefficients ${known}; validity ${validity.state}.`));
   if (!uncertainty) return;
   const rows = uncertainty.keys.filter((own) => own.share_of_variance >= 0.0005).map((own) => [own.key,
