@@ -34,9 +34,11 @@ BOUND_NOISE = 0.1
 """Distance of straight pieces from the smoothed rows, in standard deviations of the noise."""
 BOUND_REL = 2e-4
 """The least such distance, in parts of the range."""
-MOST_FREE_ROWS = 150
+MOST_FREE_ROWS = 60
 """Of a measured input, rows whose pressures are unknown: of more, noise is taken out, and what is
-left counts as exact."""
+left counts as exact. Each takes as long to differentiate by as a number of the scene."""
+ROWS_BETWEEN = 4
+"""Into which the time between two rows is divided, where a pressure is followed."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,8 @@ class RecordedDrive:
     """Pressures that tell these numbers."""
     words: tuple[str, ...]
     """What was done, inlet by inlet."""
+    is_exact: bool = False
+    """Whether a measured pressure counts as exact, once its noise is taken out."""
 
 
 def driven(scene: Scene, recording: Recording) -> RecordedDrive:
@@ -78,6 +82,7 @@ def driven(scene: Scene, recording: Recording) -> RecordedDrive:
             shift,
             (*found.compared, *fitted.compared),
             (*found.words, *fitted.words),
+            found.is_exact or fitted.is_exact,
         )
     return found
 
@@ -193,7 +198,11 @@ def _followed(
     pressure = pressure[first]
     noise, span = noise_level(t, pressure), float(np.ptp(pressure))
     smooth = without_noise(t, pressure, noise, 0.0) if span > 4 * noise else pressure
-    knots = straight_pieces(t, smooth, max(BOUND_NOISE * noise, BOUND_REL * span))
+    bound = max(BOUND_NOISE * noise, BOUND_REL * span)
+    is_exact = len(knots := straight_pieces(t, smooth, bound)) > MOST_FREE_ROWS
+    if is_exact:
+        t, smooth = _between(t, smooth)
+        knots = straight_pieces(t, smooth, bound)
     rows = list(zip(t[knots].tolist(), smooth[knots].tolist(), strict=True))
     table = {"kind": "table", "rows": rows, "smooth": "off"}
     own = scene.replace({_key(inlet): table})
@@ -201,6 +210,17 @@ def _followed(
         f"{channel.header}: noise of {noise:.3g} Pa taken out, followed by {len(rows) - 1} "
         "straight pieces"
     )
-    if len(rows) > MOST_FREE_ROWS:
-        return RecordedDrive(own, (), 0.0, 0.0, (), (f"{words}, taken as exact",))
-    return RecordedDrive(own, (f"{_key(inlet)}.rows[*].pressure",), 0.0, 0.0, (channel,), (words,))
+    if is_exact:
+        return RecordedDrive(own, (), 0.0, 0.0, (), (f"{words}, taken as exact",), True)
+    free = (f"{_key(inlet)}.rows[*].pressure",)
+    return RecordedDrive(own, free, 0.0, 0.0, (channel,), (words,))
+
+
+def _between(time: np.ndarray, value: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Times and values with more rows on a curve through the given ones that never overshoots."""
+    from scipy.interpolate import PchipInterpolator
+
+    shares = np.arange(ROWS_BETWEEN) / ROWS_BETWEEN
+    fine = (time[:-1, None] + np.diff(time)[:, None] * shares).ravel()
+    fine = np.append(fine, time[-1])
+    return fine, np.asarray(PchipInterpolator(time, value)(fine))

@@ -225,6 +225,12 @@ class _Fitting:
 
     def _warnings(self, check: ResolutionCheck, patterned: Sequence[str]) -> list[str]:
         found = [f"{own.file}: {notice}" for own in self.recordings for notice in own.notices]
+        if any(own.is_exact for own in self.drives):
+            found.append(
+                "the measured pressure counts as exact where it is followed in many pieces: its "
+                "noise is in no interval, and some may be far too narrow; give the spec the input "
+                "that was commanded"
+            )
         if patterned:
             found.append(
                 f"what the model leaves of {', '.join(patterned)} follows a pattern: it misses "
