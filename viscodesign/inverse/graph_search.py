@@ -45,8 +45,12 @@ RANKED = 40
 """Graphs whose numbers are fitted quickly after all were tried."""
 QUICK_EVALUATIONS = 40
 CHANGE_EVALUATIONS = 15
-MOST_CHANGES = 1500
-ELITE = 8
+MORE_CHANGES, MOST_MORE_CHANGES = 0.25, 4
+"""Chance of one more change at once, and how many more there may be."""
+MOST_CHANGES, MOST_PLAIN_CHANGES = 1500, 20_000
+"""Of graphs whose numbers are fitted, and of such as have none that are free."""
+ELITE, PLAIN_ELITE = 8, 24
+"""Graphs that are changed, the best the most: with numbers that are fitted, and without."""
 SIZINGS, MOST_SIZING = 3, 10.0
 """Times that a start is sized by the path, and by how much at most each time."""
 QUICK_MET = 0.25
@@ -269,12 +273,17 @@ class QuickSearch:
         starts = [*self._starts(3)] if self._ranges is not None else [np.zeros(0)]
         pool = [self._fitted(g, s, QUICK_EVALUATIONS) for g in seen.values() for s in starts[:2]]
         elite = self._best(pool)
-        for _ in range(MOST_CHANGES):
-            if self._is_over or elite[0].rms_m < 0.2 * self._task.tolerance_m:
+        near = 0.2 if self._task.choice.ranges else 0.05
+        for _ in range(MOST_CHANGES if self._ranges is not None else MOST_PLAIN_CHANGES):
+            if self._is_over or elite[0].rms_m < near * self._task.tolerance_m:
                 break
-            place = min(int(self._random.expovariate(0.5)), len(elite) - 1)
+            place = min(int(self._random.expovariate(4.0 / self._elite)), len(elite) - 1)
             parent = elite[place]
             graph = self._changed(parent.graph)
+            for _ in range(MOST_MORE_CHANGES):
+                # Beside the best all are known sooner or later: look farther off.
+                if graph.key in seen or self._random.random() < MORE_CHANGES:
+                    graph = self._changed(graph)
             if graph.key in seen:
                 continue
             seen[graph.key] = graph
@@ -305,6 +314,8 @@ class QuickSearch:
     def _moved(self, parent: QuickCandidate, graph: TreeGraph) -> np.ndarray:
         """A parent's numbers for another graph: each bellow keeps the tube that feeds it."""
         found = parent.values.copy()
+        if not len(found):
+            return found
         own = {far: q for q, (far, _) in enumerate(parent.graph.parents)}
         for q, (far, _) in enumerate(graph.parents):
             if q in self._slots and own[far] in self._slots:
@@ -316,7 +327,11 @@ class QuickSearch:
         found: dict[object, QuickCandidate] = {}
         for one in sorted(pool, key=lambda one: one.rms_m):
             found.setdefault(one.graph.key, one)
-        return list(found.values())[:ELITE]
+        return list(found.values())[: self._elite]
+
+    @property
+    def _elite(self) -> int:
+        return ELITE if self._ranges is not None else PLAIN_ELITE
 
     # -- one candidate -----------------------------------------------------------------
 

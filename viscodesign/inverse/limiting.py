@@ -26,7 +26,7 @@ def limiting_reason(task: SearchTask, best: NumberDesign, run: Confirmation | No
         parts.append(f"at their bounds: {shown}" + (f" and {more} more" if more > 0 else ""))
     elif best.status == "converged" and best.names:
         parts.append("no bound is active: these numbers can do no better, others must be free")
-    if run is not None and _is_lost_in_flow(task, run):
+    if run is not None and best.status == "converged" and _is_lost_in_flow(task, run):
         parts.append(
             "without the losses at the ends of tubes and at high Reynolds numbers it would be "
             f"{1e3 * (task.log.quick_m or 0.0):.2g} mm: free network.tube_radius or "

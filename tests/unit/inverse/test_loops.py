@@ -96,6 +96,19 @@ def test_a_tree_finds_the_branch_that_made_a_path(tmp_path: Path) -> None:
     assert set(found.graph) == {f"{a}-{b}" for a, b in ends}
 
 
+def test_of_many_graphs_changes_find_the_one_that_made_a_path(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("viscodesign.inverse.graph_search.FEW_GRAPHS", 10)
+    order = ["inlet", "L1", "R2", "L2", "R1"]
+    wanted = small(network__tubes=[{"from": a, "to": b} for a, b in itertools.pairwise(order)])
+    for free in ({}, {"network.tubes[*].length": ["20 mm", "80 mm"]}):
+        path = task(tmp_path, {"network.graph": "chain", **free}, wanted, tolerance="0.005 mm")
+        found = design(path)
+        assert found.status == "met"
+        assert found.graph == tuple(f"{a}-{b}" for a, b in itertools.pairwise(order))
+
+
 @pytest.mark.parametrize("start", ["periodic", "equilibrium"])
 def test_the_quick_motion_is_that_of_slow_flow(start: str) -> None:
     """By `simulate` with the flow through the tubes alone; slopes by differences."""
