@@ -164,7 +164,9 @@ def _path(spec: PathSpec, values: np.ndarray) -> WantedPath:
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     gap = float(np.linalg.norm(points[-1] - points[0]))
     ends_meet = len(points) > 3 and gap <= CLOSED_SHARE * steps.sum()
-    closed = ends_meet if spec.closed is None else spec.closed
+    # A pulse brings the tip back, too: with times that count, a path is a loop only by request.
+    is_loop = ends_meet and (not has_times or spec.timing == "free")
+    closed = is_loop if spec.closed is None else spec.closed
     if closed and len(points) < 3:
         raise invalid_at("closed", "a loop needs at least three points")
     timing: Timing = spec.timing or ("given" if has_times and not closed else "free")

@@ -57,6 +57,16 @@ def test_what_bounds_forbid_is_not_met_and_names_them(tmp_path: Path) -> None:
     assert found.confirmed_rms_m == pytest.approx(found.rms_m, rel=0.02)
 
 
+def test_a_pulse_that_brings_the_tip_back_is_no_loop(tmp_path: Path) -> None:
+    wanted = small(run__duration=40.0)
+    run = simulate(wanted, verify=False)
+    rows = np.column_stack([run.time, run.tip[:, :2]])
+    assert np.linalg.norm(rows[-1, 1:] - rows[0, 1:]) < 1e-5
+    found = design(task(tmp_path, PULSE, {"rows": rows.tolist()}, tolerance="0.02 mm"))
+    assert found.status == "met"
+    assert not found.closed
+
+
 ROWS = {"rows": [[0.0, 0.0, 0.029], [1.0, 0.0, 0.0291]]}
 LOOP = {"rows": [[0.0, 0.029], [0.001, 0.03], [-0.001, 0.03], [0.0, 0.029]]}
 
