@@ -143,7 +143,7 @@ def one(kind: str, trial: int, spec: Scene, motion: Any, markers: list[str]) -> 
         np.savetxt(file, np.column_stack(list(columns.values())), "%.9g", ",", header=header,
                    comments="")  # fmt: skip
         began = time.process_time()
-        fitted = fit(spec, file)
+        fitted = fit(spec, file, next_experiment=False)
         cpu = time.process_time() - began
     numbers = {own.key: [own.value, own.low, own.high] for own in fitted.numbers}
     inside = [

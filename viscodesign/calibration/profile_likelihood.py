@@ -29,6 +29,9 @@ MOST_POINTS = 12
 """Points of a profile on one side."""
 FOLLOWING_STEPS = 3
 """Gauss-Newton steps in which the others follow, at most."""
+MOST_DERIVATIVES = 10
+"""Points at which all profiles together have derivatives of their own; elsewhere those at the best
+fit have to do."""
 SETTLED = 0.02
 """Fall of the squares by such a step, over 3.84, at which they have followed."""
 
@@ -64,6 +67,7 @@ class Profiles:
         self._comparison, self._spread, self._stop = misfit, spread, stop
         self._low, self._high = ranges.low, ranges.high
         self._is_log = np.array([own.is_log for own in misfit.unknowns])
+        self._derived: list[int] = []
 
     def ends(self, number: int) -> tuple[IntervalEnd, IntervalEnd]:
         """Both ends of the interval of a number; see `IntervalEnd`."""
@@ -74,6 +78,7 @@ class Profiles:
             self._spread.of_others_pulled(number),
             self._is_log,
             (self._low, self._high),
+            self._derived,
         )
         low, high = (self._end(profile, sign) for sign in (-1.0, 1.0))
         return low, high
@@ -120,9 +125,12 @@ class _Profile:
         covariance: np.ndarray,
         is_log: np.ndarray,
         bounds: tuple[np.ndarray, np.ndarray],
+        derived: list[int],
     ) -> None:
         self._comparison, self._spread, self._number = misfit, spread, number
         self._is_log, self._bounds = is_log, bounds
+        self._derived = derived
+        """Numbers whose profiles have had derivatives of their own, once for each."""
         self._others = [k for k in range(len(is_log)) if k != number]
         self._along = covariance[:, number] / covariance[number, number]
         self.deviation = float(np.sqrt(covariance[number, number]))
@@ -158,7 +166,9 @@ class _Profile:
         jacobian = self._without_own(self._spread.jacobian)
         point, residual = self._point(values)
         for k in range(FOLLOWING_STEPS):
-            if k:  # The derivatives at the best fit did not do.
+            if k and len(self._derived) < MOST_DERIVATIVES:
+                # The derivatives at the best fit did not do.
+                self._derived.append(self._number)
                 sizes = self._comparison.sizes(point.values)
                 jacobian = self._without_own(self._comparison.jacobian(point.values) * sizes)
             information = jacobian.T @ jacobian
