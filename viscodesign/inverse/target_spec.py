@@ -31,7 +31,8 @@ class PathSpec(FromFile):
     )
     closed: bool | None = Field(
         None,
-        description="Whether it is a loop, which becomes a limit cycle; default: from the file",
+        description="Whether it is a loop, which becomes a limit cycle; default: by its ends, "
+        "unless times count",
     )
     timing: Literal["free", "given"] | None = Field(
         None,
