@@ -22,8 +22,12 @@ def alternatives(
     designs: Sequence[NumberDesign], effects: EffectsChoice
 ) -> tuple[DesignAlternative, ...]:
     """The Pareto set of designs, the best fit first; ``effects``: those of the task's spec."""
-    near = WORSE_FIT * designs[0].distance.rms_m
-    found = [_measured(own, effects) for own in designs if own.distance.rms_m <= near]
+    near = WORSE_FIT * designs[0].distance.total_m
+    found = [
+        _measured(own, effects)
+        for own in designs
+        if own.distance.total_m <= near and own.distance.strays <= designs[0].distance.strays
+    ]
     best = [own for own in found if not any(_beats(other, own) for other in found)]
     return tuple(sorted(best, key=lambda own: own.rms_m)[:MOST_ALTERNATIVES])
 

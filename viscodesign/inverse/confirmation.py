@@ -28,11 +28,11 @@ class Confirmation:
         return tuple(verdict.name for verdict in self.run.effects if verdict.taken)
 
 
-def confirm(wanted: WantedPath, scene: Scene) -> Confirmation:
+def confirm(wanted: WantedPath, scene: Scene, tolerance_m: float) -> Confirmation:
     """Simulate a design. Raises `SolveError` where the run does not reach its end."""
     run = simulate(scene)
     tip = tip_of(wanted, scene, run)
-    return Confirmation(run, tip, distance(wanted, tip))
+    return Confirmation(run, tip, distance(wanted, tip, tolerance_m))
 
 
 def tip_of(wanted: WantedPath, scene: Scene, run: Trajectory) -> np.ndarray:

@@ -121,10 +121,11 @@ def _designed(task: SearchTask, scene: Scene) -> PathDesign:
         if task.stop.asked:
             return _finished(task, scene, designs, found, None)
         try:
-            confirmed = confirm(task.wanted, found)
+            confirmed = confirm(task.wanted, found, task.tolerance_m)
         except (SolveError, KeyboardInterrupt):
             return _finished(task, scene, designs, found, None)
-        missed = confirmed.distance.rms_m > task.tolerance_m >= designs[0].distance.rms_m
+        allowed = task.tolerance_m
+        missed = designs[0].distance.meets(allowed) and not confirmed.distance.meets(allowed)
         pinned = {name: "on" for name in confirmed.effects}
         if not missed or task.is_over or not task.choice.ranges:
             break
@@ -140,7 +141,7 @@ def _finished(
     confirmed: Confirmation | None,
 ) -> PathDesign:
     best = designs[0]
-    is_met = confirmed is not None and confirmed.distance.rms_m <= task.tolerance_m
+    is_met = confirmed is not None and confirmed.distance.meets(task.tolerance_m)
     return PathDesign(
         name=scene.name,
         status="met" if is_met else "not_met",
@@ -154,6 +155,7 @@ def _finished(
         worst_m=best.distance.worst_m,
         confirmed_rms_m=None if confirmed is None else confirmed.distance.rms_m,
         confirmed_worst_m=None if confirmed is None else confirmed.distance.worst_m,
+        excess_m=(best if confirmed is None else confirmed).distance.excess_m,
         stated_error_m=None if confirmed is None else confirmed.run.accuracy.estimated_tip_error_m,
         parameters=best.parameters,
         units=dict(zip(best.names, best.units, strict=True)),

@@ -70,7 +70,8 @@ class QuickCandidate:
 
     graph: TreeGraph
     values: np.ndarray
-    rms_m: float
+    away_m: float
+    """Root mean square distance both ways, that back beyond the tolerance [m]."""
 
 
 def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
@@ -85,7 +86,7 @@ def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
     candidates = quick.candidates()
     if not candidates:
         raise KeyboardInterrupt
-    task.log.quick_m = candidates[0].rms_m
+    task.log.quick_m = candidates[0].away_m
     if task.stop.asked:
         return [quick.unsolved(candidates[0])]
     for candidate in candidates:
@@ -103,12 +104,12 @@ def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
             break
     if not found:
         raise error or KeyboardInterrupt
-    return sorted(found, key=lambda one: one.distance.rms_m)
+    return sorted(found, key=lambda one: one.distance.total_m)
 
 
 def _is_enough(task: SearchTask, found: list[NumberDesign]) -> bool:
     share = 0.1 if not task.choice.ranges else 0.7
-    return bool(found) and min(d.distance.rms_m for d in found) < share * task.tolerance_m
+    return bool(found) and min(d.distance.total_m for d in found) < share * task.tolerance_m
 
 
 class QuickSearch:
@@ -153,7 +154,7 @@ class QuickSearch:
         tip = self._motion(candidate.graph).tip(
             candidate.values if len(candidate.values) else self._keys.values
         )
-        near = distance(self._wanted, tip)
+        near = distance(self._wanted, tip, self._task.tolerance_m)
         none = np.zeros((0, 2))
         return NumberDesign(scene, names, units, candidate.values, near, none, (), "interrupted")
 
@@ -163,8 +164,8 @@ class QuickSearch:
             return self._of_one_graph()
         graphs = list(itertools.islice(self._all_graphs(), FEW_GRAPHS + 1))
         ranked = self._ranked(graphs) if len(graphs) <= FEW_GRAPHS else self._evolved()
-        best = ranked[0].rms_m
-        near = [one for one in ranked if one.rms_m <= best + DIFFERENT * self._task.tolerance_m]
+        best = ranked[0].away_m
+        near = [one for one in ranked if one.away_m <= best + DIFFERENT * self._task.tolerance_m]
         return near[:FULL_GRAPHS]
 
     @property
@@ -188,9 +189,9 @@ class QuickSearch:
                 found.append(self._fitted(self._own, start, QUICK_EVALUATIONS))
             except KeyboardInterrupt:
                 break
-            best = min(one.rms_m for one in found)
+            best = min(one.away_m for one in found)
             self._task.tell()
-            again = sum(one.rms_m < SAME_OPTIMUM * best for one in found)
+            again = sum(one.away_m < SAME_OPTIMUM * best for one in found)
             if self._is_over or best < 0.3 * self._task.tolerance_m or again >= ENOUGH_TIMES:
                 break
         return _distinct(found)[:FULL_DESIGNS]
@@ -252,7 +253,7 @@ class QuickSearch:
 
     def _ranked(self, graphs: list[TreeGraph]) -> list[QuickCandidate]:
         found = [self._as_it_is(graph) for graph in graphs]
-        found.sort(key=lambda one: one.rms_m)
+        found.sort(key=lambda one: one.away_m)
         if self._ranges is None:
             return found
         fitted = []
@@ -260,10 +261,10 @@ class QuickSearch:
             try:
                 fitted.append(self._fitted(one.graph, one.values, QUICK_EVALUATIONS))
             except KeyboardInterrupt:
-                return sorted([*fitted, *found[:1]], key=lambda one: one.rms_m)
+                return sorted([*fitted, *found[:1]], key=lambda one: one.away_m)
             if self._is_over:
                 break
-        return sorted(fitted, key=lambda one: one.rms_m)
+        return sorted(fitted, key=lambda one: one.away_m)
 
     # -- many graphs ---------------------------------------------------------------------
 
@@ -275,7 +276,7 @@ class QuickSearch:
         elite = self._best(pool)
         near = 0.2 if self._task.choice.ranges else 0.05
         for _ in range(MOST_CHANGES if self._ranges is not None else MOST_PLAIN_CHANGES):
-            if self._is_over or elite[0].rms_m < near * self._task.tolerance_m:
+            if self._is_over or elite[0].away_m < near * self._task.tolerance_m:
                 break
             place = min(int(self._random.expovariate(4.0 / self._elite)), len(elite) - 1)
             parent = elite[place]
@@ -292,7 +293,7 @@ class QuickSearch:
                 child = self._fitted(graph, values, CHANGE_EVALUATIONS)
             except KeyboardInterrupt:
                 return elite
-            if child.rms_m < elite[-1].rms_m:
+            if child.away_m < elite[-1].away_m:
                 elite = self._best([*elite, child])
                 self._task.tell()
         if self._task.stop.asked:
@@ -325,7 +326,7 @@ class QuickSearch:
     def _best(self, pool: list[QuickCandidate]) -> list[QuickCandidate]:
         """The best of every graph."""
         found: dict[object, QuickCandidate] = {}
-        for one in sorted(pool, key=lambda one: one.rms_m):
+        for one in sorted(pool, key=lambda one: one.away_m):
             found.setdefault(one.graph.key, one)
         return list(found.values())[: self._elite]
 
@@ -341,9 +342,9 @@ class QuickSearch:
 
     def _as_it_is(self, graph: TreeGraph) -> QuickCandidate:
         values = self._keys.values
-        found = distance(self._wanted, self._motion(graph).tip(values))
+        found = distance(self._wanted, self._motion(graph).tip(values), self._task.tolerance_m)
         own = values if self._ranges is not None else np.zeros(0)
-        return QuickCandidate(graph, own, found.rms_m)
+        return QuickCandidate(graph, own, found.total_m)
 
     def _fitted(self, graph: TreeGraph, start: np.ndarray, evaluations: int) -> QuickCandidate:
         if self._ranges is None:
@@ -360,8 +361,8 @@ class QuickSearch:
             stop=self._task.stop,
         )
         fit = least_squares(residuals, self._ranges, [start], limits=limits)
-        found = distance(self._wanted, motion.tip(fit.values))
-        return QuickCandidate(graph, fit.values, found.rms_m)
+        found = distance(self._wanted, motion.tip(fit.values), self._task.tolerance_m)
+        return QuickCandidate(graph, fit.values, found.total_m)
 
 
 def _is_tree(parent: tuple[int, ...]) -> bool:
@@ -378,7 +379,7 @@ def _is_tree(parent: tuple[int, ...]) -> bool:
 def _distinct(found: list[QuickCandidate]) -> list[QuickCandidate]:
     """Candidates by their distance, without those that are as far and as large as another."""
     kept: list[QuickCandidate] = []
-    for one in sorted(found, key=lambda one: one.rms_m):
+    for one in sorted(found, key=lambda one: one.away_m):
         if all(not np.allclose(one.values, other.values, rtol=0.02) for other in kept):
             kept.append(one)
     return kept

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 from viscodesign.effects.base import Trait
 from viscodesign.effects.catalogue import traits_of
 from viscodesign.inverse.confirmation import Confirmation
@@ -13,7 +15,7 @@ MOST_NAMES = 4
 
 def limiting_reason(task: SearchTask, best: NumberDesign, run: Confirmation | None) -> str:
     """Why a design is not met."""
-    parts = [_distance_words(task, best, run)]
+    parts = list(_distance_words(task, best, run))
     if task.stop.asked:
         parts.append("interrupted: this is the best so far, not confirmed")
         if not task.log.evaluations:
@@ -41,11 +43,27 @@ def _is_lost_in_flow(task: SearchTask, run: Confirmation) -> bool:
     return quick is not None and quick <= task.tolerance_m and is_lossy
 
 
-def _distance_words(task: SearchTask, best: NumberDesign, run: Confirmation | None) -> str:
+def _distance_words(
+    task: SearchTask, best: NumberDesign, run: Confirmation | None
+) -> Iterator[str]:
     found = best.distance if run is None else run.distance
-    x, z = 1e3 * task.wanted.points[found.place]
-    return (
-        f"the tip stays {1e3 * found.rms_m:.3g} mm (rms) from the path, "
-        f"{1e3 * found.worst_m:.3g} mm at ({x:.3g}, {z:.3g}) mm; "
-        f"allowed are {1e3 * task.tolerance_m:.3g} mm"
-    )
+    place = task.wanted.points[found.place].tolist()
+    if found.rms_m > task.tolerance_m or not found.strays:
+        yield (
+            f"the tip stays {1e3 * found.rms_m:.3g} mm (rms) from the path, "
+            f"{1e3 * found.worst_m:.3g} mm at {_point_words(place)}; "
+            f"allowed are {1e3 * task.tolerance_m:.3g} mm"
+        )
+    if found.strays and found.excess_m is not None and found.excess_at is not None:
+        if found.rms_m <= task.tolerance_m:
+            yield f"the tip passes the wanted points at {1e3 * found.rms_m:.3g} mm (rms)"
+        yield (
+            f"between the wanted points the tip strays from the path, up to "
+            f"{1e3 * found.excess_m:.3g} mm at {_point_words(found.excess_at)}"
+        )
+
+
+def _point_words(point: Sequence[float]) -> str:
+    """A point [m] in millimetres."""
+    x, z = (1e3 * own for own in point)
+    return f"({x:.3g}, {z:.3g}) mm"

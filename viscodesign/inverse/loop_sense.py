@@ -62,9 +62,10 @@ def wrong_sense(wanted: WantedPath, choice: FreeChoice, scene: Scene) -> WrongSe
     first = "R" if own.parents[0][0] < sections else "L"
     other = "L" if first == "R" else "R"
     return WrongSense(
-        f"wrong sense: the wanted loop goes {words[-sense]} (x to the right, z up), and with "
-        f"column {first} fed first the tip of this graph goes {words[sense]}, whatever its "
-        f"lengths, period and input ({len(areas)} of {len(areas)} draws)",
+        f"wrong sense: the wanted loop goes {words[-sense]} (x to the right, z up; pictures have z "
+        f"down and show the reverse), and with column {first} fed first the tip of this graph goes "
+        f"{words[sense]}, whatever its lengths, period and input ({len(areas)} of {len(areas)} "
+        "draws)",
         f"Feed column {other} first: spec.yaml has the mirrored graph, use it as `spec`; or set "
         "network.graph: chain free, or target.sense: any",
         with_tree(scene, mirrored(own, sections), sizes),

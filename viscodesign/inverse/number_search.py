@@ -97,7 +97,7 @@ def search_numbers(
             here, task.choice.keys, TIP, one_period=task.wanted.is_free_loop
         )
         model = CompiledTip(function, task.wanted.is_free_loop)
-        residuals = PathResiduals(model, task.wanted, limits)
+        residuals = PathResiduals(model, task.wanted, limits, allowed_m=task.tolerance_m)
         fit = _fit(task, residuals, ranges, function.values, graph, several_starts and not turn)
         if turn == MOST_ROUNDS - 1 or task.is_over or function.judge(fit.values).suits:
             return _designs_of(task, model, fit, ranges, limits)
@@ -193,7 +193,7 @@ def _design_of(
         function.names,
         tuple(n.unit for n in FreeKeys(function.scene(), function.names).numbers),
         values,
-        distance(task.wanted, tip),
+        distance(task.wanted, tip, task.tolerance_m),
         np.sqrt(((PERCENT * values * slopes) ** 2).sum(axis=2)),
         tuple(bound),
         status,
@@ -203,8 +203,8 @@ def _design_of(
 def _as_it_is(task: SearchTask, scene: Scene, graph: str) -> NumberDesign:
     """A scene without free numbers, by one solution."""
     tip = tip_of(task.wanted, scene, simulate(scene, verify=False))
-    found = distance(task.wanted, tip)
+    found = distance(task.wanted, tip, task.tolerance_m)
     task.log.evaluations += 1
-    task.log.note(found.rms_m, graph)
+    task.log.note(found.total_m, graph)
     task.tell()
     return NumberDesign(scene, (), (), np.zeros(0), found, np.zeros((0, 2)), (), "converged")

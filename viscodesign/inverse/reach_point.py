@@ -69,12 +69,13 @@ def reach_point(
     found = search_numbers(task, posed)[0]
     if stop.asked:
         raise KeyboardInterrupt
-    run = confirm(wanted, found.scene)
+    run = confirm(wanted, found.scene, TOLERANCE)
     if run.distance.rms_m > TOLERANCE >= found.distance.rms_m:
         # The run has more effects than the search had: go on with them.
         pinned = posed.replace({"effects": {name: "on" for name in run.effects}})
         again = search_numbers(task, pinned, start=found.values, several_starts=False)[0]
-        better = confirm(wanted, found.scene.replace(dict(_rows(again.values, times, begins))))
+        changed = found.scene.replace(dict(_rows(again.values, times, begins)))
+        better = confirm(wanted, changed, TOLERANCE)
         if better.distance.rms_m < run.distance.rms_m:
             found, run = again, better
     pressures = np.append(begins, found.values)

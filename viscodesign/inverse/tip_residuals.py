@@ -8,11 +8,14 @@ from typing import Protocol
 import numpy as np
 
 from viscodesign.compiled.function import CompiledFunction
+from viscodesign.inverse.path_excess import PathExcess, path_excess
 from viscodesign.inverse.path_match import PathMatch, match_paths
 from viscodesign.inverse.wanted_path import WantedPath, rms
 from viscodesign.lazy_dataclass import dataclass
 
 TIP = ("tip_x_m", "tip_z_m")
+STRAY_TIMES = 3.0
+"""Of the tolerance, from which a found path strays that is farther off than any wanted point."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +26,23 @@ class PathDistance:
     worst_m: float
     place: int
     """Of the wanted points, the one that is farthest off."""
+    excess_m: float | None = None
+    """Largest distance of a found point from the wanted line [m]; None where times decide."""
+    excess_at: tuple[float, float] | None = None
+    """That point, x and z [m]."""
+    stray_m: float = 0.0
+    """Root mean square of what found points are off beyond the tolerance [m]."""
+    strays: bool = False
+    """Whether the found path leaves the wanted one for a while."""
+
+    @property
+    def total_m(self) -> float:
+        """Both ways: what a search ranks by [m]."""
+        return math.hypot(self.rms_m, self.stray_m)
+
+    def meets(self, tolerance_m: float) -> bool:
+        """Whether the wanted path is followed within a tolerance [m], and no other besides."""
+        return self.rms_m <= tolerance_m and not self.strays
 
 
 class TipModel(Protocol):
@@ -78,18 +98,31 @@ def matched(wanted: WantedPath, tip: np.ndarray) -> tuple[PathMatch | None, np.n
     return match, apart
 
 
-def distance(wanted: WantedPath, tip: np.ndarray) -> PathDistance:
-    """How far the tip (T, 2) passes from the wanted points."""
-    _, apart = matched(wanted, tip)
+def distance(wanted: WantedPath, tip: np.ndarray, tolerance_m: float) -> PathDistance:
+    """How far the tip (T, 2) passes from the wanted points, and strays from their line."""
+    match, apart = matched(wanted, tip)
     lengths = np.linalg.norm(apart, axis=1)
-    return PathDistance(rms(lengths), float(lengths.max()), int(lengths.argmax()))
+    near = rms(lengths), float(lengths.max()), int(lengths.argmax())
+    if match is None:
+        return PathDistance(*near)
+    excess = path_excess(wanted, match, tip)
+    largest, (x, z) = float(excess.distances[excess.place]), tip[excess.place].tolist()
+    return PathDistance(
+        *near,
+        excess_m=largest,
+        excess_at=(x, z),
+        stray_m=float(np.linalg.norm(excess.beyond(tolerance_m))),
+        strays=largest > max(near[1], STRAY_TIMES * tolerance_m),
+    )
 
 
 class PathResiduals:
     """Distances (2 N,) over the root of N, so that their squares add up to the mean square.
 
-    ``both_ways``: those of the tip's path from the wanted one as well, for a search that begins far
-    off: a path that is passed nearby on wide ways is near, but leads nowhere.
+    ``allowed_m``: of found points what they are farther off than that, so that a path that is left
+    for a while loses, and one that is followed is judged by its wanted points alone.
+    ``both_ways``: all distances of the tip's path from the wanted one instead, for a search that
+    begins far off: a path that is passed nearby on wide ways is near, but leads nowhere.
     """
 
     def __init__(
@@ -98,32 +131,36 @@ class PathResiduals:
         wanted: WantedPath,
         penalty: Penalty | None = None,
         *,
+        allowed_m: float = math.inf,
         both_ways: bool = False,
     ) -> None:
         self._model, self._wanted, self._penalty = model, wanted, penalty
         self._both_ways = both_ways and wanted.timing == "free" and not wanted.any_sense
-        self._latest: tuple[bytes, list[_Part]] | None = None
+        self._allowed_m = allowed_m
+        self._latest: tuple[bytes, list[_Part | _Stray]] | None = None
 
     def __call__(self, values: np.ndarray) -> np.ndarray:
         """(2 N,), what is asked for besides, and the penalties."""
-        own = [part.apart.ravel() / part.root for part in self._parts(values)]
+        own = [part.residuals() for part in self._parts(values)]
         return np.concatenate([*own, self._penalty(values)] if self._penalty else own)
 
     def jacobian(self, values: np.ndarray) -> np.ndarray:
         """The same, f columns."""
         slopes = self._model.slopes(values)
-        own = [part.slopes(slopes) / part.root for part in self._parts(values)]
+        own = [part.slopes(slopes) for part in self._parts(values)]
         return np.concatenate([*own, self._penalty.jacobian(values)] if self._penalty else own)
 
-    def _parts(self, values: np.ndarray) -> list[_Part]:
+    def _parts(self, values: np.ndarray) -> list[_Part | _Stray]:
         """Distances each way; kept for slopes at the same values."""
         if self._latest is None or self._latest[0] != values.tobytes():
             tip = self._model.tip(values)
             match, apart = matched(self._wanted, tip)
-            found = [_Part(match, apart, is_of_tip=False)]
+            found: list[_Part | _Stray] = [_Part(match, apart, is_of_tip=False)]
             if self._both_ways:
                 back = match_paths(tip, self._wanted.points, closed=self._wanted.closed)
                 found.append(_Part(back, tip - back.along(self._wanted.points), is_of_tip=True))
+            elif match is not None and math.isfinite(self._allowed_m):
+                found.append(_Stray(path_excess(self._wanted, match, tip), self._allowed_m))
             self._latest = values.tobytes(), found
         return self._latest[1]
 
@@ -142,9 +179,30 @@ class _Part:
         """Of the count of distances."""
         return math.sqrt(len(self.apart))
 
+    def residuals(self) -> np.ndarray:
+        """(2 N,)"""
+        found: np.ndarray = self.apart.ravel() / self.root
+        return found
+
     def slopes(self, slopes: np.ndarray) -> np.ndarray:
-        """(2 N, f) of the distances for those of the tip (T, 2, f)."""
+        """(2 N, f) of the residuals for those of the tip (T, 2, f)."""
         if self.match is not None:
             own = slopes if self.is_of_tip else self.match.along(slopes)
             slopes = self.match.across(own)
-        return slopes.reshape(-1, slopes.shape[-1])
+        return slopes.reshape(-1, slopes.shape[-1]) / self.root
+
+
+@dataclass(frozen=True, eq=False)
+class _Stray:
+    """What found points are off beyond a distance."""
+
+    excess: PathExcess
+    allowed_m: float
+
+    def residuals(self) -> np.ndarray:
+        """(T,)"""
+        return self.excess.beyond(self.allowed_m)
+
+    def slopes(self, slopes: np.ndarray) -> np.ndarray:
+        """(T, f) for slopes of the tip (T, 2, f)."""
+        return self.excess.slopes(slopes, self.allowed_m)

@@ -26,6 +26,8 @@ CLOSED_SHARE = 0.02
 MOST_ROWS = 50_000
 SPACED_POINTS = 96
 """Points of a path whose timing is free."""
+MOST_LINE = 480
+"""Corners of the line from which found points are measured."""
 Timing = Literal["free", "given"]
 
 
@@ -40,6 +42,9 @@ class WantedPath:
     closed: bool
     timing: Timing
     any_sense: bool = False
+    line: np.ndarray | None = None
+    """(M, 2) The path as it was given [m], a closed one with its beginning once more; its points
+    cut corners. None where times count."""
 
     @property
     def is_free_loop(self) -> bool:
@@ -178,7 +183,8 @@ def _path(spec: PathSpec, values: np.ndarray) -> WantedPath:
         points = points[:-1]
     way = np.concatenate([points, points[:1]]) if closed else points
     spaced = equally_spaced(way, SPACED_POINTS, closed=closed)
-    return WantedPath(spaced, None, closed, timing, spec.sense == "any")
+    line = way if len(way) <= MOST_LINE else equally_spaced(way, MOST_LINE, closed=False)
+    return WantedPath(spaced, None, closed, timing, spec.sense == "any", line)
 
 
 def rms(distances: Any) -> float:

@@ -89,6 +89,9 @@ class PathDesign:
     """By `simulate` with the effects that the found design calls for [m]; None without it."""
     confirmed_worst_m: float | None
     """Largest distance of that run [m]."""
+    excess_m: float | None
+    """Largest distance of a found point from the wanted line, of the run or else of the search [m];
+    None where times decide."""
     stated_error_m: float | None
     """Tip error that the run states [m]."""
     parameters: Mapping[str, float]
@@ -132,6 +135,7 @@ class PathDesign:
             "worst_m": self.worst_m,
             "confirmed_rms_m": self.confirmed_rms_m,
             "confirmed_worst_m": self.confirmed_worst_m,
+            "excess_m": self.excess_m,
             "stated_error_m": self.stated_error_m,
             "band_one_percent_m": self.widest_band_m,
             "parameters": dict(self.parameters),
@@ -182,6 +186,7 @@ def without_design(
         worst_m=None,
         confirmed_rms_m=None,
         confirmed_worst_m=None,
+        excess_m=None,
         stated_error_m=None,
         parameters={},
         units={},

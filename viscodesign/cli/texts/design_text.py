@@ -37,6 +37,9 @@ def _answer(found: PathDesign) -> Iterator[tuple[str, str]]:
         )
         words = f"{_mm(found.confirmed_rms_m)} rms, at most {_mm(found.confirmed_worst_m)}"
         yield "confirmed", f"{words}{stated} (allowed {_mm(found.tolerance_m)})"
+    if found.excess_m is not None:
+        yield "excess", f"the found path is at most {_mm(found.excess_m)} from the wanted one"
+    if found.confirmed_rms_m is not None:
         yield "effects", ", ".join(found.effects) or "none"
     if found.band.size:
         yield "band", f"{_mm(found.widest_band_m)} by one percent of each free number"

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.patches import Polygon
-from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from viscodesign.report.layout.style import (
     ACCENT,
@@ -19,6 +19,7 @@ from viscodesign.report.layout.style import (
     picture,
     shown,
 )
+from viscodesign.results.channels import channel
 from viscodesign.results.path_design import PathDesign
 
 if TYPE_CHECKING:
@@ -32,7 +33,8 @@ LEAST_SPAN_MM = 1.0
 
 
 def draw_design(found: PathDesign, path: Target) -> None:
-    """Paths on the left, the best distance over the evaluations on the right."""
+    """Paths on the left, z down as the actuator hangs; on the right the best distance over the
+    evaluations."""
     width, height = LEFT + SIDE + GAP + SEARCH + 0.25, BOTTOM + SIDE + KEY + TITLE_ROOM
     with picture(path, width, height) as made:
         axes = axes_at(made, LEFT, BOTTOM, SIDE, SIDE)
@@ -57,7 +59,7 @@ def _draw_paths(axes: Axes, found: PathDesign) -> None:
     every = np.concatenate([wanted, way])
     middle = (every.min(axis=0) + every.max(axis=0)) / 2
     half = (0.5 + MARGIN) * max(float(np.ptp(every, axis=0).max()), LEAST_SPAN_MM)
-    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
+    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
     axes.set_aspect("equal")
     if len(found.band) >= len(found.found) > 1:
         band = _closed(found.band[: len(found.found)], found.closed)
@@ -66,7 +68,7 @@ def _draw_paths(axes: Axes, found: PathDesign) -> None:
     if len(way):
         axes.plot(*way.T, color=FOUND, lw=1.3, label="found", zorder=4)
         _draw_arrow(axes, way)
-    axes.set(xlabel="x [mm]", ylabel="z [mm]")
+    axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.1)
 
 
@@ -103,6 +105,7 @@ def _draw_search(axes: Axes, found: PathDesign) -> None:
         end = max(found.evaluations, rows[-1] + 1)
         axes.step([*rows, end], [*best, best[-1]], where="post", color=FOUND, lw=1.3)
         axes.set_yscale("log")
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         axes.yaxis.set_minor_formatter(NullFormatter())
         axes.set_xlim(left=0)

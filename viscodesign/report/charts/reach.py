@@ -16,48 +16,66 @@ from viscodesign.report.layout.style import (
     picture,
     shown,
 )
+from viscodesign.results.channels import channel
 from viscodesign.results.reach_study import ReachStudy
 
 LEFT, BOTTOM, WIDTH, KEY = 0.75, 0.6, 6.0, 0.35
 """In inches."""
 TALLEST, LOWEST = 6.0, 2.6
 MARGIN = 0.06
+NEAR_CLAMP = 0.4
+"""Of the extent of what is drawn, up to which the clamp is near enough to be drawn, too."""
 OWN = SEQUENTIAL(0.25)
 
 
 def draw_reach(study: ReachStudy, path: Target) -> None:
-    """Both sets as areas, the clamp, and the point with the tip's way to it."""
+    """Both sets as areas, z down from the clamp, and the point with the tip's way to it."""
     point = study.point
-    every = [np.zeros((1, 2)), 1e3 * study.edge, 1e3 * study.edge_two_inlets]
-    if point is not None:
-        every += [1e3 * point.path, 1e3 * np.array([point.at])]
-    corners = np.concatenate(every)
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    pad = MARGIN * float(np.max(high - low))
-    low, high = low - pad, high + pad
+    low, high, has_clamp = _limits(study)
     height = float(np.clip(WIDTH * (high[1] - low[1]) / (high[0] - low[0]), LOWEST, TALLEST))
+    size = np.array([WIDTH, height])
+    short = size * float(np.max((high - low) / size)) - (high - low)
+    low, high = low - short / 2, high + short / 2
     total = BOTTOM + height + KEY + TITLE_ROOM
     with picture(path, LEFT + WIDTH + 0.25, total) as made:
         axes = axes_at(made, LEFT, BOTTOM, WIDTH, height)
         areas = ((study.edge_two_inlets, FAINT, "two inlets"), (study.edge, OWN, "one inlet"))
         for edge, colour, words in areas:
             if len(edge):
-                size = study.area_two_inlets_m2 if edge is study.edge_two_inlets else study.area_m2
-                label = f"{words}, {1e4 * size:.3g} cm²"
+                area = study.area_two_inlets_m2 if edge is study.edge_two_inlets else study.area_m2
+                label = f"{words}, {1e4 * area:.3g} cm²"
                 axes.add_patch(
                     Polygon(1e3 * edge, fc=colour, ec=colour, alpha=0.35, lw=1.2, label=label)
                 )
-        axes.plot(0, 0, "s", color=INK, ms=6, label="clamp")
+        if has_clamp:
+            axes.plot(0, 0, "s", color=INK, ms=6, label="clamp")
         if point is not None:
             axes.plot(*(1e3 * point.path.T), color=INK, lw=1.2, label="way of the tip")
             axes.plot(1e3 * point.at[0], 1e3 * point.at[1], "x", color=ACCENT, ms=9, mew=2,
                       label="point", zorder=6)  # fmt: skip
-        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x [mm]", ylabel="z [mm]")
-        axes.set_aspect("equal", adjustable="datalim")
+        axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
+        axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
+        axes.set_aspect("equal")
         axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=5, borderaxespad=0.1,
                     columnspacing=1.2, handlelength=1.4)  # fmt: skip
         made.text(LEFT / (LEFT + WIDTH + 0.25), (total - 0.21) / total, shown(_title(study), 90),
                   size=10)  # fmt: skip
+
+
+def _limits(study: ReachStudy) -> tuple[np.ndarray, np.ndarray, bool]:
+    """Corners (x, z) [mm] of a frame about all that is drawn, and whether the clamp is near it."""
+    point = study.point
+    every = [1e3 * study.edge, 1e3 * study.edge_two_inlets]
+    if point is not None:
+        every += [1e3 * point.path, 1e3 * np.array([point.at])]
+    corners = np.concatenate(every)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    apart = np.maximum(np.maximum(low, -high), 0.0)
+    has_clamp = float(apart.max()) <= NEAR_CLAMP * float(np.max(high - low))
+    if has_clamp:
+        low, high = np.minimum(low, 0.0), np.maximum(high, 0.0)
+    pad = MARGIN * float(np.max(high - low))
+    return low - pad, high + pad, has_clamp
 
 
 def _title(study: ReachStudy) -> str:
