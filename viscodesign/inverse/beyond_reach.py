@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.inverse.arc_rod import ArcRod
 from viscodesign.inverse.free_choice import FreeChoice
-from viscodesign.inverse.quick_motion import ArcRod
 from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.scene.scene import Scene
 

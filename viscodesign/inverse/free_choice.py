@@ -18,6 +18,7 @@ from viscodesign.scene.scene import Scene
 
 GRAPH, INPUT, HARMONICS = "network.graph", "input", "harmonics"
 GraphChoice = Literal["keep", "chain", "tree"]
+EVERY_TUBE = "network.tubes[*]"
 GRAPHS: tuple[GraphChoice, ...] = ("keep", "chain", "tree")
 
 
@@ -53,11 +54,14 @@ class FreeChoice:
 
 def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
     """What is free in a task on a scene. Raises `SpecError` with all faults by their lines."""
-    faults: list[Fault] = []
+    named = _named_tubes(read.spec.free)
+    faults = [_placed(_fault_of_names(named), named[0], read)] if named else []
     ranges: list[FreeRange] = []
     graph: GraphChoice = "keep"
     harmonics: HarmonicChoice | None = None
     for key, given in read.spec.free.items():
+        if key in named:
+            continue
         try:
             if key == GRAPH:
                 graph = _graph(given)
@@ -82,6 +86,24 @@ def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
         fault = Fault(f"network.graph: keep leaves nothing free; {FREE_FORM}", "free")
         raise SpecError([_placed(fault, GRAPH, read)])
     return FreeChoice(tuple(ranges), graph, harmonics)
+
+
+def _named_tubes(free: Mapping[str, Any]) -> list[str]:
+    """Keys of tubes of the spec's own graph, where a free graph replaces it."""
+    if free.get(GRAPH) not in GRAPHS[1:]:
+        return []
+    return [k for k in free if k.startswith("network.tubes[") and not k.startswith(EVERY_TUBE)]
+
+
+def _fault_of_names(keys: list[str]) -> Fault:
+    sizes = dict.fromkeys(key.rpartition("]")[2] for key in keys)
+    every = " and ".join(f"{EVERY_TUBE}{size}" for size in sizes)
+    more = f" (one of {len(keys)} such keys)" if len(keys) > 1 else ""
+    return Fault(
+        f"names a tube of the spec's own graph{more}, which a free network.graph replaces; "
+        f"write {every} for one number a tube, or network.graph: keep",
+        keys[0],
+    )
 
 
 def _placed(fault: Fault, key: str, read: ReadTarget) -> Fault:

@@ -15,8 +15,8 @@ import numpy as np
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.estimate.modal_response import first_order
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.inverse.arc_rod import ArcRod
 from viscodesign.inverse.tree_graph import INLET, TreeGraph
-from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics import tube as tube_laws
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.harmonics import HarmonicsInput
@@ -33,54 +33,6 @@ SHARED_SIZES = {("network", "tube_length"): "length", ("network", "tube_radius")
 """Sizes that tubes without their own have, by their places."""
 INPUT_STEP = 1e-6
 """Of the range or the size of a number of the input, for its slopes by differences."""
-
-
-@dataclass(frozen=True, eq=False)
-class ArcRod:
-    """The tip of a row of arcs as a function of bellows' pressures."""
-
-    section: float
-    """Length of a section [m]."""
-    turn: float
-    """Angle of a section per pressure difference of its bellows [rad/Pa]."""
-    stretch: float
-    """Stretch of a section per sum of its bellows' pressures [1/Pa]."""
-
-    @classmethod
-    def of(cls, quantities: SceneQuantities) -> ArcRod:
-        """That of a scene's actuator."""
-        law, section = quantities.bellow, quantities.body.section_length
-        return cls(section, law.curvature_per_pressure * section, law.stretch_per_pressure)
-
-    def tip(self, pressure: np.ndarray) -> np.ndarray:
-        """(T, 2) x, z [m] for pressures (T, B), R first."""
-        middle, length, chord, _ = self._arcs(pressure)
-        own = length * chord
-        return np.stack([(own * np.sin(middle)).sum(1), (own * np.cos(middle)).sum(1)], axis=1)
-
-    def slopes(self, pressure: np.ndarray) -> np.ndarray:
-        """(T, 2, B) derivatives of the tip by the pressures."""
-        middle, length, chord, slope = self._arcs(pressure)
-        along = np.stack([np.sin(middle), np.cos(middle)], axis=1)
-        across = np.stack([np.cos(middle), -np.sin(middle)], axis=1)
-        arms = (length * chord)[:, None] * across
-        behind = np.cumsum(arms[:, :, ::-1], axis=2)[:, :, ::-1] - arms
-        by_turn = behind + arms / 2 + (length * slope)[:, None] * along
-        by_stretch = self.section * chord[:, None] * along
-        turned, drawn = self.turn * by_turn, self.stretch * by_stretch
-        return np.concatenate([drawn - turned, drawn + turned], axis=2)
-
-    def _arcs(self, pressure: np.ndarray) -> tuple[np.ndarray, ...]:
-        """(T, S): direction of every chord, length of its arc, chord over arc, and its slope."""
-        right, left = np.split(pressure, 2, axis=1)
-        turn = self.turn * (left - right)
-        middle = np.cumsum(turn, axis=1) - turn / 2
-        half = turn / 2
-        small = np.abs(half) < 1e-4
-        safe = np.where(small, 1.0, half)
-        chord = np.where(small, 1 - half**2 / 6, np.sin(safe) / safe)
-        slope = np.where(small, -half / 3, (np.cos(safe) - np.sin(safe) / safe) / safe) / 2
-        return middle, self.section * (1 + self.stretch * (right + left)), chord, slope
 
 
 class QuickMotion:

@@ -12,7 +12,8 @@ from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.errors import SpecError, UsageError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
-from viscodesign.inverse.quick_motion import ArcRod, QuickMotion
+from viscodesign.inverse.arc_rod import ArcRod
+from viscodesign.inverse.quick_motion import QuickMotion
 from viscodesign.inverse.reach_edge import (
     DIRECTIONS,
     FEW_DIRECTIONS,

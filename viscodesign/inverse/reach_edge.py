@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from viscodesign.inverse.quick_motion import ArcRod
+from viscodesign.inverse.arc_rod import ArcRod
 from viscodesign.lazy_dataclass import dataclass
 
 DIRECTIONS, FEW_DIRECTIONS = 96, 36

@@ -68,6 +68,11 @@ def test_a_pulse_that_brings_the_tip_back_is_no_loop(tmp_path: Path) -> None:
 
 
 ROWS = {"rows": [[0.0, 0.0, 0.029], [1.0, 0.0, 0.0291]]}
+NAMED = {
+    "network.tubes[inlet-R1].length": ["10 mm", "60 mm"],
+    "network.graph": "tree",
+    "network.tubes[R1-R2].length": ["10 mm", "60 mm"],
+}
 LOOP = {"rows": [[0.0, 0.029], [0.001, 0.03], [-0.001, 0.03], [0.0, 0.029]]}
 
 
@@ -82,6 +87,11 @@ LOOP = {"rows": [[0.0, 0.029], [0.001, 0.03], [-0.001, 0.03], [0.0, 0.029]]}
         ({"network.tube_radius": ["-1 mm", "1 mm"]}, ROWS, "must be above 0"),
         ({"network.graph": "star"}, ROWS, "must be one of keep, chain, tree"),
         ({"network.graph": "keep"}, ROWS, "leaves nothing free"),
+        (
+            NAMED,
+            ROWS,
+            r"one of 2 such keys.*write network.tubes\[\*\].length for",
+        ),
         (PULSE, {"rows": [[0.0, 0.029]]}, "one point"),
         (PULSE, {"rows": [[0, 0, 0.029], [0, 0, 0.03]]}, "times must increase"),
         (PULSE, {"rows": [[0, float("nan")], [0, 0.03]]}, "finite number"),
