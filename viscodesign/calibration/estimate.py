@@ -109,7 +109,7 @@ def polished(search: Search, found: Estimate, misfit: Misfit) -> Estimate:
     By Gauss-Newton steps with the derivatives where it is, which settle within a few percent of a
     standard deviation: models that are slow to differentiate need values alone.
     """
-    values = found.values
+    values, ranges = found.values, ranges_of(misfit.models, misfit.unknowns)
     jacobian = misfit.jacobian(values) * misfit.sizes(values)
     covariance = covariance_of(jacobian)
     deviations = np.sqrt(np.diag(covariance))
@@ -118,7 +118,7 @@ def polished(search: Search, found: Estimate, misfit: Misfit) -> Estimate:
         if search.stop.asked:
             return Estimate(values, misfit, "interrupted")
         steps = -covariance @ (jacobian.T @ residual)
-        moved = misfit.stepped(values, steps)
+        moved = np.clip(misfit.stepped(values, steps), ranges.low, ranges.high)
         new = misfit(moved)
         if not new @ new <= residual @ residual + SLACK:
             break

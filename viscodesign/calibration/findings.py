@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,8 +14,15 @@ from viscodesign.calibration.profile_likelihood import NORMAL_95, Profiles
 from viscodesign.calibration.recorded_columns import KINDS
 from viscodesign.calibration.spread import Spread
 from viscodesign.calibration.unknowns import ranges_of
+from viscodesign.exploration.least_squares import AT_BOUND
 from viscodesign.interrupt import StopRequest
-from viscodesign.results.fit_result import FittedNumber, FittedProduct, FittedRun
+from viscodesign.results.fit_result import (
+    Edge,
+    FittedNumber,
+    FittedProduct,
+    FittedRun,
+    WhyUnknown,
+)
 
 OPEN_FROM = 1.0
 """Standard deviation of a step from which the data do not tell a number: its interval would reach
@@ -24,19 +33,53 @@ IDENTIFIED = 0.5
 
 def fitted_numbers(misfit: Misfit, spread: Spread, stop: StopRequest) -> tuple[FittedNumber, ...]:
     """The scene's free numbers with intervals; Gaussian ones once the user asked to stop."""
-    profiles = Profiles(misfit, spread, ranges_of(misfit.models, misfit.unknowns), stop)
-    return tuple(_number(misfit, spread, profiles, k, stop) for k in misfit.pulled)
+    ranges = ranges_of(misfit.models, misfit.unknowns)
+    profiles = Profiles(misfit, spread, ranges, stop)
+    shares = ranges.shares(spread.values)
+    return tuple(
+        _number(misfit, spread, profiles, k, _edge(float(shares[k])), stop) for k in misfit.pulled
+    )
 
 
 def _number(
-    misfit: Misfit, spread: Spread, profiles: Profiles, k: int, stop: StopRequest
+    misfit: Misfit, spread: Spread, profiles: Profiles, k: int, edge: Edge, stop: StopRequest
 ) -> FittedNumber:
     own, value = misfit.unknowns[k], float(spread.values[k])
-    low, high = _interval(spread, profiles, k, misfit.unknowns[k].is_log, stop)
-    is_identified = (
-        low is not None and high is not None and (high - low) / 2 <= IDENTIFIED * abs(value)
+    low, high = _interval(spread, profiles, k, own.is_log, stop)
+    why = "edge_of_range" if edge else _why_unknown(value, low, high)
+    return FittedNumber(own.name, value, own.unit, own.start, low, high, why, edge)
+
+
+def _edge(share: float) -> Edge:
+    """The edge at which a number is, by its share of the range."""
+    if share <= AT_BOUND:
+        return "low"
+    return "high" if share >= 1 - AT_BOUND else ""
+
+
+def _why_unknown(value: float, low: float | None, high: float | None) -> WhyUnknown:
+    if low is None or high is None:
+        return "no_end"
+    return "" if (high - low) / 2 <= IDENTIFIED * abs(value) else "too_wide"
+
+
+def not_identified(numbers: Sequence[FittedNumber]) -> tuple[FittedNumber, ...]:
+    """Numbers of a model that does not describe the recordings: none of them is identified."""
+    return tuple(
+        replace(own, why_unknown="mismatch") if own.is_identified else own for own in numbers
     )
-    return FittedNumber(own.name, value, own.unit, own.start, low, high, is_identified)
+
+
+def edge_warnings(numbers: Sequence[FittedNumber]) -> Iterator[str]:
+    """What to do about numbers at the edge of the range that was searched."""
+    for own in numbers:
+        if own.edge:
+            yield (
+                f"{own.key} = {own.value:.4g} {own.unit} is at the {own.edge} edge of the range "
+                f"that was searched about the spec's {own.start:.4g}: the data call for a value "
+                "beyond it, or the model is wrong; give a nearer first guess by "
+                f"--set {own.key}=..., or leave it out of --free"
+            )
 
 
 def _interval(

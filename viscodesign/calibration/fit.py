@@ -11,9 +11,16 @@ import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.calibration.clocks import guessed_lateness, is_late
+from viscodesign.calibration.description import mismatch_of
 from viscodesign.calibration.driving import RecordedDrive, driven
 from viscodesign.calibration.estimate import Estimate, Search, estimated, polished
-from viscodesign.calibration.findings import fitted_numbers, fitted_products, fitted_runs
+from viscodesign.calibration.findings import (
+    edge_warnings,
+    fitted_numbers,
+    fitted_products,
+    fitted_runs,
+    not_identified,
+)
 from viscodesign.calibration.fitted_spec import fitted_scene, spec_text
 from viscodesign.calibration.misfit import Misfit, Unknown, first_levels
 from viscodesign.calibration.pattern import pattern_of
@@ -23,9 +30,10 @@ from viscodesign.calibration.run_model import RunModel, Solving
 from viscodesign.calibration.spread import spread_of
 from viscodesign.calibration.unknowns import DEFAULT_KEYS, run_unknowns, scene_unknowns
 from viscodesign.errors import Fault, SpecError
-from viscodesign.exploration.least_squares import BestSoFar
+from viscodesign.exploration.least_squares import BestSoFar, FitStatus
 from viscodesign.interrupt import StopRequest, gentle_interrupt
-from viscodesign.results.fit_result import Experiment, Fit
+from viscodesign.results.fit_result import Experiment, Fit, RunStatus
+from viscodesign.results.mismatch import Mismatch
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 
@@ -51,7 +59,8 @@ def fit(
     Noise, gross samples and late clocks are found in the data. ``next_experiment``: whether to tell
     which experiment would tell most; by default where a number is not identified. ``progress`` is
     called with the fraction done. Ctrl-C raises nothing once a first solution is there: the best so
-    far is returned.
+    far is returned. Where the model leaves far more than noise, ``status`` is ``mismatch``, and no
+    number is identified.
 
     Raises `SpecError` for files and keys that are none, `SolveError` where the scene has no
     solution.
@@ -66,7 +75,10 @@ def fit(
     with gentle_interrupt(second_raises=True) as stop:
         fitting = _Fitting(scene, recordings, free, stop, progress)
         found = fitting.found()
-        is_unsure = any(not number.is_identified for number in found.numbers)
+        # Of a model that is wrong, no experiment tells the numbers.
+        is_unsure = found.status != "mismatch" and any(
+            not number.is_identified for number in found.numbers
+        )
         if not stop.asked and (is_unsure if next_experiment is None else next_experiment):
             found = replace(found, next_experiment=fitting.next_experiment(found))
     return replace(found, wall_s=clock.perf_counter() - began)
@@ -197,8 +209,16 @@ class _Fitting:
         self.best, self.spread = best, spread_of(widened, best.values)
         stop = self.search.stop
         numbers = fitted_numbers(widened, self.spread, stop)
+        products = fitted_products(widened, self.spread, numbers)
         scene = fitted_scene(self.scene, numbers)
-        status = "interrupted" if stop.asked else best.status
+        is_stopped = stop.asked or best.status == "interrupted"
+        mismatch = (
+            None
+            if is_stopped
+            else mismatch_of(self.scene, best.misfit, best.values, pattern.groups)
+        )
+        if mismatch is not None and mismatch.leaves_numbers_unknown:
+            numbers, products = not_identified(numbers), ()
         mesh = {
             "edges_per_section": check.edges_per_section,
             "tolerance": check.tolerance,
@@ -209,9 +229,9 @@ class _Fitting:
             name=self.scene.name,
             version=__version__,
             spec_sha256=self.scene.source.sha256,
-            status=status if status in ("interrupted", "unfinished") else "complete",
+            status=_status("interrupted" if is_stopped else best.status, mismatch),
             numbers=numbers,
-            products=fitted_products(widened, self.spread, numbers),
+            products=products,
             runs=fitted_runs(best.misfit, self.spread, best.values),
             chi2_per_dof=pattern.chi2_per_dof,
             effects=frozenset().union(*(m.function.effects for m in best.misfit.models)),
@@ -219,7 +239,8 @@ class _Fitting:
             spec=spec_text(scene, numbers),
             resolved_sha256=resolved_sha256(self.scene),
             left_out=tuple(self.left_out.items()),
-            warnings=tuple(self._warnings(check, pattern.channels)),
+            warnings=(*self._warnings(check, pattern.channels), *edge_warnings(numbers)),
+            mismatch=mismatch,
             evaluations=self.search.evaluations,
         )
 
@@ -243,6 +264,15 @@ class _Fitting:
                 f"{check.bias:.2g} standard deviations"
             )
         return found
+
+
+def _status(search: FitStatus, mismatch: Mismatch | None) -> RunStatus:
+    """Of a fit, by how its search ended and what its model leaves."""
+    if search == "interrupted":
+        return "interrupted"
+    if mismatch is not None and mismatch.leaves_numbers_unknown:
+        return "mismatch"
+    return "unfinished" if search == "unfinished" else "complete"
 
 
 def with_overrides(scene: Scene, changes: dict[str, str], file: str) -> Scene:

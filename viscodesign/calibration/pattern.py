@@ -20,6 +20,20 @@ MOST_LAGS = 0.25
 
 
 @dataclass(frozen=True)
+class GroupExcess:
+    """How much a model leaves of channels that share their noise."""
+
+    run: int
+    channels: list[int]
+    mean_square: float
+    """Of residuals over that of the noise by which neighbours differ."""
+    by_chance: float
+    """Up to which it may be chance."""
+    noise: np.ndarray
+    """(c,) Standard deviation by which neighbours differ, in the channels' units."""
+
+
+@dataclass(frozen=True)
 class Pattern:
     """How the residuals of all groups of channels differ from noise."""
 
@@ -29,11 +43,14 @@ class Pattern:
     """(C,) a run: by which noise has to be taken larger, so that intervals hold nonetheless."""
     channels: tuple[str, ...]
     """Headers, of one channel a group, whose residuals follow a pattern."""
+    groups: tuple[GroupExcess, ...]
 
 
 def pattern_of(misfit: Misfit, values: np.ndarray) -> Pattern:
     """The pattern of the residuals at these values."""
-    squares, count, widening, named = 0.0, 0, [], []
+    squares, count, widening = 0.0, 0, []
+    named: list[str] = []
+    groups: list[GroupExcess] = []
     runs = zip(
         misfit.models,
         misfit.deviations(values),
@@ -41,18 +58,21 @@ def pattern_of(misfit: Misfit, values: np.ndarray) -> Pattern:
         misfit.kept,
         strict=True,
     )
-    for model, apart, levels, kept in runs:
+    for run, (model, apart, levels, kept) in enumerate(runs):
         factor = np.ones(len(levels))
         for group in noise_groups(model):
             own = np.where(kept[:, group], apart[:, group] / levels[group], np.nan)
             samples = int(np.isfinite(own).sum())
-            excess = float(np.nanmean(own**2)) / white_level(model.recording.time, own) ** 2
+            white = white_level(model.recording.time, own)
+            excess = float(np.nanmean(own**2)) / white**2
             squares, count = squares + samples * excess, count + samples
-            if excess > PATTERN + PATTERN_BY_CHANCE / math.sqrt(samples):
+            by_chance = PATTERN + PATTERN_BY_CHANCE / math.sqrt(samples)
+            groups.append(GroupExcess(run, group, excess, by_chance, white * levels[group]))
+            if excess > by_chance:
                 factor[group] = math.sqrt(max(1.0, _correlation_time(own)))
                 named.append(model.channels[group[-1]].header)
         widening.append(factor)
-    return Pattern(squares / count, widening, tuple(named))
+    return Pattern(squares / count, widening, tuple(named), tuple(groups))
 
 
 def _correlation_time(residuals: np.ndarray) -> float:

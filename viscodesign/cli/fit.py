@@ -19,7 +19,7 @@ from viscodesign.cli.options import (
     Spec,
 )
 from viscodesign.cli.specs import read_scene
-from viscodesign.errors import InterruptedRunError
+from viscodesign.errors import InterruptedRunError, ViscodesignError
 
 if TYPE_CHECKING:
     from viscodesign.results.fit_result import Fit
@@ -31,6 +31,12 @@ Examples:
   viscodesign fit leg.yaml data.csv --free fluid.viscosity \\
     --free network.tube_radius
 """
+
+
+class MismatchError(ViscodesignError):
+    """The model does not describe the recordings; its best numbers are on disk."""
+
+    exit_code = 3
 
 
 def command(
@@ -71,7 +77,8 @@ def command(
     A recording has a column time_s, and some of inlet_pressure_pa, syringe_volume_m3,
     m1_x_m, m1_z_m, ... (markers at the ends of the sections, from the clamp), tip_x_m
     and tip_z_m. Writes spec.yaml with the fitted numbers, fit.json and fit.png, and
-    says which numbers the data cannot tell apart. Ctrl-C keeps the best so far.
+    says which numbers the data cannot tell apart. A model that does not describe the
+    recordings exits with 3, its numbers kept. Ctrl-C keeps the best so far.
     """
     from viscodesign import fit as find
     from viscodesign.cli.output import complain, json_text, say
@@ -97,6 +104,11 @@ def command(
 
 
 def _end(found: Fit, folder: Path) -> None:
-    """Report a fit that was stopped, after its files are written."""
+    """Report a fit that was stopped, or describes nothing, after its files are written."""
+    if found.status == "mismatch":
+        raise MismatchError(
+            "the model does not describe the recording, and none of its numbers counts as "
+            f"identified; they are in {folder}, marked so"
+        )
     if found.status == "interrupted":
         raise InterruptedRunError(f"interrupted; the best numbers so far are in {folder}")

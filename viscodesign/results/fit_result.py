@@ -13,9 +13,16 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import json_ready
+from viscodesign.results.mismatch import Mismatch
 from viscodesign.results.provenance import provenance
 
-RunStatus = Literal["complete", "unfinished", "interrupted"]
+RunStatus = Literal["complete", "unfinished", "interrupted", "mismatch"]
+"""Mismatch: the fit is done, and its model does not describe the recordings."""
+WhyUnknown = Literal["", "no_end", "too_wide", "edge_of_range", "mismatch"]
+"""Why a number does not count as identified: the data set no end to its interval; its half width is
+above half of it; it is at the edge of the range that was searched; the model does not describe the
+recordings. "" for one that is identified."""
+Edge = Literal["", "low", "high"]
 
 
 @dataclass(frozen=True)
@@ -31,8 +38,14 @@ class FittedNumber:
     low: float | None
     high: float | None
     """Ends of the interval that holds it with 95 % [unit]; None where the data set no end."""
-    is_identified: bool
-    """Whether the interval is narrow enough to be of use."""
+    why_unknown: WhyUnknown = ""
+    edge: Edge = ""
+    """Of the range that was searched, at which it is."""
+
+    @property
+    def is_identified(self) -> bool:
+        """Whether the data tell it: its interval is narrow, and the model describes them."""
+        return not self.why_unknown
 
     @property
     def half_width(self) -> float | None:
@@ -50,6 +63,8 @@ class FittedNumber:
             "low_95": self.low,
             "high_95": self.high,
             "identified": self.is_identified,
+            "reason": self.why_unknown or None,
+            "edge": self.edge or None,
             "start": self.start,
         }
 
@@ -184,6 +199,8 @@ class Fit:
     left_out: tuple[tuple[str, str], ...] = ()
     """Keys that were not asked for by name and cannot be free, and why."""
     warnings: tuple[str, ...] = ()
+    mismatch: Mismatch | None = None
+    """Where the model leaves more of the recordings than their noise."""
     next_experiment: Experiment | None = None
     evaluations: int = 0
     wall_s: float = 0.0
@@ -221,6 +238,7 @@ class Fit:
             "cannot_be_told_apart": self.cannot_be_told_apart,
             "products": [product.document() for product in self.products],
             "chi2_per_dof": self.chi2_per_dof,
+            "mismatch": None if self.mismatch is None else self.mismatch.document(),
             "next_experiment": None if following is None else following.document(),
             "recordings": [run.document() for run in self.runs],
             "effects": sorted(self.effects),

@@ -163,6 +163,35 @@ def test_an_input_that_the_spec_does_not_have_is_followed(scene: Scene, tmp_path
     assert is_right(found)
 
 
+def test_a_number_at_the_edge_of_its_search_says_so(scene: Scene, tmp_path: Path) -> None:
+    """The truth is 40 times the first guess, and 30 times is the most that is searched."""
+    far = scene.replace({"fluid.viscosity": TRUTH["fluid.viscosity"] / 40})
+    data = written(columns_of(scene, TRUTH, seed=9), tmp_path / "data.csv")
+    found = fit(far, data, ["fluid.viscosity"])
+    (number,) = found.numbers
+    assert (number.edge, number.why_unknown) == ("high", "edge_of_range")
+    assert not number.is_identified
+    assert number.value == pytest.approx(30 * number.start, rel=1e-2)
+    assert any("fluid.viscosity" in own and "high edge" in own for own in found.warnings)
+    assert "at the high edge of its search" in found.spec
+
+
+def test_intervals_are_as_wide_as_the_misfit(scene: Scene, plain: Fit) -> None:
+    """Two percent off in length: what is left widens the markers' numbers, and none is refused."""
+    length = {"actuator.length": scene.actuator.length * 1.02}
+    found = fit(scene.replace(length), plain.runs[0].file)
+    assert found.mismatch is not None
+    assert 2.0 < found.mismatch.mean_square < 4.0
+    assert found.status == "complete"
+    for key in KEYS[1:3]:
+        wide, narrow = found[key].half_width, plain[key].half_width
+        assert wide is not None
+        assert narrow is not None
+        assert wide > np.sqrt(found.mismatch.mean_square) * narrow
+        assert abs(found[key].value / TRUTH[key] - 1) < wide
+    assert plain.mismatch is None
+
+
 def test_ctrl_c_keeps_the_best_so_far(scene: Scene, plain: Fit) -> None:
     told = []
 

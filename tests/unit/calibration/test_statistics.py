@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from viscodesign.calibration.combinations import known_products
+from viscodesign.calibration.description import worst_sample
 from viscodesign.calibration.misfit import Unknown
 from viscodesign.calibration.noise_level import noise_level
 from viscodesign.calibration.profile_likelihood import Profiles
@@ -87,3 +88,15 @@ def test_noise_is_told_from_motion_gaps_and_gross_samples() -> None:
     values[chance.random(400) < 0.1] = np.nan
     assert noise_level(time, values) == pytest.approx(0.01, rel=0.15)
     assert noise_level(time, np.full(400, 2.0)) > 0.0
+
+
+def test_the_worst_sample_is_shared_by_its_neighbours() -> None:
+    """A slip of one row is larger, and tells nothing of a model."""
+    residuals = np.zeros((9, 2))
+    residuals[1, 0] = 99.0
+    residuals[4:7, 1] = [3.0, -5.0, 4.0]
+    residuals[8, 1] = np.nan
+    assert worst_sample(residuals) in [(5, 1), (6, 1)]
+    residuals[4:7] = 0.0
+    residuals[:2, 0] = [99.0, np.nan]
+    assert worst_sample(residuals + 0.1)[0] != 1

@@ -56,6 +56,30 @@ def test_its_words(given: list[str], tmp_path: Path, capsys: pytest.CaptureFixtu
     assert not (tmp_path / "out" / "fit.png").exists()
 
 
+def test_a_model_that_does_not_describe_the_recording_is_told_first(
+    given: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """An actuator a tenth longer than the spec's: the numbers are kept, and none is believed."""
+    length = f"actuator.length={small_scene().actuator.length / 1.1} m"
+    folder = tmp_path / "out"
+    words = [*FREE, "--set", length, "-o", str(folder), "--no-plots"]
+    assert main(["fit", *given, *words]) == 3
+    told = capsys.readouterr()
+    lines = told.out.splitlines()
+    assert lines[0].endswith("0 of 2 numbers identified")
+    assert lines[1].strip().startswith("THE MODEL DOES NOT DESCRIBE THE RECORDING")
+    assert "Worst: m2_" in told.out
+    assert "Effects included: pressure_distribution" in told.out
+    assert "none of its numbers counts" in told.err
+    document = json.loads((folder / "fit.json").read_text())
+    assert document["status"] == "mismatch"
+    assert document["next_experiment"] is None
+    assert document["mismatch"]["worst"]["column"].startswith("m2_")
+    assert "inertia" in document["mismatch"]["effects_left_out"]
+    assert {own["reason"] for own in document["parameters"]} == {"mismatch"}
+    assert "the model does not describe the data" in (folder / "spec.yaml").read_text()
+
+
 def test_a_bad_recording_is_one_message(
     given: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from viscodesign.cli.texts.accuracy_text import seconds
 from viscodesign.cli.texts.layout import table, wrap
+from viscodesign.results.channels import PICTURE_UNITS
 from viscodesign.results.fit_result import Experiment, Fit, FittedNumber, FittedRun
 from viscodesign.results.sweep_table import value_words
 
@@ -21,6 +22,7 @@ def fit_lines(found: Fit, folder: Path, files: Sequence[Path]) -> list[str]:
     more = len(found.numbers) - len(rows)
     return [
         head,
+        *(line for text in mismatch_texts(found) for line in wrap(text, "  ", "    ")),
         *table(rows),
         *([f"  and {more} more in fit.json"] if more > 0 else []),
         *(line for text in untold(found) for line in wrap(text, "  ", "    ")),
@@ -40,6 +42,35 @@ def fit_lines(found: Fit, folder: Path, files: Sequence[Path]) -> list[str]:
     ]
 
 
+def mismatch_texts(found: Fit) -> Iterator[str]:
+    """Sentences on a model that leaves more than noise, and what to try."""
+    own = found.mismatch
+    if own is None:
+        return
+    unit, factor = PICTURE_UNITS.get(own.unit, (own.unit, 1.0))
+    yield (
+        f"THE MODEL DOES NOT DESCRIBE THE RECORDING: what it leaves of the worst channels is "
+        f"{own.mean_square:.3g} times their noise (mean squares)."
+    )
+    yield (
+        f"Worst: {own.header} of {own.file} at {own.time_s:.4g} s, measured - fitted "
+        f"{factor * own.residual:.3g} {unit}; its noise is {factor * own.noise:.2g} {unit}."
+    )
+    yield f"Effects included: {', '.join(own.effects)}."
+    if own.effects_left_out:
+        yield f"Left out by the spec: {', '.join(own.effects_left_out)}."
+    yield (
+        "Try: effects on that the spec leaves out, or off that the device does not have (--set "
+        "effects.NAME=on or off); then check its lengths, radii, loads and input, the order of the "
+        "markers, and units in the header."
+    )
+    if own.leaves_numbers_unknown:
+        yield (
+            f"No number counts as identified beyond {own.identified_up_to:g} times: they make up "
+            "for what the model lacks, and may be off by more than their intervals."
+        )
+
+
 def _number_row(own: FittedNumber) -> tuple[str, str, str, str]:
     half = own.half_width
     if half is not None:
@@ -52,6 +83,7 @@ def _number_row(own: FittedNumber) -> tuple[str, str, str, str]:
     else:
         width, words = "", f"95 %: above {own.low:.3g}"
     mark = "" if own.is_identified else "; NOT IDENTIFIED"
+    mark += f", AT THE {own.edge.upper()} EDGE OF ITS SEARCH" if own.edge else ""
     return own.key, value_words(own.value, own.unit), width, f"{words}; was {own.start:.5g}{mark}"
 
 
@@ -71,7 +103,11 @@ def untold(found: Fit) -> Iterator[str]:
             f"{product.formula} = {product.value:.5g} (SI, ± {_percent(half)}), "
             "and hardly anything of its factors alone."
         )
-    alone = [n for n in found.numbers if not n.is_identified and n.key not in in_products]
+    if found.status == "mismatch":
+        return  # What the data tell is said of a model that describes them.
+    alone = [
+        n for n in found.numbers if not n.is_identified and not n.edge and n.key not in in_products
+    ]
     if unknown := [n.key for n in alone if n.half_width is None]:
         yield f"{_listed(unknown)}: not known by these data; kept near the spec's values."
     if hardly := [f"{n.key} (± {_percent(n.half_width)})" for n in alone if n.half_width]:

@@ -59,6 +59,8 @@ def draw_fit(found: Fit, path: Path) -> None:
         title = (
             f"{shown(found.name, 40)}: measured and fitted{f', and {more} more' if more else ''}"
         )
+        if found.mismatch is not None:
+            title = f"{shown(found.name, 40)}: the model does not describe the recording"
         made.text(0.1 / width, 1 - 0.21 / height, title, size=10, va="baseline")
 
 
