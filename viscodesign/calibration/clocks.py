@@ -35,16 +35,20 @@ def guessed_lateness(model: RunModel, free: np.ndarray, levels: np.ndarray) -> f
 
 
 def _misfit(measured: np.ndarray, expected: np.ndarray) -> float:
-    """Mean absolute residual after a level and a multiple for each channel (T, c)."""
+    """Sum of absolute residuals after a level and a multiple for each channel (T, c)."""
     known = np.isfinite(measured)
-    total = 0.0
-    for k in range(measured.shape[1]):
-        rows = known[:, k]
-        basis = np.column_stack([np.ones(int(rows.sum())), expected[rows, k]])
-        values = measured[rows, k]
-        solution, *_ = np.linalg.lstsq(basis, values, rcond=None)
-        total += float(np.abs(values - basis @ solution).sum())
-    return total
+    count = np.maximum(known.sum(axis=0), 1)
+    given, motion = (_about_means(own, known, count) for own in (measured, expected))
+    squares = np.sum(motion**2, axis=0)
+    # A channel that does not move has a level alone.
+    multiples = np.sum(motion * given, axis=0) / np.where(squares > 0.0, squares, 1.0)
+    return float(np.abs(given - multiples * motion).sum())
+
+
+def _about_means(rows: np.ndarray, known: np.ndarray, count: np.ndarray) -> np.ndarray:
+    """Rows (T, c) without the means of those that are known; 0 where they are not."""
+    filled = np.where(known, rows, 0.0)
+    return np.where(known, filled - np.sum(filled, axis=0) / count, 0.0)
 
 
 def is_late(lateness: float, deviation: float) -> bool:

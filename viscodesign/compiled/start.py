@@ -49,11 +49,13 @@ class StartFunction:
         make = _steady_formulas if steady else _rest_formulas
         unknowns, residual, start = make(problem, own.piece, own.parameters)
         arguments = (unknowns, own.piece, own.parameters)
-        self._residual = RowFunction(arguments, residual)
-        self._start = RowFunction(arguments, start)
+        # A start takes a few rows a solution.
+        self._residual = RowFunction(arguments, residual, is_merged=False)
+        self._start = RowFunction(arguments, start, is_merged=False)
         slopes = ca.jacobian(residual, unknowns)
         self._pattern = slopes.sparsity()
-        self._slopes = RowFunction(arguments, ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:])))
+        entries = ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:]))
+        self._slopes = RowFunction(arguments, entries, is_merged=False)
         piece_now = problem.schedule.initial_piece
         self._near = static_equilibrium(problem, 0.0, piece_now) if steady else None
 
