@@ -21,6 +21,7 @@ from viscodesign.calibration.recorded_columns import Measured
 from viscodesign.calibration.recording import RecordedChannel, Recording
 from viscodesign.calibration.run_model import RunModel, Solving
 from viscodesign.calibration.spread import WIDEST, Spread
+from viscodesign.effects.catalogue import catalogue
 from viscodesign.errors import ViscodesignError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import StopRequest
@@ -90,6 +91,7 @@ def _candidates(scene: Scene, model: RunModel) -> Iterator[Candidate]:
         yield Candidate(own, overrides, words)
 
 
+WEIGHT = "loads.gravity"
 Changes = tuple[tuple[str, object], ...]
 """Keys with values; the last one is "words" with the words."""
 
@@ -104,7 +106,8 @@ def _payloads(scene: Scene) -> Iterator[Changes]:
         changes: list[tuple[str, object]] = [("loads.payload", f"{1e3 * mass:g} g")]
         hanging = ""
         if scene.loads.gravity is None:
-            changes += [("loads.gravity", "on"), ("effects.gravity", "on")]
+            moved_by = (name for name, kind in catalogue().items() if WEIGHT in kind.keys)
+            changes += [(WEIGHT, "on"), *((f"effects.{name}", "on") for name in moved_by)]
             hanging = ", hanging"
         yield (*changes, ("words", f"a payload of {1e3 * mass:g} g at the tip{hanging}"))
 

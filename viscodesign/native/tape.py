@@ -7,6 +7,7 @@ one begins, in a fifth of the time of CasADi's virtual machine. Results are equa
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import casadi as ca
 import numpy as np
@@ -29,6 +30,8 @@ for _number, _name in _NAMES.items():
     _OWN[_number] = _CODES.get(_SAME.get(_name, _name), -1)
 OPERATIONS = " ".join(f"{name} {code}" for name, code in sorted(_CODES.items()))
 """What the numbers on tapes mean."""
+PLACES_KEPT = 256
+"""Shapes of arguments whose places are remembered."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,9 +76,9 @@ class OperationTape:
         unknown = loops(
             "run_tape",
             *(len(self.code), self.code.reshape(-1), self.constants),
-            *_placed(np.cumsum((0, *numbers))[:-1], self.given, strides),
+            *_placed(tuple(numbers), self.given, tuple(strides)),
             np.concatenate([values.reshape(-1) for values in (*arrays, np.zeros(1))]),
-            *_placed(ends[:-1], self.sizes, self.sizes),
+            *_placed(tuple(rows * size for size in self.sizes), self.sizes, self.sizes),
             *(rows, np.empty(self.places * source.WIDTH), found),
         )
         if unknown:
@@ -84,14 +87,18 @@ class OperationTape:
         return [part.reshape(rows, n) for part, n in zip(parts, self.sizes, strict=True)]
 
 
+@lru_cache(PLACES_KEPT)
 def _placed(
-    begins: np.ndarray, sizes: Sequence[int], strides: Sequence[int]
+    numbers: tuple[int, ...], sizes: tuple[int, ...], strides: tuple[int, ...]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where the entries of several arrays stand in the first row, and how far the next one is."""
-    within = [np.arange(n) for n in sizes]
-    starts = np.concatenate([begin + k for begin, k in zip(begins, within, strict=True)])
+    """Where the entries of several arrays stand in the first row, and how far the next one is.
+
+    ``numbers``: entries of each array, in all rows.
+    """
+    begins = np.repeat(np.cumsum((0, *numbers))[:-1], sizes)
+    within = np.concatenate([np.arange(n) for n in sizes])
     counts = DTYPES["counts"]
-    return starts.astype(counts), np.repeat(strides, sizes).astype(counts)
+    return (begins + within).astype(counts), np.repeat(strides, sizes).astype(counts)
 
 
 def tape_of(function: ca.Function) -> OperationTape | None:
