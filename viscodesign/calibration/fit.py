@@ -34,6 +34,8 @@ from viscodesign.exploration.least_squares import BestSoFar, FitStatus
 from viscodesign.interrupt import StopRequest, gentle_interrupt
 from viscodesign.results.fit_result import Experiment, Fit, RunStatus
 from viscodesign.results.mismatch import Mismatch
+from viscodesign.scene.reading.markers_file import MarkersFile, read_markers
+from viscodesign.scene.reading.sources import SpecSource
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 
@@ -46,6 +48,7 @@ def fit(
     data: str | Path | Sequence[str | Path],
     free: Sequence[str] | str | None = None,
     *,
+    markers: SpecSource | MarkersFile | None = None,
     next_experiment: bool | None = None,
     progress: Progress | None = None,
 ) -> Fit:
@@ -55,6 +58,9 @@ def fit(
     ``m1_x_m``, ``m1_z_m``, ... (markers at the ends of the sections) or ``tip_x_m``, ``tip_z_m``,
     some of them; ``DATA.csv@KEY=VALUE`` has another value of a key. ``free``: keys of the spec, by
     default the bellows' coefficients, the fluid's viscosity and the damping time.
+
+    ``markers``: of recordings in space, a file or a mapping with the places of the clamp's markers
+    and the names of the tip's.
 
     Noise, gross samples and late clocks are found in the data. ``next_experiment``: whether to tell
     which experiment would tell most; by default where a number is not identified. ``progress`` is
@@ -71,7 +77,8 @@ def fit(
     sources = [data] if isinstance(data, (str, Path)) else list(data)
     if not sources:
         raise SpecError.plain("no data; give at least one file, such as data.csv")
-    recordings = [read_recording(source, scene) for source in sources]
+    places = None if markers is None else read_markers(markers)
+    recordings = [read_recording(source, scene, places) for source in sources]
     with gentle_interrupt(second_raises=True) as stop:
         fitting = _Fitting(scene, recordings, free, stop, progress)
         found = fitting.found()

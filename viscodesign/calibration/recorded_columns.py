@@ -55,12 +55,12 @@ class RecordedColumn:
 
 
 def recorded_columns(
-    header: Sequence[str], scene: Scene, file: str, line: int
+    header: Sequence[str], scene: Scene, file: str, line: int, *, has_tip: bool = False
 ) -> tuple[list[RecordedColumn], list[str]]:
     """The columns that mean something, the time first, and headers of the others.
 
-    Raises `SpecError` for columns without units, markers that no section has, and files without
-    time or without anything to compare.
+    ``has_tip``: whether the tip is known without one. Raises `SpecError` for columns without
+    units, markers that no section has, and files without time or without anything to compare.
     """
     known = _outputs(scene)
     found: list[RecordedColumn] = []
@@ -76,7 +76,7 @@ def recorded_columns(
             others.append(cell.strip())
     if faults:
         raise SpecError(faults)
-    _check(found, others, file, line)
+    _check(found, others, file, line, has_tip=has_tip)
     return sorted(found, key=lambda own: own.measured is not Measured.TIME), others
 
 
@@ -140,7 +140,9 @@ def _no_such_place(name: str, header: str, known: dict[str, tuple[Measured, str]
     )
 
 
-def _check(found: Sequence[RecordedColumn], others: Sequence[str], file: str, line: int) -> None:
+def _check(
+    found: Sequence[RecordedColumn], others: Sequence[str], file: str, line: int, *, has_tip: bool
+) -> None:
     """Raise a fault unless there are one time and something to compare, nothing twice."""
     times = [own.header for own in found if own.measured is Measured.TIME]
     words = ", ".join(f"'{cell[:40]}'" for cell in others[:6]) or "nothing else"
@@ -159,7 +161,7 @@ def _check(found: Sequence[RecordedColumn], others: Sequence[str], file: str, li
         raise SpecError(
             [Fault(f"columns {both} are the same quantity; keep one of them", "", file, line)]
         )
-    if not any(own.measured in (Measured.PLACE, Measured.VOLUME) for own in found):
+    if not has_tip and not any(own.measured in (Measured.PLACE, Measured.VOLUME) for own in found):
         wanted = ["tip_x_m", "tip_z_m", "m1_x_m", "syringe_volume_m3"]
         hint = "".join(did_you_mean(cell, wanted) for cell in others)[:120]
         raise SpecError(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,10 +17,12 @@ from viscodesign.calibration.recorded_columns import (
 )
 from viscodesign.errors import Fault, SpecError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.reading.markers_file import MarkersFile, recorded_tip
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.table_file import text_of_file
 from viscodesign.scene.tables.layout import taken_apart
 from viscodesign.scene.tables.numbers import read_numbers
+from viscodesign.scene.tables.space_markers import TipInSpace, without_markers
 
 FEWEST_ROWS = 10
 MOST_ROWS = 200_000
@@ -78,10 +81,13 @@ def split_source(source: str) -> tuple[str, tuple[str, ...]]:
     return file, tuple(part.strip() for part in parts)
 
 
-def read_recording(source: str | Path, scene: Scene) -> Recording:
+def read_recording(
+    source: str | Path, scene: Scene, markers: MarkersFile | None = None
+) -> Recording:
     """The recording of a source ``DATA.csv`` or ``DATA.csv@KEY=VALUE``, read for a scene.
 
-    Raises `SpecError` that names the file and the line.
+    ``markers``: which of a recording in space are at the clamp and which at the tip. Raises
+    `SpecError` that names the file and the line.
     """
     file, overrides = split_source(str(source))
     try:
@@ -92,7 +98,11 @@ def read_recording(source: str | Path, scene: Scene) -> Recording:
         problem = "is empty" if not text.columns else "has no header"
         message = f"{problem}; expected a line with the names and units of its columns"
         raise SpecError([Fault(message, file=file, line=1)])
-    columns, others = recorded_columns(text.header, scene, file, text.header_line)
+    found = recorded_tip(text.header, file, markers)
+    header = list(text.header) if found is None else without_markers(text.header)
+    columns, others = recorded_columns(
+        header, scene, file, text.header_line, has_tip=found is not None
+    )
     places, headers = [own.place for own in columns], [own.header for own in columns]
     try:
         values = read_numbers(text, places, headers, file, None, gaps=True)
@@ -103,8 +113,24 @@ def read_recording(source: str | Path, scene: Scene) -> Recording:
     channels = [
         _channel(own, row, scene) for own, row in zip(columns[1:], scaled.T[1:], strict=True)
     ]
+    time = scaled[:, 0]
+    if found is not None:
+        channels = [_from_row(own, found.first_row) for own in channels] + _tip_channels(found)
+        time = found.time
     _check_channels(channels, file)
-    return Recording(file, scaled[:, 0], tuple(channels), overrides, _notices(channels, others))
+    notices = (*(() if found is None else found.notices), *_notices(channels, others))
+    return Recording(file, time, tuple(channels), overrides, notices)
+
+
+def _from_row(channel: RecordedChannel, first: int) -> RecordedChannel:
+    return replace(channel, values=channel.values[first:])
+
+
+def _tip_channels(found: TipInSpace) -> list[RecordedChannel]:
+    return [
+        RecordedChannel(header, Measured.PLACE, header, values)
+        for header, values in zip(("tip_x_m", "tip_z_m"), found.tip.T, strict=True)
+    ]
 
 
 def _channel(column: RecordedColumn, values: np.ndarray, scene: Scene) -> RecordedChannel:

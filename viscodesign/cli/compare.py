@@ -13,6 +13,7 @@ from viscodesign.cli.options import (
     Debug,
     Force,
     Json,
+    Markers,
     NoPlots,
     Overrides,
     PictureFormat,
@@ -80,6 +81,7 @@ def command(
             help="Period of tables; by default that of the first cyclic run.",
         ),
     ] = None,
+    markers: Markers = None,
     no_verify: Annotated[
         bool, typer.Option("--no-verify", help="Skip the error estimate of specs.")
     ] = False,
@@ -109,7 +111,7 @@ def command(
         quiet,
     )  # fmt: skip
     if figure is None:
-        _compare(motions or [], period, output, options)
+        _compare(motions or [], period, markers, output, options)
     elif motions:
         raise UsageError(f"--figure {figure} takes no motions; got {motions[0]}")
     else:
@@ -119,7 +121,11 @@ def command(
 
 
 def _compare(
-    motions: Sequence[Path], period: str | None, output: Path | None, options: ComparisonOptions
+    motions: Sequence[Path],
+    period: str | None,
+    markers: Path | None,
+    output: Path | None,
+    options: ComparisonOptions,
 ) -> None:
     from viscodesign.cli.option_values import positive_time
 
@@ -138,6 +144,7 @@ def _compare(
                 *(_operand(motion, options.overrides) for motion in motions),
                 overrides=options.overrides,
                 period=period_s,
+                markers=markers,
                 verify=options.verify,
                 folder=folder / COMPARED_RUNS,
                 progress=advance,

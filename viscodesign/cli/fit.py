@@ -11,6 +11,7 @@ from viscodesign.cli.options import (
     Debug,
     Force,
     Json,
+    Markers,
     NoPlots,
     Overrides,
     PictureFormat,
@@ -57,6 +58,7 @@ def command(
             help="Key to fit; repeatable. Default: all coefficients, viscosity and damping.",
         ),
     ] = None,
+    markers: Markers = None,
     following: Annotated[
         bool | None,
         typer.Option(
@@ -94,7 +96,14 @@ def command(
         complain(remark)
     prepare_folder(folder, force=force)
     with progress(quiet, first="fitting") as advance:
-        found = find(scene, data, free or None, next_experiment=following, progress=advance)
+        found = find(
+            scene,
+            data,
+            free or None,
+            markers=markers,
+            next_experiment=following,
+            progress=advance,
+        )
     files = write_fit(found, folder, plots=not no_plots, force=force, picture_format=picture_format)
     if json:
         say(json_text({**found.document(), "files": [str(file) for file in files]}))

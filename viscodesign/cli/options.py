@@ -30,6 +30,14 @@ Overrides = Annotated[
         autocompletion=override_keys,
     ),
 ]
+Markers = Annotated[
+    Path | None,
+    typer.Option(
+        "--markers",
+        metavar="FILE",
+        help="Of recordings in space: markers at the clamp and the tip (YAML).",
+    ),
+]
 Json = Annotated[
     bool,
     typer.Option("--json", help="Print one JSON document, and nothing else, to standard output."),

@@ -23,7 +23,9 @@ from viscodesign.results.run_comparison import (
     Comparison,
     ComparisonInterruptedError,
 )
+from viscodesign.scene.reading.markers_file import MarkersFile, read_markers
 from viscodesign.scene.reading.read import Overrides
+from viscodesign.scene.reading.sources import SpecSource
 from viscodesign.scene.scene import Scene
 
 
@@ -31,6 +33,7 @@ def compare(
     *operands: Operand,
     overrides: Overrides = (),
     period: float | None = None,
+    markers: SpecSource | MarkersFile | None = None,
     verify: bool = True,
     folder: str | Path | None = None,
     progress: Progress | None = None,
@@ -39,14 +42,16 @@ def compare(
 
     ``operands``: folders of runs, specs (simulated first), tables with times and the tip's x and
     z; or trajectories and scenes. ``overrides``: of all specs, as `load` takes them. ``period``
-    [s]: of tables, by default that of the first cyclic motion. ``verify``: whether errors of
+    [s]: of tables, by default that of the first cyclic motion. ``markers``: of tables in space, a
+    file or a mapping with the clamp's markers and the tip's. ``verify``: whether errors of
     specs are estimated. ``folder``: where runs of specs are kept; those of the same spec that
     are there already are read. ``progress`` is called with the fraction done.
 
     Raises `ViscodesignError` for what cannot be compared. Ctrl-C raises
     `ComparisonInterruptedError`, a `KeyboardInterrupt` that holds the comparison of what there is.
     """
-    read = read_operands(operands, overrides)
+    places = None if markers is None else read_markers(markers)
+    read = read_operands(operands, overrides, places)
     gathered = _Gathered()
     try:
         gathered.fill(read, runs_of(_scenes(read), _path(folder), verify=verify, progress=progress))

@@ -13,9 +13,11 @@ from pydantic_core import PydanticCustomError
 from viscodesign.errors import UsageError
 from viscodesign.results.metrics import MetricInputs, metric_values
 from viscodesign.results.run_comparison import ComparedMotion
+from viscodesign.scene.reading.markers_file import MarkersFile, recorded_tip
 from viscodesign.scene.spec_part import faults_of
-from viscodesign.scene.table_file import table_of_file
+from viscodesign.scene.table_file import table_of_file, text_of_file
 from viscodesign.scene.tables.columns import WantedColumn
+from viscodesign.scene.tables.layout import taken_apart
 from viscodesign.units import Length, Time
 
 MOST_ROWS = 5_000_000
@@ -28,12 +30,35 @@ COLUMNS = (
 HEADERS = ",".join(column.header for column in COLUMNS)
 
 
-def measured_motion(file: Path) -> ComparedMotion:
+def measured_motion(file: Path, markers: MarkersFile | None = None) -> ComparedMotion:
     """The motion in a table, read as `scene.tables` reads all of them.
 
-    Raises `UsageError` with what is wrong: no times, a unit that is unclear, a line that is no
-    row of numbers.
+    ``markers``: which of a table in space are at the clamp and which at the tip. Raises
+    `ViscodesignError` with what is wrong: no times, a unit that is unclear, a line that is no row
+    of numbers.
     """
+    in_space = recorded_tip(_header(file), str(file), markers)
+    if in_space is not None:
+        values, words = np.column_stack([in_space.time, in_space.tip]), in_space.notices
+    else:
+        values, words = _table_rows(file), ()
+    rows, note = _without_gaps(values)
+    if len(rows) < 2:
+        raise UsageError(f"{file}: fewer than two rows have x and z of the tip")
+    told = "; ".join([*words, *([note] if note else [])])
+    return replace(motion_of_rows(file.stem, rows, str(file)), note=told)
+
+
+def _header(file: Path) -> tuple[str, ...]:
+    """The header of a table; empty where it cannot be read, which is told later."""
+    try:
+        return tuple(taken_apart(text_of_file(file, str(file))).header)
+    except PydanticCustomError:
+        return ()
+
+
+def _table_rows(file: Path) -> np.ndarray:
+    """Rows (T, 3) of a table with time, x and z of the tip; NaN in gaps."""
     try:
         table = table_of_file(
             {"file": str(file)}, Path(), COLUMNS, _time_faults, most_rows=MOST_ROWS, gaps=True
@@ -43,10 +68,7 @@ def measured_motion(file: Path) -> ComparedMotion:
         told = "; ".join(_without_spec_hint(fault.message) for fault in faults_of(error))
         end = "" if told.endswith("?") else "."
         raise UsageError(f"{told}{end} A table to compare has the columns {HEADERS}") from None
-    rows, note = _without_gaps(table.values)
-    if len(rows) < 2:
-        raise UsageError(f"{file}: fewer than two rows have x and z of the tip")
-    return replace(motion_of_rows(file.stem, rows, str(file)), note=note)
+    return table.values
 
 
 def _without_gaps(rows: np.ndarray) -> tuple[np.ndarray, str]:

@@ -16,6 +16,7 @@ from viscodesign.loading import load
 from viscodesign.report.read_run import read_run
 from viscodesign.results.run_comparison import ComparedMotion, Origin
 from viscodesign.results.trajectory import Trajectory
+from viscodesign.scene.reading.markers_file import MarkersFile
 from viscodesign.scene.reading.read import Overrides
 from viscodesign.scene.scene import Scene
 
@@ -32,11 +33,13 @@ class ReadOperand:
     scene: Scene | None = None
 
 
-def read_operands(operands: Sequence[Operand], overrides: Overrides = ()) -> list[ReadOperand]:
+def read_operands(
+    operands: Sequence[Operand], overrides: Overrides = (), markers: MarkersFile | None = None
+) -> list[ReadOperand]:
     """Read all of them, before anything is simulated. Raises `ViscodesignError`."""
     _refuse_few(operands)
     _refuse_twice([given for given in operands if isinstance(given, str | Path)])
-    return [_read(given, overrides) for given in operands]
+    return [_read(given, overrides, markers) for given in operands]
 
 
 def _refuse_few(operands: Sequence[Operand]) -> None:
@@ -55,7 +58,7 @@ def _refuse_twice(paths: Sequence[str | Path]) -> None:
             raise UsageError(f"{path} is given twice; a motion does not differ from itself")
 
 
-def _read(given: Operand, overrides: Overrides) -> ReadOperand:
+def _read(given: Operand, overrides: Overrides, markers: MarkersFile | None) -> ReadOperand:
     if isinstance(given, Trajectory):
         return ReadOperand("", motion_of(given, "run", ""))
     if isinstance(given, Scene):
@@ -67,7 +70,7 @@ def _read(given: Operand, overrides: Overrides) -> ReadOperand:
     if ending in SPECS and path.exists():
         return ReadOperand(str(path), scene=load(path, overrides))
     if ending in TABLES and path.exists():
-        return ReadOperand(str(path), measured_motion(path))
+        return ReadOperand(str(path), measured_motion(path, markers))
     raise UsageError(_unknown(path))
 
 
