@@ -1,0 +1,139 @@
+"""A silicone beam that was recorded by others, beside what is predicted of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from measured_swing import Swing
+from scipy.optimize import least_squares
+
+from viscodesign import Scene, Trajectory, compile, load, simulate
+from viscodesign.scene.reading.markers_file import MarkersFile, read_markers
+from viscodesign.scene.tables.space_markers import tip_in_space
+
+SPECS = Path(__file__).parent / "validation"
+PAYLOADS = {
+    "gravity_a": 0.0, "gravity_b": 0.0, "load52_a": 0.052, "load52_b": 0.052,
+    "load101_a": 0.102, "load101_b": 0.102,
+}  # fmt: skip
+"""Recordings, and masses at the tip [kg]."""
+FITTED = "load52_b"
+KEYS = ("actuator.youngs_modulus", "actuator.damping_time")
+MODELS = {"without shear": "off", "with shear": "on"}
+
+
+@dataclass(frozen=True, eq=False)
+class FittedModel:
+    """The beam with a modulus and a damping time that one recording tells."""
+
+    label: str
+    scene: Scene
+    modulus: float
+    """[Pa]"""
+    damping_time: float
+    """[s]"""
+
+
+@dataclass(frozen=True, eq=False)
+class BeamRun:
+    """A recording and its prediction."""
+
+    model: FittedModel
+    name: str
+    measured: Swing
+    predicted: Swing
+    run: Trajectory
+
+    @property
+    def static_half_width(self) -> float:
+        """Half of the 95 % band of the predicted place of rest [m]."""
+        assert self.run.uncertainty is not None
+        return 1.96 * float(self.run.uncertainty.deviation[-1, 0])
+
+    @property
+    def holds(self) -> bool:
+        """Whether the band holds the measured place of rest."""
+        return abs(self.measured.static - self.predicted.static) <= self.static_half_width
+
+
+def recorded_swings(folder: Path) -> dict[str, Swing]:
+    """Every recording in a folder, as `compare` reads it."""
+    markers: MarkersFile = read_markers(SPECS / "beam_markers.yaml")
+    found = {}
+    for name in PAYLOADS:
+        file = str(folder / f"{name}.csv")
+        own = tip_in_space(file, markers.places_for(file))
+        found[name] = Swing(own.time, own.tip)
+    return found
+
+
+def fitted_models(measured: Mapping[str, Swing]) -> list[FittedModel]:
+    """Both models, each with the numbers that the fitted recording tells."""
+    scene = load(SPECS / "beam.yaml")
+    return [_fitted(label, scene, shear, measured[FITTED]) for label, shear in MODELS.items()]
+
+
+def _fitted(label: str, scene: Scene, shear: str, measured: Swing) -> FittedModel:
+    """Least squares of the distances, by modulus, damping time and the time of the release."""
+    own = scene.replace({"effects.shear": shear, "loads.payload": PAYLOADS[FITTED]})
+    function = compile(own, free=list(KEYS), outputs=["tip_x_m", "tip_z_m"])
+    start = np.array(function.values)
+
+    def left(unknowns: np.ndarray) -> np.ndarray:
+        found = function(start * np.exp(unknowns[:2]))
+        tip = np.column_stack([found["tip_x_m"], found["tip_z_m"]])
+        swing = Swing(np.asarray(function.times), tip)
+        return 1e3 * measured.distances(swing, 1e-2 * unknowns[2]).ravel()
+
+    found = least_squares(left, np.zeros(3), diff_step=1e-4)
+    modulus, damping = start * np.exp(found.x[:2])
+    fitted = scene.replace({"effects.shear": shear, KEYS[0]: modulus, KEYS[1]: damping})
+    return FittedModel(label, fitted, float(modulus), float(damping))
+
+
+def predicted(model: FittedModel, name: str, measured: Swing) -> BeamRun:
+    """What a model says of a recording."""
+    run = simulate(model.scene.replace({"loads.payload": PAYLOADS[name]}))
+    if run.status != "complete":
+        raise RuntimeError(f"{name}: {run.failure}")
+    return BeamRun(model, name, measured, Swing(run.time, run.tip[:, :2]), run)
+
+
+def beam_rows(runs: list[BeamRun]) -> list[tuple[str, ...]]:
+    """One row a recording: measured / predicted."""
+    rows = []
+    for own in runs:
+        m, p = own.measured, own.predicted
+        rms, shift = m.rms(p)
+        swing = float(np.nanmax(m.tip[:, 0]) - np.nanmin(m.tip[:, 0]))
+        used = " (fitted)" if own.name == FITTED else ""
+        error = own.run.accuracy.estimated_tip_error_m
+        rows.append(
+            (
+                f"`{own.name}`{used}",
+                own.model.label,
+                f"{1e3 * rms:.2f} mm, {100 * rms / swing:.1f} %",
+                _pair(m.static, p.static, 1e3, "mm"),
+                f"±{1e3 * own.static_half_width:.2f} mm, {'holds' if own.holds else 'misses'}",
+                _pair(m.lowest, p.lowest, 1e3, "mm"),
+                _pair(m.period, p.period, 1e3, "ms"),
+                f"{m.decrement:.2f} / {p.decrement:.2f}",
+                "unknown" if error is None else f"{1e3 * error:.2f} mm",
+                f"{1e3 * shift:+.0f} ms",
+            )
+        )
+    return rows
+
+
+BEAM_HEAD = (
+    "recording", "model", "rms, of the swing", "place of rest", "its 95 % band", "first swing",
+    "period", "decrement", "numerical error", "clock",
+)  # fmt: skip
+
+
+def _pair(measured: float, found: float, factor: float, unit: str) -> str:
+    off = 100 * (found / measured - 1)
+    return f"{factor * measured:.3g} / {factor * found:.3g} {unit}, {off:+.1f} %"
