@@ -1,7 +1,7 @@
 """Hold predictions against recordings: python docs/make_validation.py FOLDER
 
-Fills the blocks of `docs/validation.md` and draws its picture. FOLDER has the recordings, in `beam/`
-and `arm/`, as CSV; without them the page stays as it is, but for what needs none.
+Fills the blocks of `docs/validation.md` and draws its picture. FOLDER has the recordings, in
+`beam/` and `arm/`, as CSV; without them the page stays as it is, but for what needs none.
 """
 
 from __future__ import annotations
