@@ -134,6 +134,21 @@ BEAM_HEAD = (
 )  # fmt: skip
 
 
+def creep_rows(measured: Mapping[str, Swing]) -> list[tuple[str, ...]]:
+    """How far the middle of the swings sinks, by recording."""
+    rows = []
+    for name, own in measured.items():
+        early, late = own.early_middle, own.static
+        cells = (f"{1e3 * early:.2f} mm", f"{1e3 * late:.2f} mm")
+        rows.append(
+            (f"`{name}`", f"{2 * own.period:.2f} s", *cells, f"{100 * (late / early - 1):+.1f} %")
+        )
+    return rows
+
+
+CREEP_HEAD = ("recording", "from", "middle of the next two swings", "place of rest", "sinks by")
+
+
 def _pair(measured: float, found: float, factor: float, unit: str) -> str:
     off = 100 * (found / measured - 1)
     return f"{factor * measured:.3g} / {factor * found:.3g} {unit}, {off:+.1f} %"

@@ -16,11 +16,13 @@ from arm_validation import ARM_HEAD, PRESSURES, arm_rows  # noqa: E402
 from beam_picture import draw_beam  # noqa: E402
 from beam_validation import (  # noqa: E402
     BEAM_HEAD,
+    CREEP_HEAD,
     FITTED,
     PAYLOADS,
     BeamRun,
     FittedModel,
     beam_rows,
+    creep_rows,
     fitted_models,
     predicted,
     recorded_swings,
@@ -69,6 +71,7 @@ def beam_blocks(folder: Path) -> dict[str, str]:
     return {
         "beam_numbers": table(NUMBERS_HEAD, [_numbers(model) for model in models]),
         "beam": table(BEAM_HEAD, beam_rows(runs)),
+        "beam_creep": table(CREEP_HEAD, creep_rows(measured)),
         "beam_targets": table(TARGETS_HEAD, [_targets(model, runs) for model in models]),
     }
 

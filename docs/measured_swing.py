@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import least_squares
 
 REST_FROM = 3.0
 """Time from which a beam is at rest [s]."""
@@ -50,6 +51,23 @@ class Swing:
         first = off[self.time < times[1]].max()
         second = off[(self.time > times[2] - 1e-9) & (self.time < times[3])].max()
         return float(np.log(first / second))
+
+    @property
+    def early_middle(self) -> float:
+        """Middle of the third and fourth swings [m]: of a damped cosine through their rows."""
+        begin, period = 2 * self.period, self.period
+        known = (self.time >= begin) & (self.time < begin + 2 * period)
+        time, x = self.time[known] - begin, self.tip[known, 0]
+        size = float(np.ptp(x)) / 2
+
+        def left(unknowns: np.ndarray) -> np.ndarray:
+            middle, cosine, sine, rate, decay = unknowns
+            phase = 2 * np.pi * rate * time / period
+            wave = cosine * np.cos(phase) + sine * np.sin(phase)
+            return np.asarray(middle + np.exp(-decay * time / period) * wave - x / size)
+
+        start = np.array([x.mean() / size, 0.7, 0.7, 1.0, self.decrement])
+        return float(least_squares(left, start).x[0]) * size
 
     def _crossings(self) -> np.ndarray:
         off = self.tip[:, 0] - self.static

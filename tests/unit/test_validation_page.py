@@ -33,6 +33,7 @@ def test_a_damped_cosine_is_read_back(measured_swing: ModuleType) -> None:
     assert swing.lowest == pytest.approx(first, rel=1e-3)
     assert swing.period == pytest.approx(period, rel=2e-3)
     assert swing.decrement == pytest.approx(decrement, rel=0.03)
+    assert swing.early_middle == pytest.approx(rest, rel=1e-6)
     late = measured_swing.Swing(time + 0.012, swing.tip)
     rms, shift = swing.rms(late)
     assert (rms, shift) == (pytest.approx(0.0, abs=1e-5), pytest.approx(-0.012))
