@@ -46,10 +46,10 @@ HEAD = (
     "# How wrong are fitted numbers where the model is?",
     "",
     "Recordings of a leg of four bellows (`tests/recordings.py`) that differs from the spec, "
-    "fitted by four numbers. Error: the largest of the four, as found over true, and the half "
-    "width of that number's interval; misses: intervals that do not hold the truth, of which 5 % "
-    "are chance; mean square: of what is left of the worst group of channels, over that of its noise, "
-    f"told from {DESCRIBED_UP_TO:g} on. Made by `benchmarks/mismatch_trials.py`.",
+    "fitted by four numbers. Error: the largest of the four, as found over true, and the half"
+    " width of that number's interval; misses: intervals that do not hold the truth, of which"
+    " 5 % are chance; mean square: of what is left of the worst group of channels, over that "
+    f"of its noise, told from {DESCRIBED_UP_TO:g} on. Made by `benchmarks/mismatch_trials.py`.",
     "",
     "| what the spec has not | mean square | status | largest error | half width | misses |",
     "| --- | --- | --- | --- | --- | --- |",
