@@ -93,6 +93,8 @@ def test_wrong_places_of_the_clamp_move_no_known_tip(tmp_path: Path) -> None:
     [
         ({"clamp": {"m3": CLAMP["m3"], "m4": CLAMP["m4"]}}, "3 markers or more"),
         ({"clamp": {"m3": [0, 0, 0], "m4": [0, 0, 0.01], "m5": [0, 0, 0.03]}}, "one line"),
+        ({"clamp": {"m3": [0, 0], "m4": 3}}, "x, y and z of each marker"),
+        ({"tip": []}, "each once: [m2, m3]; got"),
         ({"tip": ["m1", "m9"]}, "has no marker m9; its markers are m1, m2"),
         ({"time_zero": {"swong": 0.1}}, "has no time for swing"),
         ({"time_zero": 7.0}, "the recording goes from 0 to 0.39 s"),
@@ -112,6 +114,13 @@ def test_mirrored_coordinates_are_refused(tmp_path: Path) -> None:
     file = recording(tmp_path / "swing.csv", mirror=True)
     with pytest.raises(SpecError, match="right-handed"):
         measured_motion(file, read_markers({**PLACES, "tip_before": None}))
+
+
+def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
+    with pytest.raises(SpecError, match="it says where markers are"):
+        read_markers(tmp_path / "markers.yaml")
+    with pytest.raises(SpecError, match="tip: missing"):
+        read_markers("clamp: {m3: [0, 0, 0], m4: [0, 1, 0], m5: [1, 0, 0]}\n")
 
 
 def test_markers_in_space_have_to_be_named(tmp_path: Path, scene: Scene) -> None:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from pydantic import Field, ValidationError, field_validator
 
-from viscodesign.errors import Fault, SpecError
+from viscodesign.errors import Fault, SpecError, described
 from viscodesign.scene.reading.fault_messages import explain_validation
 from viscodesign.scene.reading.sources import SpecSource, read_spec
-from viscodesign.scene.spec_part import SpecPart, invalid
+from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, raise_faults
 from viscodesign.scene.tables.clamp_frame import FEWEST_MARKERS, are_on_a_line
 from viscodesign.scene.tables.space_markers import (
     MarkerPlaces,
@@ -20,6 +21,8 @@ from viscodesign.scene.tables.space_markers import (
     tip_in_space,
 )
 from viscodesign.units import Length, Time
+
+CLAMP_FORM = "write x, y and z of each marker, such as m4: [16 mm, -25 mm, 6 mm]"
 
 
 class MarkersFile(SpecPart):
@@ -38,6 +41,25 @@ class MarkersFile(SpecPart):
     tip_before: tuple[Length, Length] | None = Field(
         None, description="x and z of the tip in the rows before time_zero"
     )
+
+    @field_validator("clamp", mode="before")
+    @classmethod
+    def _have_three_coordinates(cls, clamp: Any) -> Any:
+        if not isinstance(clamp, Mapping):
+            raise invalid(f"{CLAMP_FORM}; got {described(clamp)}")
+        raise_faults(
+            KeyFault((str(name),), f"{CLAMP_FORM}; got {described(place)}")
+            for name, place in clamp.items()
+            if not isinstance(place, list | tuple) or len(place) != 3
+        )
+        return clamp
+
+    @field_validator("tip", mode="before")
+    @classmethod
+    def _name_markers(cls, tip: Any) -> Any:
+        if isinstance(tip, list | tuple) and tip and len(set(map(str, tip))) == len(tip):
+            return tip
+        raise invalid(f"write the markers at the tip, each once: [m2, m3]; got {described(tip)}")
 
     @field_validator("clamp")
     @classmethod
@@ -81,10 +103,24 @@ def recorded_tip(
     return tip_in_space(file, markers.places_for(file))
 
 
+def _has_content(file: Path) -> bool:
+    try:
+        return file.stat().st_size > 0
+    except OSError:
+        return False
+
+
 def read_markers(source: SpecSource | MarkersFile) -> MarkersFile:
     """The markers of a file, or of a mapping. Raises `SpecError` with all faults."""
     if isinstance(source, MarkersFile):
         return source
+    is_text = isinstance(source, str) and any(sign in source for sign in "\n{")
+    if isinstance(source, str | Path) and not is_text and not _has_content(Path(source)):
+        message = (
+            "no such file, or an empty one; it says where markers are: clamp: {m4: [16 mm, -25 mm, "
+            "6 mm], ...} and tip: [m2, m3], as docs/tables.md describes"
+        )
+        raise SpecError([Fault(message, file=str(source))])
     document = read_spec(source).document
     document.model = MarkersFile
     try:
