@@ -8,6 +8,7 @@ import math
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.distinct import distinct
@@ -26,6 +27,9 @@ class GridDensity:
     """Output times that an estimate must reach, where it ends before the run does."""
     behind_corner: int = 10
     """Graded samples behind every corner."""
+    least_move: float = 0.01
+    """Change of an input, in parts of its range, that makes a swing where it has so many corners
+    that an estimate must end before them: rows of a recording that rests are no swings."""
     first_step: float = 1e-3
     """Smallest graded step behind a corner, in parts of the time to the next one."""
 
@@ -45,7 +49,7 @@ class SampleGrid:
         scene = self.scene
         sources = scene.inputs.values()
         duration = self._window()
-        corners = sorted({c for s in sources for c in s.corners(duration)})
+        corners = sorted({c for s in sources for c in swings_of(s, duration)})
         periods = max((duration / s.period for s in sources if s.period is not None), default=1)
         plain = max(DENSITY.between_corners, int(DENSITY.per_period * periods))
         outputs = scene.run.output_times_array()
@@ -71,11 +75,18 @@ class SampleGrid:
         for source in scene.inputs.values():
             if source.period is not None:
                 ends.append(DENSITY.most_swings / 2 * source.period)
-            corners = source.corners(scene.run.duration)
-            if len(corners) > DENSITY.most_swings:
-                ends.append(corners[DENSITY.most_swings])
+            swings = swings_of(source, scene.run.duration)
+            if len(swings) > DENSITY.most_swings:
+                ends.append(swings[DENSITY.most_swings])
         period = scene.period if scene.run.start == "periodic" else None
         return min(ends) if period is None else period * math.ceil(min(ends) / period - 1e-9)
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether it ends before an input that does not repeat itself does."""
+        inputs = self.scene.inputs.values()
+        is_short = self.time[-1] < self.scene.run.duration * (1 - 1e-9)
+        return bool(is_short and any(source.period is None for source in inputs))
 
     @property
     def time(self) -> np.ndarray:
@@ -109,3 +120,21 @@ class SampleGrid:
         found = np.array(source.values(np.maximum(time + shift, 0.0)), dtype=float)
         found[0] = source.expression(0.0, source.initial_piece(), np)
         return found
+
+
+def swings_of(source: Input, duration: float) -> list[float]:
+    """Corners of an input up to a time [s]; of very many, those up to which it has moved."""
+    corners = list(source.corners(duration))
+    if len(corners) <= DENSITY.most_swings:
+        return corners
+    time = np.array(corners)
+    after = np.asarray(source.values(time), dtype=float)
+    before = np.asarray(source.values(np.nextafter(time, 0.0)), dtype=float)
+    last = float(source.values(np.zeros(1))[0])
+    low, high = source.extremes(duration)
+    least, moved = DENSITY.least_move * (high - low), []
+    for corner, one, other in zip(corners, before.tolist(), after.tolist(), strict=True):
+        if max(abs(one - last), abs(other - last)) >= least:
+            moved.append(corner)
+            last = other
+    return moved

@@ -71,6 +71,11 @@ class EstimateSetting:
         return self._grid.time
 
     @property
+    def is_cut(self) -> bool:
+        """Whether estimates end before an input that does not repeat itself does."""
+        return self._grid.is_cut
+
+    @property
     def output_mask(self) -> np.ndarray:
         """Indices of the samples that are output times (n,)."""
         return self._grid.output_mask

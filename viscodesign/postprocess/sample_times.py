@@ -31,9 +31,9 @@ class SamplingRule:
     """The same of those after corners."""
     jump_rel: float = 1e-9
     """Part of its size by which an input may change at a corner without a jump."""
-    looks_per_swing: int = 16
+    looks_per_swing: int = 64
     """Looks for events in the time of an input's swing, at least, whatever the outputs."""
-    max_looks: int = 1_000
+    max_looks: int = 2_000
     """The same in a run."""
     grades: int = 12
     """Samples in the first interval after a jump, each twice as far from it as the one before."""

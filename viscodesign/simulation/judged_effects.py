@@ -101,6 +101,8 @@ class EffectJudge:
 
     def _is_spared(self, selection: Selection, settings: Settings) -> bool:
         """Whether estimates are enough: one solution of a rod with inertia costs as much."""
+        if self._quantities.bare_estimate.setting.is_cut:
+            return False  # they have not seen all of the input
         if selection.estimated_m > JUDGING.least_share * self._quantities.requested_m:
             return False
         own = (self._quantities, selection.effects, judgeable(settings))

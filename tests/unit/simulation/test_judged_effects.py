@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.scenes import leg
@@ -206,3 +208,24 @@ def test_a_run_that_ends_early_for_want_of_effects_is_solved_with_all(
     assert found.status == "complete"
     assert {v.name for v in found.effects if v.taken} > chosen
     assert "ends early without effects" in found.ladder[0].reason
+
+
+def test_a_recording_that_rests_first_is_estimated_and_judged_as_a_few_rows_are(
+    tmp_path: Path,
+) -> None:
+    """Estimates used to end in the rest, and what was left out was not measured then."""
+    time = np.arange(0.0, 4.0, 0.02)
+    rows = [f"{t:.2f},{15e3 * min(max(t - 2.0, 0.0), 1.0):.1f}" for t in time]
+    (tmp_path / "trace.csv").write_text("\n".join(["time_s,pressure_pa", *rows]))
+    inputs = (f"file: {tmp_path / 'trace.csv'}", "rows: [[0, 0], [2, 0], [3, 15e3], [3.98, 15e3]]")
+    many, few = (
+        simulate(
+            leg(f"input={{kind: table, {own}}}", "run.duration=3.98 s", config="leg_4_air_auto")
+        )
+        for own in inputs
+    )
+    assert [v.taken for v in many.effects] == [v.taken for v in few.effects]
+    stated = [run.accuracy.estimated_tip_error_m for run in (many, few)]
+    assert None not in stated
+    apart = np.hypot(*(many.tip[:, :2] - few.tip[:, :2]).T).max()
+    assert apart <= sum(own for own in stated if own is not None)
