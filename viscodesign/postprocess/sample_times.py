@@ -31,9 +31,11 @@ class SamplingRule:
     """The same of those after corners."""
     jump_rel: float = 1e-9
     """Part of its size by which an input may change at a corner without a jump."""
-    looks_per_swing: int = 64
+    looks_per_swing: int = 16
     """Looks for events in the time of an input's swing, at least, whatever the outputs."""
-    max_looks: int = 2_000
+    free_looks_per_swing: int = 128
+    """The same where nothing has to be solved for."""
+    max_looks: int = 1_000
     """The same in a run."""
     grades: int = 12
     """Samples in the first interval after a jump, each twice as far from it as the one before."""
@@ -71,7 +73,9 @@ def _looks(edges: np.ndarray, equations: Equations) -> np.ndarray:
     """Times that cut intervals in which an event could come and go unseen."""
     duration = float(edges[-1])
     swing = equations.swing_time or duration
-    spacing = max(swing / SAMPLING.looks_per_swing, duration / SAMPLING.max_looks)
+    is_free = not (equations.states.count or equations.algebraics.count)
+    looks = SAMPLING.free_looks_per_swing if is_free else SAMPLING.looks_per_swing
+    spacing = max(swing / looks, duration / SAMPLING.max_looks)
     return _even(edges, spacing)
 
 

@@ -29,7 +29,7 @@ def test_integrable_works_need_looks_for_events_alone() -> None:
 
 
 def test_outputs_close_enough_need_nothing_more() -> None:
-    close = "run={duration: 2 s, output_interval: 0.004 s}"
+    close = "run={duration: 2 s, output_interval: 0.02 s}"
     plain = schedule(leg("bellows.count=4", NETWORK, close))
     assert np.array_equal(made(NETWORK, close).schedule.edges, plain.edges)
 
