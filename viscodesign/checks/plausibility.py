@@ -123,7 +123,7 @@ def _slipped(value: float, slip: float | str) -> float:
 def _written(value: float, unit: str) -> str:
     """A number in the prefix that leaves one to three digits before the point."""
     if unit not in _PREFIXED_UNITS or not value:
-        return f"{value:.4g} {unit}"
+        return f"{value:.4g} {unit}".rstrip()
     exponent = 3 * math.floor(math.log10(abs(value) * (1 + 1e-12)) / 3)
     exponent = min(max(exponent, _FINEST[unit]), _COARSEST[unit])
     return f"{value / 10.0**exponent:.4g} {_PREFIXES[exponent]}{unit}"

@@ -22,6 +22,7 @@ ROOM = "where elastomers are elastic, between glass transition and decay"
 GASES = "sulphur hexafluoride (57) to hydrogen (4124 J/(kg*K))"
 PRESSURES = "high balloons (1 kPa) to pressure vessels and the sea at 1 km (10 MPa)"
 KELVIN_VOIGT = "elastomers that ring (some us) to memory foams (some s)"
+HOLLOW = "thin bellows of which a hundredth is solid, to bodies stiffer than a solid one by ribs"
 WHOLE = "experiments, from a millisecond to a week"
 
 
@@ -48,12 +49,19 @@ _STIFF = (1e9, 1e3, 1e-3, 1e6, 1e-6)
 """mPa for MPa, kPa for MPa, GPa for MPa, bare MPa."""
 _FLUID = ("exponent", 1e-3, 1e3, 1e-6)
 
+_PERCENT = (1e-2, 1e2)
+"""A number of percent without its sign, and the other way round."""
+
 RANGES = (
     PlausibleRange("actuator.length", "m", 1e-3, 3.0, PAPER, _LENGTH, _LONGEST),
     PlausibleRange("actuator.height", "m", 3e-4, 1.0, PAPER, _LENGTH, _LONGEST),
     PlausibleRange("actuator.width", "m", 2e-4, 1.0, PAPER, _LENGTH, _LONGEST),
     PlausibleRange("actuator.youngs_modulus", "Pa", 2e3, 5e8, ELASTOMERS, _STIFF, (0.0, 2e12)),
     PlausibleRange("actuator.density", "kg/m^3", 20.0, 8e3, LIQUID_METALS, (1e3, 1e-3)),
+    PlausibleRange("actuator.solid_fraction", "", 0.02, 1.0, HOLLOW, _PERCENT),
+    PlausibleRange("actuator.extension_factor", "", 2e-3, 3.0, HOLLOW, _PERCENT),
+    PlausibleRange("actuator.bending_factor", "", 2e-3, 3.0, HOLLOW, _PERCENT),
+    PlausibleRange("bellows.collapse_fraction", "", 0.0, 0.8, HOLLOW, _PERCENT),
     PlausibleRange("actuator.damping_time", "s", 0.0, 10.0, KELVIN_VOIGT, (1e-3, 1e-6)),
     PlausibleRange("bellows.height", "m", 1e-4, 0.3, PAPER, _LENGTH, _LONGEST),
     PlausibleRange("bellows.width", "m", 1e-4, 0.3, PAPER, _LENGTH, _LONGEST),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from viscodesign.checks.plausibility import plausibility_notices
+from viscodesign.checks.resting_inputs import resting_notices
 from viscodesign.checks.table_cover import table_notices
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -18,6 +19,7 @@ def scene_notices(quantities: SceneQuantities, active: frozenset[str]) -> Iterat
     """Every warning about a scene that is simulated with these effects."""
     yield from plausibility_notices(quantities.scene)
     yield from table_notices(quantities.scene)
+    yield from resting_notices(quantities.scene)
     yield from _pressure_notices(quantities)
     for effect in every_effect(quantities).values():
         yield from effect.warnings(quantities, active)

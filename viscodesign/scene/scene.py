@@ -38,6 +38,8 @@ STANDARD_ATMOSPHERE = 101325.0
 """[Pa]"""
 DEFAULT_ACCURACY = 0.005
 """Of the actuator's length."""
+LEAST_ACCURACY = 1e-7
+"""The smallest that a spec may ask for, in lengths of the actuator."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ class Scene(SpecPart):
     )
     accuracy: Fraction = Field(
         DEFAULT_ACCURACY,
-        ge=1e-7,
+        ge=LEAST_ACCURACY,
         le=0.2,
         description="Allowed tip error relative to the actuator length",
         examples=["0.5 %"],

@@ -8,6 +8,7 @@ import numpy as np
 
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Accuracy, Trajectory
+from viscodesign.scene.scene import LEAST_ACCURACY
 from viscodesign.simulation.error_control import ERROR_CONTROL, Verifier
 from viscodesign.storage.disk_arrays import blocks
 
@@ -41,7 +42,11 @@ def _unresolved_motion(found: Trajectory, accuracy: Accuracy, is_driven: bool) -
         "unresolved_motion",
         f"the stated error of {1e3 * error:.3g} mm exceeds the whole motion of the tip, "
         f"{1e3 * size:.3g} mm: neither the tip nor pressures and flows are resolved; "
-        + (f"set `accuracy` to {enough:.2g} % or less" if size else "the input is too small"),
+        + (
+            f"set `accuracy` to {enough:.2g} % or less"
+            if enough >= 100 * LEAST_ACCURACY
+            else "the input is too small for any accuracy"
+        ),
         "tip",
     )
 

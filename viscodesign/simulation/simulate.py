@@ -8,7 +8,7 @@ from pathlib import Path
 
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.effects.select import Selection, select_effects
-from viscodesign.errors import SolveError
+from viscodesign.errors import SolveError, UsageError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
@@ -60,8 +60,10 @@ def simulate(
     second one while it is being read raises at once.
 
     Raises `SpecError` for a scene without a bounded solution, `SolveError` where not even an
-    initial equilibrium exists.
+    initial equilibrium exists, `UsageError` for a tolerance that is none.
     """
+    if tolerance is not None and not 0.0 < tolerance < 1.0:
+        raise UsageError(f"tolerance: must be above 0 and below 1, such as 1e-5; got {tolerance:g}")
     with gentle_interrupt(second_raises=True) as interrupt:
         try:
             trajectory = _simulated(scene, verify, prove, tolerance, progress, scratch)

@@ -24,7 +24,11 @@ _SLIPS: tuple[tuple[str, str], ...] = (
         "thousands are written without separators: '{joined}'",
     ),
     (r"[+-]?[0-9]*,[0-9]+(?:\D.*)?", "a decimal point is meant, not a comma: '{point}'"),
-    (r"[+-]?[0-9.]*_[0-9_.]*.*", "digits are written without underscores: '{joined}'"),
+    (r"[+-]?[0-9.]*[0-9]_[0-9][0-9_.]*.*", "digits are written without underscores: '{joined}'"),
+    (
+        r"[+-]?[0-9.]+_+[^\W\d_].*",
+        "between a number and its unit stands a space, not an underscore",
+    ),
     (
         r".*(?:\+ ?/? ?-|±|\+-).*",
         "a tolerance is no part of a value; write the number alone",

@@ -8,7 +8,17 @@ from typing import Protocol
 from viscodesign.common_units import value_in_si
 
 _MEANT = {
-    "K": {"C": "degC", "c": "degC", "F": "degF", "f": "degF", "deg": "degC", "°": "degC"},
+    "K": {
+        "C": "degC",
+        "c": "degC",
+        "Celsius": "degC",
+        "℃": "degC",
+        "F": "degF",
+        "f": "degF",
+        "deg": "degC",
+        "°": "degC",
+    },
+    "Pa": {"psig": "psi", "kPag": "kPa", "barg": "bar", "MPaa": "MPa", "kPaa": "kPa"},
     "rad": {"degC": "deg", "degrees": "deg", "%": "deg"},
     "Hz": {"rpm": "Hz"},
     "J/(kg*K)": {"J/kg/C": "J/(kg*K)", "J/(kg*C)": "J/(kg*K)"},
