@@ -221,6 +221,7 @@ def _told(summary: Mapping[str, Any]) -> dict[str, Any]:
     scales = _made(Scales, summary["scales"])
     return {
         **{key: summary[key] for key in ("name", "status", "failure", "version", "spec_sha256")},
+        "failure_time_s": summary.get("failure_time_s"),
         "classification": _made(Classification, {**summary, "scales": scales, "warnings": ()}),
         "effects": _all(Verdict, summary["effects"]),
         "accuracy": _made(Accuracy, summary["accuracy"]),

@@ -183,6 +183,8 @@ class Trajectory(MotionArrays):
     """Settings of the solver: edges, tolerance, form of rod and network."""
     failure: str | None = None
     """Why the run ended early."""
+    failure_time_s: float | None = None
+    """When what ended it happened [s], to all digits; None where that is no moment."""
     notes: tuple[str, ...] = ()
     """What was read from files for its inputs, and what was taken out of them."""
     violations: tuple[Notice, ...] = ()
@@ -324,6 +326,7 @@ class Trajectory(MotionArrays):
             "resolved_sha256": hashlib.sha256(self.spec_text.encode()).hexdigest(),
             "status": self.status,
             "failure": self.failure,
+            "failure_time_s": self.failure_time_s,
             **{
                 key: value
                 for key, value in classification_document(self.classification).items()

@@ -109,6 +109,7 @@ def _simulated(
         warnings=(*trajectory.warnings, *doubted),
         status=status,
         failure=failure,
+        failure_time_s=None if run.motion.failure is None else run.motion.failure.time_s,
         accuracy=accuracy,
         cost=watch.share_out(cost_of(run), is_only_solution=is_only_solution),
         proof=proof,

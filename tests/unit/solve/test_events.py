@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import re
+from pathlib import Path
 
 import pytest
 
 from tests.scenes import leg
-from viscodesign import Scene, simulate
+from viscodesign import Scene, Trajectory, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import suggest_settings
@@ -78,6 +79,16 @@ def test_an_event_does_not_hang_on_the_outputs(changes: tuple[str, ...], quantit
     assert {event(run).quantity for run in runs} == {quantity}
     assert times == pytest.approx([times[0]] * len(times), abs=1e-6 * DURATION)
     assert not any(run.solution.attempts for run in runs)  # nothing else finds what is not there
+
+
+def test_a_run_tells_the_time_of_its_event_to_all_digits(tmp_path: Path) -> None:
+    run = simulate(scene(2.0, SOFT, DIP.format("-150 kPa"), "effects={others: off}"))
+    slope = SceneQuantities(scene(2.0, SOFT)).bellow.stretch_per_pressure
+    exact = (1 - VANISHING_STRETCH) / (2 * slope) / 150e3
+    assert run.failure_time_s == pytest.approx(exact, abs=1e-6 * DURATION)
+    run.save(tmp_path)
+    assert run.summary()["failure_time_s"] == run.failure_time_s
+    assert Trajectory.read(tmp_path).failure_time_s == run.failure_time_s
 
 
 def test_effects_chosen_by_the_outputs_do_not_move_an_event() -> None:
