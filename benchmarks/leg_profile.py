@@ -238,9 +238,6 @@ WHY = [
     "unloaded shape; a compiled function, which knows its structure, does without the first two. "
     "The command: imports are half of it, those of CasADi and NumPy most of these. "
     "Pictures: half is importing matplotlib, a quarter drawing, the rest layout and files.",
-    "",
-    "The machine was shared with other work, which makes CPU times longer: by a factor of about "
-    "1.8, by a solution that took 14.4 ms on the same machine at rest.",
 ]
 
 

@@ -66,8 +66,7 @@ def _head(header: Record) -> str:
         "error against a common converged reference is small enough. Times are CPU times of one "
         "solution in a process that has solved before (warm), on one thread; cold is import, "
         "building and first solution in a fresh process. Regenerate with "
-        "`python benchmarks/peers/race.py`. The machine was shared with other work, which makes "
-        "CPU times longer, by about 1.8; settings that took too long for it are missing.\n\n"
+        "`python benchmarks/peers/race.py`. Settings that took too long are missing.\n\n"
         f"Python {header['python']}, {header['cpu']}; {versions}.\n"
     )
 

@@ -32,11 +32,11 @@ class SamplingRule:
     jump_rel: float = 1e-9
     """Part of its size by which an input may change at a corner without a jump."""
     looks_per_swing: int = 16
-    """Looks for events in the time of an input's swing, at least, whatever the outputs."""
+    """Looks for events in the time of an input's swing, whatever the outputs."""
     free_looks_per_swing: int = 128
     """The same where nothing has to be solved for."""
     max_looks: int = 1_000
-    """The same in a run."""
+    """The most of both in a run."""
     grades: int = 12
     """Samples in the first interval after a jump, each twice as far from it as the one before."""
 
