@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable, Sequence
 from dataclasses import field
-from typing import Any
+from typing import Any, ClassVar
 
 from viscodesign.lazy_dataclass import dataclass
 
@@ -132,6 +132,8 @@ class PumpError(ViscodesignError):
 
     exit_code = 4
     kind = "pump"
+    rule: ClassVar[str] = "replies"
+    """The rule under which a stream that it ends is recorded."""
 
 
 class InterruptedRunError(ViscodesignError):

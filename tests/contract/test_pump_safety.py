@@ -24,6 +24,7 @@ from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.play.path import led_in, top_speed
 from viscodesign.pump.play.safety_rules import LOST
 from viscodesign.pump.profile import Profile
+from viscodesign.pump.sensors.base import SensorError
 from viscodesign.pump.simulated.device import UnpluggedError
 
 REQUESTS = 150
@@ -359,13 +360,13 @@ def test_a_sensor_that_gives_no_number(reading: float) -> None:
 
 def test_a_sensor_that_raises_stops_the_pump() -> None:
     def broken(pressure: float) -> float:
-        raise PumpError("sensor open or shorted")
+        raise SensorError("sensor open or shorted")
 
     for moment in MOMENTS:
         rig = Rig()
         streamed(rig, at(moment, lambda rig=rig: setattr(rig, "reading", broken)))
         ending = rig.play_armed()
-        assert ending.status == "stopped"
+        assert (ending.status, ending.rule) == ("stopped", "sensor")
         assert "sensor open or shorted" in ending.reason
         promises(rig)
 

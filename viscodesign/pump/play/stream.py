@@ -21,7 +21,13 @@ from viscodesign.pump.play.path import (
 from viscodesign.pump.play.path_run import CATCH_UP, PathRun
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.safety_rules import retreat_rules, stream_rules
-from viscodesign.pump.play.stream_result import OnStop, RecordingError, StreamResult, TickReport
+from viscodesign.pump.play.stream_result import (
+    OnStop,
+    OutsideTravelError,
+    RecordingError,
+    StreamResult,
+    TickReport,
+)
 from viscodesign.pump.play.ticks import SLICE, Ticks
 from viscodesign.pump.profile import Profile
 
@@ -61,10 +67,9 @@ class Stream:
         """
         try:
             self.result = self._forward()
-        except RecordingError as error:
-            self.result = StreamResult("stopped", str(error), "record")
         except PumpError as error:
-            self.result = StreamResult("stopped", str(error), "replies", may_retreat=False)
+            is_sound = isinstance(error, RecordingError)
+            self.result = StreamResult("stopped", str(error), error.rule, may_retreat=is_sound)
         except BaseException as error:
             reason = f"{type(error).__name__}: {error}".removesuffix(": ")
             self.result = StreamResult("stopped", reason, "exception", may_retreat=False)
@@ -78,7 +83,7 @@ class Stream:
             return StreamResult.interrupted(self.request)
         (low, high), counts = self.pump.limits.travel, self.profile.counts
         if counts.min() < low - DEAD_BAND or counts.max() > high + DEAD_BAND:
-            raise PumpError(
+            raise OutsideTravelError(
                 f"the profile goes from {counts.min():.0f} to {counts.max():.0f} "
                 f"{self.pump.limits.unit}, outside "
                 f"of travel [{low}, {high}]; nothing was sent"

@@ -19,6 +19,14 @@ Status = Literal["complete", "interrupted", "stopped"]
 class RecordingError(PumpError):
     """What observes the ticks cannot keep them: the disk is full, or gone."""
 
+    rule = "record"
+
+
+class OutsideTravelError(PumpError):
+    """A profile would leave the calibrated travel."""
+
+    rule = "travel"
+
 
 @dataclass(frozen=True)
 class TickReport:

@@ -148,7 +148,7 @@ class PosePlayer:
                 self.board.set(servo, registers.MOVING_SPEED, playing_speed(self.fit))
             result = self._played()
         except PumpError as error:
-            result = StreamResult("stopped", str(error), "replies", may_retreat=False)
+            result = StreamResult("stopped", str(error), error.rule, may_retreat=False)
         finally:
             result.standing = self._come_to_rest()
         return result

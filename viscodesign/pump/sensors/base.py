@@ -32,6 +32,8 @@ def ratio_of(pressure: float) -> float:
 class SensorError(PumpError):
     """The pressure is not known: the sensor is open, shorted, frozen or out of its range."""
 
+    rule = "sensor"
+
 
 class PressureSource(ABC):
     """Reads one sensor."""
