@@ -26,7 +26,7 @@ from scene_runs import Record, loaded, options, run_all, say
 
 HERE = Path(__file__).parent
 RESULTS = HERE / "results" / "auto_study.jsonl"
-SEED = 2027
+SEED = 5051
 LIMIT, CPU_LIMIT = 900.0, 60
 """Wall and CPU time of one scene [s]."""
 DRAWS = (scene_draw.draw, ringing_draw.draw)
