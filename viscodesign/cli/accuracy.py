@@ -19,7 +19,7 @@ from viscodesign.cli.options import (
     RunFolder,
     Spec,
 )
-from viscodesign.cli.output import complain
+from viscodesign.cli.output import complain, say_result
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError
 
@@ -67,7 +67,6 @@ def command(
     budget_s = None if budget is None else positive_time("--budget", budget)
     limit_s = positive_time("--limit", limit)
     from viscodesign import accuracy
-    from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.texts.accuracy_text import cost_lines
@@ -89,11 +88,9 @@ def command(
         force=force,
         picture_format=picture_format,
     )
-    if json:
-        document = study.document(budget_s)
-        say(json_text({**document, "files": [str(file) for file in files]}))
-    elif not quiet:
-        say("\n".join(cost_lines(study, budget_s, folder, files)))
+    say_result(
+        study.document(budget_s), files, cost_lines(study, budget_s, folder, files), json, quiet
+    )
     _end(study, folder)
 
 

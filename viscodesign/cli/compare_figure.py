@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def compare_figure(number: int, output: Path | None, options: ComparisonOptions) -> None:
     """Make a figure, write its files and tell its statements."""
     from viscodesign.cli.compare import new_folder, rest_of
-    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.output import say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.templates import DEFAULT, templates
     from viscodesign.comparison.paper_figures import figure_plan, paper_figure
@@ -43,10 +43,7 @@ def compare_figure(number: int, output: Path | None, options: ComparisonOptions)
         force=options.force,
         picture_format=options.picture_format,
     )
-    if options.json:
-        say(json_text({**found.document(), "files": [str(file) for file in files]}))
-    elif not options.quiet:
-        say("\n".join(_lines(found, folder, files)))
+    say_result(found.document(), files, _lines(found, folder, files), options.json, options.quiet)
 
 
 def _lines(found: PaperFigure, folder: Path, files: Sequence[Path]) -> Iterator[str]:

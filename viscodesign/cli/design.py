@@ -65,7 +65,7 @@ def command(
     """
     from viscodesign import design as find
     from viscodesign.cli.option_values import positive_time
-    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.output import say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_name
     from viscodesign.cli.texts.design_text import design_lines
@@ -85,10 +85,7 @@ def command(
     files = write_design(
         found, folder, plots=not no_plots, force=force, picture_format=picture_format
     )
-    if json:
-        say(json_text({**found.document(), "files": [str(file) for file in files]}))
-    elif not quiet:
-        say("\n".join(design_lines(found, folder, files)))
+    say_result(found.document(), files, design_lines(found, folder, files), json, quiet)
     _end(found, folder)
 
 

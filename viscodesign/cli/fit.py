@@ -83,7 +83,7 @@ def command(
     recordings exits with 3, its numbers kept. Ctrl-C keeps the best so far.
     """
     from viscodesign import fit as find
-    from viscodesign.cli.output import complain, json_text, say
+    from viscodesign.cli.output import complain, say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.texts.fit_text import fit_lines
@@ -105,10 +105,7 @@ def command(
             progress=advance,
         )
     files = write_fit(found, folder, plots=not no_plots, force=force, picture_format=picture_format)
-    if json:
-        say(json_text({**found.document(), "files": [str(file) for file in files]}))
-    elif not quiet:
-        say("\n".join(fit_lines(found, folder, files)))
+    say_result(found.document(), files, fit_lines(found, folder, files), json, quiet)
     _end(found, folder)
 
 

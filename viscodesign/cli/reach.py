@@ -77,7 +77,7 @@ def command(
     """
     from viscodesign import reach as study_of
     from viscodesign.cli.option_values import pair, positive_time
-    from viscodesign.cli.output import json_text, say
+    from viscodesign.cli.output import say_result
     from viscodesign.cli.run_folders import folder_name
     from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.reach_text import reach_lines
@@ -94,10 +94,7 @@ def command(
     files = write_reach(
         study, folder, plots=not no_plots, force=force, picture_format=picture_format
     )
-    if json:
-        say(json_text({**study.document(), "files": [str(file) for file in files]}))
-    elif not quiet:
-        say("\n".join(reach_lines(study, folder, files)))
+    say_result(study.document(), files, reach_lines(study, folder, files), json, quiet)
     _end(study)
 
 

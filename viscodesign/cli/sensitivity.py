@@ -57,7 +57,7 @@ def command(
     band that they give. Writes sensitivity.csv, sensitivity.json and sensitivity.png.
     """
     from viscodesign import sensitivity as study_of
-    from viscodesign.cli.output import complain, json_text, say
+    from viscodesign.cli.output import complain, say_result
     from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.sensitivity_text import sensitivity_lines
@@ -78,9 +78,6 @@ def command(
     files = write_sensitivity(
         study, folder, plots=not no_plots, force=force, picture_format=picture_format
     )
-    if json:
-        say(json_text({**study.document(), "files": [str(file) for file in files]}))
-    elif not quiet:
-        say("\n".join(sensitivity_lines(study, folder, files)))
+    say_result(study.document(), files, sensitivity_lines(study, folder, files), json, quiet)
     if stopped is not None:
         raise InterruptedRunError(f"{stopped}\nwhat there is is in {folder}")

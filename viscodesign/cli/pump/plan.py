@@ -13,7 +13,7 @@ from viscodesign.cli.options import (
     RunFolder,
     Spec,
 )
-from viscodesign.cli.output import complain
+from viscodesign.cli.output import complain, say_result
 from viscodesign.cli.simulate import RunFailedError
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import PumpError
@@ -44,7 +44,6 @@ def command(
     plan.json and plan.png. Exits with 4 where the plan is infeasible.
     """
     from viscodesign import plan
-    from viscodesign.cli.output import json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.texts.plan_text import plan_lines
@@ -63,10 +62,7 @@ def command(
     files = write_plan(
         found, folder, plots=not no_plots, force=force, picture_format=picture_format
     )
-    if json:
-        say(json_text({**plan_document(found), "files": [str(file) for file in files]}))
-    elif not quiet:
-        say("\n".join(plan_lines(found, folder, files)))
+    say_result(plan_document(found), files, plan_lines(found, folder, files), json, quiet)
     if found.status != "complete":
         raise RunFailedError(f"{found.failure}\npartial results are in {folder}")
     if not found.is_feasible:
