@@ -70,7 +70,7 @@ def _uses(run: Trajectory) -> Iterator[tuple[LiteratureReference, str]]:
 
 
 def _of_fluid(run: Trajectory) -> tuple[LiteratureReference, ...]:
-    """Of a fluid whose properties come from the library; none where the spec gives them."""
+    """Name the source of a fluid from the library; none where the spec gives its properties."""
     spec = yaml.safe_load(run.spec_text)
     fluid = spec.get("fluid") if isinstance(spec, dict) else None
     if not isinstance(fluid, dict) or "viscosity" in fluid:

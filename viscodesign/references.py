@@ -16,7 +16,7 @@ class LiteratureReference:
     """Author and year, one of a kind."""
     kind: Literal["article", "book", "software"]
     fields: Mapping[str, str]
-    """Of BibTeX, in the order in which they are written."""
+    """Fields of BibTeX, in the order in which they are written."""
 
     @property
     def bibtex(self) -> str:

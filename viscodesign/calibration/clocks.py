@@ -8,9 +8,9 @@ from viscodesign.calibration.run_model import RunModel
 
 MOST_GUESSES = 401
 LONGEST = 0.25
-"""Of a recording, the latest that is tried."""
+"""Longest clock offset that is tried, as a part of the recording."""
 CLEARLY_BETTER = 0.9
-"""Of the misfit without a shift, that with one from which a search begins."""
+"""A search begins from a shift whose misfit is below this part of the misfit without one."""
 CERTAIN = 4.0
 """Standard deviations from which a clock counts as late."""
 

@@ -25,11 +25,11 @@ MOST_CORRELATION = 4.0
 GROSS, MOST_GROSS = 6.0, 0.06
 """Standard deviations from which a sample is gross, and the part of them that may be."""
 CLEARLY_BETTER = 0.8
-"""Of the squares that remain without a shift, those with it that make the clocks differ."""
+"""The clocks count as different if a shift leaves less than this part of the squares."""
 MOST_SHIFTS = 801
 """Shifts that are tried."""
 LONGEST_SHIFT = 0.5
-"""Of the recording."""
+"""Longest clock offset, as a part of the recording."""
 BOUND_NOISE = 0.1
 """Distance of straight pieces from the smoothed rows, in standard deviations of the noise."""
 BOUND_REL = 2e-4

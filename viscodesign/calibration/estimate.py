@@ -28,7 +28,7 @@ does not fit."""
 REWEIGHTINGS = 2
 NORMAL_MAD = 0.6745
 MAX_EVALUATIONS = 60
-"""Of one descent."""
+"""Limit of one descent."""
 CONVERGED = 1e-6
 """Relative change of the squares that ends a descent: of 1,000 samples' squares it is a number's
 move by 0.03 standard deviations. Below it are changes by the steps of the solver."""

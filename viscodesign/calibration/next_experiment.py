@@ -35,7 +35,7 @@ PAYLOADS = (2.0, 7.0)
 PULSE_TIMES = 3.0
 """Duration of a fast pulse's flanks, in times of the body's own motion."""
 PULSE_AT = (0.1, 0.6)
-"""Of the run: when the pressure falls, and when it rises again."""
+"""When the pressure falls and when it rises again, as parts of the run."""
 VOLUME_NOISE = 0.005
 """Noise of a syringe's volume, in parts of what it delivers, where none was measured."""
 WELL_KNOWN = 0.01

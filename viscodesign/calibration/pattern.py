@@ -16,7 +16,7 @@ added for few samples, times the root of their number."""
 UNCORRELATED = 0.05
 """Correlation from which rows count as independent."""
 MOST_LAGS = 0.25
-"""Of the rows."""
+"""Longest lag, as a part of the rows."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class GroupExcess:
     run: int
     channels: list[int]
     mean_square: float
-    """Of residuals over that of the noise by which neighbours differ."""
+    """Mean square of the residuals over that of the noise by which neighbours differ."""
     by_chance: float
     """Up to which it may be chance."""
     noise: np.ndarray

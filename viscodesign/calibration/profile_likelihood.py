@@ -51,7 +51,7 @@ class ProfilePoint:
 
     values: np.ndarray
     rise: float
-    """Of the sum of squares above that of the best fit."""
+    """Sum of squares above that of the best fit."""
 
 
 class Profiles:

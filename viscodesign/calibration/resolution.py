@@ -20,9 +20,9 @@ from viscodesign.lazy_dataclass import dataclass
 MOST_BIAS = 0.1
 """Standard deviations by which mesh or tolerance may move a number."""
 FIRST_TOLERANCE = 1e-4
-"""Of the steps: with larger ones the squares jump by a tenth of what an interval's end adds."""
+"""With larger ones of the steps the squares jump by a tenth of what an interval's end adds."""
 MOST_EDGES = 16
-"""Of a section."""
+"""Largest number of edges of a section."""
 LEAST_TOLERANCE = 1e-7
 SPACE_ORDER = 2
 """By which errors fall with the mesh; those in time fall faster from one round to the next."""
@@ -42,7 +42,7 @@ class ResolutionCheck:
     bias: float
     """Largest move of a free number, in standard deviations."""
     key: str
-    """Of that number."""
+    """Key of that number."""
     is_sufficient: bool
 
 

@@ -120,7 +120,7 @@ class RunModel:
         return np.linspace(0.0, rows[-1], count + 1)
 
     def _at_rows(self, every: np.ndarray, late: float) -> np.ndarray:
-        """Of columns (N, C, ...) at the output times those at the rows (T, C, ...)."""
+        """Columns at the rows (T, C, ...), from those at the output times (N, C, ...)."""
         times = self.function.times
         if not self.clock_is_free:
             places = np.searchsorted(times, self._times + SAME_TIME_REL * times[-1], "right") - 1

@@ -33,7 +33,7 @@ INPUT_RATIO = 5.0
 INPUT_SPAN = {"Pa": 1e5, "s": 10.0}
 """Least distance that such a number may go which can be negative, by its unit."""
 CLOCK_SHARE = 0.5
-"""Of a recording, by which its clock may be late."""
+"""Longest clock offset, as a part of a recording."""
 
 
 def scene_unknowns(scene: Scene, keys: Sequence[str]) -> list[Unknown]:

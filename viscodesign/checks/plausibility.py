@@ -28,7 +28,8 @@ class PlausibilityLimits:
     outputs: int = 1_000_000
     """Rows of trajectory.csv, some 100 bytes each."""
     gas_density_ratio: float = 1.5
-    """Of a gas's density to ambient pressure over gas constant and temperature, or inverse."""
+    """Largest ratio of a gas's density to ambient pressure over gas constant and temperature, or
+    inverse."""
     fit: float = 1.001
     """Share of the space at hand, with a margin for rounding."""
 

@@ -19,13 +19,14 @@ class NumericLimits:
     """Sizes beyond which no result would have a digit, or no mesh could follow the rod."""
 
     size: float = 1e250
-    """Of a number in SI units, and of its inverse."""
+    """Largest number in SI units, and largest inverse of one."""
     resistance_ratio: float = 1e13
-    """Of two tubes in one network, that double precision still carries."""
+    """Largest ratio of two tubes' resistances in a network that double precision still carries."""
     rod_turn: float = 400.0
-    """Of the whole rod [rad]: every radian asks for an edge, twice as many to verify."""
+    """Largest turn of the whole rod [rad]: every radian asks for an edge, twice as many to
+    verify."""
     section_turn: float = 30.0
-    """Of one section [rad], which would then lie five times around itself."""
+    """Largest turn of one section [rad], which would then lie five times around itself."""
     section_stretch: float = 100.0
 
 

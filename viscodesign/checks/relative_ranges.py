@@ -64,5 +64,5 @@ def _both(key: str, unit: str, bounds: tuple[float, float], source: str) -> Plau
 
 
 def _up_to(key: str, unit: str, most: float, source: str) -> PlausibleRange:
-    """Of a coefficient of either sign."""
+    """Give the range of a coefficient of either sign."""
     return PlausibleRange(key, unit, -most, most, source, PREFIXES, ANY)

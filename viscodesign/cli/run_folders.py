@@ -13,7 +13,7 @@ from viscodesign.scene.scene import Scene
 
 RUNS = Path("runs")
 KEY = "resolved_sha256"
-"""Of every document in such a folder: which resolved spec it is of."""
+"""Key of every document in such a folder that says which resolved spec it belongs to."""
 
 
 def folder_for(

@@ -60,7 +60,7 @@ def _rms_over_time(time: np.ndarray, distance: np.ndarray) -> float:
 
 
 def _interpolation_error(motion: ComparedMotion, at: np.ndarray) -> float:
-    """Of a motion where it was not given at all these times [m]."""
+    """Estimate how far interpolation moves a motion that was not given at all these times [m]."""
     if has_times(motion.time, at):
         return 0.0
     first, last = np.searchsorted(motion.time, (at[0], at[-1]))

@@ -31,7 +31,7 @@ class FigurePlan:
     title: str
     panels: tuple[dict[str, Any], ...]
     folder: Path
-    """Of the specs."""
+    """Folder of the specs."""
 
     @property
     def specs(self) -> list[str]:

@@ -27,7 +27,8 @@ def time_shift(first: ComparedMotion, other: ComparedMotion) -> TimeShift | None
     ends = [(m.time[0], m.time[-1]) for m in (first, other)]
 
     def distance(shift: float) -> float:
-        """Of the second, moved back by a shift, over the time that both then have [m]."""
+        """Distance of the second motion, moved back by a shift, over the time that both then
+        have [m]."""
         start = max(ends[0][0], ends[1][0] - shift)
         end = min(ends[0][1], ends[1][1] - shift)
         at = np.linspace(start, end, POINTS)

@@ -64,7 +64,7 @@ class NumberSlopes:
     columns: np.ndarray
     shapes: Shapes
     count: int
-    """Of the free numbers."""
+    """Number of free numbers."""
 
     def push_forward(self, dots: np.ndarray) -> ProblemNumbers:
         """Rates of the numbers where the free ones change at rates (f,)."""

@@ -140,7 +140,7 @@ class Blocked:
 
     number: int
     slope: float
-    """Of the condition's gap."""
+    """Slope of the condition's gap."""
     condition: Condition
 
 

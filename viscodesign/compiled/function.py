@@ -44,11 +44,11 @@ Values = Sequence[float] | np.ndarray | Labelled
 Outputs = dict[str, Any]
 """Each output's array over the output times (T,), or its number."""
 LARGEST_TOLERANCE = 1.0
-"""Of the steps, relative to the unknowns' sizes."""
+"""Largest tolerance of the steps, relative to the unknowns' sizes."""
 MOST_EDGES = 64
-"""Of a section."""
+"""Largest number of edges of a section."""
 PERIOD_CHANGE = 1e-5
-"""Of a number of an input, for a difference of periods."""
+"""Relative change of a number of an input by which periods are differenced."""
 KEPT_SOLUTIONS = 2
 """Latest solutions that a function keeps: a value and its derivatives share one."""
 
@@ -88,7 +88,7 @@ class Batch:
     outputs: Outputs
     """Each output with one more axis in front, the rows; NaN where a row failed."""
     status: list[str]
-    """Of every row: "complete", or why it failed."""
+    """Status of every row: "complete", or why it failed."""
 
     def __getitem__(self, name: str) -> np.ndarray:
         return np.asarray(self.outputs[name])
@@ -119,7 +119,7 @@ class _Solved:
     numbers: ProblemNumbers
     solution: SolvedOutputs
     period: float | None
-    """Of all inputs [s], where metrics need it."""
+    """Common period of all inputs [s], where metrics need it."""
 
 
 class CompiledFunction:

@@ -43,7 +43,7 @@ class ControlState:
     """Every column of `trajectory.csv` but flows that are not unknowns, SI, pressures gauge."""
     unknowns: Start
     parameters: np.ndarray
-    """Of the equations, for the values that the run began with."""
+    """Parameters of the equations, for the values that the run began with."""
     size: float | None = None
     """First step that suits what follows [s]."""
 

@@ -16,7 +16,7 @@ class OutputTimes:
     own: np.ndarray
     """(T,) [s]"""
     end: float
-    """Of the run that they are made for [s]."""
+    """End of the run that they are made for [s]."""
     follow: bool
     """Whether they keep their share of the run as its end moves."""
 

@@ -59,7 +59,7 @@ class FrozenParts:
     effects: list[type[Effect]]
     edges_per_section: int
     capped_stiffness: float | None
-    """Of the axis, where the scene's own cannot be told from infinite [N]."""
+    """Stiffness of the axis, where the scene's own cannot be told from infinite [N]."""
     sizes: Sizes
 
     @classmethod

@@ -72,7 +72,7 @@ class ChokedFlow(Effect):
     coefficients: dict[str, float]
     """Momentum flux per flow squared of every tube [Pa s2/m6]."""
     quantities: SceneQuantities
-    """Of the scene, for the flows that an estimate starts from."""
+    """The scene's numbers, for the flows that an estimate starts from."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
@@ -95,7 +95,8 @@ class ChokedFlow(Effect):
         return float(np.max(self._mach_squared(quantities.slow_flows), initial=0.0))
 
     def _mach_squared(self, flow: np.ndarray) -> np.ndarray:
-        """Of flows (T, Q) [m3/s], at the densities that slow laminar flow would have (T, Q) [1]."""
+        """Squared Mach numbers of flows (T, Q) [m3/s] at the densities of slow laminar flow (T,
+        Q) [1]."""
         ambient = self.quantities.scene.ambient_pressure
         ratio = np.maximum(1 + self.quantities.slow_tube_pressures / ambient, LEAST_RATIO)
         coefficient = np.array(list(self.coefficients.values()))

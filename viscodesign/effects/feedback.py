@@ -39,7 +39,7 @@ class Feedback(Effect):
     area_per_force: float
     area_per_moment: float
     length: float
-    """Of a bellow along the stream [m]."""
+    """Length of a bellow along the stream [m]."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:

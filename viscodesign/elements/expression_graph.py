@@ -48,7 +48,7 @@ class Leaves:
 
 
 ROLES = (Role.UNKNOWN, Role.DRIVE, Role.DRIVE, Role.PARAMETER)
-"""Of the groups of `Leaves`."""
+"""Roles of the groups of `Leaves`."""
 
 
 class ExpressionGraph:

@@ -194,11 +194,11 @@ class Elements:
 
     law: Law
     variables: list[tuple[int, ...]] = field(default_factory=list)
-    """Of every element, places among the variables of the whole model."""
+    """Places of every element's variables among those of the whole model."""
     numbers: list[tuple[int, ...]] = field(default_factory=list)
-    """Of every element, places among the numbers of the scene."""
+    """Places of every element's numbers among those of the scene."""
     rows: list[tuple[int, ...]] = field(default_factory=list)
-    """Of every element, the equations that its results add to."""
+    """Equations that every element's results add to."""
     is_source: bool = False
     """Whether they give drives instead of adding to equations."""
     time: int | None = None

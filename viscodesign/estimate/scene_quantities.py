@@ -264,12 +264,12 @@ class SceneQuantities:
 
     @property
     def weight(self) -> float:
-        """Of body and payload [N]."""
+        """Weight of body and payload [N]."""
         return self.carried_mass * self.acceleration
 
     @property
     def fluid_weight(self) -> float:
-        """Of all the fluid that the bellows may come to hold [N]."""
+        """Weight of all the fluid that the bellows may come to hold [N]."""
         b, swelling = self.scene.bellows, self.bellow.compliance * max(self.highest_pressure, 0.0)
         if b.curve is not None:
             swelling = max([swelling, *(b.length * row[1] for row in b.curve.rows or ())])
@@ -283,7 +283,8 @@ class SceneQuantities:
 
     @property
     def largest_turn(self) -> float:
-        """Of a section: one bellow at the highest pressure, the other at the lowest [rad]."""
+        """Turn of a section with one bellow at the highest pressure, the other at the lowest
+        [rad]."""
         per_pressure = abs(self.bellow.curvature_per_pressure) * self.body.section_length
         return self.pressure_range * per_pressure
 

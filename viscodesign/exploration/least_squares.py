@@ -117,7 +117,7 @@ class SearchLimits:
     repeats: int = 3
     """Descents that end as low as the best of them, after which no other start is tried."""
     evaluations: int = MAX_EVALUATIONS
-    """Of each descent."""
+    """Limit of each descent."""
     converged: float = CONVERGED
     """See there."""
     until: float = math.inf

@@ -37,7 +37,7 @@ class Chunk(Generic[Row, Result]):
 
     rows: list[Row]
     results: list[Result]
-    """Of the first rows, in order: all of them unless the process died."""
+    """Results of the first rows, in order: all of them unless the process died."""
 
     @property
     def lost(self) -> list[Row]:

@@ -9,9 +9,9 @@ import numpy as np
 from viscodesign.results.sensitivity_study import SampledVariance
 
 SAMPLE_SIZE = 128
-"""Of each of two samples, a power of two; a study takes so many solutions times k + 2."""
+"""Size of each of two samples, a power of two; a study takes so many solutions times k + 2."""
 SMALLEST_SHARE = 1e-6
-"""Of the normal distribution, cut off at either end."""
+"""Part of the normal distribution that is cut off at either end."""
 
 TipAt = Callable[[np.ndarray], np.ndarray]
 """The tip (n, 2) [m] for rows of numbers (n, k); NaN where a solution fails."""

@@ -11,7 +11,7 @@ from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.scene.scene import Scene
 
 SLACK = 0.02
-"""Of the length, that loads and feedback may add to the rod's own stretch."""
+"""Part of the length that loads and feedback may add to the rod's own stretch."""
 
 
 def beyond_reach(

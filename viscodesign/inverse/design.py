@@ -29,7 +29,7 @@ from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
 CONFIRM_SHARE = 0.85
-"""Of the budget, that the search may take: the rest confirms."""
+"""Part of the budget that the search may take: the rest confirms."""
 MOST_CONFIRMATIONS = 3
 
 

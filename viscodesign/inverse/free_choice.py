@@ -33,7 +33,7 @@ class FreeChoice:
 
     @property
     def keys(self) -> list[str]:
-        """Of all ranges."""
+        """Keys of all ranges."""
         return [own.key for own in self.ranges]
 
     @property

@@ -15,7 +15,7 @@ CHANGE_EVALUATIONS = 15
 MORE_CHANGES, MOST_MORE_CHANGES = 0.25, 4
 """Chance of one more change at once, and how many more there may be."""
 MOST_CHANGES, MOST_PLAIN_CHANGES = 1500, 20_000
-"""Of graphs whose numbers are fitted, and of such as have none that are free."""
+"""Limits of graphs whose numbers are fitted, and of such as have none that are free."""
 ELITE, PLAIN_ELITE = 8, 24
 """Graphs that are changed, the best the most: with numbers that are fitted, and without."""
 

@@ -18,12 +18,12 @@ from viscodesign.scene.scene import Scene
 KEYS = ("harmonics", "period", "limits", "rate_limit")
 EXAMPLE = "{harmonics: 6, period: [5 s, 400 s], limits: [-25 kPa, 30 kPa]}"
 AMPLITUDE_SHARE = 0.65
-"""Of the range of pressures, that one harmonic may have: a square wave's first has 0.64."""
+"""Largest amplitude of one harmonic over the range of pressures: a square wave's first has 0.64."""
 FIRST_SHARE = 0.35
 SAMPLES = 96
-"""Of a period, at which limits are kept during a search."""
+"""Points of a period at which limits are kept during a search."""
 MARGIN_SHARE = 0.002
-"""Of the range of pressures, that a search stays away from the limits."""
+"""A search stays away from the limits by this part of the range of pressures."""
 STIFFNESS = 500.0
 """Tolerances that an excess of the whole range counts as."""
 
@@ -36,9 +36,9 @@ class HarmonicChoice:
     period: tuple[float, float]
     """Bounds [s]; equal where it is given."""
     limits: tuple[float, float]
-    """Of the pressure above the baseline [Pa]."""
+    """Limits of the pressure above the baseline [Pa]."""
     rate_limit: float | None = None
-    """Of its slope [Pa/s]."""
+    """Limit of the pressure's slope [Pa/s]."""
 
     @classmethod
     def of(cls, given: Mapping[str, Any]) -> HarmonicChoice:
@@ -62,7 +62,7 @@ class HarmonicChoice:
 
     @property
     def span(self) -> float:
-        """Of the limits [Pa]."""
+        """Distance of the limits [Pa]."""
         return self.limits[1] - self.limits[0]
 
     def ranges(self) -> list[FreeRange]:

@@ -27,7 +27,7 @@ ROUND = 0.2
 SMALL_SHARE = 1e-4
 """Amplitude of the harmonic, in parts of the limits: a linear motion."""
 LEAST_AREA = 1e-3
-"""Of the largest area of all draws, below which one has no sense."""
+"""A loop below this part of the largest area of all draws has no sense."""
 
 
 @dataclass(frozen=True)

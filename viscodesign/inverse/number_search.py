@@ -42,13 +42,13 @@ MOST_ROUNDS = 3
 DESCENTS = 6
 STARTS_PER_NUMBER, LEAST_STARTS, MOST_STARTS = 4, 12, 48
 ENOUGH_SHARE = 0.1
-"""Of the tolerance, at which a descent has found the path and no other start is tried."""
+"""Part of the tolerance at which a descent has found the path and no other start is tried."""
 EXACT_SHARE, NEAR_SHARE = 0.01, 0.3
-"""Of the tolerance, at which nothing better is sought: solutions are no more accurate; of a path
-without times, whose numbers are not unique."""
+"""Parts of the tolerance at which nothing better is sought: solutions are no more accurate; the
+second for a path without times, whose numbers are not unique."""
 PERCENT = 0.01
 SAME_SHARE = 0.02
-"""Of its range, up to which a number of two optima counts as the same."""
+"""Optima whose numbers differ by less than this part of the range count as the same."""
 
 
 @dataclass(frozen=True, eq=False)

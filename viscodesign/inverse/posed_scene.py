@@ -11,7 +11,7 @@ from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.scene.scene import Scene
 
 ACCURACY_SHARE = 0.3
-"""Of the tolerance, that the tip of a solution may be off."""
+"""Part of the tolerance that the tip of a solution may be off."""
 FINEST_ACCURACY = 1e-5
 LOOP_STEPS = 128
 """Output times of a period."""

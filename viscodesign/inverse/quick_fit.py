@@ -19,9 +19,9 @@ from viscodesign.scene.scene import Scene
 QUICK_EVALUATIONS = 40
 LENGTHS = ["network.tubes[*].length"]
 QUICK_SHARE = 0.45
-"""Of the budget, that ranking may take."""
+"""Part of the budget that ranking may take."""
 QUICK_MET = 0.25
-"""Of the tolerance, at which the quick motion is near enough."""
+"""Part of the tolerance at which the quick motion is near enough."""
 
 
 @dataclass(frozen=True, eq=False)

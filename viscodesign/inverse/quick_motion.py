@@ -32,7 +32,7 @@ POWERS = {"length": 1, "tube_length": 1, "radius": -4, "tube_radius": -4, "visco
 SHARED_SIZES = {("network", "tube_length"): "length", ("network", "tube_radius"): "radius"}
 """Sizes that tubes without their own have, by their places."""
 INPUT_STEP = 1e-6
-"""Of the range or the size of a number of the input, for its slopes by differences."""
+"""Step of differences by a number of the input, as a part of its range or its size."""
 
 
 class QuickMotion:

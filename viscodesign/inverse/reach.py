@@ -139,7 +139,8 @@ def _bellows(scene: Scene) -> LinearBellows:
 def _largest_error(
     scene: Scene, past: PastInput, rod: ArcRod, pressures: np.ndarray
 ) -> float | None:
-    """Of the leftmost, rightmost, lowest and highest point, by `simulate` with their inputs."""
+    """Largest miss of the leftmost, rightmost, lowest and highest point by `simulate` with their
+    inputs."""
     tip = rod.tip(pressures)
     ends = [tip[:, 0].argmin(), tip[:, 0].argmax(), tip[:, 1].argmin(), tip[:, 1].argmax()]
     apart = []

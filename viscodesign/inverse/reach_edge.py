@@ -61,7 +61,7 @@ class PastInput:
 
     @classmethod
     def of(cls, bellows: LinearBellows, limits: tuple[float, float]) -> PastInput:
-        """Of a network."""
+        """Step responses of a network to the past of its input."""
         rate, modes = bellows.modes()
         first, last = FIRST_TIME / rate[-1], PAST_TIMES / rate[0]
         ages = np.concatenate([[0.0], np.geomspace(first, last, PAST_STEPS)])

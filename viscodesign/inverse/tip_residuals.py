@@ -15,7 +15,7 @@ from viscodesign.lazy_dataclass import dataclass
 
 TIP = ("tip_x_m", "tip_z_m")
 STRAY_TIMES = 3.0
-"""Of the tolerance, from which a found path strays that is farther off than any wanted point."""
+"""A found path strays where it is farther off than any wanted point by this many tolerances."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class PathDistance:
     rms_m: float
     worst_m: float
     place: int
-    """Of the wanted points, the one that is farthest off."""
+    """Place of the wanted point that is farthest off."""
     excess_m: float | None = None
     """Largest distance of a found point from the wanted line [m]; None where times decide."""
     excess_at: tuple[float, float] | None = None
@@ -176,7 +176,7 @@ class _Part:
 
     @property
     def root(self) -> float:
-        """Of the count of distances."""
+        """Root of the number of distances."""
         return math.sqrt(len(self.apart))
 
     def residuals(self) -> np.ndarray:

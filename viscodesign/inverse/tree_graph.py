@@ -21,7 +21,7 @@ class TreeGraph:
     """
 
     parents: tuple[tuple[int, int], ...]
-    """Of every tube: the bellow at its far end, and the node that feeds it."""
+    """Ends of every tube: the bellow at its far end, and the node that feeds it."""
 
     @property
     def edges(self) -> list[tuple[int, int]]:

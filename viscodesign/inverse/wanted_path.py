@@ -22,7 +22,7 @@ from viscodesign.units import Length, Time
 TIME = WantedColumn("time", get_args(Time)[1], ("t",))
 LENGTH = get_args(Length)[1]
 CLOSED_SHARE = 0.02
-"""Of the path's length, up to which a distance between its ends closes it."""
+"""A distance between a path's ends below this part of its length closes it."""
 MOST_ROWS = 50_000
 SPACED_POINTS = 96
 """Points of a path whose timing is free."""
@@ -60,7 +60,7 @@ class WantedPath:
 
     @property
     def length(self) -> float:
-        """Of the whole way [m]."""
+        """Length of the whole way [m]."""
         return float(np.linalg.norm(np.diff(self.way, axis=0), axis=1).sum())
 
     @property

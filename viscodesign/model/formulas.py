@@ -26,7 +26,7 @@ class Formulas:
     time: SX
     pieces: SX
     parameters: SX
-    """Of an integrator: load factor, sealed volumes, the scene's parameters."""
+    """Parameters of an integrator: load factor, sealed volumes, the scene's parameters."""
     tail: Sequence[SX]
     """(t, pieces, load_factor, sealed_volumes, parameters): what follows the unknowns in the
     functions below."""

@@ -90,9 +90,9 @@ class RodSymbols(ABC):
     section_length: SX
     """Reference length of a section, as the mesh sums it up [m]."""
     intrinsic_curvature: SX
-    """Of every section, as symbols (S,) [1/m]."""
+    """Intrinsic curvature of every section, as symbols (S,) [1/m]."""
     intrinsic_stretch: SX
-    """Of every section, as symbols (S,) [1]."""
+    """Intrinsic stretch of every section, as symbols (S,) [1]."""
     tip_moment: SX
     """Moment applied at the tip, a symbol [N m]."""
 

@@ -47,7 +47,7 @@ def structure_digest(key: Hashable) -> str | None:
 
 @cache
 def source_digest() -> str | None:
-    """Of the files whose code makes formulas; None where they cannot be read."""
+    """Digest of the files whose code makes formulas; None where they cannot be read."""
     whole, found = hashlib.sha256(), 0
     try:
         for room in ROOMS:

@@ -21,7 +21,7 @@ class SyringeParameters:
     full_volume: float = field(metadata=SCENE_NUMBER)
     """Volume in front of the plunger at its start [m3]."""
     bulk_modulus: float | None = field(metadata=SCENE_NUMBER)
-    """Of a liquid [Pa]; None for a gas, which follows ``exponent``."""
+    """Bulk modulus of a liquid [Pa]; None for a gas, which follows ``exponent``."""
     exponent: float = 1.0
     cushion: float = field(default=0.0, metadata=SCENE_NUMBER)
     """Gas beside a liquid, of the full volume, at the baseline pressure [m3]."""

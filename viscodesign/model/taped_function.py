@@ -64,7 +64,7 @@ class TapedFunction:
 
     @cached_property
     def sparsities(self) -> tuple[ca.Sparsity, ...]:
-        """Of the results."""
+        """Sparsities of the results."""
         if self._taped is None:
             return tuple(self.casadi.sparsity_out(k) for k in range(self.casadi.n_out()))
         return tuple(ca.Sparsity(*pattern) for pattern in self._taped.patterns)

@@ -28,7 +28,7 @@ class Differentiable:
     """(nnz,)"""
     algebraic: AlgebraicPart
     kernels: np.ndarray
-    """Of every pair of kernels of the assembly: slopes of the weighted results of the first and
+    """Four kernels for every pair of the assembly: slopes of the weighted results of the first and
     of the second, rates of both along a direction (4 pairs,)."""
 
 

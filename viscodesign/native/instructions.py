@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 FIELDS = 4
-"""Of an instruction: its operation, the place of its result, and two operands.
+"""Fields of an instruction: its operation, the place of its result, and two operands.
 
 One operand only stands twice. Of a CONST, the operands are the bits of the number; of an INPUT
 argument and entry; an OUTPUT has the number of the result, the place of what it gives, and the

@@ -286,7 +286,7 @@ class _Writer:
 
 @lru_cache(16)
 def _instructions(function: ca.Function) -> list[list[int]]:
-    """Of a function; most kernels contain the same few expansions."""
+    """Read the instructions of a function once; most kernels contain the same few expansions."""
     found: list[list[int]] = instructions(function).tolist()
     return found
 

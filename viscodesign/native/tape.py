@@ -49,7 +49,7 @@ class OperationTape:
     given: tuple[int, ...]
     """Entries of the arguments."""
     names: tuple[str, ...]
-    """Of the results."""
+    """Names of the results."""
     sizes: tuple[int, ...]
     """Entries of the results that are not zero by structure."""
 

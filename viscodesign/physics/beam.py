@@ -32,7 +32,8 @@ def bending_stiffness(youngs_modulus: float, height: float, width: float, factor
 
 
 SHEAR_CORRECTION = 5 / 6
-"""Of a solid rectangle, kappa [1]: its shear stress is a parabola across the height."""
+"""Shear correction factor kappa of a solid rectangle [1]: its shear stress is a parabola across
+the height."""
 SHEAR_MODULUS_RATIO = 1 / 3
 """G/E of an incompressible material [1]."""
 

@@ -18,11 +18,11 @@ class LegSizes:
     """Sizes of an actuator and of its bellows [m]; those of a bellow are inner ones."""
 
     length: float
-    """Of the actuator, l."""
+    """Length of the actuator, l."""
     height: float
-    """Of the actuator along x, the direction of bending, h_s."""
+    """Height of the actuator along x, the direction of bending, h_s."""
     width: float
-    """Of the actuator along y, w_s."""
+    """Width of the actuator along y, w_s."""
     count: int
     """Number of bellows, two to a section."""
     bellow_height: float

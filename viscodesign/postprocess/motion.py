@@ -95,7 +95,7 @@ class _MotionReader:
         self._between: dict[str, GrowingArray] = {}
         self._last_shape: np.ndarray | None = None
         self._points = 0
-        """Of a shape."""
+        """Number of points of a shape."""
         self._rest: Callable[[], None] | None = None
         """What waits until it is asked for."""
 

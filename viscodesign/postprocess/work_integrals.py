@@ -155,7 +155,7 @@ class _Weights:
         ]
 
     def integrals(self, force: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Of forces and paths (g, k + 1, n)."""
+        """Integrate forces over paths (g, k + 1, n)."""
         whole = _weighted(force, self._whole, path)
         if not self._halves:  # a single interval
             change = np.sum((force[:, 1] - force[:, 0]) * (path[:, 1] - path[:, 0]), axis=1)

@@ -42,7 +42,7 @@ class FileSet:
 
     @property
     def names(self) -> tuple[str, str, str]:
-        """Of all its files, the picture as PNG."""
+        """Names of all its files, the picture as PNG."""
         return self.table, self.document, self.picture
 
     def write(

@@ -11,7 +11,7 @@ POINT_COLUMNS = (
     "model", "edges", "tolerance", "solver", "solve_s", "build_s", "tip_error_m",
     "tip_error_rel", "dominated",
 )  # fmt: skip
-"""Of `accuracy.csv`; `edges` are those of one section."""
+"""Columns of `accuracy.csv`; `edges` are those of one section."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Point:
     edges: int
     """Per section."""
     tolerance: float
-    """Of the time steps, relative."""
+    """Relative tolerance of the time steps."""
     solver: str
     """Name of the integrator."""
     solve_s: float
@@ -92,7 +92,7 @@ class Reference:
     edges: int
     """Per section."""
     tolerance: float
-    """Of the time steps, relative."""
+    """Relative tolerance of the time steps."""
     solver: str
     """Name of the integrator."""
     solve_s: float

@@ -31,11 +31,11 @@ class AccuracyStudy:
     """What accuracy costs in solve time, for one scene."""
 
     name: str
-    """Of the scene."""
+    """Name of the scene."""
     version: str
-    """Of this program."""
+    """Version of this program."""
     spec_sha256: str
-    """Of the spec's file as it was read, without overrides."""
+    """Digest of the spec's file as it was read, without overrides."""
     status: Literal["complete", "interrupted"]
     """Whether all was measured that the time allowed."""
     length: float

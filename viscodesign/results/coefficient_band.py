@@ -18,7 +18,7 @@ COVERAGE = 0.95
 COVERAGE_FACTOR = 1.959963984540054
 """Half-width of the middle 95 % of a normal distribution, in standard deviations."""
 BAND_COLUMNS = ("time_s", "tip_x_sd_m", "tip_z_sd_m", "tip_xz_covariance_m2")
-"""Of `uncertainty.csv`."""
+"""Columns of `uncertainty.csv`."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class UncertainNumber:
     """A number of the spec, how well it is known, and what that does to the tip."""
 
     key: str
-    """Of the spec."""
+    """Key of the spec."""
     value: float
     """[unit]"""
     unit: str
@@ -36,7 +36,7 @@ class UncertainNumber:
     assumed: bool
     """Whether it is a typical one, which the spec does not state."""
     share: float
-    """Of the variance of the tip's place, over all output times [1]."""
+    """Share of the variance of the tip's place, over all output times [1]."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -51,7 +51,7 @@ class Verdict:
     """Whether a run includes an effect, and why."""
 
     name: str
-    """Of the effect."""
+    """Name of the effect."""
     mode: Literal["auto", "on", "off"]
     """As the spec has it."""
     taken: bool
@@ -84,7 +84,7 @@ class EffectAblation:
     """Tip displacement by switching one effect, measured by a second solution."""
 
     name: str
-    """Of the effect."""
+    """Name of the effect."""
     taken: bool
     """Whether the run includes the effect; the second solution has it switched."""
     estimated_m: float
@@ -121,11 +121,11 @@ class Classification:
     """Timescales, ratios and quadrant of one scene, with what they mean."""
 
     name: str
-    """Of the scene."""
+    """Name of the scene."""
     scales: Scales
     """Its four times [s]."""
     quadrant: Literal["I", "II", "III", "IV"]
-    """Of the plane of t_s/t_f and t_s/t_i."""
+    """Quadrant of the plane of t_s/t_f and t_s/t_i."""
     meaning: str
     """What that means for the motion, in words."""
     cutoff_frequency_hz: float

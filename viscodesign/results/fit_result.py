@@ -40,7 +40,7 @@ class FittedNumber:
     """Ends of the interval that holds it with 95 % [unit]; None where the data set no end."""
     why_unknown: WhyUnknown = ""
     edge: Edge = ""
-    """Of the range that was searched, at which it is."""
+    """Edge of the range that was searched, where the value lies on one."""
 
     @property
     def is_identified(self) -> bool:
@@ -49,7 +49,7 @@ class FittedNumber:
 
     @property
     def half_width(self) -> float | None:
-        """Of the interval, in parts of the value; None where it is open."""
+        """Half the interval, as a part of the value; None where it is open."""
         if self.low is None or self.high is None:
             return None
         return (self.high - self.low) / 2 / abs(self.value)

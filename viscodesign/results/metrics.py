@@ -64,7 +64,7 @@ class MetricInputs:
         bellows: Sequence[str],
         period: float | None = None,
     ) -> MetricInputs:
-        """Of a run: times (T,) [s], tip (T, 2 or more) [m], pressures (T, B) [Pa]."""
+        """Read a run: times (T,) [s], tip (T, 2 or more) [m], pressures (T, B) [Pa]."""
         weights = column_weights(bellows)
         means = [pressure[rows] @ weights for rows in blocks(len(time), pressure)]
         columns = np.concatenate([np.zeros((0, 2)), *means])
@@ -82,7 +82,7 @@ class MetricInputs:
 
     @cached_property
     def lag(self) -> ColumnLag:
-        """Of the left column behind the right one, in equal parts of the loop."""
+        """Lag of the left column behind the right one, in equal parts of the loop."""
         curves = self.loop.even(self.lag_intervals).values(self.columns)
         return column_lag(curves[:, RIGHT], curves[:, LEFT], self.loop.is_period)
 
@@ -102,7 +102,7 @@ class MetricGradient:
     """(T, 2), of the columns' mean pressures [1/Pa]."""
     bellows: tuple[str, ...]
     period: float = 0.0
-    """Of the period [1/s], the motion fixed: where the loop begins depends on it."""
+    """Slope by the period [1/s], the motion fixed: where the loop begins depends on it."""
 
     @property
     def pressure(self) -> np.ndarray:
@@ -133,7 +133,7 @@ class Metric:
     value: Value
     """NaN where it is not defined."""
     gradient: Gradient
-    """Of a metric that is defined."""
+    """Gradient of a metric that is defined."""
     least_outputs: int = 1
     """Output times that it needs."""
 

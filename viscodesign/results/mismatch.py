@@ -12,12 +12,12 @@ class Mismatch:
     """How far a fitted model is from the recordings, where most, and with which effects."""
 
     mean_square: float
-    """Of what is left of the worst channels, over that of their noise."""
+    """Mean square of what is left of the worst channels, over that of their noise."""
     identified_up_to: float
     """Mean square up to which numbers may count as identified."""
     file: str
     header: str
-    """Of the channel in which most is left."""
+    """Header of the channel in which most is left."""
     time_s: float
     residual: float
     """Measured minus expected, there and then [unit]."""

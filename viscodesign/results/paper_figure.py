@@ -60,7 +60,7 @@ class PaperFigure:
     checks: tuple[PaperCheck, ...]
     version: str
     classifications: tuple[Classification, ...] = ()
-    """Of Figure 1."""
+    """Classifications that Figure 1 shows."""
     beside: Mapping[str, str] = field(default_factory=dict)
     """What the literature has in each of its quadrants."""
     changes: tuple[str, ...] = ()

@@ -66,7 +66,7 @@ class PathDesign:
     """The design that a search found for a wanted path of the tip."""
 
     name: str
-    """Of the spec where the search started."""
+    """Name of the spec where the search started."""
     status: DesignStatus
     """Met: confirmed by a simulation within the tolerance."""
     reason: str
@@ -82,7 +82,7 @@ class PathDesign:
     closed: bool
     """Whether the wanted path is a loop."""
     rms_m: float | None
-    """Of the search [m]."""
+    """Root mean square distance that the search left [m]."""
     worst_m: float | None
     """Largest distance of the search [m]."""
     confirmed_rms_m: float | None

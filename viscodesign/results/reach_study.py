@@ -57,11 +57,11 @@ class ReachStudy:
     """The set of points that a tip can visit, by its edge."""
 
     name: str
-    """Of the scene."""
+    """Name of the scene."""
     limits: tuple[float, float]
-    """Of the inlet's pressure above the baseline [Pa]."""
+    """Limits of the inlet's pressure above the baseline [Pa]."""
     harmonics: int | None
-    """Of periodic inputs; None for any input within the limits."""
+    """Number of harmonics of periodic inputs; None for any input within the limits."""
     edge: np.ndarray
     """(N, 2) of the set with the spec's inlet, in order [m]; empty where none was asked for."""
     edge_two_inlets: np.ndarray
@@ -78,12 +78,12 @@ class ReachStudy:
 
     @property
     def area_m2(self) -> float:
-        """Of the set [m2]; NaN without an edge."""
+        """Area of the set [m2]; NaN without an edge."""
         return polygon_area(self.edge)
 
     @property
     def area_two_inlets_m2(self) -> float:
-        """Of the set with one inlet a column [m2]."""
+        """Area of the set with one inlet a column [m2]."""
         return polygon_area(self.edge_two_inlets)
 
     def document(self) -> dict[str, Any]:

@@ -55,7 +55,7 @@ class ComparedMotion:
     stated_error_m: float | None = None
     """Estimated error of the tip at any time [m]; None where none is stated."""
     error_words: str = ""
-    """Of which model the error is, or why there is none."""
+    """Which model the error belongs to, or why there is none."""
     period: float | None = None
     """[s]; None where the motion is not cyclic, or it is not known."""
     note: str = ""
@@ -138,7 +138,7 @@ class TipDifference:
     phase: PhaseDifference | None = None
     """Where both are cyclic and have a whole period."""
     shift: TimeShift | None = None
-    """Of motions that are not cyclic."""
+    """Shift in time between motions that are not cyclic."""
 
     @property
     def max_m(self) -> float:
@@ -258,7 +258,7 @@ class Comparison:
     motions: tuple[ComparedMotion, ...]
     """At least two."""
     differences: tuple[TipDifference, ...]
-    """Of all but the first, in their order."""
+    """Differences of all but the first, in their order."""
     version: str
     missing: tuple[str, ...] = ()
     """What an interrupt left out."""

@@ -39,7 +39,7 @@ class SampledVariance:
     """Variances from many solutions, which know nothing of slopes."""
 
     size: int
-    """Of each of the two samples."""
+    """Size of each of the two samples."""
     solutions: int
     failed: int
     """Solutions that failed, and were taken to be where slopes say."""

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 COMPLETE, FAILED, MISSING = "complete", "failed", "missing"
-"""Of a row: it was solved; it cannot be; it was not yet, or the process that did it died."""
+"""Status of a row: it was solved; it cannot be; it was not yet, or the process that did it died."""
 
 
 SweepStatus = Literal["complete", "incomplete", "interrupted"]

@@ -166,9 +166,9 @@ class Trajectory(MotionArrays):
     spec_text: str
     """The spec as resolved, YAML, runnable again."""
     spec_sha256: str
-    """Of the spec's file as it was read, without overrides."""
+    """Digest of the spec's file as it was read, without overrides."""
     version: str
-    """Of this program."""
+    """Version of this program."""
     ambient_pressure: float = 101325.0
     """Absolute [Pa]."""
     period: float | None = None
@@ -226,7 +226,8 @@ class Trajectory(MotionArrays):
 
     @property
     def error_qualifier(self) -> str:
-        """Of which model the stated error is, in words; empty where the scene had its choice."""
+        """Which model the stated error belongs to, in words; empty where the scene had its
+        choice."""
         if self.violations:
             return "of a model that does not hold here"
         pinned = any(v.present and not v.taken and v.mode == "off" for v in self.effects)

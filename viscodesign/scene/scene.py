@@ -37,7 +37,7 @@ from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Tempera
 STANDARD_ATMOSPHERE = 101325.0
 """[Pa]"""
 DEFAULT_ACCURACY = 0.005
-"""Of the actuator's length."""
+"""Default accuracy, as a part of the actuator's length."""
 LEAST_ACCURACY = 1e-7
 """The smallest that a spec may ask for, in lengths of the actuator."""
 

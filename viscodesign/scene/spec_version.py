@@ -7,7 +7,7 @@ from typing import Any, Final, Literal
 from viscodesign.errors import described
 
 SPEC_VERSION: Final[Literal[1]] = 1
-"""Of the keys that this version of the package reads; it rises when a key changes its meaning."""
+"""Version of the keys that this package reads; it rises when a key changes its meaning."""
 
 
 def version_problem(given: Any) -> str:

@@ -116,7 +116,7 @@ class Verifier:
         self.spent_s = 0.0
         self.solutions = 0
         self.steps = 0
-        """Of all solutions together."""
+        """Steps of all solutions together."""
         self.stalled = ""
         """Why further refinement would not help; empty where it may."""
         self.flows_apart: FlowDifference | None = None

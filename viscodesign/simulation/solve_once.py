@@ -187,7 +187,7 @@ class FlowDifference:
     """Where the flows of two solutions are farthest apart."""
 
     share: float
-    """Of the largest flow of all."""
+    """Difference of the flows, as a part of the largest of all."""
     tube: int
     row: int
 

@@ -15,7 +15,7 @@ from viscodesign.solve.statics import Start
 from viscodesign.storage.distinct import distinct
 
 LOCATED_REL_TOL = 1e-8
-"""Of the run's duration, to which the time of an event is found."""
+"""Part of the run's duration to which the time of an event is found."""
 MARGIN_STEPS = 3.0
 """Steps behind an event within which a more accurate solution is to meet it, too."""
 PARTS = 64

@@ -41,7 +41,7 @@ class CycleNumbers:
     may_grow: float = 2.0
     """Factor by which a step may enlarge the gap that is left."""
     disturbance: float = 1e-2
-    """Of the states, which has to fade on a cycle that attracts."""
+    """Disturbance of the states, which has to fade on a cycle that attracts."""
     fading_periods: int = 4
     """Periods for what fades quickly, and as many in which the rest must not grow."""
     max_growth: float = 1.1
@@ -74,7 +74,7 @@ class _Tried:
 
     @property
     def next_begin(self) -> Start:
-        """Of the period that follows; integrals begin as before."""
+        """Begin of the next period; integrals begin as before."""
         return Start(self.begin.states + self.gap, self.end.algebraics)
 
 

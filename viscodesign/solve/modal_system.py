@@ -47,7 +47,7 @@ class ModalSystem:
         self.algebraics = equations.algebraics.count
         own = np.concatenate([self.live, equations.states.count + np.arange(self.algebraics)])
         self.order = order = np.concatenate([own, self.idle]).astype(int)
-        """Of the rows, and of their unknowns: place among states and algebraic unknowns."""
+        """Order of the rows, and of their unknowns: place among states and algebraic unknowns."""
         inputs = equations.compiled(input_parts)
         self._inputs = NumpyFunction(inputs)
         self.input_rows = np.argsort(order)[np.array(inputs.sparsity_out(0).row(), dtype=int)]
@@ -58,7 +58,7 @@ class ModalSystem:
         if np.max(np.abs(self._modes.rates), initial=0.0) * duration > MAX_SPREAD:
             raise np.linalg.LinAlgError("flows through the widest tubes would lose energy")
         self.rates, self.shapes = self._modes.rates, self._modes.shapes
-        """Of decay (n,) [1/s]; live states (live, n) of the modes."""
+        """Rates of decay (n,) [1/s], and live states (live, n) of the modes."""
         self.idle_by = self._idle_sums()
         """(idle, live + nz): idle rows as combinations of the others."""
         unknowns = np.vstack([self.shapes, self.algebraics_of(self.shapes, 0.0)])

@@ -34,7 +34,7 @@ class Pieces:
         return self._count
 
     def __getitem__(self, intervals: int | slice | Sequence[int] | np.ndarray) -> np.ndarray:
-        """Of one interval (coefficients,), or of several (k, coefficients)."""
+        """Coefficients of one interval (coefficients,), or of several (k, coefficients)."""
         if isinstance(intervals, slice):
             intervals = np.arange(*intervals.indices(self._count))
         stretch = np.searchsorted(self._firsts, intervals, side="right") - 1
@@ -52,7 +52,7 @@ class Pieces:
 
 
 SAME_TIME = 1e-12
-"""Of the end of a run, within which times count as equal."""
+"""Times that differ by less than this part of the run's end count as equal."""
 
 
 def merged(times: np.ndarray, end: float) -> np.ndarray:

@@ -62,7 +62,7 @@ class _Intervals:
         self._spacing = (equations.swing_time or float(self.edges[-1])) / RULE.parts_per_swing
 
     def integrals(self) -> np.ndarray:
-        """Of each rate over each interval (n, m)."""
+        """Integral of each rate over each interval (n, m)."""
         begins, ends, owner = graded_parts(self.edges, self._spacing)
         found = self._gauss(begins, ends, owner)
         settled = np.zeros((len(found), len(self.edges) - 1))

@@ -117,7 +117,7 @@ def _tip_error(trajectory: Trajectory) -> str:
 MOST_CONTRIBUTORS = 4
 """Numbers that are named as the largest contributions to the uncertainty."""
 SMALL_SHARE = 0.005
-"""Of the variance, below which a number is not named."""
+"""Share of the variance below which a number is not named."""
 
 
 def both_errors(trajectory: Trajectory) -> str:

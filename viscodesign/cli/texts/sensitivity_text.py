@@ -12,7 +12,7 @@ from viscodesign.results.sweep_table import value_words
 
 MOST_NUMBERS = 20
 NOTABLE_DIFFERENCE = 0.05
-"""Of a sampled standard deviation from that of the band, from which it is worth a warning."""
+"""A sampled standard deviation that differs more from that of the band is worth a warning."""
 
 
 def sensitivity_lines(study: SensitivityStudy, folder: Path, files: Sequence[Path]) -> list[str]:

@@ -20,7 +20,7 @@ COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#000000")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 """One per solver."""
 STEPLESS = "*"
-"""Of settings without time steps, and hence without a solver."""
+"""Mark of settings without time steps, and hence without a solver."""
 STEPLESS_SIZE = 9.0
 """[pt]"""
 KEY_LINE_HEIGHT, KEY_GAP = 0.165, 0.15

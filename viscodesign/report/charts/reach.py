@@ -24,7 +24,7 @@ LEFT, BOTTOM, WIDTH, KEY = 0.75, 0.6, 6.0, 0.35
 TALLEST, LOWEST = 6.0, 2.6
 MARGIN = 0.06
 NEAR_CLAMP = 0.4
-"""Of the extent of what is drawn, up to which the clamp is near enough to be drawn, too."""
+"""The clamp is drawn, too, if it is nearer than this part of the extent of what is drawn."""
 OWN = SEQUENTIAL(0.25)
 
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 WEBP_QUALITY, WEBP_EFFORT = 80, 2
 COLOURS = 128
-"""Of a GIF."""
+"""Number of colours of a GIF."""
 NEARLY_WHITE = 243
 FFMPEG = "ffmpeg"
 

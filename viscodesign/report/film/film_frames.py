@@ -25,10 +25,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 WIDTH = 9.6
-"""Of the figure [inch]; pixels follow from its resolution."""
+"""Width of the figure [inch]; pixels follow from its resolution."""
 COLUMN_COLOURS = {"R": "#1b7f79", "L": "#a3308f"}
 MOST_CURVES = 16
-"""Of a column."""
+"""Largest number of curves of a column."""
 MOST_TUBES = 256
 
 
@@ -63,7 +63,7 @@ def film_frames(
 
 
 def _decimals(time: np.ndarray) -> int:
-    """Of a time, so that the output times of a run can be told apart."""
+    """Decimals of a time by which the output times of a run can be told apart."""
     step = float(time[-1] - time[0]) / max(len(time) - 1, 1)
     return int(np.clip(np.ceil(-np.log10(step) - 1e-9), 0, 9)) if step > 0 else 2
 

@@ -71,7 +71,7 @@ class Screen:
     """Where a picture goes that is to be looked at: a figure of pyplot, which stays."""
 
     axes: list[Axes]
-    """Of the figure, in the order in which they were made."""
+    """Axes of the figure, in the order in which they were made."""
 
     def figure(self, width: float, height: float) -> Figure:
         """A new figure of this size [inch], with a colour behind it that the text is made for."""

@@ -29,7 +29,7 @@ class FluidProperties:
     speed_of_sound: float | None = None
     """[m/s]"""
     polytropic_exponent: float = 1.0
-    """Of a gas in the bellows; 1 is isothermal."""
+    """Polytropic exponent of a gas in the bellows; 1 is isothermal."""
 
     @property
     def is_gas(self) -> bool:

@@ -16,7 +16,7 @@ GRADES = (20.0, 50.0, 100.0, 350.0, 1e3, 1e4, 1e5)
 DENSITIES = (950.0, 960.0, 965.0, 970.0, 971.0, 974.0, 977.0)
 """At 25 degC, by grade [kg/m3]."""
 EXPANSION = 9.6e-4
-"""Of volume with temperature [1/K]."""
+"""Expansion of volume with temperature [1/K]."""
 
 
 class SiliconeOil(NamedFluid):

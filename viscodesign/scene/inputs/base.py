@@ -44,7 +44,7 @@ class Surroundings:
     baseline: float = 0.0
     """Gauge pressure to which an input is added [Pa]."""
     accuracy: float = 0.005
-    """Of the tip, relative to the length of the actuator."""
+    """Accuracy of the tip, relative to the length of the actuator."""
     inlet: str = ""
     """Name of the input's inlet."""
 
@@ -201,7 +201,8 @@ class PiecewiseLinear(Input):
         return np.asarray(values[index] + slopes[index] * (times - starts[index]))
 
     def extremes(self, duration: float) -> tuple[float, float]:
-        """Of the vertices before the end, and of the last line up to it."""
+        """Lowest and highest value of the vertices before the end, and of the last line up to
+        it."""
         points = self.vertices(duration)
         met = points[points[:, 0] < duration, 1]
         starts, values, slopes = self._lines(duration)
@@ -226,7 +227,7 @@ class PiecewiseLinear(Input):
         return self.shortest_swing(math.inf)
 
     def swing_time_within(self, duration: float) -> float:
-        """Of the swings that begin in a run [s]."""
+        """Time of the shortest swing that begins in a run [s]; inf where nothing moves."""
         return self.shortest_swing(duration) if self.moves_within(duration) else math.inf
 
     def shortest_swing(self, until: float) -> float:

@@ -55,7 +55,7 @@ class DoubleSigmoidInput(SmoothInput):
         return float(found.min()), float(found.max())
 
     def swing_time(self) -> float:
-        """Of a single sigmoid: ln 99 / k."""
+        """Duration of a single sigmoid: ln 99 / k."""
         if self.drop == 0.0:
             return math.inf
         return math.log(SWING_END / (1 - SWING_END)) * self.transition / 6

@@ -13,9 +13,9 @@ from viscodesign.scene.spec_part import invalid_at
 from viscodesign.units import Pressure, PressureLevel, Time
 
 MOST_HARMONICS = 12
-"""Of one input: all have so many coefficients, so that one set of equations serves them."""
+"""Number of harmonics that every input carries, so that one set of equations serves them all."""
 SAMPLES = 64
-"""Of the highest harmonic's period, between which swings are sought."""
+"""Samples of the highest harmonic's period, between which swings are sought."""
 
 
 class HarmonicsInput(SmoothInput):

@@ -151,7 +151,7 @@ class TableInput(PiecewiseLinear, FromFile):
         return [*rows[top:], *(again if rows[0][1] != rows[-1][1] else again[1:])]
 
     def shortest_swing(self, until: float) -> float:
-        """Of the rows without their noise."""
+        """Shortest swing of the rows without their noise."""
         profile = self.profile()
         noise = (self.measured.noise if self.measured is not None else None) or 0.0
         if not noise:

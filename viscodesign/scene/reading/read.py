@@ -83,7 +83,7 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
 
 
 def _resolved_only(scene: Scene) -> Provenance:
-    """Of a scene that no file has: the resolved spec is the first text of it."""
+    """Provenance of a scene that no file has: the resolved spec is the first text of it."""
     return Provenance("", resolved_sha256(scene))
 
 

@@ -47,7 +47,7 @@ class ChosenColumn:
     header: str
     factor: float
     reference: str = ""
-    """Of a pressure: ``gauge``, ``abs`` or not said."""
+    """Reference of a pressure: ``gauge``, ``abs`` or not said."""
     has_baseline: bool = False
     """Whether the scene's baseline is part of the numbers, as in the tables that a run writes."""
 

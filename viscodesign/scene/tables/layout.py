@@ -32,7 +32,7 @@ class TableText:
     delimiter: str
     """One character, or `SPACES`."""
     columns: int
-    """Of the header, or else of the first line."""
+    """Number of columns of the header, or else of the first line."""
 
 
 def taken_apart(text: str) -> TableText:

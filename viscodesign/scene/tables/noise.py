@@ -23,7 +23,7 @@ class NoiseRule:
     outlier: float = 4.0
     """Standard deviations from which a residual is a jump of the signal, no noise."""
     most_correlation: float = 6.0
-    """Of residuals that share no row, times the root of their number."""
+    """Largest correlation of residuals that share no row, times the root of their number."""
     lags: int = 40
     least_rel: float = 1e-3
     """Share of the range below which noise changes neither t_i nor the cost of a run much."""
@@ -33,7 +33,7 @@ class NoiseRule:
     """Standard deviations of the smallest step between values, above which these are rounded."""
     blocks: int = 16
     block_rows: int = 4096
-    """Of a long table, blocks of rows in equal distances stand for all."""
+    """Rows of a block: of a long table, blocks in equal distances stand for all."""
 
 
 RULE = NoiseRule()

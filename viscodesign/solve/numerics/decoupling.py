@@ -25,7 +25,8 @@ class DecouplingLimits:
     max_unsymmetric: int = 200
     """Size up to which matrices without symmetry are taken: they take thirty times longer."""
     max_condition: float = 1e4
-    """Of the modes of such a matrix: it grows where two of them nearly coincide."""
+    """Largest condition number of the modes of such a matrix: it grows where two of them nearly
+    coincide."""
     max_spread: float = 1e6
     """Fastest rate over that of the run from which slow modes are found by the inverse: by the
     matrix itself, their rates have errors of round-off times the fastest one."""
@@ -42,7 +43,7 @@ GROWS = "a mode grows"
 
 @dataclass(frozen=True)
 class Modes:
-    """Of dx/dt = A x + b: x = shapes y, dy/dt = -rates y + drive(b)."""
+    """Modes of dx/dt = A x + b: x = shapes y, dy/dt = -rates y + drive(b)."""
 
     rates: np.ndarray
     """(n,), real or complex [1/s]."""

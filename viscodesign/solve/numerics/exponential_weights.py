@@ -25,7 +25,7 @@ QUADRATURES = ((16.0, 24), (128.0, 64))
 
 @dataclass(frozen=True)
 class Weights:
-    """Of U values of z, each with n modes, at the P points of a cell and at its end.
+    """Weights of U values of z, each with n modes, at the P points of a cell and at its end.
 
     Responses are in units of h: multiply by the cell's length.
     """

@@ -30,7 +30,8 @@ class NewtonControl:
     """Consecutive corrections, each more than twice the one before, that mean divergence."""
     min_damping: float = 1.0 / 1024
     min_continuation_step: float = 2.0**-20
-    """Of the load factor; an imperfection turns a branch sharply near a bifurcation."""
+    """Smallest step of the load factor; an imperfection turns a branch sharply near a
+    bifurcation."""
 
 
 CONTROL = NewtonControl()

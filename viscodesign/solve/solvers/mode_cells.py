@@ -24,7 +24,7 @@ class CellRules:
     least_swing: float = 1e-7
     """Shortest swing beside a corner that is looked for, in durations of the run."""
     decays_per_cell: float = 8.0
-    """Of the fastest mode, in the first cell after a corner: only there it moves."""
+    """Decays of the fastest mode in the first cell after a corner: only there it moves."""
     input_rel_tol: float = 3e-13
     """Error of interpolating an input in a cell, over its largest value."""
     least_input: float = 1e-3
