@@ -1,7 +1,7 @@
 """Draw the rooms of the package and the imports between them: python docs/make_architecture.py
 
 Writes `docs/architecture.svg` and fills the table of rooms in `docs/architecture.md`. Rooms and
-layers come from `tests/architecture.py`, arrows and sizes from the code.
+layers come from `tests/architecture.py`, arrows from the code.
 """
 
 from __future__ import annotations
@@ -53,19 +53,15 @@ def main() -> None:
 
 @dataclass(frozen=True)
 class Plan:
-    """Rooms with their sizes, and the imports between them."""
+    """Rooms, and the imports between them."""
 
-    lines: dict[str, int]
+    rooms: frozenset[str]
     imports: Counter[Arrow]
 
     @classmethod
     def of_the_package(cls) -> Plan:
         """As the code is now."""
-        lines: Counter[str] = Counter()
-        for module, path in modules().items():
-            if room := room_of(module):
-                lines[room] += len(path.read_text(encoding="utf-8").splitlines())
-        return cls(dict(lines), arrows())
+        return cls(frozenset(room for m in modules() if (room := room_of(m))), arrows())
 
     @cached_property
     def drawn(self) -> list[Arrow]:
@@ -77,7 +73,7 @@ class Plan:
     def rows(self) -> list[tuple[float, list[str]]]:
         """Rooms that stand side by side, and their distance from the top [rows]."""
         layers = [
-            [room for room in layer if room in self.lines and room not in UNDRAWN]
+            [room for room in layer if room in self.rooms and room not in UNDRAWN]
             for layer in LAYERS[:-1]
         ]
         pump, core = (
@@ -217,12 +213,9 @@ def draw(plan: Plan, path: Path) -> None:
                 "", xy=end, xytext=start, arrowprops={**style, "shrinkA": 0, "shrinkB": 0}
             )
         for room, middle in at.items():
-            _draw_box(axes, middle, BOX_W, room, f"{plan.lines[room]:,} lines")
-        base = ", ".join(room for room in BASE if room in plan.lines)
-        total = sum(plan.lines[room] for room in BASE if room in plan.lines)
-        _draw_box(
-            axes, (width / 2, bottom), width, base, f"{total:,} lines; all rooms may use these"
-        )
+            _draw_box(axes, middle, BOX_W, room)
+        base = ", ".join(room for room in BASE if room in plan.rooms)
+        _draw_box(axes, (width / 2, bottom), width, base, "all rooms may use these")
 
 
 def _draw_wings(axes: Axes, at: Placement, width: float) -> None:
@@ -240,15 +233,16 @@ def _draw_wings(axes: Axes, at: Placement, width: float) -> None:
         axes.text(left + 0.06, top + 0.05, name, fontsize=10, color=ACCENT, va="bottom")
 
 
-def _draw_box(axes: Axes, middle: Point, width: float, name: str, size: str) -> None:
+def _draw_box(axes: Axes, middle: Point, width: float, name: str, below: str = "") -> None:
     from matplotlib.patches import FancyBboxPatch
 
     x, y = middle
     corner = (x - width / 2, y - BOX_H / 2)
     look = {"boxstyle": "round,pad=0,rounding_size=0.05", "fc": "white", "ec": INK, "lw": 0.9}
     axes.add_patch(FancyBboxPatch(corner, width, BOX_H, **look))
-    axes.text(x, y + 0.075, name, fontsize=8.5, ha="center", va="center", color=INK)
-    axes.text(x, y - 0.095, size, fontsize=7, ha="center", va="center", color="0.4")
+    rise = 0.075 if below else 0.0
+    axes.text(x, y + rise, name, fontsize=8.5, ha="center", va="center", color=INK)
+    axes.text(x, y - 0.095, below, fontsize=7, ha="center", va="center", color="0.4")
 
 
 # -- page ----------------------------------------------------------------------------------
@@ -257,12 +251,9 @@ def _draw_box(axes: Axes, middle: Point, width: float, name: str, size: str) -> 
 def rooms_table(plan: Plan) -> str:
     """Every room from the top, with what it is for in its own words."""
     rows = [
-        (f"`{room}`", purpose(room), f"{plan.lines[room]:,}")
-        for layer in LAYERS
-        for room in layer
-        if room in plan.lines
+        (f"`{room}`", purpose(room)) for layer in LAYERS for room in layer if room in plan.rooms
     ]
-    return table(("room", "what it is for", "lines"), rows)
+    return table(("room", "what it is for"), rows)
 
 
 def purpose(room: str) -> str:
@@ -279,7 +270,7 @@ def counts(plan: Plan) -> str:
     """How many rooms and imports there are."""
     inner = [arrow for arrow in plan.imports if not {*arrow} & UNDRAWN]
     return (
-        f"{len(plan.lines)} rooms, {sum(plan.lines.values()):,} lines, {len(plan.imports)} imports "
+        f"{len(plan.rooms)} rooms, {len(plan.imports)} imports "
         f"between rooms; {len(inner)} of them between rooms above the bottom layer, of which the "
         f"picture shows {len(plan.drawn)}: it leaves out what a longer path of arrows implies."
     )
