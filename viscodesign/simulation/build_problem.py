@@ -164,7 +164,7 @@ def _floor_volume(quantities: SceneQuantities, effects: Sequence[Effect]) -> flo
 
 def _drawing_limits(quantities: SceneQuantities, effects: Sequence[Effect]) -> DrawingLimits | None:
     scene = quantities.scene
-    if not any(isinstance(source, SyringeInput) for source in scene.inputs.values()):
+    if all(source.gives_pressure for source in scene.inputs.values()):
         return None
     is_limited = Trait.LIMITED_EMPTYING in _traits(effects)
     floor = None if is_limited else quantities.bellow.floor_volume

@@ -10,7 +10,6 @@ from viscodesign.errors import ViscodesignError
 from viscodesign.model.graph import Tube, crossed_order, straight_order
 from viscodesign.physics import bellow
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.scene import Scene
 
@@ -34,7 +33,7 @@ def why_not(run: Trajectory, scene: Scene | None) -> str:
         return "its spec is not one of this version"
     if len(run.time) < 2:
         return "it has one output time only"
-    if any(isinstance(source, SyringeInput) for source in scene.inputs.values()):
+    if not all(source.gives_pressure for source in scene.inputs.values()):
         return "a syringe prescribes its volume, and the pressure follows from the design"
     if scene.bellows.curve is not None:
         return "its bellows follow a measured curve, and the sketch is linear"
