@@ -6,9 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.event_failures import EventError
-from viscodesign.solve.events import Crossing, EventWatch
+from viscodesign.solve.events import Crossing, EventWatch, start_of
 from viscodesign.solve.problem import Pieces, Problem, Schedule
 from viscodesign.solve.solvers.base import Columns, Solver, Work
 from viscodesign.solve.statics import Start
@@ -20,39 +19,37 @@ MARGIN_STEPS = 3.0
 """Steps behind an event within which a more accurate solution is to meet it, too."""
 PARTS = 64
 """Into which the time in question is cut, again and again."""
+PARTS_OF_DIP = 32
+"""Into which the time is cut in which a solution may have gone beyond a limit and back."""
 
 
-@dataclass(frozen=True)
-class Located:
-    """An event, and up to when a solution may be read."""
-
-    error: EventError
-    valid_until: float
-    """Neither this solution nor a more accurate one has met the event before [s]."""
-
-
-def located(
-    solver: Solver, crossing: Crossing, piece: np.ndarray, work: Work, latest: float
-) -> Located:
-    """The event that a solver meets in one smooth stretch of the inputs, which ends at ``latest``.
+def located(solver: Solver, crossing: Crossing, work: Work) -> EventError:
+    """The event that a solver meets, at its one time.
 
     Two solutions of one tolerance differ by how their steps fall, and their events with them. So
     the event is that of a far more accurate solution from some steps before, where the solver has
     one and it meets the event as well.
     """
-    error = _narrowed(solver, crossing, piece, work)
-    until = min(crossing.end + MARGIN_STEPS * (crossing.end - crossing.begin), latest)
-    if until <= crossing.origin_time:
-        return Located(error, error.time_s)
-    times = np.array([crossing.origin_time, until])
-    finer = solver.finest(_over(solver.problem, times, piece))
-    finest = finer(crossing.origin, 0, 1, work)[1] if finer is not None else None
-    if not isinstance(finest, EventError):
-        return Located(error, error.time_s)
-    return Located(finest, min(error.time_s, finest.time_s))
+    behind = MARGIN_STEPS * (crossing.end - crossing.begin)
+    until = min(crossing.end + behind, float(solver.problem.schedule.edges[-1]))
+    if until > crossing.origin_time:
+        finer = solver.finest(_between(solver.problem, crossing.origin_time, until))
+        met = None if finer is None else _met(finer, crossing.origin, work)
+        if met is not None:
+            return met
+    return _narrowed(solver, crossing, work)
 
 
-def _narrowed(solver: Solver, crossing: Crossing, piece: np.ndarray, work: Work) -> EventError:
+def _met(solver: Solver, origin: Start, work: Work) -> EventError | None:
+    """The first event on all of a solver's schedule."""
+    count = len(solver.problem.schedule.pieces)
+    columns, failure = solver(origin, 0, count, work)
+    if isinstance(failure, EventError):
+        return failure
+    return until_event(solver, origin, 0, columns, work)[1]
+
+
+def _narrowed(solver: Solver, crossing: Crossing, work: Work) -> EventError:
     """The event at the time at which a solver itself meets it.
 
     The solver goes over the time in question once more, again and again in the same steps, and is
@@ -65,52 +62,82 @@ def _narrowed(solver: Solver, crossing: Crossing, piece: np.ndarray, work: Work)
     while end - begin > resolution:
         inside = np.linspace(begin, end, PARTS + 1)
         times = distinct(np.concatenate([[crossing.begin], inside, [crossing.end]]))
-        rows = _rows_at(solver, crossing.before, times, piece, work)
-        found = watch.first(times[: len(rows)], piece, rows)
-        if found is None or found[0] == 0:
+        found = watch.first(*_solved_at(solver, crossing.before, times, work))
+        if found is None:
             break  # met by none but the step that found it
         row, error = found
-        if times[row] > end:
-            break
+        if row == 0 or times[row] > end:
+            break  # at a jump of an input, or known to all digits
         begin, end = float(times[row - 1]), float(times[row])
     return error
 
 
-def _rows_at(
-    solver: Solver, here: Start, times: np.ndarray, piece: np.ndarray, work: Work
-) -> np.ndarray:
-    """Unknowns (m, nx + nz) at rising times (m,) in one stretch, or as many as a solver reaches."""
-    narrow = solver.unwatched(_over(solver.problem, times, piece))
-    (states, algebraics, _), _ = narrow(here, 0, len(times) - 1, work)
+def _solved_at(
+    solver: Solver, here: Start, times: np.ndarray, work: Work
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Times, inputs' coefficients behind them and unknowns (m, nx + nz) at rising times (m,).
+
+    Fewer where a solver does not reach them all.
+    """
+    problem = _over(solver.problem, times)
+    (states, algebraics, _), _ = solver.unwatched(problem)(here, 0, len(times) - 1, work)
     first = np.concatenate([here.states, here.algebraics])
-    return np.vstack([first, np.concatenate([states, algebraics]).T])
+    rows = np.vstack([first, np.concatenate([states, algebraics]).T])
+    pieces = problem.schedule.pieces[np.maximum(np.arange(len(rows)) - 1, 0)]
+    return times[: len(rows)], pieces, rows
 
 
-def _over(problem: Problem, times: np.ndarray, piece: np.ndarray) -> Problem:
-    """The problem at rising times (m,) of one stretch."""
-    count = len(times) - 1
-    same = Pieces(piece[None], np.array([0]), count)
-    return replace(problem, schedule=Schedule(times, same, np.arange(count + 1), piece))
+def _between(problem: Problem, begin: float, until: float) -> Problem:
+    """The problem from one time to another, with its own edges in between."""
+    edges = problem.schedule.edges
+    inside = edges[(edges > begin) & (edges < until)]
+    return _over(problem, np.concatenate([[begin], inside, [until]]))
+
+
+def _over(problem: Problem, times: np.ndarray) -> Problem:
+    """The problem at rising times (m,), none of whose intervals has a corner of an input inside."""
+    schedule, count = problem.schedule, len(times) - 1
+    intervals = np.searchsorted(schedule.edges, times[:-1], side="right") - 1
+    pieces = Pieces(schedule.pieces[intervals], np.arange(count), count)
+    return replace(problem, schedule=Schedule(times, pieces, np.arange(count + 1), pieces[0]))
 
 
 def until_event(
     solver: Solver, here: Start, first: int, columns: Columns, work: Work
 ) -> tuple[Columns, EventError | None]:
-    """Columns behind edge ``first`` as far as no event happens, and the event that ends them."""
-    problem, schedule = solver.problem, solver.problem.schedule
-    count = columns[0].shape[1]
-    if solver.watches_steps or not count:
+    """Columns behind edge ``first`` as far as no event happens, and the event that ends them.
+
+    Also of a solver that watches its steps: within a step its solution may meet what its ends do
+    not.
+    """
+    schedule, count = solver.problem.schedule, columns[0].shape[1]
+    if not count:
         return columns, None
+    edges = np.arange(first, first + count + 1)
     start = np.concatenate([here.states, here.algebraics])
     rows = np.vstack([start, np.concatenate(columns[:2]).T])
-    edges = np.arange(first, first + count + 1)
-    pieces = schedule.pieces[np.maximum(edges - 1, 0)]
-    crossing = EventWatch(problem).crossing(schedule.edges[edges], pieces, rows)
+    crossing = _crossing(solver, edges, rows, work)
     if crossing is None:
         return columns, None
-    interval = int(np.searchsorted(schedule.edges, crossing.end)) - 1
-    piece = schedule.pieces[max(interval, 0)]
-    event = located(solver, crossing, piece, work, latest=crossing.end)
-    valid = int(np.searchsorted(schedule.edges[first + 1 : first + count + 1], event.valid_until))
+    event = located(solver, crossing, work)
+    end = min(event.time_s, crossing.end)
+    valid = int(np.searchsorted(schedule.edges[edges[1:]], end))
     states, algebraics, integrals = (values[:, :valid] for values in columns)
-    return (states, algebraics, integrals), event.error
+    return (states, algebraics, integrals), event
+
+
+def _crossing(solver: Solver, edges: np.ndarray, rows: np.ndarray, work: Work) -> Crossing | None:
+    """The first event among unknowns (m, nx + nz) at edges (m,), or in a dip between them."""
+    schedule, watch = solver.problem.schedule, EventWatch(solver.problem)
+    pieces = schedule.pieces[np.maximum(edges - 1, 0)]
+    times = schedule.edges[edges]
+    crossing, dips = watch.crossing_and_dips(times, pieces, rows)
+    for before, after in dips:
+        parts = np.linspace(times[before], times[after], PARTS_OF_DIP + 1)
+        inside = distinct(np.concatenate([parts, times[before : after + 1]]))
+        dip = watch.crossing(
+            *_solved_at(solver, start_of(solver.problem, rows[before]), inside, work)
+        )
+        if dip is not None:
+            return dip
+    return crossing

@@ -27,6 +27,8 @@ FLOOR_REL_TOL = 0.02
 VANISHING_STRETCH = 0.01
 """Stretch of a section that ends a run: the linear law presses it to nothing, and on the way there
 any two solutions part."""
+DIP_MARGIN = 3.0
+"""Depth of a dip between two rows, in times of its parabola's, that is looked into."""
 
 Rows = Mapping[str, np.ndarray]
 """Named outputs, each (T, n); pressures and volumes in the order of the bellows."""
@@ -62,20 +64,40 @@ class EventWatch:
 
         ``piece``: coefficients of the inputs there.
         """
+        return first_event(self._problem, time, *self._rows(time, piece, unknowns))
+
+    def crossing(
+        self, time: np.ndarray, piece: np.ndarray, unknowns: np.ndarray
+    ) -> Crossing | None:
+        """The same as the times between which it happens, and the unknowns before it."""
+        return self._between(time, unknowns, self.first(time, piece, unknowns))
+
+    def crossing_and_dips(
+        self, time: np.ndarray, pieces: np.ndarray, unknowns: np.ndarray
+    ) -> tuple[Crossing | None, list[tuple[int, int]]]:
+        """The same, and the pairs of rows before it between which an event may come and go.
+
+        ``pieces``: coefficients of the inputs before each time (m, c).
+        """
+        rows, stretch = self._rows(time, pieces, unknowns)
+        found = first_event(self._problem, time, rows, stretch)
+        margins = event_margins(self._problem, rows, stretch)
+        last = len(time) if found is None else found[0]
+        dips = dips_below_zero(time[:last], margins[:last])
+        return self._between(time, unknowns, found), dips
+
+    def _rows(
+        self, time: np.ndarray, piece: np.ndarray, unknowns: np.ndarray
+    ) -> tuple[Rows, np.ndarray]:
         problem = self._problem
         states, count = problem.equations.states.count, problem.unknowns
         x, z = unknowns[:, :states].T, unknowns[:, states:count].T
         rows = evaluate_times(problem, x, z, time, piece)
         for name in ("pressure", "volume"):
             rows[name] = rows[name][:, problem.places]
-        stretch, _ = section_strains(problem, rows)
-        return first_event(problem, time, rows, stretch)
+        return rows, section_strains(problem, rows)[0]
 
-    def crossing(
-        self, time: np.ndarray, piece: np.ndarray, unknowns: np.ndarray
-    ) -> Crossing | None:
-        """The same as the times between which it happens, and the unknowns before it."""
-        found = self.first(time, piece, unknowns)
+    def _between(self, time: np.ndarray, unknowns: np.ndarray, found: Found) -> Crossing | None:
         if found is None:
             return None
         row, error = found
@@ -108,6 +130,33 @@ def first_event(problem: Problem, time: np.ndarray, rows: Rows, stretch: np.ndar
     )
     found = [event for check in checks if (event := check()) is not None]
     return min(found, key=lambda event: event[0]) if found else None
+
+
+def event_margins(problem: Problem, rows: Rows, stretch: np.ndarray) -> np.ndarray:
+    """How far all quantities are from the events that they lead to (T, k), in their own sizes."""
+    margins = [stretch - VANISHING_STRETCH]
+    if problem.floor_volume is not None:
+        margins.append(rows["volume"] / (problem.floor_volume * (1 - FLOOR_REL_TOL)) - 1.0)
+    if problem.drawing is not None:
+        margins.append(1.0 - rows["pressure"] / problem.drawing.vacuum)
+    return np.concatenate(margins, axis=1)
+
+
+def dips_below_zero(time: np.ndarray, margins: np.ndarray) -> list[tuple[int, int]]:
+    """Pairs of rows between which one of positive margins (T, k) may fall below zero and rise
+    again: its parabola through a lowest row comes close.
+    """
+    if len(time) < 3:
+        return []
+    before, least, after = margins[:-2], margins[1:-1], margins[2:]
+    step = np.diff(time)[:, None]
+    into, out = (least - before) / step[:-1], (after - least) / step[1:]
+    bend = (out - into) / (step[:-1] + step[1:])
+    slope = into + bend * step[:-1]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        drop = np.where(bend > 0.0, slope**2 / (4 * bend), 0.0)
+    may_dip = (least <= before) & (least <= after) & (least < DIP_MARGIN * drop)
+    return [(int(k), int(k) + 2) for k in np.flatnonzero(may_dip.any(axis=1))]
 
 
 def _vanished(time: np.ndarray, stretch: np.ndarray) -> Found:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -89,6 +90,58 @@ def test_a_run_tells_the_time_of_its_event_to_all_digits(tmp_path: Path) -> None
     run.save(tmp_path)
     assert run.summary()["failure_time_s"] == run.failure_time_s
     assert Trajectory.read(tmp_path).failure_time_s == run.failure_time_s
+
+
+SLOW = 60.0
+"""Duration of a run in which a gas-filled bellow slowly reaches its minimum volume [s]."""
+SLOW_DIP = f"input={{kind: table, rows: [[0, 0], [{SLOW / 2}, -90 kPa], [{SLOW}, 0]]}}"
+FLOWING = "effects={pressure_distribution: on, others: off}"
+
+
+def solved_by(solver: str | None, *outputs: float, changes: tuple[str, ...]) -> Run:
+    """A run with outputs at these times; ``solver``: None for the one that is chosen."""
+    run = f"run={{duration: {outputs[-1]} s, output_times: {[0.0, *outputs]}}}"
+    quantities = SceneQuantities(leg("bellows.count=4", run, *changes))
+    effects = select_effects(quantities).effects
+    settings = suggest_settings(quantities, effects)
+    if solver is not None:
+        settings = replace(settings, solver=solver, is_free=False)
+    return solve(quantities, effects, settings)
+
+
+@pytest.mark.parametrize(
+    ("solver", "changes"),
+    [
+        ("rosenbrock", (SLOW_DIP, FLOOR)),
+        ("idas", (SLOW_DIP, FLOOR)),
+        ("modes", (SLOW_DIP.replace("-90", "-150"), SOFT, FLOWING)),
+        (None, (SLOW_DIP.replace("-90", "-150"), SOFT, "effects={others: off}")),
+    ],
+    ids=["rosenbrock", "idas", "modes", "quasi-static"],
+)
+def test_no_event_snaps_to_an_output_close_to_it(
+    solver: str | None, changes: tuple[str, ...]
+) -> None:
+    """A solution within its tolerance may meet the event on the other side of the output."""
+    time = event(solved_by(solver, SLOW, changes=changes)).time_s
+    for output in (time - 1e-4, time + 1e-4):
+        found = event(solved_by(solver, output, SLOW, changes=changes)).time_s
+        assert found == pytest.approx(time, abs=1e-6 * SLOW)
+        assert abs(found - output) > 0.5e-4
+
+
+@pytest.mark.parametrize("outputs", [[SLOW], [7.0, 19.0, SLOW]], ids=["one", "some"])
+def test_what_lasts_for_an_instant_between_all_looks_is_seen(outputs: list[float]) -> None:
+    """Two bellows shorten their section by 2 k p, to 1e-7 less than its last 1 % at the trough."""
+    slope = SceneQuantities(leg("bellows.count=4", SOFT)).bellow.stretch_per_pressure
+    least = (1 - VANISHING_STRETCH) / (2 * slope)
+    for share, is_met in ((1 + 1e-7, True), (1 - 1e-7, False)):
+        sine = f"input={{kind: sine, amplitude: {least * share}, frequency: 0.0173 Hz}}"
+        run = solved_by(None, *outputs, changes=(SOFT, sine, "effects={others: off}"))
+        assert run.is_complete is not is_met
+        if is_met:
+            exact = (math.pi + math.asin(1 / share)) / (2 * math.pi * 0.0173)
+            assert event(run).time_s == pytest.approx(exact, abs=1e-6 * SLOW)
 
 
 def test_effects_chosen_by_the_outputs_do_not_move_an_event() -> None:

@@ -18,6 +18,10 @@ from viscodesign.solve.statics import Instant, Start, consistent
 Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
 """States (nx, m), algebraic unknowns (nz, m) and integrals from the first edge (nq, m)."""
 
+FINEST = 1e-3
+"""Tolerance by which events are located, over that of the run."""
+LEAST_TOLERANCE = 1e-11
+
 
 def _never() -> bool:
     return False
@@ -60,8 +64,8 @@ class Solver(ABC):
     """Whether its error is round-off, whatever the tolerance. It then comes before all others
     for the equations that it takes."""
 
-    watches_steps: ClassVar[bool] = False
-    """Whether it looks for events at its own steps, and not just at the edges."""
+    is_finest: bool = False
+    """Whether it already has the tolerance by which events are located."""
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         self.problem = problem
@@ -69,10 +73,13 @@ class Solver(ABC):
 
     def finest(self, problem: Problem) -> Solver | None:
         """The same with a far smaller tolerance for a problem with other times, to locate events;
-        None where that would find the same, or costs too much.
+        None where that would find the same.
         """
-        del problem
-        return None
+        if self.is_exact or self.is_finest:
+            return None
+        solver = type(self)(problem, max(self.tolerance * FINEST, LEAST_TOLERANCE))
+        solver.is_finest = True
+        return solver
 
     def unwatched(self, problem: Problem) -> Solver:
         """The same for a problem with other times, looking for no events."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import casadi as ca
 import numpy as np
 
@@ -20,6 +22,7 @@ class QuasiStatic(Solver):
     """Solves the algebraic equations at every output, starting from the solution before."""
 
     # Without a name, hence not in the catalogue: without states there is no choice.
+    is_exact: ClassVar[bool] = True
 
     def __call__(
         self, here: Start, first: int, stop: int, work: Work

@@ -24,10 +24,6 @@ from viscodesign.solve.solvers.rodas_native import NativeSteps, has_native_code
 from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
 from viscodesign.solve.statics import Instant, Start
 
-FINEST = 1e-3
-"""Tolerance by which events are located, over that of the run."""
-LEAST_TOLERANCE = 1e-11
-
 
 class Rosenbrock(Solver):
     """Steps of Rodas5P, as long as the embedded error allows."""
@@ -55,7 +51,6 @@ class Rosenbrock(Solver):
     title: ClassVar[str] = "Rodas5P: Rosenbrock of order 5, A-stable, exact Jacobian"
     # The largest over a hundred scenes; typically it is below one.
     tip_error_per_tolerance: ClassVar[float] = 5.0
-    watches_steps: ClassVar[bool] = True
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
         super().__init__(problem, tolerance)
@@ -63,19 +58,10 @@ class Rosenbrock(Solver):
         self.steps = _steps(problem, tolerance)
         self.build_s = clock.perf_counter() - began
         self.size: float | None = None
-        self._is_finest = False
         self._consistent: tuple[Start | None, float] = None, 0.0
         """The latest unknowns that were made so, and their time [s]."""
         self.states = problem.equations.states.count
         self.unknowns = problem.unknowns
-
-    def finest(self, problem: Problem) -> Solver | None:
-        """With a thousandth of the tolerance, once."""
-        if self._is_finest:
-            return None
-        solver = Rosenbrock(problem, max(self.tolerance * FINEST, LEAST_TOLERANCE))
-        solver._is_finest = True
-        return solver
 
     def unwatched(self, problem: Problem) -> Solver:
         """Its steps look for no events."""
@@ -131,10 +117,9 @@ class Rosenbrock(Solver):
             reached = self.steps(self.problem.schedule, y, begin, end, self.size, work)
             columns.append(reached.columns)
             if reached.crossing is not None:
-                piece, edges = self.problem.schedule.pieces[begin], self.problem.schedule.edges
-                event = located(self, reached.crossing, piece, work, latest=float(edges[end]))
-                valid = np.searchsorted(edges[begin + 1 : end + 1], event.valid_until)
-                failure = event.error
+                failure = located(self, reached.crossing, work)
+                edges = self.problem.schedule.edges[begin + 1 : end + 1]
+                valid = int(np.searchsorted(edges, failure.time_s))
                 columns[-1] = reached.columns[:valid]
                 break
             if reached.failure is not None:
