@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -156,10 +156,26 @@ def resolvable_body(quantities: SceneQuantities) -> Body:
 
 
 def _floor_volume(quantities: SceneQuantities, effects: Sequence[Effect]) -> float | None:
-    """Minimum volume of bellows whose law leads to negative ones, with a fluid that fills them."""
+    """Minimum volume of bellows whose law leads to negative ones, with a gas that fills them.
+
+    It holds of a gas that is taken as incompressible, too, unless the spec says so: a gas that may
+    be neglected meets it where one that is not does.
+    """
     traits = _traits(effects)
-    may_empty = Trait.COMPRESSIBLE_FLUID in traits and Trait.LIMITED_EMPTYING not in traits
-    return quantities.bellow.floor_volume if may_empty else None
+    if Trait.LIMITED_EMPTYING in traits:
+        return None
+    allowed = _traits(_allowed(quantities))
+    is_forbidden = Trait.LIMITED_EMPTYING not in allowed
+    is_gas = Trait.COMPRESSIBLE_FLUID in (allowed if is_forbidden else traits)
+    return quantities.bellow.floor_volume if is_gas else None
+
+
+def _allowed(quantities: SceneQuantities) -> Iterator[Effect]:
+    """Effects that the spec does not switch off, if the scene has what they act on."""
+    choice = quantities.scene.effects
+    for effect in every_effect(quantities).values():
+        if effect.mode_in(choice) != "off" and effect.present(quantities):
+            yield effect
 
 
 def _drawing_limits(quantities: SceneQuantities, effects: Sequence[Effect]) -> DrawingLimits | None:
@@ -171,7 +187,7 @@ def _drawing_limits(quantities: SceneQuantities, effects: Sequence[Effect]) -> D
     return DrawingLimits(-scene.ambient_pressure, floor)
 
 
-def _traits(effects: Sequence[Effect]) -> set[Trait]:
+def _traits(effects: Iterable[Effect]) -> set[Trait]:
     return {trait for effect in effects for trait in effect.traits}
 
 

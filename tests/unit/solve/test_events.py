@@ -153,6 +153,22 @@ def test_effects_chosen_by_the_outputs_do_not_move_an_event() -> None:
     assert times == [times[0]] * len(times)
 
 
+@pytest.mark.parametrize("gas", ["auto", "on"])
+def test_a_gas_that_may_be_neglected_meets_the_floor_as_one_that_may_not(gas: str) -> None:
+    """At 1 % of the length `auto` finds no need for the gas law; bellows of -1.8 V_0 are none."""
+    choice = f"effects={{collapse: off, gas_compressibility: {gas}, others: auto}}"
+    run = simulate(leg(choice, "accuracy=1 %", config="leg_16_straight_air"), verify=False)
+    assert run.status == "failed"
+    assert "reached its minimum (collapsed) volume" in (run.failure or "")
+    assert run.failure_time_s == pytest.approx(1.435386, abs=1e-5 * 8)
+
+
+def test_a_spec_that_rules_the_gas_law_out_keeps_its_linear_motion() -> None:
+    """As in the paper, whose bellows have no minimum; the run says that it is outside."""
+    pinned = "effects={pressure_distribution: on, inertia: on, damping: on, others: off}"
+    assert solved(leg(pinned, "run={duration: 2 s, output_interval: 0.1 s}")).is_complete
+
+
 RATE = 1e-6
 """Drawn by the syringe [m3/s]."""
 BARREL = 20e-3
