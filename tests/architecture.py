@@ -26,7 +26,7 @@ LAYERS = [
     ["pump.ax.protocol"],
     ["pump.bus"],
     ["pump"],
-    ["inverse", "calibration"],
+    ["inverse", "calibration", "robot"],
     ["studies", "exploration", "comparison", "citations"],
     ["compiled"],
     ["simulation"],
@@ -41,7 +41,7 @@ LAYERS = [
     ["elements"],
     ["results"],
     ["native"],
-    ["storage", "physics"],
+    ["storage", "physics", "contact"],
     [
         *("units", "common_units", "values"),
         *("errors", "plugins", "interrupt"),

@@ -16,6 +16,9 @@ from viscodesign.solve.problem import Problem
 
 ROOT = Path(__file__).parent.parent
 CONFIGS = ROOT / "configs"
+ROBOT_SPECS = (CONFIGS / "hexapod.yaml",)
+ACTUATOR_SPECS = sorted(set(CONFIGS.glob("*.yaml")) - set(ROBOT_SPECS))
+"""Bundled specs of one actuator."""
 DATA = Path(__file__).parent / "validation" / "data"
 
 LEG_MASS_PER_LENGTH = 0.03 * 0.02 * 0.47 * 950

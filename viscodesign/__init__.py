@@ -9,7 +9,8 @@ follows its motion, `compile` makes a function of its numbers with derivatives, 
 designs in one table, `sensitivity` tells how far each number moves the tip, `design` finds the
 numbers and the graph that make the tip follow a path, `reach` tells where it can be, `fit` finds
 numbers by measurements, `compare` puts motions beside each other, `accuracy` measures what accuracy
-costs in time, `plan` turns its pressures into a pump's motion. Nothing here prints.
+costs in time, `plan` turns its pressures into a pump's motion. `load_robot` reads a robot on such
+actuators, `stand` tells how it stands. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from viscodesign.inverse.design import design as design
     from viscodesign.inverse.reach import reach as reach
     from viscodesign.loading import load as load
+    from viscodesign.loading import load_robot as load_robot
     from viscodesign.pump.planning.plan import plan as plan
     from viscodesign.pump.planning.result import PumpPlan as PumpPlan
     from viscodesign.results.accuracy_study import (
@@ -54,9 +56,12 @@ if TYPE_CHECKING:
         SensitivityInterruptedError as SensitivityInterruptedError,
     )
     from viscodesign.results.sensitivity_study import SensitivityStudy as SensitivityStudy
+    from viscodesign.results.stand_study import StandStudy as StandStudy
     from viscodesign.results.sweep_table import Sweep as Sweep
     from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
     from viscodesign.results.trajectory import Trajectory as Trajectory
+    from viscodesign.robot.stand import stand as stand
+    from viscodesign.scene.robot_scene import RobotScene as RobotScene
     from viscodesign.scene.scene import Scene as Scene
     from viscodesign.studies.accuracy import accuracy as accuracy
 
@@ -73,11 +78,13 @@ _HOMES = {
     "PathDesign": ".results.path_design",
     "ReachStudy": ".results.reach_study",
     "PumpPlan": ".pump.planning.result",
+    "RobotScene": ".scene.robot_scene",
     "RunInterruptedError": ".results.trajectory",
     "Scene": ".scene.scene",
     "SensitivityInterruptedError": ".results.sensitivity_study",
     "SensitivityStudy": ".results.sensitivity_study",
     "SpecError": ".errors",
+    "StandStudy": ".results.stand_study",
     "Sweep": ".results.sweep_table",
     "Trajectory": ".results.trajectory",
     "ViscodesignError": ".errors",
@@ -89,10 +96,12 @@ _HOMES = {
     "design": ".inverse.design",
     "fit": ".calibration.fit",
     "load": ".loading",
+    "load_robot": ".loading",
     "plan": ".pump.planning.plan",
     "reach": ".inverse.reach",
     "sensitivity": ".exploration.sensitivity",
     "simulate": ".exploration.simulate",
+    "stand": ".robot.stand",
     "sweep": ".exploration.sweep",
 }
 """Where each name is imported from when it is first asked for: `--help` needs none of them."""

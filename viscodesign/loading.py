@@ -10,8 +10,10 @@ from viscodesign.effects.catalogue import effect_names
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.json_schema import spec_schema
 from viscodesign.scene.reading.read import KnownEffects, Overrides, load_scene, scene_of
-from viscodesign.scene.reading.sources import ReadSpec, SpecSource
+from viscodesign.scene.reading.read_robot import is_robot, robot_of
+from viscodesign.scene.reading.sources import ReadSpec, SpecSource, read_spec
 from viscodesign.scene.reading.write import plain_part
+from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
 
 
@@ -31,6 +33,21 @@ def load(source: SpecSource, overrides: Overrides = ()) -> Scene:
     Raises `SpecError` with all faults.
     """
     return load_scene(source, overrides, known_effects())
+
+
+def load_robot(source: SpecSource, overrides: Overrides = ()) -> RobotScene:
+    """Read the spec of a robot: one with the key `robot:`. Arguments as of `load`.
+
+    Raises `SpecError` with all faults.
+    """
+    return robot_of(read_spec(source), overrides, known_effects())
+
+
+def load_any(source: SpecSource, overrides: Overrides = ()) -> Scene | RobotScene:
+    """Read a spec of either kind. Arguments as of `load`."""
+    spec = read_spec(source)
+    read = robot_of if is_robot(spec) else scene_of
+    return read(spec, overrides, known_effects())
 
 
 def replaced(scene: Scene, changes: Mapping[str, Any]) -> Scene:

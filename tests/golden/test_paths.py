@@ -15,7 +15,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from tests.scenes import CONFIGS
+from tests.scenes import ACTUATOR_SPECS
 from viscodesign import Trajectory, load, simulate
 
 PATHS = Path(__file__).parent / "paths"
@@ -23,7 +23,7 @@ ROWS = 81
 """Output times kept of each run."""
 TOLERANCE_OF_ACCURACY = 0.01
 """How far a tip may lie from its golden path, in parts of the accuracy asked for."""
-SPECS = sorted(CONFIGS.glob("*.yaml"))
+SPECS = ACTUATOR_SPECS
 
 
 @pytest.fixture(scope="module", params=SPECS, ids=lambda spec: spec.stem)

@@ -16,6 +16,8 @@ from viscodesign.errors import SpecError, UsageError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
 
 if TYPE_CHECKING:
+    from viscodesign.scene.reading.sources import SpecSource
+    from viscodesign.scene.robot_scene import RobotScene
     from viscodesign.scene.scene import Scene
 
 STANDARD_INPUT = "-"
@@ -25,11 +27,30 @@ def read_scene(spec: Path, overrides: Sequence[str] | None) -> Scene:
     """The scene of a spec on the command line; `-` is standard input."""
     from viscodesign import load
 
+    return load(_source(spec), overrides or ())
+
+
+def read_robot(spec: Path, overrides: Sequence[str] | None) -> RobotScene:
+    """The robot of a spec on the command line; `-` is standard input."""
+    from viscodesign import load_robot
+
+    return load_robot(_source(spec), overrides or ())
+
+
+def read_any(spec: Path, overrides: Sequence[str] | None) -> Scene | RobotScene:
+    """The scene or the robot of a spec on the command line; `-` is standard input."""
+    from viscodesign.loading import load_any
+
+    return load_any(_source(spec), overrides or ())
+
+
+def _source(spec: Path) -> SpecSource:
+    """What a spec on the command line is read from."""
     if str(spec) != STANDARD_INPUT:
-        return load(spec, overrides or ())
+        return spec
     if sys.stdin is None:
         raise SpecError.plain("standard input is closed; name a file instead of '-'")
-    return load(getattr(sys.stdin, "buffer", sys.stdin), overrides or ())
+    return getattr(sys.stdin, "buffer", sys.stdin)
 
 
 @dataclass(frozen=True)

@@ -97,13 +97,14 @@ COMPARISON_PAGE = "compare.html"
 COMPARED_RUNS = "runs"
 """Folder of the runs of specs that were compared."""
 REACH_FILES = FileSet("reach.csv", "reach.json", "reach.png")
+STAND_FILES = FileSet("stand.csv", "stand.json", "stand.png")
 REACH_INPUT = "input.csv"
 """The input that brings a tip to a point."""
 DESIGN_ALTERNATIVES = "alternatives"
 """Folder of other designs beside the best one."""
 FILE_SETS = (
     *(STUDY_FILES, PLAN_FILES, SWEEP_FILES, SENSITIVITY_FILES, DESIGN_FILES),
-    *(COMPARISON_FILES, *FIGURE_FILES.values(), FIT_FILES, REACH_FILES),
+    *(COMPARISON_FILES, *FIGURE_FILES.values(), FIT_FILES, REACH_FILES, STAND_FILES),
 )
 SWEEP_ROWS = "sweep.rows.jsonl"
 """Rows of a sweep as they are computed."""

@@ -49,7 +49,7 @@ def test_common_options_are_everywhere(name: str) -> None:
     for option in ("--json", "--quiet", "-q", "--output", "-o", "--debug", "--help"):
         assert option in page
     solving = ("simulate", "accuracy", "sweep", "sensitivity", "design", "reach", "compare", "fit")
-    takes_spec = name in ("init", "check", "classify", *solving)
+    takes_spec = name in ("init", "check", "classify", "stand", "walk", *solving)
     assert ("--set" in page) == takes_spec
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from tests.scenes import CONFIGS, leg
+from tests.scenes import ACTUATOR_SPECS, CONFIGS, leg
 from viscodesign import Trajectory, classify, load, simulate
 from viscodesign.errors import UsageError
 from viscodesign.report.charts.quadrants import draw_plane
@@ -183,7 +183,7 @@ def test_right_is_x_where_the_axis_hangs() -> None:
 @pytest.fixture(scope="module")
 def plane() -> list[Classification]:
     """Every config, and a scene far outside of them all."""
-    found = [classify(load(p)) for p in sorted(CONFIGS.glob("*.yaml"))]
+    found = [classify(load(p)) for p in ACTUATOR_SPECS]
     found.append(
         classify(
             leg("input={kind: step, value: 1}", "fluid={name: x, viscosity: 1e-15, density: 1}")

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from tests.scenes import CONFIGS, leg
+from tests.scenes import ACTUATOR_SPECS, CONFIGS, leg
 from viscodesign.scene.reading.write import resolved_yaml
 
 PINNED = sorted(
-    path.stem for path in CONFIGS.glob("*.yaml") if leg(config=path.stem).effects.others == "off"
+    path.stem for path in ACTUATOR_SPECS if leg(config=path.stem).effects.others == "off"
 )
 TWINS = sorted(path.stem for path in CONFIGS.glob("*_auto.yaml"))
 

@@ -15,6 +15,7 @@ from viscodesign.scene.per_inlet import EACH, ONE
 from viscodesign.scene.reading.allowed_values import allowed_at
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.field_lookup import example_of, field_at, keys_beside, quantity_of
+from viscodesign.scene.several import OWN, SAME
 from viscodesign.scene.spec_part import KeyFault, KeyPath
 
 _BOUNDS = {
@@ -105,7 +106,7 @@ def _key_path(detail: ErrorDetails, document: Document) -> KeyPath:
     """The YAML key: pydantic's location without the tags of its unions."""
     path: KeyPath = ()
     for part in map(str, detail["loc"]):
-        is_tag = (part in INPUT_KINDS and _is_input(path)) or part in (ONE, EACH)
+        is_tag = (part in INPUT_KINDS and _is_input(path)) or part in (ONE, EACH, OWN, SAME)
         if not is_tag or isinstance(document.given((*path, part)), dict):
             path = (*path, part)
     return path

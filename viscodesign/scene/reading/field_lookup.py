@@ -13,6 +13,7 @@ from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.per_inlet import is_by_inlet
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.several import SameInput
 from viscodesign.scene.spec_part import KeyPath
 from viscodesign.units import QuantityKind
 
@@ -62,6 +63,9 @@ def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
     """The model of an annotation; of the input kinds, the given one."""
     kinds = [a for a in alternatives(annotation) if isinstance(a, type)]
     models = [a for a in kinds if issubclass(a, BaseModel)]
+    if isinstance(given, dict) and "as" in given and SameInput in models:
+        return SameInput
+    models = [model for model in models if model is not SameInput]
     if models and all(issubclass(model, Input) for model in models):
         kind = given.get("kind") if isinstance(given, dict) else None
         return INPUT_KINDS.get(kind) if isinstance(kind, str) else None

@@ -64,22 +64,28 @@ def parse_scene(
 def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | None = None) -> Scene:
     """The scene of a spec with some keys overridden. Raises `SpecError` with all faults."""
     document = spec.document
-    _apply(document, overrides)
-    _refuse_other_version(document)
+    apply_overrides(document, overrides)
+    refuse_other_version(document)
+    _refuse_robot(document)
     valid: dict[tuple[str, str | None], Any] = {}
     context: dict[str, Any] = {"folder": spec.folder, VALID_FIELDS: valid}
     if known is not None:
         context |= {"effect_names": known.names}
-    data = {k: v for k, v in document.data.items() if not k.startswith(IGNORED_PREFIX)}
+    data = read_keys(document)
     try:
         scene = Scene.model_validate(data, context=context)
     except ValidationError as error:
         faults = explain_validation(error, document)
         faults += explain_cross_checks(_with_defaults(valid, document), document)
-        raise SpecError(_in_order([*document.faults, *faults])) from None
+        raise SpecError(in_order([*document.faults, *faults])) from None
     if document.faults:
-        raise SpecError(_in_order(document.faults))
+        raise SpecError(in_order(document.faults))
     return scene.with_source(spec.provenance or _resolved_only(scene))
+
+
+def read_keys(document: Document) -> dict[str, Any]:
+    """All keys but those that a spec keeps for itself."""
+    return {k: v for k, v in document.data.items() if not k.startswith(IGNORED_PREFIX)}
 
 
 def _resolved_only(scene: Scene) -> Provenance:
@@ -87,7 +93,7 @@ def _resolved_only(scene: Scene) -> Provenance:
     return Provenance("", resolved_sha256(scene))
 
 
-def _refuse_other_version(document: Document) -> None:
+def refuse_other_version(document: Document) -> None:
     """Raise `SpecError` for keys of another version: faults of single keys would mislead."""
     problem = version_problem(document.data["spec"]) if "spec" in document.data else ""
     if problem:
@@ -95,7 +101,22 @@ def _refuse_other_version(document: Document) -> None:
         raise SpecError([Fault(problem, "spec", file, line)])
 
 
-def _in_order(faults: Sequence[Fault]) -> list[Fault]:
+ROBOT_KEY = "robot"
+"""The key that makes a spec one of a robot."""
+
+
+def _refuse_robot(document: Document) -> None:
+    """Raise `SpecError` for the spec of a robot, of which every key would be a fault."""
+    if ROBOT_KEY in document.data:
+        file, line = document.place((ROBOT_KEY,))
+        message = (
+            "this is the spec of a robot; `viscodesign stand`, `walk`, `check`, `classify` and "
+            "`simulate` take it (in Python: load_robot)"
+        )
+        raise SpecError([Fault(message, ROBOT_KEY, file, line)])
+
+
+def in_order(faults: Sequence[Fault]) -> list[Fault]:
     """Each fault once, sorted by line."""
     return sorted(dict.fromkeys(faults), key=lambda fault: fault.line or 0)
 
@@ -112,7 +133,7 @@ def _with_defaults(
     return defaults | valid
 
 
-def _apply(document: Document, overrides: Overrides) -> None:
+def apply_overrides(document: Document, overrides: Overrides) -> None:
     """Lay overrides over a document, in order."""
     if isinstance(overrides, Mapping):
         for key, value in overrides.items():

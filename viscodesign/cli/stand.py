@@ -1,0 +1,92 @@
+"""`viscodesign stand`: a robot on its legs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from viscodesign.cli.options import (
+    Debug,
+    Force,
+    Json,
+    NoPlots,
+    Overrides,
+    PictureFormat,
+    Quiet,
+    RunFolder,
+    Spec,
+)
+from viscodesign.errors import ViscodesignError
+
+if TYPE_CHECKING:
+    from viscodesign.results.stand_study import StandStudy
+
+EXAMPLE = """\b
+Examples:
+  viscodesign init hexapod.yaml --template hexapod
+  viscodesign stand hexapod.yaml
+  viscodesign stand hexapod.yaml --set robot.payload=500g --crouch 0.85"""
+
+
+class SwayError(ViscodesignError):
+    """The robot is heavier than its legs bear; its tables are on disk."""
+
+    exit_code = 3
+    kind = "solve"
+
+
+def command(
+    spec: Spec,
+    overrides: Overrides = None,
+    crouch: Annotated[
+        list[float] | None,
+        typer.Option(
+            "--crouch",
+            metavar="RATIO",
+            help="Height of a crouch, over that of the legs at the spec's pressure; repeatable.",
+        ),
+    ] = None,
+    output: RunFolder = None,
+    no_plots: NoPlots = False,
+    picture_format: PictureFormat = "png",
+    force: Force = False,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Tell how a robot stands on its legs.
+
+    Height, sway limit and stiffness against gauge pressure and payload, and the
+    barrel that a crouch needs; writes stand.csv, stand.json and stand.png. A robot
+    that is heavier than its legs bear exits with 3 and says what they bear.
+    """
+    from viscodesign import stand as study_of
+    from viscodesign.cli.output import say_result
+    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.specs import read_robot
+    from viscodesign.cli.texts.stand_text import stand_lines
+    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.stand_folder import write_stand
+
+    scene = read_robot(spec, overrides)
+    folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_stand"
+    prepare_folder(folder, force=force)
+    study = study_of(scene, **({"height_ratios": crouch} if crouch else {}))
+    files = write_stand(
+        study, folder, plots=not no_plots, force=force, picture_format=picture_format
+    )
+    say_result(study.document(), files, stand_lines(study, folder, files), json, quiet)
+    _refuse_sway(study)
+
+
+def _refuse_sway(study: StandStudy) -> None:
+    """Report a stance beyond sway as an error, after the files are written."""
+    own = study.own
+    if not own.stands:
+        gauge = f"{1e-3 * own.gauge_pressure_pa:.4g} kPa gauge"
+        raise SwayError(
+            f"{study.name}: the stance is beyond sway: the robot weighs {own.weight_n:.4g} N, and "
+            f"at {gauge} its legs bear {own.sway_limit_n:.4g} N. Lower its payload or its pressure"
+        )

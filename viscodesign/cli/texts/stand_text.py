@@ -1,0 +1,65 @@
+"""A study of statics as lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from viscodesign.cli.texts.layout import number, table
+from viscodesign.results.stand_study import StanceRow, StandStudy
+
+
+def stand_lines(study: StandStudy, folder: Path, files: Sequence[Path]) -> list[str]:
+    """The stance, its table by gauge pressure and by payload, crouches, files."""
+    own = study.own
+    gauge = number(1e-3 * own.gauge_pressure_pa, "kPa gauge")
+    facts = [
+        ("height", f"{number(1e3 * own.height_m, 'mm')}, hips over the ground"),
+        ("weight", f"{number(own.weight_n, 'N')}; sways from {number(own.sway_limit_n, 'N')} on"),
+        ("tip stiffness", f"{number(own.tip_stiffness_n_per_m, 'N/m')} across, of one leg"),
+        *_tilt(own),
+    ]
+    return [
+        f"{study.name}: on its legs at {gauge}",
+        *table(facts),
+        "",
+        *table([*_head(), *map(_cells, study.by_gauge)]),
+        "",
+        *table([*_head(), *map(_cells, study.by_payload)]),
+        "",
+        *_crouches(study),
+        *table([("files", f"{folder}: {', '.join(file.name for file in files)}")]),
+    ]
+
+
+def _tilt(own: StanceRow) -> Iterator[tuple[str, str]]:
+    if max(abs(own.pitch_rad), abs(own.roll_rad)) > 1e-6:
+        pitch, roll = (number(1e3 * angle, "mrad") for angle in (own.pitch_rad, own.roll_rad))
+        yield "tilt", f"pitch {pitch} (nose up), roll {roll} (right side down)"
+
+
+def _head() -> list[tuple[str, ...]]:
+    return [("gauge", "payload", "weight", "height", "bears", "tip stiffness")]
+
+
+def _cells(row: StanceRow) -> tuple[str, ...]:
+    return (
+        number(1e-3 * row.gauge_pressure_pa, "kPa"),
+        number(1e3 * row.payload_kg, "g"),
+        number(row.weight_n, "N"),
+        number(1e3 * row.height_m, "mm") if row.stands else "sways",
+        number(row.sway_limit_n, "N"),
+        number(row.tip_stiffness_n_per_m, "N/m") if row.stands else "-",
+    )
+
+
+def _crouches(study: StandStudy) -> list[str]:
+    if not study.crouch:
+        return []
+    heads = ("crouch", "gauge", f"pump {study.pump}: drawn as a liquid", "barrel for the fluid")
+    rows: list[tuple[str, ...]] = [heads]
+    for row in study.crouch:
+        pressure = number(1e-3 * row.gauge_pressure_pa, "kPa")
+        volumes = (number(1e6 * v, "mL") for v in (row.liquid_volume_m3, row.barrel_volume_m3))
+        rows.append((f"{1e2 * row.height_ratio:g} % of the legs", pressure, *volumes))
+    return [*table(rows), ""]

@@ -1,0 +1,1 @@
+"""Unilateral contact with Coulomb friction, by complementarity; numbers only."""

@@ -1,0 +1,1 @@
+"""A robot on its legs: a rigid body, gas-filled actuators, and feet on the ground."""

@@ -1,0 +1,174 @@
+"""The equations of a leg over one step, and their derivatives, as functions of numbers."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import casadi as ca
+import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.taped_function import TapedFunction, TapeWithPatterns
+from viscodesign.robot.leg_design import LegDesign
+from viscodesign.robot.leg_network import contents, inflows, section_pressures
+from viscodesign.robot.leg_pose import BODY, FOOT, MOUNT, Mount, foot_below, tip_seen_from_leg
+from viscodesign.robot.leg_rod import POINTS, RodLoad, RodSection, RodShooting, ShotRod
+
+SX = ca.SX
+LOAD = 3
+"""Force x and z at the tip, moment at the clamp."""
+
+
+@dataclass(frozen=True, eq=False)
+class LegSymbols:
+    """All that the equations of a leg depend on."""
+
+    place: SX
+    """Body (4,), then foot (3,)."""
+    load: SX
+    pressures: SX
+    mount: SX
+    strains_before: SX
+    """Curvatures, then stretches, at the points of all sections."""
+    contents_before: SX
+    source: SX
+    """Gauge pressure of the leg's source [Pa]."""
+    step: SX
+    """Step [s], and damping time over the step [1]."""
+
+    @classmethod
+    def of(cls, design: LegDesign) -> LegSymbols:
+        """Those of a design."""
+        sections, nodes = len(design.free_sections), len(design.nodes)
+        sizes = {
+            "place": BODY + FOOT,
+            "load": LOAD,
+            "pressures": nodes,
+            "mount": MOUNT,
+            "strains_before": 2 * POINTS * sections,
+            "contents_before": nodes,
+            "source": 1,
+            "step": 2,
+        }
+        return cls(*(SX.sym(name, size) for name, size in sizes.items()))
+
+    def listed(self) -> list[SX]:
+        """In the order of the functions' arguments."""
+        return [
+            *(self.place, self.load, self.pressures, self.mount),
+            *(self.strains_before, self.contents_before, self.source, self.step),
+        ]
+
+
+class LegEquations:
+    """The formulas of a leg over a step of implicit Euler."""
+
+    def __init__(self, design: LegDesign) -> None:
+        self.design = design
+        own = self.symbols = LegSymbols.of(design)
+        self.rod = shot_rod(design, own.load, own.pressures, own.strains_before, own.step[1])
+        body, foot = own.place[:BODY], own.place[BODY:]
+        self.seen = tip_seen_from_leg(body, foot, Mount.of(own.mount))
+
+    def residual(self) -> SX:
+        """The rod meets the foot [m, m, rad / m]; every node's content is what flowed in [1]."""
+        own, design = self.symbols, self.design
+        into, _ = inflows(design, own.pressures, own.source)
+        held = contents(design, own.pressures, self.rod)
+        balances = [
+            (held[k] - own.contents_before[k] - own.step[0] * into[k]) / design.bellow.rest_volume
+            for k in range(len(held))
+        ]
+        return ca.vertcat(self.rod.tip - self.seen, *balances)
+
+    def reaction(self) -> SX:
+        """What the leg's strains take from body and foot: their generalised forces (7,) [N, N m].
+
+        It is minus what the leg does to them.
+        """
+        x, z, moment = ca.vertsplit(self.symbols.load)
+        tip_moment = moment - x * self.seen[1] + z * self.seen[0]
+        work = ca.vertcat(x, z, tip_moment)
+        return ca.jtimes(self.seen, self.symbols.place, work, True)
+
+    def after(self) -> list[SX]:
+        """Strains at the points, and the flows into the nodes and out of the source."""
+        own = self.symbols
+        into, drawn = inflows(self.design, own.pressures, own.source)
+        strains = ca.vertcat(*self.rod.curvatures, *self.rod.stretches)
+        return [strains, ca.vertcat(*into, drawn)]
+
+
+def shot_rod(design: LegDesign, load: SX, pressures: SX, before: SX, rate: SX) -> ShotRod:
+    """The rod at the pressures of its bellows; ``before``: strains a step before."""
+    free, law = design.free_sections, design.bellow
+    half = POINTS * len(free)
+    sections = [
+        RodSection(
+            law.curvature_per_pressure * difference,
+            law.stretch_per_pressure * total,
+            before[POINTS * j : POINTS * (j + 1)],
+            before[half + POINTS * j : half + POINTS * (j + 1)],
+            free[j],
+        )
+        for j, (difference, total) in enumerate(section_pressures(design, ca.vertsplit(pressures)))
+    ]
+    return RodShooting(design, RodLoad(*ca.vertsplit(load)), rate).shoot(sections)
+
+
+@dataclass(frozen=True, eq=False)
+class LegFunctions:
+    """The compiled equations of a design; rows of arguments are legs."""
+
+    design: LegDesign
+    linearised: TapedFunction
+    """Residual and reaction, then their derivatives by unknowns and by place, dense."""
+    plain: TapedFunction
+    """Residual and reaction."""
+    after: TapedFunction
+    hanging: TapedFunction
+    """Tip (3,), contents and strains of a leg by load, pressures, strains before and step."""
+    foot: TapedFunction
+    """Foot by body, tip and mount."""
+
+    @property
+    def unknowns(self) -> int:
+        """Numbers of a leg that follow from its place: load and pressures."""
+        return LOAD + len(self.design.nodes)
+
+
+@lru_cache(16)
+def leg_functions(design: LegDesign) -> LegFunctions:
+    """The functions of a design, made once."""
+    equations = LegEquations(design)
+    own = equations.symbols
+    residual, reaction = equations.residual(), equations.reaction()
+    unknown = ca.vertcat(own.load, own.pressures)
+    both = ca.vertcat(residual, reaction)
+    derivatives = [ca.densify(ca.jacobian(both, by)) for by in (unknown, own.place)]
+    rod = equations.rod
+    tip = rod.tip
+    held = ca.vertcat(*contents(design, own.pressures, rod))
+    strains = ca.vertcat(*rod.curvatures, *rod.stretches)
+    rod_arguments = [own.load, own.pressures, own.strains_before, own.step]
+    by_load = ca.densify(ca.jacobian(tip, own.load))
+    body, seen, mount = SX.sym("body", BODY), SX.sym("tip", 3), SX.sym("mount", MOUNT)
+    return LegFunctions(
+        design,
+        _taped("linearised", own.listed(), [residual, reaction, *derivatives]),
+        _taped("plain", own.listed(), [residual, reaction]),
+        _taped("after", own.listed(), equations.after()),
+        _taped("hanging", rod_arguments, [tip, by_load, held, strains]),
+        _taped("foot", [body, seen, mount], [foot_below(body, seen, Mount.of(mount))]),
+    )
+
+
+def _taped(name: str, arguments: list[SX], results: list[SX]) -> TapedFunction:
+    columns = [ca.densify(ca.vec(result)) for result in results]
+    function = ca.Function(name, arguments, columns, {"cse": True})
+    return TapedFunction(TapeWithPatterns.of(function), lambda: function)
+
+
+def matrices(entries: np.ndarray, rows: int) -> np.ndarray:
+    """Matrices (m, rows, columns) from their columns one after the other (m, rows * columns)."""
+    return np.swapaxes(entries.reshape(len(entries), -1, rows), 1, 2)

@@ -1,0 +1,159 @@
+"""The statics of a robot: `stand`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.optimize import brentq
+
+from viscodesign.errors import UsageError
+from viscodesign.results.stand_study import CrouchRow, StanceRow, StandStudy
+from viscodesign.robot.build_robot import build_robot, with_mass
+from viscodesign.robot.leg_network import barrel_volume
+from viscodesign.robot.stance import Stance, UnstableStanceError, stance
+from viscodesign.robot.tip_stiffness import tip_stiffness
+from viscodesign.scene.robot_scene import RobotScene
+
+GAUGES = 8
+"""Rows of the table by gauge pressure, from 0 up."""
+GAUGE_RANGE = 2.0
+"""Largest gauge pressure of the table, over the spec's."""
+LEAST_LARGEST_GAUGE = 140e3
+"""The paper's "140 kPa", if it were gauge [Pa]."""
+PAYLOADS = (0.0, 0.25, 0.5, 0.75)
+"""Of the weight from which on it sways, beyond the robot's own."""
+HEIGHT_RATIOS = (0.95, 0.93, 0.9, 0.85)
+LOWEST_GAUGE = -0.8
+"""Gauge pressure of the deepest crouch, over the ambient pressure."""
+WEIGHT_GROWTH = 1.6
+WEIGHT_RANGE = 1e3
+"""Least and largest weight that are tried, over the robot's own."""
+SWAY_REL_TOL = 1e-5
+
+
+def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) -> StandStudy:
+    """How a robot stands: its height, its sway limit, its stiffness, and what a crouch takes.
+
+    ``height_ratios``: heights of the legs in a crouch, over that at the spec's gauge pressure.
+    Raises `SpecError`, and `UsageError` for ratios that are none.
+    """
+    if wrong := [ratio for ratio in height_ratios if not 0.0 < ratio < 1.0]:
+        raise UsageError(f"crouch: a height ratio is above 0 and below 1; got {wrong[0]:g}")
+    statics = _Statics(scene)
+    own = statics.row(scene.gauge_pressure, scene.robot.payload)
+    largest = max(GAUGE_RANGE * scene.gauge_pressure, LEAST_LARGEST_GAUGE)
+    room = max(own.sway_limit_n - statics.weight(0.0), 0.0) / statics.gravity
+    crouch, pump = statics.crouches(own, height_ratios)
+    return StandStudy(
+        name=scene.name,
+        own=own,
+        by_gauge=tuple(
+            statics.row(float(gauge), scene.robot.payload)
+            for gauge in np.linspace(0.0, largest, GAUGES)
+        ),
+        by_payload=tuple(statics.row(scene.gauge_pressure, share * room) for share in PAYLOADS),
+        crouch=crouch,
+        pump=pump,
+    )
+
+
+class _Statics:
+    """Stances of one robot."""
+
+    def __init__(self, scene: RobotScene) -> None:
+        self.scene, self.model = scene, build_robot(scene)
+        self.gravity = math.hypot(*self.model.gravity)
+
+    def weight(self, payload: float) -> float:
+        """Of robot and payload [N]."""
+        return (self.scene.robot.mass + payload) * self.gravity
+
+    def at(self, gauge: float, weight: float) -> Stance:
+        """The stance with a weight [N] at one gauge pressure [Pa] of all sources."""
+        model = with_mass(self.model, weight / self.gravity)
+        return stance(model, np.full(len(model.source_names), gauge))
+
+    def row(self, gauge: float, payload: float) -> StanceRow:
+        """A row of a table."""
+        weight = self.weight(payload)
+        limit = self._sway_limit(gauge)
+        height = pitch = roll = stiffness = math.nan
+        if weight < limit:
+            found = self.at(gauge, weight)
+            height = _height(found)
+            pitch, roll = (float(angle) for angle in found.place[2:4])
+            stiffness = tip_stiffness(found)
+        return StanceRow(gauge, payload, weight, height, pitch, roll, limit, stiffness)
+
+    def _sway_limit(self, gauge: float) -> float:
+        """Weight from which on the robot sways [N]."""
+
+        def stiffness(weight: float) -> float:
+            try:
+                return self.at(gauge, weight).sway_stiffness
+            except UnstableStanceError:
+                return -1.0
+
+        low = high = self.model.weight
+        while stiffness(high) > 0.0:
+            low, high = high, high * WEIGHT_GROWTH
+            if high > WEIGHT_RANGE * self.model.weight:
+                return math.inf
+        while stiffness(low) <= 0.0:
+            low, high = low / WEIGHT_GROWTH, low
+            if low < self._feet_weight() or low < self.model.weight / WEIGHT_RANGE:
+                return 0.0
+        return float(brentq(stiffness, low, high, rtol=SWAY_REL_TOL))
+
+    def _feet_weight(self) -> float:
+        return self.model.count * self.model.feet.mass * self.gravity
+
+    def crouches(
+        self, own: StanceRow, ratios: Sequence[float]
+    ) -> tuple[tuple[CrouchRow, ...], str]:
+        """The crouches, and the source whose legs need the largest barrel."""
+        sources = self.model.source_names
+        if not own.stands:
+            return (), sources[0]
+        full = _contents(self.at(own.gauge_pressure_pa, own.weight_n))
+        pump = int(np.argmax(full[1]))
+        rows = tuple(self._crouch(own, ratio, full[:, pump], pump) for ratio in ratios)
+        return rows, sources[pump]
+
+    def _leg_height(self, height: float) -> float:
+        """From the hips to the centres of the feet [m]."""
+        return height - self.model.feet.radius
+
+    def _crouch(self, own: StanceRow, ratio: float, full: np.ndarray, pump: int) -> CrouchRow:
+        full_height = self._leg_height(own.height_m)
+
+        def excess(gauge: float) -> float:
+            return self._leg_height(_height(self.at(gauge, own.weight_n))) - ratio * full_height
+
+        lowest = LOWEST_GAUGE * self.scene.ambient_pressure
+        try:
+            gauge = float(brentq(excess, lowest, own.gauge_pressure_pa, xtol=1e-2))
+            drawn = full - _contents(self.at(gauge, own.weight_n))[:, pump]
+        except (ValueError, UnstableStanceError):  # no change of sign: it stays above
+            return CrouchRow(ratio, math.nan, math.nan, math.nan)
+        fluid = self.model.groups[0].functions.design.fluid
+        barrel = float(barrel_volume(fluid, drawn[1], gauge))
+        return CrouchRow(ratio, gauge, float(drawn[0]), barrel)
+
+
+def _height(found: Stance) -> float:
+    return float(np.mean(found.model.hip_heights(found.place)))
+
+
+def _contents(found: Stance) -> np.ndarray:
+    """What the legs of every source hold (2, sources): as volume, and at ambient density [m3]."""
+    held = np.zeros((2, len(found.model.source_names)))
+    for group, legs in zip(found.model.groups, found.legs, strict=True):
+        own = group.functions.design
+        content = legs.content[:, : own.bellows]
+        volume = barrel_volume(own.fluid, content, legs.pressure[:, : own.bellows])
+        for row, amounts in enumerate((volume, content)):
+            np.add.at(held[row], group.sources, amounts.sum(axis=1))
+    return held

@@ -1,0 +1,164 @@
+"""One step through time: implicit Euler, with contact at the end of the step.
+
+Gaps and slips are those of the end of the step, not their rates: nothing drifts into the ground.
+The bodies' coordinates, the legs' loads and pressures and the contact forces are solved together
+by Newton's method; each of its steps solves the contacts of the linearised robot exactly.
+Source: D. E. Stewart and J. C. Trinkle, An implicit time-stepping scheme for rigid body dynamics
+with inelastic collisions and Coulomb friction, 1996, has this form of Moreau-Jean time stepping.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from viscodesign.contact.friction_problem import ContactError, FrictionProblem
+from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.robot.leg_equations import LOAD
+from viscodesign.robot.robot_model import LegStates, LinearisedLegs, RobotModel, linearised
+
+
+@dataclass(frozen=True, eq=False)
+class RobotState:
+    """A robot at a time."""
+
+    time: float
+    place: np.ndarray
+    """Body (x, z, pitch, roll), then every foot (x, z, rotation)."""
+    velocity: np.ndarray
+    legs: tuple[LegStates, ...]
+    """By group."""
+    contact_forces: np.ndarray
+    """Normal, then tangential (2c,) [N]."""
+    contact_states: np.ndarray
+    drawn: np.ndarray
+    """Out of each source since the start, as volume at ambient density [m3]."""
+
+
+MAX_ITERATIONS = 25
+IMPLICITNESS = 0.5
+"""Share of a step's flows that are those at its end: smooth flows are integrated to order 2."""
+PLACE_TOLERANCE = 3e-6
+"""Last Newton step of a place [m, rad]; the error left is of the order of its square."""
+PRESSURE_TOLERANCE = 3e-5
+"""Last Newton step of a pressure, relative to the ambient pressure."""
+
+
+class StepSolver:
+    """Advances a robot by equal steps."""
+
+    def __init__(self, model: RobotModel, step: float) -> None:
+        """``step`` [s]"""
+        self.model, self.step = model, step
+        self._numbers = (IMPLICITNESS * step, model.damping_time / step)
+        self._inertia = np.diag(model.masses / step**2)
+        self.iterations = 0
+        """Newton steps so far."""
+
+    def advance(self, now: RobotState, sources: np.ndarray) -> RobotState:
+        """The state a step later; ``sources``: their gauge pressures then [Pa]."""
+        begun = tuple(self._begun(own) for own in now.legs)
+        place, legs = now.place + self.step * now.velocity, begun
+        states, pressures = now.contact_states, [sources[g.sources][:, None] for g in self.groups]
+        for _ in range(MAX_ITERATIONS):
+            self.iterations += 1
+            around = [
+                linearised(group, place[group.places], own, before, source, self._numbers)
+                for group, own, before, source in zip(
+                    self.groups, legs, begun, pressures, strict=True
+                )
+            ]
+            change, forces, states = self._contact_step(now, place, around, states)
+            place = place + change
+            steps = [
+                own.own + (own.own_by_place @ change[group.places][:, :, None])[:, :, 0]
+                for group, own in zip(self.groups, around, strict=True)
+            ]
+            legs = tuple(_moved(own, step) for own, step in zip(legs, steps, strict=True))
+            if self._is_done(change, steps):
+                return self._after(now, begun, place, legs, pressures, forces, states)
+        raise SolveError(
+            "the step does not converge",
+            quantity="place",
+            where="robot",
+            time_s=now.time,
+            remedy="Legs may be near buckling; lower the payload or the gauge pressure",
+        )
+
+    def _begun(self, legs: LegStates) -> LegStates:
+        """Legs with what flows in by the rates at the step's beginning."""
+        early = (1 - IMPLICITNESS) * self.step * legs.inflow[:, :-1]
+        return replace(legs, content=legs.content + early)
+
+    @property
+    def groups(self) -> Sequence:  # type: ignore[type-arg]
+        """Groups of legs."""
+        return self.model.groups
+
+    def _contact_step(
+        self,
+        now: RobotState,
+        place: np.ndarray,
+        around: Sequence[LinearisedLegs],
+        guess: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Newton's step of the place, with the contact forces and states that go with it."""
+        model, rows = self.model, self.model.contact_rows
+        force, stiffness = model.assembled(around)
+        moved = place - now.place
+        inertial = model.masses * (moved / self.step - now.velocity) / self.step
+        right = np.column_stack([model.weights - inertial - force, rows.T])
+        solved = np.linalg.solve(self._inertia + stiffness, right)
+        free = rows @ solved[:, 0]
+        free[: model.count] += model.gaps(place)
+        free[model.count :] += rows[model.count :] @ moved
+        friction = np.full(model.count, model.feet.friction)
+        try:
+            forces, states = FrictionProblem(rows @ solved[:, 1:], free, friction).solve(guess)
+        except ContactError as error:
+            raise SolveError(
+                str(error), quantity="contact force", where="feet", time_s=now.time
+            ) from None
+        return solved[:, 0] + solved[:, 1:] @ forces, forces, states
+
+    def _is_done(self, change: np.ndarray, steps: Sequence[np.ndarray]) -> bool:
+        if np.max(np.abs(change)) > PLACE_TOLERANCE:
+            return False
+        ambient = self.groups[0].functions.design.fluid.ambient
+        return all(np.max(np.abs(s[:, LOAD:])) <= PRESSURE_TOLERANCE * ambient for s in steps)
+
+    def _after(
+        self,
+        now: RobotState,
+        begun: Sequence[LegStates],
+        place: np.ndarray,
+        legs: Sequence[LegStates],
+        sources: Sequence[np.ndarray],
+        forces: np.ndarray,
+        states: np.ndarray,
+    ) -> RobotState:
+        """The state at the end of the step: contents are what was there and what flowed in."""
+        drawn, after = now.drawn.copy(), []
+        for group, own, before, source in zip(self.groups, legs, begun, sources, strict=True):
+            count = len(group.legs)
+            strains, inflow = group.functions.after.rows(
+                [place[group.places], own.load, own.pressure, group.mounts, before.strains,
+                 before.content, source, np.tile(self._numbers, (count, 1))],
+                count,
+            )  # fmt: skip
+            content = before.content + IMPLICITNESS * self.step * inflow[:, :-1]
+            after.append(LegStates(own.load, own.pressure, strains, content, inflow))
+            mean = IMPLICITNESS * inflow + (1 - IMPLICITNESS) * before.inflow
+            np.add.at(drawn, group.sources, self.step * mean[:, -1])
+        velocity = (place - now.place) / self.step
+        return RobotState(
+            now.time + self.step, place, velocity, tuple(after), forces, states, drawn
+        )
+
+
+def _moved(legs: LegStates, step: np.ndarray) -> LegStates:
+    """Legs with their loads and pressures moved by a Newton step."""
+    return replace(legs, load=legs.load + step[:, :LOAD], pressure=legs.pressure + step[:, LOAD:])

@@ -1,0 +1,47 @@
+"""From the spec of a robot to its scene; all faults of the file are reported at once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import ValidationError
+
+from viscodesign.errors import SpecError
+from viscodesign.scene.reading.fault_messages import explain_validation
+from viscodesign.scene.reading.read import (
+    ROBOT_KEY,
+    KnownEffects,
+    Overrides,
+    apply_overrides,
+    in_order,
+    read_keys,
+    refuse_other_version,
+)
+from viscodesign.scene.reading.sources import ReadSpec
+from viscodesign.scene.robot_scene import RobotScene
+
+
+def is_robot(spec: ReadSpec) -> bool:
+    """Whether a spec is one of a robot."""
+    return ROBOT_KEY in spec.document.data
+
+
+def robot_of(
+    spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | None = None
+) -> RobotScene:
+    """The robot of a spec with some keys overridden. Raises `SpecError` with all faults."""
+    document = spec.document
+    document.model = RobotScene
+    apply_overrides(document, overrides)
+    refuse_other_version(document)
+    context: dict[str, Any] = {"folder": spec.folder}
+    if known is not None:
+        context |= {"effect_names": known.names}
+    try:
+        found = RobotScene.model_validate(read_keys(document), context=context)
+    except ValidationError as error:
+        faults = explain_validation(error, document)
+        raise SpecError(in_order([*document.faults, *faults])) from None
+    if document.faults:
+        raise SpecError(in_order(document.faults))
+    return found if spec.provenance is None else found.with_source(spec.provenance)
