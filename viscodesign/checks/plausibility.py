@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any
+from dataclasses import replace
 
+from viscodesign.checks.input_ranges import input_ranges
+from viscodesign.checks.numbers_at_keys import numbers_at
 from viscodesign.checks.plausible_ranges import RANGES, PlausibleRange
-from viscodesign.checks.relative_ranges import relative_ranges
+from viscodesign.checks.relative_ranges import reciprocal_ranges, relative_ranges
+from viscodesign.checks.slight_inputs import slight_inputs
 from viscodesign.errors import Fault
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice
@@ -16,6 +19,9 @@ from viscodesign.scene.scene import Scene
 
 _PREFIXES = {-9: "n", -6: "u", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 _PREFIXED_UNITS = ("m", "Pa", "s")
+_OTHER_UNITS: dict[float | str, str] = {"celsius": "degC", "degrees": "deg"}
+BODY = ("actuator.", "bellows.")
+"""Keys of what others are compared with."""
 _SURROUNDINGS = ("temperature", "ambient_pressure")
 _FINEST = {"m": -6, "Pa": -3, "s": -6}
 _COARSEST = {"m": 6, "Pa": 9, "s": 0}
@@ -27,6 +33,8 @@ class PlausibilityLimits:
 
     outputs: int = 1_000_000
     """Rows of trajectory.csv, some 100 bytes each."""
+    outputs_of_swing: int = 10_000
+    """Rows in which the input swings once, where there are more than ten times as many."""
     gas_density_ratio: float = 1.5
     """Largest ratio of a gas's density to ambient pressure over gas constant and temperature, or
     inverse."""
@@ -44,13 +52,16 @@ def plausibility_notices(scene: Scene) -> Iterator[Notice]:
     """
     outside = {found.key: (found, value) for found, value in _outside(scene)}
     for found, value in outside.values():
+        size = " in size" if found.either_sign else ""
         yield Notice(
             "implausible_value",
             f"{_written(value, found.unit)} is far {_side(found, value)} what such actuators have, "
-            f"{_written(found.low, found.unit)} to {_written(found.high, found.unit)} "
+            f"{_written(found.low, found.unit)} to {_written(found.high, found.unit)}{size} "
             f"({found.source}){_meant(found, value)}",
             found.key,
         )
+    if not any(key.startswith(BODY) for key in outside):
+        yield from slight_inputs(scene)
     yield from (notice for notice in _misfits(scene) if notice.where not in outside)
     if not outside.keys() & {"fluid.density", "fluid.gas_constant", *_SURROUNDINGS}:
         yield from _gas_density(scene)
@@ -75,39 +86,38 @@ def impossible_values(scene: Scene) -> Iterator[Fault]:
 
 def _outside(scene: Scene) -> Iterator[tuple[PlausibleRange, float]]:
     """Given numbers outside of their usual ranges; beside others where these are sound."""
-    alone = list(_beyond(scene, RANGES))
-    yield from alone
-    if not any(found.key.startswith(("actuator.", "bellows.")) for found, _ in alone):
-        yield from _beyond(scene, relative_ranges(scene))
+    found: dict[str, tuple[PlausibleRange, float]] = {}
+    for ranges in (RANGES, relative_ranges, reciprocal_ranges):
+        if any(key.startswith(BODY) for key in found):
+            break
+        for one, value in _beyond(scene, ranges(scene) if callable(ranges) else ranges):
+            found.setdefault(one.key, (one, value))
+    for one, value in _beyond(scene, input_ranges(scene)):
+        found.setdefault(one.key, (one, value))
+    yield from found.values()
 
 
 def _beyond(
     scene: Scene, ranges: Iterable[PlausibleRange]
 ) -> Iterator[tuple[PlausibleRange, float]]:
     for found in ranges:
-        value = _value_at(scene, found.key)
-        if value is not None and not found.low <= value <= found.high:
-            yield found, value
-
-
-def _value_at(scene: Scene, key: str) -> float | None:
-    here: Any = scene
-    for part in key.replace("fluid.", "fluid_choice.").split("."):
-        here = getattr(here, part) if here is not None else None
-    return None if here is None else float(here)
+        for key, value in numbers_at(scene, found.key):
+            if not found.holds(value):
+                yield replace(found, key=key), value
 
 
 def _side(found: PlausibleRange, value: float) -> str:
-    return "above" if value > found.high else "below"
+    is_signed = found.either_sign and value < 0.0
+    return "above" if (-value if is_signed else value) > found.high else "below"
 
 
 def _meant(found: PlausibleRange, value: float) -> str:
     """The likely slip, as a question."""
     for slip in found.slips:
         meant = _slipped(value, slip)
-        if found.low <= meant <= found.high:
-            if slip == "celsius":
-                return f"; did you mean {value:g} degC?"
+        if found.holds(meant):
+            if slip in _OTHER_UNITS:
+                return f"; did you mean {value:g} {_OTHER_UNITS[slip]}?"
             return f"; did you mean {_written(meant, found.unit)}?"
     return ""
 
@@ -115,6 +125,8 @@ def _meant(found: PlausibleRange, value: float) -> str:
 def _slipped(value: float, slip: float | str) -> float:
     if slip == "celsius":
         return value + 273.15
+    if slip == "degrees":
+        return math.radians(value)
     if slip == "exponent":  # 1.79e5 for 1.79e-5
         exponent = math.floor(math.log10(value))
         return value * 10.0 ** (-2 * exponent)
@@ -182,11 +194,16 @@ def _gas_density(scene: Scene) -> Iterator[Notice]:
 
 def _outputs(scene: Scene) -> Iterator[Notice]:
     run = scene.run
-    if run.outputs >= LIMITS.outputs and run.output_times is None:
+    swings = (source.swing_time_within(run.duration) for source in scene.inputs.values())
+    per_swing = min(swings, default=0.0) / run.output_interval
+    is_dense = LIMITS.outputs_of_swing < per_swing < math.inf
+    if run.output_times is None and run.outputs >= LIMITS.outputs / (10 if is_dense else 1):
+        often = f", {per_swing:,.0f} in one swing of the input" if is_dense else ""
         yield Notice(
             "many_outputs",
             f"{_written(run.output_interval, 's')} in a run of {run.duration:g} s are "
-            f"{run.outputs:,} outputs; did you mean {_written(1e3 * run.output_interval, 's')}?",
+            f"{run.outputs:,} outputs{often}; did you mean "
+            f"{_written(1e3 * run.output_interval, 's')}?",
             "run.output_interval",
         )
 

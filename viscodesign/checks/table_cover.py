@@ -36,7 +36,9 @@ def table_notices(scene: Scene) -> Iterator[Notice]:
 def _uncovered(
     scene: Scene, name: str, covered: tuple[float, float], where: str
 ) -> Iterator[Notice]:
-    """Times of the run that have no row. Rows of a spec are meant so, unless none is met."""
+    """Times of the run that have no row. Rows of a spec are meant so, unless none is met or the
+    run goes on for a hundred times as long.
+    """
     source, end = scene.inputs[name], scene.run.duration
     first, last = covered
     measured = source.measured if isinstance(source, TableInput) else None
@@ -60,7 +62,8 @@ def _uncovered(
             where,
             0.0,
         )
-    if is_measured and last < end * (1 - 1e-9) - margin:
+    is_short = 0.0 < last - first < SHARE_OF_RUN * end
+    if (is_measured or is_short) and last < end * (1 - 1e-9) - margin:
         yield Notice(
             "table_ends_early",
             f"{span}: from then to the end of the run at {end:g} s the input stays at {held[1]}",

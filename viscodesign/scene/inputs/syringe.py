@@ -81,6 +81,11 @@ class SyringeInput(PiecewiseLinear, FromFile):
         """Volume in front of the plunger at its start, including the gas cushion [m3]."""
         return self.area * self.start + self.dead_volume + self.cushion
 
+    @property
+    def covered(self) -> tuple[float, float] | None:
+        """First and last time [s] of the positions; None where speeds go on for ever."""
+        return (self.rows[0][0], self.rows[-1][0]) if self.rows else None
+
     def _positions(self) -> list[tuple[float, float]]:
         """(time, position) where the speed changes; the last speed continues."""
         if self.speeds is None:
