@@ -7,7 +7,8 @@ from pathlib import Path
 from beam_validation import BeamRun
 from measured_swing import COMPARED
 
-from viscodesign.report.layout.style import ACCENT, INK, axes_at, picture
+from viscodesign.report.layout.look import PLAIN
+from viscodesign.report.layout.style import axes_at, picture
 
 SHOWN = {"gravity_b": "own weight", "load52_b": "52 g, fitted", "load101_a": "102 g"}
 LEFT, BOTTOM, WIDTH, HEIGHT, GAP, TOP = 0.62, 0.5, 2.1, 2.0, 0.45, 0.3
@@ -23,12 +24,12 @@ def draw_beam(runs: list[BeamRun], path: Path) -> None:
             axes = axes_at(made, LEFT + k * (WIDTH + GAP), BOTTOM, WIDTH, HEIGHT)
             shift = own.measured.rms(own.predicted)[1]
             axes.plot(
-                own.measured.time, 1e3 * own.measured.tip[:, 0], ".", color=INK, ms=2.5,
+                own.measured.time, 1e3 * own.measured.tip[:, 0], ".", color=PLAIN.ink, ms=2.5,
                 label="measured",
             )  # fmt: skip
             axes.plot(
-                own.predicted.time + shift, 1e3 * own.predicted.tip[:, 0], color=ACCENT, lw=1.4,
-                label="computed",
+                own.predicted.time + shift, 1e3 * own.predicted.tip[:, 0], color=PLAIN.accent,
+                lw=1.4, label="computed",
             )  # fmt: skip
             axes.set(xlim=(0.0, COMPARED), xlabel="time [s]", title=SHOWN[own.name])
             axes.invert_yaxis()

@@ -22,7 +22,8 @@ sys.path[:0] = [str(DOCS.parent), str(DOCS)]
 from make_pages import fill, table  # noqa: E402
 
 from tests.architecture import LAYERS, PACKAGE, Arrow, arrows, modules, room_of  # noqa: E402
-from viscodesign.report.layout.style import ACCENT, INK, picture  # noqa: E402
+from viscodesign.report.layout.look import PLAIN  # noqa: E402
+from viscodesign.report.layout.style import picture  # noqa: E402
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -208,7 +209,7 @@ def draw(plan: Plan, path: Path) -> None:
         _draw_wings(axes, at, width)
         for arrow in plan.drawn:
             start, end = ends(at, arrow)
-            style = {"arrowstyle": "-|>", "color": INK, "lw": 0.8, "mutation_scale": 8}
+            style = {"arrowstyle": "-|>", "color": PLAIN.ink, "lw": 0.8, "mutation_scale": 8}
             axes.annotate(
                 "", xy=end, xytext=start, arrowprops={**style, "shrinkA": 0, "shrinkB": 0}
             )
@@ -230,7 +231,7 @@ def _draw_wings(axes: Axes, at: Placement, width: float) -> None:
         low = min(y for room, (_, y) in at.items() if is_pump(room) is in_pump)
         corner, low = (left, low - BOX_H / 2 - 0.08), low - BOX_H / 2 - 0.08
         axes.add_patch(Rectangle(corner, right - left, top - low, fc="0.955", ec="none", zorder=-2))
-        axes.text(left + 0.06, top + 0.05, name, fontsize=10, color=ACCENT, va="bottom")
+        axes.text(left + 0.06, top + 0.05, name, fontsize=10, color=PLAIN.accent, va="bottom")
 
 
 def _draw_box(axes: Axes, middle: Point, width: float, name: str, below: str = "") -> None:
@@ -238,10 +239,10 @@ def _draw_box(axes: Axes, middle: Point, width: float, name: str, below: str = "
 
     x, y = middle
     corner = (x - width / 2, y - BOX_H / 2)
-    look = {"boxstyle": "round,pad=0,rounding_size=0.05", "fc": "white", "ec": INK, "lw": 0.9}
+    look = {"boxstyle": "round,pad=0,rounding_size=0.05", "fc": "white", "ec": PLAIN.ink, "lw": 0.9}
     axes.add_patch(FancyBboxPatch(corner, width, BOX_H, **look))
     rise = 0.075 if below else 0.0
-    axes.text(x, y + rise, name, fontsize=8.5, ha="center", va="center", color=INK)
+    axes.text(x, y + rise, name, fontsize=8.5, ha="center", va="center", color=PLAIN.ink)
     axes.text(x, y - 0.095, below, fontsize=7, ha="center", va="center", color="0.4")
 
 

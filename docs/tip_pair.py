@@ -13,7 +13,8 @@ import numpy as np
 from viscodesign import Trajectory
 from viscodesign.report.charts.tip_path import travelled
 from viscodesign.report.layout.label_placement import DIRECTIONS, DISTANCES, POINTS, Box, text_box
-from viscodesign.report.layout.style import ACCENT, INK, axes_at, picture
+from viscodesign.report.layout.look import PLAIN
+from viscodesign.report.layout.style import axes_at, picture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,9 +40,9 @@ def draw_tips(published: Trajectory, called_for: Trajectory, path: Path) -> None
         axes = axes_at(made, LEFT, BOTTOM, SIDE, SIDE)
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
         axes.set(xlabel="x of the tip [mm]", ylabel="z of the tip [mm], down from the clamp")
-        axes.plot(*paths[0].T, color=INK, lw=1.2, ls=(0, (4, 1.5)))
-        axes.plot(*paths[1].T, color=ACCENT, lw=1.8)
-        for points, colour in zip(paths, (INK, ACCENT), strict=True):
+        axes.plot(*paths[0].T, color=PLAIN.ink, lw=1.2, ls=(0, (4, 1.5)))
+        axes.plot(*paths[1].T, color=PLAIN.accent, lw=1.8)
+        for points, colour in zip(paths, (PLAIN.ink, PLAIN.accent), strict=True):
             axes.plot(*points[0], marker="o", mfc="white", mec=colour, ms=6)
             _draw_heads(axes, points, colour, float(high[0] - low[0]))
         _name(axes, paths, low, high)
@@ -76,9 +77,9 @@ def _name(axes: Axes, paths: list[np.ndarray], low: np.ndarray, high: np.ndarray
     first, second = (_inside(points, low, high) for points in paths)
     taken = [_around(x, y, OBSTACLE_HALF) for points in (first, second) for x, y in _some(points)]
     for text, colour, own, other in (
-        ("called for", ACCENT, _some(second), first),
-        ("published model", INK, _some(first), second),
-        ("start", INK, first[:1], first[-1:]),
+        ("called for", PLAIN.accent, _some(second), first),
+        ("published model", PLAIN.ink, _some(first), second),
+        ("start", PLAIN.ink, first[:1], first[-1:]),
     ):
         chosen = min(_choices(text, own), key=lambda c: _cost(c, other, taken))
         taken.append(_grown(chosen.box, 2 * OBSTACLE_HALF))

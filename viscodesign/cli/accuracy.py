@@ -15,6 +15,8 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Spec,
@@ -22,6 +24,7 @@ from viscodesign.cli.options import (
 from viscodesign.cli.output import complain, say_result
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError
+from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.accuracy_study import AccuracyStudy
@@ -50,6 +53,8 @@ def command(
     ] = "60 s",
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -62,6 +67,7 @@ def command(
     accuracy.csv, accuracy.json and accuracy.png; a run's files in the same folder stay. An
     interrupted study keeps what it measured.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign.cli.option_values import positive_time
 
     budget_s = None if budget is None else positive_time("--budget", budget)
@@ -86,7 +92,7 @@ def command(
         budget_s=budget_s,
         plots=not no_plots,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     )
     say_result(
         study.document(budget_s), files, cost_lines(study, budget_s, folder, files), json, quiet

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Specs
+from viscodesign.cli.options import (
+    Debug,
+    Json,
+    Output,
+    Overrides,
+    PictureStyle,
+    PictureWidth,
+    Quiet,
+    Specs,
+)
+from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.findings import Classification
@@ -29,6 +39,8 @@ def command(
             "--plot", metavar="FILE", help="Draw the plane of Figure 1 (.png, .pdf or .svg)."
         ),
     ] = None,
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     overrides: Overrides = None,
     output: Output = None,
     json: Json = False,
@@ -46,14 +58,14 @@ def command(
     from viscodesign.results.findings import classification_document
     from viscodesign.results.provenance import provenance
 
-    picture = _picture(plot)
+    picture, pictures = _picture(plot), picture_options("png", style, width)
     found = [classify(read_scene(spec, overrides)) for spec in specs]
     documents = [classification_document(c) for c in found]
     document = json_text({"specs": documents, "provenance": provenance()})
     if output is not None:
         write_text(output / "classification.json", document + "\n", overwrite=True)
     if picture is not None:
-        _draw(found, picture)
+        _draw(found, picture, pictures)
     if json:
         say(document)
     elif not quiet:
@@ -68,13 +80,15 @@ def _picture(plot: Path | None) -> Path | None:
     return plot
 
 
-def _draw(found: Sequence[Classification], picture: Path) -> None:
+def _draw(found: Sequence[Classification], picture: Path, pictures: PictureOptions) -> None:
     from viscodesign.errors import UsageError
     from viscodesign.report.charts.quadrants import draw_plane
+    from viscodesign.report.layout.look import drawn_as
 
     try:
         picture.parent.mkdir(parents=True, exist_ok=True)
-        draw_plane(found, picture)
+        with drawn_as(pictures):
+            draw_plane(found, picture)
     except OSError as error:
         raise UsageError(f"cannot write {picture}: {error.strerror or error}") from error
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -17,12 +17,15 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
 )
 from viscodesign.cli.specs import STANDARD_INPUT, read_scene
 from viscodesign.errors import InterruptedRunError, UsageError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.run_comparison import Comparison
@@ -45,7 +48,7 @@ class ComparisonOptions:
     verify: bool
     plots: bool
     report: bool
-    picture_format: Literal["png", "pdf", "svg"]
+    pictures: PictureOptions
     force: bool
     json: bool
     quiet: bool
@@ -91,6 +94,8 @@ def command(
         bool, typer.Option("--no-report", help="Skip the page, compare.html.")
     ] = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -106,8 +111,9 @@ def command(
     With --figure the scenes of a figure of the paper are simulated, and each of its
     statements is checked: figure_3.csv, figure_3.json and figure_3.png.
     """
+    pictures = picture_options(picture_format, style, width)
     options = ComparisonOptions(
-        overrides or [], not no_verify, not no_plots, not no_report, picture_format, force, json,
+        overrides or [], not no_verify, not no_plots, not no_report, pictures, force, json,
         quiet,
     )  # fmt: skip
     if figure is None:
@@ -157,7 +163,7 @@ def _compare(
         plots=options.plots,
         report=options.report,
         force=options.force,
-        picture_format=options.picture_format,
+        pictures=options.pictures,
     )
     if options.json:
         say(json_text({**found.document(), "files": [str(file) for file in files]}))

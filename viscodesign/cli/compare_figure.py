@@ -41,7 +41,7 @@ def compare_figure(number: int, output: Path | None, options: ComparisonOptions)
         folder,
         plots=options.plots,
         force=options.force,
-        picture_format=options.picture_format,
+        pictures=options.pictures,
     )
     say_result(found.document(), files, _lines(found, folder, files), options.json, options.quiet)
 

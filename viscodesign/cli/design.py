@@ -15,10 +15,13 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
 )
 from viscodesign.errors import InterruptedRunError, ViscodesignError
+from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.path_design import PathDesign
@@ -50,6 +53,8 @@ def command(
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -63,6 +68,7 @@ def command(
     cannot be followed exits with 3 and says what limits it. Ctrl-C keeps the
     best so far.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign import design as find
     from viscodesign.cli.option_values import positive_time
     from viscodesign.cli.output import say_result
@@ -82,9 +88,7 @@ def command(
             advance(fraction, f"best so far {1e3 * best_m:.3g} mm rms" if is_known else "")
 
         found = find(target, overrides or (), budget=seconds, seed=seed, progress=tell)
-    files = write_design(
-        found, folder, plots=not no_plots, force=force, picture_format=picture_format
-    )
+    files = write_design(found, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(found.document(), files, design_lines(found, folder, files), json, quiet)
     _end(found, folder)
 

@@ -15,12 +15,15 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Spec,
 )
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError, ViscodesignError
+from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.fit_result import Fit
@@ -69,6 +72,8 @@ def command(
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -82,6 +87,7 @@ def command(
     says which numbers the data cannot tell apart. A model that does not describe the
     recordings exits with 3, its numbers kept. Ctrl-C keeps the best so far.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign import fit as find
     from viscodesign.cli.output import complain, say_result
     from viscodesign.cli.progress import progress
@@ -104,7 +110,7 @@ def command(
             next_experiment=following,
             progress=advance,
         )
-    files = write_fit(found, folder, plots=not no_plots, force=force, picture_format=picture_format)
+    files = write_fit(found, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(found.document(), files, fit_lines(found, folder, files), json, quiet)
     _end(found, folder)
 

@@ -55,6 +55,20 @@ NoReport = Annotated[bool, typer.Option("--no-report", help="Skip the page, repo
 PictureFormat = Annotated[
     Literal["png", "pdf", "svg"], typer.Option("--format", help="Format of the pictures.")
 ]
+PictureStyle = Annotated[
+    Literal["plain", "paper", "talk", "dark"],
+    typer.Option(
+        "--style", help="Of the pictures: paper has no titles, talk is large, dark is on dark."
+    ),
+]
+PictureWidth = Annotated[
+    str | None,
+    typer.Option(
+        "--width",
+        metavar="MM",
+        help="Of the pictures: single (89 mm), double (183 mm) or 80 to 400 mm; paper: double.",
+    ),
+]
 Force = Annotated[bool, typer.Option("--force", help="Write even if the folder holds other files.")]
 Quiet = Annotated[
     bool, typer.Option("--quiet", "-q", help="Print errors only (and the JSON document).")

@@ -14,11 +14,14 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Spec,
 )
 from viscodesign.errors import ViscodesignError
+from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.reach_study import ReachStudy
@@ -64,6 +67,8 @@ def command(
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -75,6 +80,7 @@ def command(
     column; with a point its input.csv and a runnable spec.yaml, verified. A
     point that is out of reach exits with 3 and says by how much.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign import reach as study_of
     from viscodesign.cli.option_values import pair, positive_time
     from viscodesign.cli.output import say_result
@@ -91,9 +97,7 @@ def command(
     folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_reach"
     prepare_folder(folder, force=force)
     study = study_of(scene, limits=ends, harmonics=harmonics, at=point, time=seconds, seed=seed)
-    files = write_reach(
-        study, folder, plots=not no_plots, force=force, picture_format=picture_format
-    )
+    files = write_reach(study, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(study.document(), files, reach_lines(study, folder, files), json, quiet)
     _end(study)
 

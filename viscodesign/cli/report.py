@@ -7,13 +7,15 @@ from typing import Annotated, Any
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Output, Quiet
+from viscodesign.cli.options import Debug, Json, Output, PictureFormat, PictureStyle, Quiet
+from viscodesign.report.picture_options import picture_options
 
 EXAMPLE = """\b
 Examples:
   viscodesign report runs/leg
   viscodesign report runs/leg --film leg.mp4
-  viscodesign report runs/leg --film leg.webp --transparent --speed 2"""
+  viscodesign report runs/leg --film leg.webp --transparent --speed 2
+  viscodesign report runs/leg --pictures --style paper --format pdf"""
 
 
 def command(
@@ -46,33 +48,51 @@ def command(
     no_pressures: Annotated[
         bool, typer.Option("--no-pressures", help="Of the film: the actuator alone.")
     ] = False,
+    pictures: Annotated[
+        bool, typer.Option("--pictures", help="Also draw the pictures again.")
+    ] = False,
+    picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    picture_width: Annotated[
+        str | None,
+        typer.Option(
+            "--picture-width",
+            metavar="MM",
+            help="Of the pictures: single (89 mm), double (183 mm) or 80 to 400 mm.",
+        ),
+    ] = None,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Write the page of a run again, and a film of it.
+    """Write the page of a run again, its pictures, and a film of it.
 
-    Reads summary.json, spec.yaml, trajectory.csv and shape.csv, and solves nothing. With -o the
-    page goes to another folder.
+    Reads summary.json, spec.yaml, trajectory.csv and shape.csv, and solves nothing. With -o page
+    and pictures go to another folder. A film is dark with --style dark, else plain.
     """
     from viscodesign.cli.output import json_text, say
     from viscodesign.report.film.film import write_film
     from viscodesign.report.film.film_plan import FilmOptions
-    from viscodesign.report.folder import PAGE
+    from viscodesign.report.folder import PAGE, prepare_folder
     from viscodesign.report.page.page import write_page
     from viscodesign.report.read_run import read_run
+    from viscodesign.report.run_folder import draw_run
 
+    drawing = picture_options(picture_format, style, picture_width)
     options: dict[str, Any] = {
         "speed": speed,
         "frames_per_second": frames_per_second,
         "width": width,
         "transparent": transparent,
+        "dark": style == "dark",
         "pressures": not no_pressures,
     }
     if film is not None:
         FilmOptions(**options).checked(film)
     shown, folder = read_run(run), output if output is not None else run
     files = [write_page(shown, folder / PAGE)]
+    if pictures:
+        files += draw_run(shown, prepare_folder(folder, force=True), drawing)
     if film is not None:
         files.append(write_film(shown, film, **options))
     if json:

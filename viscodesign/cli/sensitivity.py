@@ -13,11 +13,14 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Spec,
 )
 from viscodesign.errors import InterruptedRunError
+from viscodesign.report.picture_options import picture_options
 
 EXAMPLE = """\b
 Examples:
@@ -46,6 +49,8 @@ def command(
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -56,6 +61,7 @@ def command(
     Without --tolerance for all numbers, in mm per percent; with it for these numbers, and the
     band that they give. Writes sensitivity.csv, sensitivity.json and sensitivity.png.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign import sensitivity as study_of
     from viscodesign.cli.output import complain, say_result
     from viscodesign.cli.run_folders import folder_for
@@ -75,9 +81,7 @@ def command(
         study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
     except SensitivityInterruptedError as early:
         study, stopped = early.study, early
-    files = write_sensitivity(
-        study, folder, plots=not no_plots, force=force, picture_format=picture_format
-    )
+    files = write_sensitivity(study, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(study.document(), files, sensitivity_lines(study, folder, files), json, quiet)
     if stopped is not None:
         raise InterruptedRunError(f"{stopped}\nwhat there is is in {folder}")

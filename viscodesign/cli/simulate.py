@@ -5,7 +5,7 @@ from __future__ import annotations
 import time as clock
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -17,6 +17,8 @@ from viscodesign.cli.options import (
     NoReport,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Specs,
@@ -25,6 +27,7 @@ from viscodesign.cli.output import complain
 from viscodesign.cli.specs import SpecResult, read_scene, run_specs
 from viscodesign.errors import InterruptedRunError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
     from viscodesign.report.run_folder import WrittenRun
@@ -70,6 +73,8 @@ def command(
     no_plots: NoPlots = False,
     no_report: NoReport = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -84,13 +89,14 @@ def command(
     labelled as such. One spec that fails does not stop the others; the exit code is then the
     largest.
     """
+    pictures = picture_options(picture_format, style, width)
     options = RunOptions(
         prove,
         not no_verify,
         not no_uncertainty,
         not no_plots,
         not no_report,
-        picture_format,
+        pictures,
         force,
         json,
         quiet,
@@ -120,7 +126,7 @@ class RunOptions:
     uncertainty: bool
     plots: bool
     report: bool
-    picture_format: Literal["png", "pdf", "svg"]
+    pictures: PictureOptions
     force: bool
     json: bool
     quiet: bool
@@ -169,7 +175,7 @@ def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) ->
         plots=options.plots,
         report=options.report,
         force=options.force,
-        picture_format=options.picture_format,
+        pictures=options.pictures,
     )
     return _result(written, folder, options, interrupted=interrupt.asked)
 

@@ -14,12 +14,15 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Spec,
 )
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError, UsageError, ViscodesignError, not_among
+from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.sweep_table import Sweep
@@ -81,6 +84,8 @@ def command(
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -93,6 +98,7 @@ def command(
     sweep.png. A design that fails is named and the others go on. The same command continues
     what was interrupted or killed; --force replaces another sweep in the folder.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign import sweep as solve
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
@@ -125,7 +131,7 @@ def command(
         metric=metric,
         plots=not no_plots,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     )
     if json:
         say(json_text({**found.document(), "files": [str(file) for file in files]}))

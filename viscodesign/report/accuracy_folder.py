@@ -6,7 +6,8 @@ from dataclasses import asdict
 from pathlib import Path
 
 from viscodesign.report.csv_text import csv_table
-from viscodesign.report.folder import STUDY_FILES, Format
+from viscodesign.report.folder import STUDY_FILES
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.accuracy_points import POINT_COLUMNS
 from viscodesign.results.accuracy_study import AccuracyStudy
 
@@ -18,7 +19,7 @@ def write_study(
     budget_s: float | None = None,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a study's files and return them; see `FileSet.write`."""
 
@@ -31,7 +32,7 @@ def write_study(
     drawer = draw if plots and study.points else None
     document = study.document(budget_s)
     return STUDY_FILES.write(
-        directory, points_csv(study), document, drawer, force=force, picture_format=picture_format
+        directory, points_csv(study), document, drawer, force=force, pictures=pictures
     )
 
 

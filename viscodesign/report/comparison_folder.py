@@ -9,9 +9,9 @@ from viscodesign.report.folder import (
     COMPARISON_FILES,
     COMPARISON_PAGE,
     FIGURE_FILES,
-    Format,
     remove_files,
 )
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.paper_figure import CHECK_COLUMNS, PaperFigure
 from viscodesign.results.run_comparison import Comparison
 
@@ -23,7 +23,7 @@ def write_comparison(
     plots: bool = True,
     report: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write table, document, picture and page of a comparison and return them.
 
@@ -43,7 +43,7 @@ def write_comparison(
         found.document(),
         draw if plots else None,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     )
     if not report:
         remove_files([page])
@@ -59,7 +59,7 @@ def write_figure(
     *,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write the statements about a figure of the paper, and draw it; see `FileSet.write`."""
 
@@ -74,5 +74,5 @@ def write_figure(
         found.document(),
         draw if plots else None,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     )

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import (
     DESIGN_ALTERNATIVES,
     DESIGN_FILES,
-    Format,
+    draw_picture,
     in_every_format,
     json_bytes,
-    picture_name,
     prepare_folder,
     remove_files,
     text_bytes,
 )
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.path_design import PathDesign
 from viscodesign.storage.atomic_files import write_all, write_errors_as_usage
 
@@ -29,7 +30,7 @@ def write_design(
     *,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a design's files and return them; those of an earlier one are replaced.
 
@@ -49,9 +50,8 @@ def write_design(
     # Drawing is slow to import, and a design without a picture does not need it.
     from viscodesign.report.charts.design import draw_design
 
-    picture = folder / picture_name(DESIGN_FILES.picture, picture_format)
-    draw_design(found, picture)
-    return [*contents, picture]
+    file = folder / DESIGN_FILES.picture
+    return [*contents, draw_picture(partial(draw_design, found), file, pictures)]
 
 
 def _contents(found: PathDesign, folder: Path) -> dict[Path, list[bytes]]:

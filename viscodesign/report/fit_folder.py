@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from viscodesign.report.folder import FIT_FILES, Format, text_bytes
+from viscodesign.report.folder import FIT_FILES, text_bytes
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.fit_result import Fit
 
 
@@ -14,7 +15,7 @@ def write_fit(
     *,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a fit's files and return them; see `FileSet.write`."""
 
@@ -30,5 +31,5 @@ def write_fit(
         found.document(),
         draw if plots else None,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     )

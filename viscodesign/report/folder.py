@@ -5,10 +5,16 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Any
 
 from viscodesign.errors import UsageError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.picture_options import (
+    AS_USUAL,
+    FORMATS,
+    PictureOptions,
+    picture_name,
+)
 from viscodesign.storage.atomic_files import (
     clear_leftovers,
     write_all,
@@ -17,14 +23,6 @@ from viscodesign.storage.atomic_files import (
 )
 
 PROBE = ".write-test"
-Format = Literal["png", "pdf", "svg"]
-"""Formats of the pictures."""
-FORMATS: tuple[Format, ...] = get_args(Format)
-
-
-def picture_name(name: str, picture_format: Format) -> str:
-    """The name of a picture in another format."""
-    return str(Path(name).with_suffix(f".{picture_format}"))
 
 
 def in_every_format(pictures: Iterable[str]) -> list[str]:
@@ -53,7 +51,7 @@ class FileSet:
         draw: Callable[[Path], None] | None,
         *,
         force: bool = False,
-        picture_format: Format = "png",
+        pictures: PictureOptions = AS_USUAL,
     ) -> list[Path]:
         """Write the files and return them; those of an earlier set are replaced.
 
@@ -68,9 +66,17 @@ class FileSet:
         write_all(contents, first=lambda: remove_files(old))
         if draw is None:
             return list(contents)
-        picture = folder / picture_name(self.picture, picture_format)
-        draw(picture)
-        return [*contents, picture]
+        return [*contents, draw_picture(draw, folder / self.picture, pictures)]
+
+
+def draw_picture(draw: Callable[[Path], object], file: Path, pictures: PictureOptions) -> Path:
+    """Draw a picture as the options ask; returns its file, that of ``file`` in their format."""
+    from viscodesign.report.layout.look import drawn_as
+
+    made = file.with_name(picture_name(file.name, pictures.format))
+    with drawn_as(pictures):
+        draw(made)
+    return made
 
 
 RUN_TABLES = ("trajectory.csv", "shape.csv", "spec.yaml")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -10,14 +11,14 @@ from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import (
     REACH_FILES,
     REACH_INPUT,
-    Format,
+    draw_picture,
     in_every_format,
     json_bytes,
-    picture_name,
     prepare_folder,
     remove_files,
     text_bytes,
 )
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.reach_study import ReachStudy
 from viscodesign.storage.atomic_files import write_all
 
@@ -30,7 +31,7 @@ def write_reach(
     *,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a study's files and return them; those of an earlier one are replaced.
 
@@ -55,9 +56,8 @@ def write_reach(
     # Drawing is slow to import, and a study without a picture does not need it.
     from viscodesign.report.charts.reach import draw_reach
 
-    picture = folder / picture_name(REACH_FILES.picture, picture_format)
-    draw_reach(study, picture)
-    return [*contents, picture]
+    file = folder / REACH_FILES.picture
+    return [*contents, draw_picture(partial(draw_reach, study), file, pictures)]
 
 
 def _rows(study: ReachStudy) -> list[tuple[int, float, float]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -18,14 +19,14 @@ from viscodesign.report.folder import (
     RUN_PICTURES,
     RUN_TABLES,
     SUMMARY,
-    Format,
+    draw_picture,
     in_every_format,
     json_bytes,
-    picture_name,
     prepare_folder,
     remove_files,
     text_bytes,
 )
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.channels import shape_columns, trajectory_columns
 from viscodesign.results.coefficient_band import BAND_COLUMNS, CoefficientBand
 from viscodesign.results.trajectory import Trajectory
@@ -48,7 +49,7 @@ def write_run(
     plots: bool = True,
     report: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a run's files and return them, as `write_timed` does."""
     return write_timed(
@@ -57,7 +58,7 @@ def write_run(
         plots=plots,
         report=report,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     ).files
 
 
@@ -68,7 +69,7 @@ def write_timed(
     plots: bool = True,
     report: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> WrittenRun:
     """Write a run's files, and how long that took; an earlier run's are replaced or removed.
 
@@ -100,21 +101,24 @@ def write_timed(
     # A run that took long to solve may take a while to write: it is not lost for an interrupt.
     with gentle_interrupt() as interrupt:
         write_all(contents, first=lambda: remove_files(old))
-        pictures = list(_draw(trajectory, folder, picture_format, interrupt)) if plots else []
+        drawings = list(draw_run(trajectory, folder, pictures, interrupt)) if plots else []
         if report and not interrupt.asked:
-            pictures.append(_write_page(trajectory, folder / PAGE))
+            drawings.append(_write_page(trajectory, folder / PAGE))
         told = trajectory.with_time(write_s=clock.perf_counter() - began)
         write_bytes(summary, json_bytes(told.summary()))
     if interrupt.asked:
         raise KeyboardInterrupt
-    return WrittenRun([*contents, *pictures, summary], told)
+    return WrittenRun([*contents, *drawings, summary], told)
 
 
-def _draw(
-    trajectory: Trajectory, folder: Path, picture_format: Format, interrupt: StopRequest
+def draw_run(
+    trajectory: Trajectory,
+    folder: Path,
+    options: PictureOptions,
+    interrupt: StopRequest | None = None,
 ) -> Iterator[Path]:
     """Draw the pictures of a run one by one, until an interrupt; yields the files, in order."""
-    if interrupt.asked:
+    if interrupt is not None and interrupt.asked:
         return
     # Drawing is slow to import, and a run without pictures does not need it.
     from viscodesign.report.charts.effects import draw_effects
@@ -126,11 +130,9 @@ def _draw(
     if trajectory.proof:
         drawers[EFFECTS_PICTURE] = draw_effects
     for name, draw in drawers.items():
-        if interrupt.asked:
+        if interrupt is not None and interrupt.asked:
             return
-        file = folder / picture_name(name, picture_format)
-        draw(trajectory, file)
-        yield file
+        yield draw_picture(partial(draw, trajectory), folder / name, options)
 
 
 def _write_page(trajectory: Trajectory, file: Path) -> Path:

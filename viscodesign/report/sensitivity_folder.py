@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from viscodesign.report.csv_text import csv_rows, csv_table
-from viscodesign.report.folder import SENSITIVITY_FILES, Format
+from viscodesign.report.folder import SENSITIVITY_FILES
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.sensitivity_study import SensitivityStudy
 
 
@@ -15,7 +16,7 @@ def write_sensitivity(
     *,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a study's files and return them; see `FileSet.write`."""
 
@@ -31,5 +32,5 @@ def write_sensitivity(
         study.document(),
         draw if plots else None,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     )

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from viscodesign.report.csv_text import csv_table
-from viscodesign.report.folder import SWEEP_FILES, Format
+from viscodesign.report.folder import SWEEP_FILES
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.sweep_table import Sweep
 
@@ -17,7 +18,7 @@ def write_sweep(
     metric: str = METRIC_NAMES[0],
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a sweep's files and return them; see `FileSet.write`.
 
@@ -37,5 +38,5 @@ def write_sweep(
         sweep.document(),
         drawer,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     )

@@ -340,15 +340,20 @@ class Comparison:
         report: bool = True,
         force: bool = False,
         picture_format: Literal["png", "pdf", "svg"] = "png",
+        style: Literal["plain", "paper", "talk", "dark"] = "plain",
+        width: str | float | None = None,
     ) -> list[Path]:
         """Write table, document, picture and page, as `viscodesign compare` does; returns them.
 
-        Raises `UsageError` where the folder cannot be written, or (without ``force``) holds
-        files that are not ours.
+        ``style`` and ``width`` of the picture: as `--style` and `--width` have them. Raises
+        `UsageError` for others, and where the folder cannot be written, or (without ``force``)
+        holds files that are not ours.
         """
-        options = {"force": force, "picture_format": picture_format}
+        pictures = module_above("report.picture_options").picture_options(
+            picture_format, style, width
+        )
         files: list[Path] = module_above("report.comparison_folder").write_comparison(
-            self, directory, plots=plots, report=report, **options
+            self, directory, plots=plots, report=report, force=force, pictures=pictures
         )
         return files
 

@@ -255,15 +255,21 @@ class Trajectory(MotionArrays):
         report: bool = True,
         force: bool = False,
         picture_format: Literal["png", "pdf", "svg"] = "png",
+        style: Literal["plain", "paper", "talk", "dark"] = "plain",
+        width: str | float | None = None,
     ) -> list[Path]:
         """Write the run's files to a folder, as `viscodesign simulate` does; returns them.
 
-        ``plots``, ``report``: whether pictures and the page are written. Raises `UsageError` where
-        the folder cannot be written, or (without ``force``) holds files that are not of a run.
+        ``plots``, ``report``: whether pictures and the page are written. ``style`` and ``width``
+        of the pictures: as `--style` and `--width` have them, ``width`` `single`, `double` or a
+        number [mm]. Raises `UsageError` for others, where the folder cannot be written, or
+        (without ``force``) holds files that are not of a run.
         """
-        options = {"force": force, "picture_format": picture_format}
+        pictures = module_above("report.picture_options").picture_options(
+            picture_format, style, width
+        )
         files: list[Path] = module_above("report.run_folder").write_run(
-            self, directory, plots=plots, report=report, **options
+            self, directory, plots=plots, report=report, force=force, pictures=pictures
         )
         return files
 
@@ -364,14 +370,15 @@ class Trajectory(MotionArrays):
         frames_per_second: int = 25,
         width: int = 960,
         transparent: bool = False,
+        dark: bool = False,
         pressures: bool = True,
     ) -> Path:
         """Write a film of the run in 16:9 and return its path: GIF or WebP, or MP4 with ffmpeg.
 
         ``speed``: seconds of motion in a second of film; None: real time, or about eight seconds
-        in all. ``width`` [pixel]. ``transparent`` instead of a white ground, not for MP4.
-        ``pressures``: whether they are drawn against time beside the actuator. Raises `UsageError`
-        where it cannot be made or written.
+        in all. ``width`` [pixel]. ``transparent`` instead of a ground, not for MP4; ``dark``:
+        light lines on a dark one. ``pressures``: whether they are drawn against time beside the
+        actuator. Raises `UsageError` where it cannot be made or written.
         """
         made = module_above("report.film.film").write_film(
             self,
@@ -380,6 +387,7 @@ class Trajectory(MotionArrays):
             frames_per_second=frames_per_second,
             width=width,
             transparent=transparent,
+            dark=dark,
             pressures=pressures,
         )
         return Path(made)

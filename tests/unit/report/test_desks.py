@@ -11,7 +11,8 @@ import pytest
 
 from tests.scenes import ROOT
 from tests.trajectories import made_run
-from viscodesign.report.folder import FORMATS, PAGE, RUN_PICTURES, RUN_TABLES, picture_name
+from viscodesign.report.folder import PAGE, RUN_PICTURES, RUN_TABLES
+from viscodesign.report.picture_options import FORMATS, PictureOptions, picture_name
 from viscodesign.report.run_folder import write_run
 
 DRAWS = (
@@ -95,7 +96,7 @@ def test_pictures_in_every_format(kind: str, tmp_path: Path) -> None:
     run = made_run()
     write_run(run, tmp_path)
     chosen = next(each for each in FORMATS if each == kind)
-    written = write_run(run, tmp_path, picture_format=chosen)
+    written = write_run(run, tmp_path, pictures=PictureOptions(chosen))
     pictures = [picture_name(name, chosen) for name in RUN_PICTURES]
     assert [file.name for file in written] == [*RUN_TABLES, *pictures, PAGE, "summary.json"]
     assert {file.name for file in tmp_path.iterdir()} == {file.name for file in written}
@@ -107,6 +108,6 @@ def test_pictures_in_every_format(kind: str, tmp_path: Path) -> None:
 def test_the_same_picture_is_the_same_file(kind: str, tmp_path: Path) -> None:
     chosen = next(each for each in FORMATS if each == kind)
     for folder in ("a", "b"):
-        write_run(made_run(), tmp_path / folder, picture_format=chosen)
+        write_run(made_run(), tmp_path / folder, pictures=PictureOptions(chosen))
     name = picture_name("tip.png", chosen)
     assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes()

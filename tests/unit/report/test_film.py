@@ -44,6 +44,14 @@ def test_a_film_shows_the_motion_on_white(tmp_path: Path, kind: str) -> None:
     assert (left[..., 2] - left[..., 0] > 60).sum() > 20, "no bellow is blue under vacuum"
 
 
+def test_a_dark_film_is_light_on_dark(tmp_path: Path) -> None:
+    run = made_run(time=np.linspace(0, 1, 51))
+    film = frames(run.film(tmp_path / "leg.gif", dark=True, **SMALL))
+    for frame in film:
+        assert frame[1, 1, :3].max() < 40
+        assert (frame[..., :3].min(axis=2) > 180).mean() > 0.005
+
+
 @pytest.mark.parametrize("kind", ["gif", "webp"])
 def test_a_transparent_film_has_no_ground(tmp_path: Path, kind: str) -> None:
     run = made_run(time=np.linspace(0, 1, 51))
@@ -159,3 +167,13 @@ def test_the_command_writes_page_and_film(tmp_path: Path) -> None:
     assert len(frames(tmp_path / "leg.gif")) == 9
     assert (tmp_path / "report.html").exists()
     assert main(["report", str(tmp_path), "-q", "--film", str(tmp_path / "leg.avi")]) == 2
+    assert (
+        main(["report", str(tmp_path), "-q", "--pictures", "--style", "paper", "--format", "svg"])
+        == 0
+    )
+    assert {file.name for file in tmp_path.glob("*.svg")} == {
+        "tip.svg",
+        "pressures.svg",
+        "shapes.svg",
+    }
+    assert "leg_made_up" not in (tmp_path / "tip.svg").read_text()

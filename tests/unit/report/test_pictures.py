@@ -11,7 +11,7 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 import pytest
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import LineCollection, PathCollection, PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
@@ -144,7 +144,22 @@ def test_pressures_far_from_the_ambient_keep_their_differences_visible(
 ) -> None:
     figure = drawn("far_above", "shapes")
     blocks = next(c for c in figure.axes[0].collections if isinstance(c, PolyCollection))
-    assert blocks.norm.vmin == pytest.approx(CASES["far_above"]().pressure.min() / 1e3)
+    run = CASES["far_above"]()
+    lowest = min(run.pressure.min(), run["inlet_pressure"].min())
+    assert blocks.norm.vmin == pytest.approx(lowest / 1e3)
+
+
+def test_the_filmstrip_has_every_tube_and_the_inlet_in_its_pressure(drawn: Drawn) -> None:
+    figure = drawn("leg", "shapes")
+    run = CASES["leg"]()
+    assert "inlet" in words(figure)
+    (marks,) = (c for c in figure.axes[0].collections if isinstance(c, PathCollection))
+    rows = run.shape_rows[spread_instants(run, 8, pressures=True)]
+    np.testing.assert_allclose(marks.get_array(), run["inlet_pressure"][rows, 0] / 1e3)
+    bundles = [c for c in figure.axes[0].collections if isinstance(c, LineCollection)]
+    assert len(bundles[0].get_segments()) == 8 * len(run.tubes)
+    below = np.array([segment[:, 1].max() for segment in bundles[0].get_segments()])
+    assert np.all(below > 0)
 
 
 @pytest.mark.parametrize("picture", DRAWERS)

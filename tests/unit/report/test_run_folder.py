@@ -78,7 +78,7 @@ def sketched(monkeypatch: pytest.MonkeyPatch) -> None:
             write_bytes(folder / name, b"a picture")
         return [folder / name for name in RUN_PICTURES]
 
-    monkeypatch.setattr(files, "_draw", sketch)
+    monkeypatch.setattr(files, "draw_run", sketch)
 
 
 def test_all_files_are_written_and_returned_in_order(run: Trajectory, tmp_path: Path) -> None:
@@ -129,7 +129,7 @@ def test_an_interrupt_while_drawing_keeps_the_tables_but_no_summary(
     def stop(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(files, "_draw", stop)
+    monkeypatch.setattr(files, "draw_run", stop)
     with pytest.raises(KeyboardInterrupt):
         write_run(run, tmp_path)
     assert names(tmp_path) == set(RUN_TABLES)

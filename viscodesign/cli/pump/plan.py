@@ -9,6 +9,8 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Spec,
@@ -17,6 +19,7 @@ from viscodesign.cli.output import complain, say_result
 from viscodesign.cli.simulate import RunFailedError
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import PumpError
+from viscodesign.report.picture_options import picture_options
 
 EXAMPLE = """\b
 Examples:
@@ -31,6 +34,8 @@ def command(
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -43,6 +48,7 @@ def command(
     a limit is exceeded; and simulates what the pump would do instead. Writes plan.csv,
     plan.json and plan.png. Exits with 4 where the plan is infeasible.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign import plan
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_for
@@ -59,9 +65,7 @@ def command(
     prepare_folder(folder, force=force)
     with progress(quiet, "planning", first="planning") as advance:
         found = plan(scene, progress=advance)
-    files = write_plan(
-        found, folder, plots=not no_plots, force=force, picture_format=picture_format
-    )
+    files = write_plan(found, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(plan_document(found), files, plan_lines(found, folder, files), json, quiet)
     if found.status != "complete":
         raise RunFailedError(f"{found.failure}\npartial results are in {folder}")

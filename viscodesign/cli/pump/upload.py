@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
+from viscodesign.cli.options import Debug, Json, Overrides, PictureStyle, PictureWidth, Quiet, Spec
 from viscodesign.cli.pump._options import Achievable, Baud, Board, DryRun, Force, Log, Port, Yes
 from viscodesign.errors import UsageError
+from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
     from viscodesign.pump.sessions.uploading import Playback, UploadSession
@@ -50,9 +51,11 @@ def command(
         typer.Option(
             "--picture",
             metavar="FILE",
-            help="Plot requested and played motion, as PNG.",
+            help="Plot requested and played motion (.png, .pdf or .svg).",
         ),
     ] = None,
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     achievable: Achievable = False,
     log: Log = None,
@@ -70,6 +73,7 @@ def command(
     --tolerance it is refused. Shows the plan and asks before anything moves. Nothing
     monitors the pump while the board plays: Ctrl-C halts it after the current move.
     """
+    pictures = picture_options("png", style, width)
     from viscodesign.cli.confirm import asking
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
@@ -86,7 +90,7 @@ def command(
     playback: Playback = "loop" if loop else "once" if play else "none"
     with progress(quiet, "planning and fitting", "planning") as advance:
         session = UploadSession(scene, tolerance, playback, achievable, advance)
-    files = _write(session, export, picture, force)
+    files = _write(session, export, picture, pictures, force)
     document, lines, report = session.document(), session.description(), None
     if files:
         document |= {"status": "written", "files": [str(file) for file in files]}
@@ -122,11 +126,16 @@ def _refuse_options(play: bool, loop: bool, has_target: bool) -> None:
 
 
 def _write(
-    session: UploadSession, export: Path | None, picture: Path | None, force: bool
+    session: UploadSession,
+    export: Path | None,
+    picture: Path | None,
+    pictures: PictureOptions,
+    force: bool,
 ) -> list[Path]:
     """The files asked for, each whole or not at all; none over another unless forced."""
     from viscodesign.cli.output import write_text
     from viscodesign.pump.report.fit_chart import draw_fit
+    from viscodesign.report.layout.look import drawn_as
 
     files = [file for file in (export, picture) if file is not None]
     existing = [file for file in files if file.exists()]
@@ -135,5 +144,6 @@ def _write(
     if export is not None:
         write_text(export, session.header(), overwrite=force)
     if picture is not None:
-        draw_fit(session.fit, session.plan.wanted_run, picture)
+        with drawn_as(pictures):
+            draw_fit(session.fit, session.plan.wanted_run, picture)
     return files

@@ -9,25 +9,27 @@ import numpy as np
 
 from viscodesign.pump.poses.engine import FRAME
 from viscodesign.pump.poses.fit import PoseFit
-from viscodesign.pump.report.plan_chart import COLOURS
-from viscodesign.report.layout.style import ACCENT, INK, axes_at, head, head_room, picture
+from viscodesign.pump.report.plan_chart import pump_colours
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import axes_at, head, head_room, picture
 from viscodesign.results.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, WIDE, TALL, SHORT, GAP = 0.8, 0.5, 6.0, 2.4, 1.2, 0.16
+LEFT, BOTTOM, WIDE, TALL, SHORT, GAP, RIGHT = 0.8, 0.5, 6.0, 2.4, 1.2, 0.16, 0.2
 """All in inches."""
 
 
 def draw_fit(fit: PoseFit, run: Trajectory, path: Path) -> None:
     """Counts against time, and below them the error; ``run`` is what the fit is for."""
-    width, top = LEFT + WIDE + 0.2, BOTTOM + SHORT + GAP + TALL
+    width, top = look().across(LEFT + WIDE + RIGHT), BOTTOM + SHORT + GAP + TALL
+    wide = width - LEFT - RIGHT
     with picture(path, width, top + head_room(run, width)) as made:
-        counts = axes_at(made, LEFT, top - TALL, WIDE, TALL)
+        counts = axes_at(made, LEFT, top - TALL, wide, TALL)
         _draw_counts(counts, fit)
         counts.tick_params(labelbottom=False)
-        _draw_error(axes_at(made, LEFT, BOTTOM, WIDE, SHORT), fit)
+        _draw_error(axes_at(made, LEFT, BOTTOM, wide, SHORT), fit)
         how = "poses of a loop" if fit.looped else "poses"
         head(made, run, f"{how}, off by at most {fit.largest_error:.2f} counts", LEFT)
 
@@ -35,18 +37,18 @@ def draw_fit(fit: PoseFit, run: Trajectory, path: Path) -> None:
 def _draw_counts(axes: Axes, fit: PoseFit) -> None:
     moments = np.cumsum([0, *fit.move_frames[1:]]) * FRAME
     goals = np.array([goal[:-1] for goal in fit.sequence.goals()])
-    for k, colour in enumerate(COLOURS[: fit.played.shape[1]]):
+    for k, colour in enumerate(pump_colours()[: fit.played.shape[1]]):
         axes.plot(fit.time, fit.requested[:, k], color=colour, lw=4.0, alpha=0.35)
-        axes.plot(fit.time, fit.played[:, k], color=INK, lw=0.9)
-        axes.plot(moments, goals[:, k], "o", color=colour, ms=3.5, mec=INK, mew=0.5)
+        axes.plot(fit.time, fit.played[:, k], color=look().ink, lw=0.9)
+        axes.plot(moments, goals[:, k], "o", color=colour, ms=3.5, mec=look().ink, mew=0.5)
     axes.set(xlim=(0.0, fit.duration), ylabel="servo [counts]")
     axes.legend(["requested", "played", "goals of the moves"], loc="best")
 
 
 def _draw_error(axes: Axes, fit: PoseFit) -> None:
-    for k, colour in enumerate(COLOURS[: fit.played.shape[1]]):
+    for k, colour in enumerate(pump_colours()[: fit.played.shape[1]]):
         axes.plot(fit.time, fit.error[:, k], color=colour, lw=0.9)
     for level in (-fit.largest_error, fit.largest_error):
-        axes.axhline(level, color=ACCENT, lw=0.8, ls="--")
-    axes.axhline(0.0, color=INK, lw=0.5)
+        axes.axhline(level, color=look().accent, lw=0.8, ls="--")
+    axes.axhline(0.0, color=look().ink, lw=0.5)
     axes.set(xlim=(0.0, fit.duration), xlabel="time [s]", ylabel="error [counts]")

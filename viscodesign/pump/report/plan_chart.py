@@ -8,16 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from viscodesign.pump.planning.result import PumpPlan
-from viscodesign.report.layout.style import (
-    ACCENT,
-    GREY,
-    INK,
-    axes_at,
-    head,
-    head_room,
-    picture,
-    shown,
-)
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import axes_at, head, head_room, picture, shown
 
 # isort: split
 from matplotlib.lines import Line2D
@@ -26,15 +18,14 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7")
-"""Okabe-Ito; inlets beyond the fourth take them again, dashed."""
 DASHES = ("-", "--", ":", "-.")
 LEFT, BOTTOM, WIDE, TALL, GAP, SQUARE = 0.78, 0.5, 4.0, 1.25, 0.16, 2.9
-SQUARE_LEFT = LEFT + WIDE + 0.95
-WIDTH = SQUARE_LEFT + SQUARE + 0.2
-TOP = BOTTOM + 4 * TALL + 3 * GAP
-LEGEND = 0.28
-"""All in inches."""
+BETWEEN, RIGHT, WORDS, LEGEND = 0.95, 0.2, 1.2, 0.28
+PANELS = 4 * TALL + 3 * GAP
+LEAST_WIDTH = 6.4
+"""All in inches: the least width with the tip's paths on the right; else they are below."""
+MOST_ENTRIES = 8
+"""Of the key."""
 LEAD_SHOWN = 0.2
 """Largest part of a lead-in that is drawn, as a share of the run."""
 WANTED: dict[str, Any] = {"lw": 3.2, "alpha": 0.4, "solid_capstyle": "butt"}
@@ -54,19 +45,37 @@ class Panel(NamedTuple):
 
 def draw_plan(plan: PumpPlan, path: Path) -> None:
     """Four panels against time; beside them the tip's paths."""
-    with picture(path, WIDTH, TOP + LEGEND + head_room(plan.wanted_run, WIDTH)) as made:
+    width = look().across(LEFT + WIDE + BETWEEN + SQUARE + RIGHT)
+    free = width - LEFT - RIGHT
+    if width >= LEAST_WIDTH:
+        wide, base = (free - BETWEEN) * WIDE / (WIDE + SQUARE), BOTTOM
+        side = min(free - BETWEEN - wide, PANELS - WORDS)
+        wide = free - BETWEEN - side
+        left, bottom = LEFT + wide + BETWEEN, BOTTOM + PANELS - side
+    else:
+        wide, side, left, bottom = free, min(SQUARE, free), LEFT, WORDS + BOTTOM
+        base = bottom + side + 2 * GAP + BOTTOM
+    top, columns = base + PANELS, min(8, int(free))
+    legend = LEGEND * -(-_legend_entries(plan) // columns)
+    with picture(path, width, top + legend + head_room(plan.wanted_run, width)) as made:
         panels = _panels(plan)
         for k, panel in enumerate(panels):
-            axes = axes_at(made, LEFT, TOP - (k + 1) * TALL - k * GAP, WIDE, TALL)
+            axes = axes_at(made, LEFT, top - (k + 1) * TALL - k * GAP, wide, TALL)
             _draw_panel(axes, plan, panel)
+            axes.yaxis.set_label_coords(-0.46 / wide, 0.5)
             axes.tick_params(labelbottom=k == len(panels) - 1)
         axes.set_xlabel("time [s], lead-in before 0")
-        _draw_tips(axes_at(made, SQUARE_LEFT, TOP - SQUARE, SQUARE, SQUARE), plan)
-        _draw_words(made, plan)
-        _draw_legend(made, plan)
+        _draw_tips(axes_at(made, left, bottom, side, side), plan)
+        _draw_words(made, plan, left - 0.45, bottom - 0.62)
+        _draw_legend(made, plan, top + 0.07, columns)
         faults = ", ".join(dict.fromkeys(v.name for v in plan.infeasible))
         judgement = f"infeasible ({faults})" if faults else "feasible"
         head(made, plan.wanted_run, f"pump plan, {judgement}", LEFT)
+
+
+def pump_colours() -> tuple[str, ...]:
+    """Colours of inlets; those beyond the fourth take them again, dashed."""
+    return look().models[:4]
 
 
 def _panels(plan: PumpPlan) -> tuple[Panel, ...]:
@@ -98,11 +107,10 @@ def _draw_panel(axes: Axes, plan: PumpPlan, panel: Panel) -> None:
     margin = 0.08 * (high - low) or 0.1 * abs(high) or 1.0
     axes.set(xlim=(begin, end), ylim=(low - margin, high + margin))
     axes.set_ylabel(panel.label, fontsize=8, labelpad=4)
-    axes.yaxis.set_label_coords(-0.115, 0.5)
-    axes.grid(color="#e6e6e6", lw=0.6)
+    axes.grid(color=look().grid, lw=0.6)
     axes.set_axisbelow(True)
     if begin < 0.0:
-        axes.axvspan(begin, 0.0, color="#f2f2f2", zorder=0)
+        axes.axvspan(begin, 0.0, color=look().shade, zorder=0)
     for name, level in panel.marks:
         if low - margin < level < high + margin:
             _mark(axes, name, level, upper=level > (low + high) / 2)
@@ -110,24 +118,28 @@ def _draw_panel(axes: Axes, plan: PumpPlan, panel: Panel) -> None:
 
 def _line(k: int) -> dict[str, Any]:
     """Colour and dashes of an inlet."""
-    return {"color": COLOURS[k % len(COLOURS)], "ls": DASHES[k // len(COLOURS) % len(DASHES)]}
+    colours = pump_colours()
+    return {"color": colours[k % len(colours)], "ls": DASHES[k // len(colours) % len(DASHES)]}
 
 
 def _mark(axes: Axes, name: str, level: float, *, upper: bool) -> None:
     """A level with its name."""
-    axes.axhline(level, color=ACCENT, lw=0.9, ls=(0, (6, 2)), zorder=4)
+    axes.axhline(level, color=look().accent, lw=0.9, ls=(0, (6, 2)), zorder=4)
     axes.annotate(
         name, xy=(1, level), xycoords=("axes fraction", "data"),
         xytext=(-2, -1.5 if upper else 1.5), textcoords="offset points", ha="right",
-        va="top" if upper else "bottom", fontsize=7, color="#8a3d00",
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}, zorder=5,
+        va="top" if upper else "bottom", fontsize=7, color=look().warning,
+        bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.7, "pad": 0.5}, zorder=5,
     )  # fmt: skip
 
 
 def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
     """Both paths in mm with equal axes, z downwards as the actuator hangs."""
     wanted, done = (1e3 * run.tip[:, :2] for run in (plan.wanted_run, plan.achievable_run))
-    for points, colour, width, alpha in ((wanted, GREY, 4.0, 0.45), (done, INK, 1.3, 1.0)):
+    for points, colour, width, alpha in (
+        (wanted, look().grey, 4.0, 0.45),
+        (done, look().ink, 1.3, 1.0),
+    ):
         axes.plot(*points.T, solid_joinstyle="round", color=colour, lw=width, alpha=alpha)
         axes.plot(*points[0], marker="o", ms=4, color=colour, zorder=4)
     both = np.concatenate([wanted, done])
@@ -135,12 +147,12 @@ def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
     half = max(float(np.max(np.ptp(both, axis=0))) * 0.56, 0.5)
     axes.set(xlim=(x - half, x + half), ylim=(z + half, z - half))
     axes.set(xlabel="x of the tip [mm]", ylabel="z of the tip [mm], down from the clamp")
-    axes.grid(color="#e6e6e6", lw=0.6)
+    axes.grid(color=look().grid, lw=0.6)
     axes.set_axisbelow(True)
     axes.ticklabel_format(style="plain", useOffset=False)
 
 
-def _draw_words(made: Figure, plan: PumpPlan) -> None:
+def _draw_words(made: Figure, plan: PumpPlan, left: float, top: float) -> None:
     """How far the paths are apart, and how accurate that is."""
     total = "unknown" if plan.error_m is None else f"{1e3 * plan.error_m:.2g} mm"
     if plan.validity == "outside":
@@ -152,19 +164,23 @@ def _draw_words(made: Figure, plan: PumpPlan) -> None:
         *(f"cut off: {words}" for words in plan.clipped),
     ]
     text = "\n".join(shown(line, 58) for line in lines[:6])
-    place = np.array([SQUARE_LEFT - 0.45, TOP - SQUARE - 0.62]) / made.get_size_inches()
+    place = np.array([left, top]) / made.get_size_inches()
     made.text(place[0], place[1], text, size=8, va="top", linespacing=1.35)
 
 
-def _draw_legend(made: Figure, plan: PumpPlan) -> None:
+def _legend_entries(plan: PumpPlan) -> int:
+    return min(MOST_ENTRIES, 2 + (len(plan.inlets) if len(plan.inlets) > 1 else 0))
+
+
+def _draw_legend(made: Figure, plan: PumpPlan, bottom: float, columns: int) -> None:
     inlets = plan.inlets if len(plan.inlets) > 1 else ()
     handles = [
-        Line2D([], [], color=COLOURS[0], label="wanted", **WANTED),
-        Line2D([], [], color=COLOURS[0], label="achievable", **DONE),
+        Line2D([], [], color=look().ink, label="wanted", **WANTED),
+        Line2D([], [], color=look().ink, label="achievable", **DONE),
         *(Line2D([], [], lw=2, label=shown(n, 14), **_line(k)) for k, n in enumerate(inlets)),
     ]
-    place = np.array([LEFT, TOP + 0.07]) / made.get_size_inches()
+    place = np.array([LEFT, bottom]) / made.get_size_inches()
     made.legend(
-        handles=handles[:8], loc="lower left", ncols=8, handlelength=2.2, borderaxespad=0,
-        columnspacing=1.4, bbox_to_anchor=tuple(place),
+        handles=handles[:MOST_ENTRIES], loc="lower left", ncols=columns, handlelength=2.2,
+        borderaxespad=0, columnspacing=1.4, bbox_to_anchor=tuple(place),
     )  # fmt: skip

@@ -10,7 +10,8 @@ import numpy as np
 
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.report.csv_text import csv_table
-from viscodesign.report.folder import PLAN_FILES, Format
+from viscodesign.report.folder import PLAN_FILES
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.findings import documents, json_ready
 from viscodesign.results.provenance import provenance
 
@@ -34,7 +35,7 @@ def write_plan(
     *,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a plan's files and return them; see `FileSet.write`."""
 
@@ -47,9 +48,7 @@ def write_plan(
     names, values = plan_columns(plan)
     table, drawer = csv_table(names, values.tolist()), draw if plots else None
     document = plan_document(plan)
-    return PLAN_FILES.write(
-        directory, table, document, drawer, force=force, picture_format=picture_format
-    )
+    return PLAN_FILES.write(directory, table, document, drawer, force=force, pictures=pictures)
 
 
 def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:

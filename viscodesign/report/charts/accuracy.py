@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from viscodesign.report.charts.accuracy_axes import Window, draw_axes, percent_words, window_of
-from viscodesign.report.charts.accuracy_key import PointMarks, draw_key
+from viscodesign.report.charts.accuracy_key import PointMarks, draw_key, key_height
 from viscodesign.report.charts.accuracy_labels import draw_labels, write_note
 from viscodesign.report.layout.label_placement import Box
-from viscodesign.report.layout.style import ACCENT, FAINT, TITLE_ROOM, axes_at, picture, shown
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.accuracy_points import Point
 from viscodesign.results.accuracy_study import AccuracyStudy
 
@@ -18,8 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 LEFT, BOTTOM, SIZE, KEY_WIDTH = 0.78, 0.55, 5.0, 2.25
-WIDTH = LEFT + SIZE + KEY_WIDTH
-"""In inches."""
+LEAST_SIZE, MARGIN = 3.4, 0.12
+"""All in inches; the key goes below where it would leave a plane less than the least size."""
 HALF_LINE = 0.004
 """Half the space of a line, as a fraction of the plane."""
 
@@ -27,38 +28,44 @@ HALF_LINE = 0.004
 def draw_accuracy(study: AccuracyStudy, path: Path) -> None:
     """Log-log; every point by its model and solver, the front, and the recommendation."""
     window = window_of(study)
-    height = BOTTOM + SIZE + TITLE_ROOM
-    with picture(path, WIDTH, height) as made:
-        axes = axes_at(made, LEFT, BOTTOM, SIZE, SIZE)
+    width = look().across(LEFT + SIZE + KEY_WIDTH)
+    is_beside = width - LEFT - KEY_WIDTH >= LEAST_SIZE
+    size = width - LEFT - (KEY_WIDTH if is_beside else MARGIN)
+    below = 0.0 if is_beside else key_height(study)
+    bottom = BOTTOM + below
+    key = (LEFT + size + 0.12, bottom + size) if is_beside else (LEFT, below)
+    with picture(path, width, bottom + size + title_room()) as made:
+        axes = axes_at(made, LEFT, bottom, size, size)
         draw_axes(axes, window)
-        occupied = [*_draw_bounds(axes, study, window), *_draw_front(axes, study, window)]
+        if size < LEAST_SIZE:
+            axes.set_ylabel("largest tip error / length")
+        occupied = [*_draw_bounds(axes, study, window, size), *_draw_front(axes, study, window)]
         _draw_branches(axes, study)
         _draw_points(axes, study)
-        draw_labels(axes, study, window, occupied, SIZE)
-        draw_key(made, study, LEFT + SIZE + 0.12, BOTTOM + SIZE)
+        draw_labels(axes, study, window, occupied, size)
+        draw_key(made, study, *key)
         words = "tip error against solve time"
         if study.status == "interrupted":
             words += " (interrupted: incomplete)"
-        title = f"{shown(study.name, 40)}: {words}"
-        made.text(0.1 / WIDTH, (height - 0.21) / height, title, size=10, va="baseline")
+        draw_title(made, f"{shown(study.name, 40)}: {words}", 0.1)
 
 
-def _draw_bounds(axes: Axes, study: AccuracyStudy, window: Window) -> list[Box]:
+def _draw_bounds(axes: Axes, study: AccuracyStudy, window: Window, size: float) -> list[Box]:
     """The requested error and the error of the reference; returns the space of their words."""
-    axes.axhline(study.requested_rel, color=ACCENT, lw=1.2, ls=(0, (5, 2)), zorder=2)
+    axes.axhline(study.requested_rel, color=look().accent, lw=1.2, ls=(0, (5, 2)), zorder=2)
     up = window.up(study.requested_rel)
     points = [window.place(point) for point in study.points]
     requested = f"requested: {percent_words(study.requested_rel)}"
     boxes = [
-        write_note(axes, requested, up, points, ACCENT, SIZE),
+        write_note(axes, requested, up, points, look().warning, size),
         Box(0, up - HALF_LINE, 1, up + HALF_LINE, faint=True),
     ]
     found = study.reference
     least = 0.0 if found is None else found.smallest_error_m / study.length
     if least > 10**window.bottom:
-        axes.axhspan(10**window.bottom, least, color="#e9e9e9", lw=0, zorder=0)
+        axes.axhspan(10**window.bottom, least, color=look().body, lw=0, zorder=0)
         words = "upper bounds (error of the reference)"
-        boxes.append(write_note(axes, words, 0.004, points, "#555555", SIZE))
+        boxes.append(write_note(axes, words, 0.004, points, look().note, size))
     return boxes
 
 
@@ -71,7 +78,7 @@ def _draw_front(axes: Axes, study: AccuracyStudy, window: Window) -> list[Box]:
     for k, error in enumerate(errors[1:]):
         x += [times[k], times[k + 1]]
         y += [error, error]
-    axes.plot(x, y, color=FAINT, lw=2.4, zorder=1.5, solid_joinstyle="miter")
+    axes.plot(x, y, color=look().faint, lw=2.4, zorder=1.5, solid_joinstyle="miter")
     places = [(window.across(t), window.up(e)) for t, e in zip(x, y, strict=True)]
     return [_stripe(a, b) for a, b in itertools.pairwise(places)]
 
@@ -104,11 +111,11 @@ def _draw_points(axes: Axes, study: AccuracyStudy) -> None:
         axes.plot(
             point.solve_s, point.tip_error_rel, marker=marks.marker(point),
             ms=marks.size(point), mec=colour, mew=1.0, ls="none",
-            mfc="white" if point.dominated else colour, zorder=3 if point.dominated else 4,
+            mfc=look().ground if point.dominated else colour, zorder=3 if point.dominated else 4,
         )  # fmt: skip
     best = study.recommended
     if best is not None:
         axes.plot(
-            best.solve_s, best.tip_error_rel, marker="o", ms=14, mec=ACCENT, mew=1.8,
+            best.solve_s, best.tip_error_rel, marker="o", ms=14, mec=look().accent, mew=1.8,
             mfc="none", ls="none", zorder=5,
         )  # fmt: skip

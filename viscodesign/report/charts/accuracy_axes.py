@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.layout.look import look
 from viscodesign.results.accuracy_points import Point
 from viscodesign.results.accuracy_study import AccuracyStudy
 
@@ -71,7 +72,7 @@ def draw_axes(axes: Axes, window: Window) -> None:
         side.set_major_formatter(FuncFormatter(lambda value, _, words=words: words(value)))
         side.set_minor_locator(FixedLocator(_marks(low, high, range(1, 10))))
         side.set_minor_formatter(NullFormatter())
-    axes.grid(color="#ececec", lw=0.6)
+    axes.grid(color=look().grid, lw=0.6)
     axes.set_axisbelow(True)
     axes.set_xlabel("solve time")
     axes.set_ylabel("largest tip error, relative to the actuator length")

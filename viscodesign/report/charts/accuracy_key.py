@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING
 from matplotlib.lines import Line2D
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.layout.style import GREY, INK
+from viscodesign.report.layout.look import look
 from viscodesign.results.accuracy_points import Model, Point
 from viscodesign.results.accuracy_study import AccuracyStudy
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#000000")
-"""Okabe-Ito colours, one per model; vermillion is the recommendation's."""
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 """One per solver."""
 STEPLESS = "*"
@@ -49,7 +47,8 @@ class PointMarks:
 
     def model_colour(self, model: Model) -> str:
         """Colour of a model."""
-        return COLOURS[self.study.models.index(model) % len(COLOURS)]
+        colours = look().models
+        return colours[self.study.models.index(model) % len(colours)]
 
     def marker(self, point: Point) -> str:
         """Symbol of a point."""
@@ -82,21 +81,32 @@ def draw_key(made: Figure, study: AccuracyStudy, left: float, top: float) -> Non
             bbox_to_anchor=(left / across, top / up), alignment="left",
             title_fontproperties={"weight": "bold", "size": 8}, handletextpad=0.5, fontsize=7.5,
         )  # fmt: skip
-        lines = sum(1 + str(handle.get_label()).count("\n") for handle in handles)
-        top -= KEY_LINE_HEIGHT * (lines + bool(title)) + KEY_GAP
+        top -= _group_height(title, handles)
+
+
+def key_height(study: AccuracyStudy) -> float:
+    """Height of the whole key [inch]."""
+    groups = _groups(PointMarks(study))
+    return sum(_group_height(title, handles) for title, handles in groups if handles)
+
+
+def _group_height(title: str, handles: Sequence[Line2D]) -> float:
+    lines = sum(1 + str(handle.get_label()).count("\n") for handle in handles)
+    return KEY_LINE_HEIGHT * (lines + bool(title)) + KEY_GAP
 
 
 def _groups(marks: PointMarks) -> Sequence[tuple[str, list[Line2D]]]:
     used = {point.model for point in marks.study.points}
     models = [model for model in marks.study.models if model.name in used]
+    ink = look().ink
     return (
         ("model", [_model_handle(marks, model) for model in models]),
         ("solver", _solver_handles(marks)),
         ("edges per section", _mesh_handles(marks)),
         ("", [
-            _handle("on the Pareto front: none is\nboth faster and more accurate", "o", INK, 5.0),
-            _handle("dominated by another setting", "o", INK, 5.0, hollow=True),
-            Line2D([], [], color=GREY, lw=0.8, label="same setting, other tolerances"),
+            _handle("on the Pareto front: none is\nboth faster and more accurate", "o", ink, 5.0),
+            _handle("dominated by another setting", "o", ink, 5.0, hollow=True),
+            Line2D([], [], color=look().grey, lw=0.8, label="same setting, other tolerances"),
         ]),
     )  # fmt: skip
 
@@ -107,22 +117,22 @@ def _model_handle(marks: PointMarks, model: Model) -> Line2D:
 
 
 def _solver_handles(marks: PointMarks) -> list[Line2D]:
-    handles = [_handle(name, marks.solver_marker(name), INK, 6.0) for name in marks.solvers]
+    handles = [_handle(name, marks.solver_marker(name), look().ink, 6.0) for name in marks.solvers]
     if any(point.is_stepless for point in marks.study.points):
-        handles.append(_handle("none: no time steps", STEPLESS, INK, STEPLESS_SIZE))
+        handles.append(_handle("none: no time steps", STEPLESS, look().ink, STEPLESS_SIZE))
     return handles
 
 
 def _mesh_handles(marks: PointMarks) -> list[Line2D]:
     arcs = any(p.is_exact_in_space and not p.is_stepless for p in marks.study.points)
-    handles = [_handle("none: exact arcs", "o", INK, mark_size(-1))] if arcs else []
+    handles = [_handle("none: exact arcs", "o", look().ink, mark_size(-1))] if arcs else []
     return handles + [
-        _handle(str(edges), "o", INK, mark_size(k)) for k, edges in enumerate(marks.meshes)
+        _handle(str(edges), "o", look().ink, mark_size(k)) for k, edges in enumerate(marks.meshes)
     ]
 
 
 def _handle(label: str, marker: str, colour: str, size: float, *, hollow: bool = False) -> Line2D:
     return Line2D(
         [], [], ls="none", marker=marker, ms=size, mec=colour, label=label,
-        mfc="white" if hollow else colour,
+        mfc=look().ground if hollow else colour,
     )  # fmt: skip

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from viscodesign.report.charts.accuracy_axes import Window, percent_words, time_words
 from viscodesign.report.layout.label_placement import Box, place_labels, text_box
-from viscodesign.report.layout.style import ACCENT, GREY, INK
+from viscodesign.report.layout.look import look
 from viscodesign.results.accuracy_points import Point, spread, tolerance_words
 from viscodesign.results.accuracy_study import AccuracyStudy
 
@@ -40,13 +40,14 @@ def draw_labels(
     for point, label in zip(labelled, labels, strict=True):
         if label.step > 0:
             ends = ([label.point[0], label.x], [label.point[1], label.y])
-            axes.plot(*ends, color=GREY, lw=0.6, zorder=2.5, transform=axes.transAxes)
+            axes.plot(*ends, color=look().grey, lw=0.6, zorder=2.5, transform=axes.transAxes)
         is_best = point == best
         axes.text(
             label.x, label.y, label.text, ha=label.across, va=label.upright, size=LABEL, zorder=7,
-            linespacing=1.1, color=ACCENT if is_best else INK, transform=axes.transAxes,
+            linespacing=1.1, transform=axes.transAxes,
+            color=look().warning if is_best else look().ink,
             weight="bold" if is_best else "normal",
-            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.3},
+            bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.7, "pad": 0.3},
         )  # fmt: skip
 
 

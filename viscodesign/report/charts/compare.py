@@ -7,19 +7,12 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.charts.tip_path import travelled
 from viscodesign.report.layout.downsampling import envelope, stretches
+from viscodesign.report.layout.look import look
 from viscodesign.report.layout.motion_lines import line_style
-from viscodesign.report.layout.style import (
-    ACCENT,
-    FAINT,
-    GREY,
-    TITLE_ROOM,
-    Target,
-    axes_at,
-    picture,
-    shown,
-)
+from viscodesign.report.layout.style import Target, axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import channel
 from viscodesign.results.run_comparison import Comparison, TipDifference
 
@@ -27,12 +20,14 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 LEFT, BOTTOM, SIDE, GAP, WIDE, RIGHT = 0.75, 0.6, 4.4, 0.95, 3.7, 0.25
-BETWEEN, KEY_LINE = 0.75, 0.19
-"""All in inches: between the charts on the right, and a line of the key."""
+BETWEEN, KEY_LINE, LEAST_WIDTH, TALL = 0.75, 0.19, 6.6, 1.5
+"""All in inches: between the charts of distances, a line of the key, the least width at which these
+charts are on the right of the paths, and their height where they are below."""
 MARGIN = 0.07
 LEAST_SPAN_MM = 0.1
 MOST_LABEL, MOST_IN_TITLE = 44, 30
-KEY_COLUMNS = 2
+KEY_COLUMN = 2.6
+"""Width of a column of the key [inch]."""
 
 
 class TipMotion(Protocol):
@@ -46,32 +41,64 @@ class TipMotion(Protocol):
 
 
 def draw_comparison(found: Comparison, path: Target) -> None:
-    """Paths on the left, distances over time (and over phase) on the right; png, pdf or svg."""
-    key = KEY_LINE * -(-len(found.motions) // KEY_COLUMNS)
+    """Paths, and distances over time (and over phase) to their right or below; png, pdf or svg."""
+    frame = PanelPlaces.of(found)
     broken = [m for m in found.motions if m.status != "complete"]
-    head = TITLE_ROOM + (0.18 if broken else 0.0)
-    width, height = LEFT + SIDE + GAP + WIDE + RIGHT, BOTTOM + SIDE + 0.12 + key + head
-    cyclic = any(d.phase is not None for d in found.differences)
-    with picture(path, width, height) as made:
-        made.text(LEFT / width, (height - 0.22) / height, shown(_title(found), 110), size=10)
+    head = title_room() + (0.18 if broken else 0.0)
+    height = frame.top + head
+    with picture(path, frame.width, height) as made:
+        draw_title(made, shown(_title(found), 110), LEFT)
         if broken:
             words = "; ".join(f"{m.title}: {m.failure or 'ended early'}" for m in broken)
             made.text(
-                LEFT / width, (height - 0.4) / height, shown(words, 130),
-                size=8, color=ACCENT, weight="bold",
+                LEFT / frame.width, (frame.top + 0.06) / height,
+                shown(words, int(13 * (frame.width - LEFT))),
+                size=8, color=look().warning, weight="bold",
             )  # fmt: skip
-        paths = axes_at(made, LEFT, BOTTOM, SIDE, SIDE)
+        paths = axes_at(made, *frame.paths)
         draw_paths(paths, found.motions)
         handles, labels = paths.get_legend_handles_labels()
         made.legend(
-            handles, labels, loc="upper left", ncols=KEY_COLUMNS, borderaxespad=0, handlelength=2.6,
-            bbox_to_anchor=(LEFT / width, (BOTTOM + SIDE + 0.08 + key) / height),
+            handles, labels, loc="upper left", ncols=frame.key_columns, borderaxespad=0,
+            handlelength=2.6, bbox_to_anchor=(LEFT / frame.width, (frame.top - 0.04) / height),
         )  # fmt: skip
-        left, tall = LEFT + SIDE + GAP, (SIDE - BETWEEN) / 2 if cyclic else SIDE
-        over_time = axes_at(made, left, BOTTOM + SIDE - tall, WIDE, tall)
-        _draw_over_time(over_time, found.differences)
-        if cyclic:
-            _draw_over_phase(axes_at(made, left, BOTTOM, WIDE, tall), found.differences)
+        _draw_over_time(axes_at(made, *frame.distances[0]), found.differences)
+        for place in frame.distances[1:]:
+            _draw_over_phase(axes_at(made, *place), found.differences)
+
+
+@dataclass(frozen=True)
+class PanelPlaces:
+    """Where the charts are: left, bottom, width, height [inch]."""
+
+    width: float
+    top: float
+    key_columns: int
+    paths: tuple[float, float, float, float]
+    distances: tuple[tuple[float, float, float, float], ...]
+
+    @staticmethod
+    def of(found: Comparison) -> PanelPlaces:
+        width = look().across(LEFT + SIDE + GAP + WIDE + RIGHT)
+        count = 1 + any(d.phase is not None for d in found.differences)
+        columns = max(1, min(2, int((width - LEFT) / KEY_COLUMN)))
+        key = 0.12 + KEY_LINE * -(-len(found.motions) // columns)
+        if width >= LEAST_WIDTH:
+            free = width - LEFT - GAP - RIGHT
+            side = free * SIDE / (SIDE + WIDE)
+            tall, left, wide = (
+                (side - BETWEEN * (count - 1)) / count,
+                LEFT + side + GAP,
+                free - side,
+            )
+            bottoms, base = [BOTTOM + side - tall, BOTTOM][:count], BOTTOM
+        else:
+            tall, left, wide = TALL, LEFT, width - LEFT - RIGHT
+            side = wide
+            bottoms = [BOTTOM + k * (TALL + BETWEEN) for k in reversed(range(count))]
+            base = BOTTOM + count * (TALL + BETWEEN)
+        places = tuple((left, bottom, wide, tall) for bottom in bottoms)
+        return PanelPlaces(width, base + side + key, columns, (LEFT, base, side, side), places)
 
 
 def _title(found: Comparison) -> str:
@@ -96,7 +123,7 @@ def draw_paths(axes: Axes, motions: Sequence[TipMotion]) -> None:
             label = shown(motion.title, MOST_LABEL) if n == 0 else None
             axes.plot(*(1e3 * motion.tip[rows].T), label=label, **lines)
         start = 1e3 * motion.tip[0]
-        axes.plot(*start, marker="o", ms=5, mfc="white", mec=style.colour, zorder=6)
+        axes.plot(*start, marker="o", ms=5, mfc=look().ground, mec=style.colour, zorder=6)
         _draw_sense(axes, 1e3 * motion.tip[stretches(motion.tip)[-1]], style.colour, 2 * half, k)
 
 
@@ -106,7 +133,7 @@ def frame_about(axes: Axes, points: np.ndarray) -> float:
     half = (0.5 + MARGIN) * max(float(np.ptp(points, axis=0).max()), LEAST_SPAN_MM)
     axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
     axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
-    axes.grid(color="#ececec", lw=0.6)
+    axes.grid(color=look().grid, lw=0.6)
     axes.set_axisbelow(True)
     return half
 
@@ -137,11 +164,11 @@ def _draw_over_time(axes: Axes, differences: tuple[TipDifference, ...]) -> None:
     level, top = 1e3 * max(known), axes.get_ylim()[1]
     if level < 0.02 * top:  # no more than the width of the axis
         return
-    axes.axhspan(0, level, color=FAINT, alpha=0.35, lw=0, zorder=1)
+    axes.axhspan(0, level, color=look().faint, alpha=0.35, lw=0, zorder=1)
     axes.set_ylim(0, top)
     place, upright = (level, "bottom") if level < 0.95 * top else (top, "top")
     axes.text(
-        0.99, place, f"stated errors, {level:.2g} mm", color="#555555", size=7.5, ha="right",
+        0.99, place, f"stated errors, {level:.2g} mm", color=look().note, size=7.5, ha="right",
         va=upright, transform=axes.get_yaxis_transform(),
     )  # fmt: skip
 
@@ -164,6 +191,6 @@ def _draw_distance(axes: Axes, at: np.ndarray, distance: np.ndarray, k: int) -> 
 def _frame(axes: Axes) -> None:
     axes.set_ylim(0, max(axes.get_ylim()[1], 1e3 * 1e-9))
     axes.margins(x=0.01)
-    axes.grid(color="#ececec", lw=0.6)
+    axes.grid(color=look().grid, lw=0.6)
     axes.set_axisbelow(True)
-    axes.tick_params(color=GREY)
+    axes.tick_params(color=look().grey)

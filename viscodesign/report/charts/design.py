@@ -8,40 +8,39 @@ import numpy as np
 from matplotlib.patches import Polygon
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from viscodesign.report.layout.style import (
-    ACCENT,
-    GREY,
-    INK,
-    SEQUENTIAL,
-    TITLE_ROOM,
-    Target,
-    axes_at,
-    picture,
-    shown,
-)
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import Target, axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import channel
 from viscodesign.results.path_design import PathDesign
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, SIDE, GAP, SEARCH, KEY = 0.75, 0.6, 4.2, 0.95, 2.6, 0.3
-"""All in inches."""
-FOUND = SEQUENTIAL(0.25)
+LEFT, BOTTOM, SIDE, GAP, SEARCH, KEY, RIGHT = 0.75, 0.6, 4.2, 0.95, 2.6, 0.3, 0.25
+LEAST_WIDTH, BELOW, LEAST_KEY, KEY_LINE = 5.6, 1.3, 3.8, 0.2
+"""All in inches: the least width with the search on the right, its height where it is below, the
+least side with the key in one line, and a further line of it."""
 MARGIN = 0.08
 LEAST_SPAN_MM = 1.0
 
 
 def draw_design(found: PathDesign, path: Target) -> None:
-    """Paths on the left, z down as the actuator hangs; on the right the best distance over the
-    evaluations."""
-    width, height = LEFT + SIDE + GAP + SEARCH + 0.25, BOTTOM + SIDE + KEY + TITLE_ROOM
-    with picture(path, width, height) as made:
-        axes = axes_at(made, LEFT, BOTTOM, SIDE, SIDE)
-        _draw_paths(axes, found)
-        made.text(LEFT / width, (height - 0.21) / height, shown(_title(found), 90), size=10)
-        search = axes_at(made, LEFT + SIDE + GAP, BOTTOM, SEARCH, SIDE)
-        _draw_search(search, found)
+    """Paths, z down as the actuator hangs; beside or below them the best distance so far."""
+    width = look().across(LEFT + SIDE + GAP + SEARCH + RIGHT)
+    free = width - LEFT - RIGHT
+    if width >= LEAST_WIDTH:
+        side, base = (free - GAP) * SIDE / (SIDE + SEARCH), BOTTOM
+        search = (LEFT + side + GAP, BOTTOM, free - GAP - side, side)
+    else:
+        side, base = free, 2 * BOTTOM + BELOW
+        search = (LEFT, BOTTOM, free, BELOW)
+    columns = 3 if side >= LEAST_KEY else 1
+    key = KEY + KEY_LINE * (3 - columns)
+    with picture(path, width, base + side + key + title_room()) as made:
+        axes = axes_at(made, LEFT, base, side, side)
+        _draw_paths(axes, found, columns)
+        draw_title(made, shown(_title(found), 90), LEFT)
+        _draw_search(axes_at(made, *search), found)
 
 
 def _title(found: PathDesign) -> str:
@@ -54,7 +53,7 @@ def _title(found: PathDesign) -> str:
     )
 
 
-def _draw_paths(axes: Axes, found: PathDesign) -> None:
+def _draw_paths(axes: Axes, found: PathDesign, columns: int) -> None:
     wanted, way = 1e3 * found.wanted, 1e3 * _closed(found.found, found.closed)
     every = np.concatenate([wanted, way])
     middle = (every.min(axis=0) + every.max(axis=0)) / 2
@@ -64,12 +63,14 @@ def _draw_paths(axes: Axes, found: PathDesign) -> None:
     if len(found.band) >= len(found.found) > 1:
         band = _closed(found.band[: len(found.found)], found.closed)
         _draw_band(axes, way, 1e3 * band)
-    axes.plot(*wanted.T, color=INK, lw=3.2, alpha=0.28, label="wanted", solid_capstyle="round")
+    axes.plot(
+        *wanted.T, color=look().ink, lw=3.2, alpha=0.28, label="wanted", solid_capstyle="round"
+    )
     if len(way):
-        axes.plot(*way.T, color=FOUND, lw=1.3, label="found", zorder=4)
+        axes.plot(*way.T, color=look().main, lw=1.3, label="found", zorder=4)
         _draw_arrow(axes, way)
     axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.1)
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderaxespad=0.1)
 
 
 def _draw_band(axes: Axes, way: np.ndarray, band: np.ndarray) -> None:
@@ -80,7 +81,9 @@ def _draw_band(axes: Axes, way: np.ndarray, band: np.ndarray) -> None:
     wide = np.sqrt(((across * band) ** 2).sum(axis=1))[:, None] * across
     for k in range(len(way) - 1):
         corners = [way[k] + wide[k], way[k + 1] + wide[k + 1], way[k + 1] - wide[k + 1]]
-        ribbon = Polygon([*corners, way[k] - wide[k]], fc=FOUND, ec="none", alpha=0.22, zorder=2)
+        ribbon = Polygon(
+            [*corners, way[k] - wide[k]], fc=look().main, ec="none", alpha=0.22, zorder=2
+        )
         if k == 0:
             ribbon.set_label("± 1 % of each free number")
         axes.add_patch(ribbon)
@@ -94,7 +97,7 @@ def _draw_arrow(axes: Axes, way: np.ndarray) -> None:
     k = int(steps.argmax())
     axes.annotate(
         "", xy=tuple(way[k + 1]), xytext=tuple(way[k]), zorder=5,
-        arrowprops={"arrowstyle": "-|>", "color": FOUND, "mutation_scale": 14, "lw": 0},
+        arrowprops={"arrowstyle": "-|>", "color": look().main, "mutation_scale": 14, "lw": 0},
     )  # fmt: skip
 
 
@@ -103,20 +106,21 @@ def _draw_search(axes: Axes, found: PathDesign) -> None:
         rows = [row.evaluation for row in found.history]
         best = [1e3 * row.rms_m for row in found.history]
         end = max(found.evaluations, rows[-1] + 1)
-        axes.step([*rows, end], [*best, best[-1]], where="post", color=FOUND, lw=1.3)
+        axes.step([*rows, end], [*best, best[-1]], where="post", color=look().main, lw=1.3)
         axes.set_yscale("log")
         axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         axes.yaxis.set_minor_formatter(NullFormatter())
         axes.set_xlim(left=0)
-    axes.axhline(1e3 * found.tolerance_m, color=ACCENT, lw=0.9, ls="--")
+    axes.axhline(1e3 * found.tolerance_m, color=look().accent, lw=0.9, ls="--")
     axes.text(
-        1.0, 1e3 * found.tolerance_m, "allowed", color=ACCENT, size=8, ha="right", va="bottom",
+        1.0, 1e3 * found.tolerance_m, "allowed", color=look().warning, size=8, ha="right",
+        va="bottom",
         transform=axes.get_yaxis_transform(),
     )  # fmt: skip
     axes.set(xlabel="solutions", ylabel="best distance [mm rms]")
-    axes.grid(color="#e6e6e6", lw=0.6)
-    axes.tick_params(which="both", color=GREY)
+    axes.grid(color=look().grid, lw=0.6)
+    axes.tick_params(which="both", color=look().grey)
 
 
 def _closed(way: np.ndarray, closed: bool) -> np.ndarray:

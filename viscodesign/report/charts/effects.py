@@ -6,25 +6,13 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.layout.style import (
-    ACCENT,
-    FAINT,
-    GREY,
-    INK,
-    SEQUENTIAL,
-    Target,
-    axes_at,
-    head,
-    head_room,
-    picture,
-    shown,
-)
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import Target, axes_at, head, head_room, picture, shown
 from viscodesign.results.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -32,15 +20,19 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 LEFT, BOTTOM, PLOT_WIDTH, RIGHT = 2.05, 0.5, 4.6, 0.3
-WIDTH = LEFT + PLOT_WIDTH + RIGHT
-ROW_HEIGHT, LEGEND_HEIGHT = 0.36, 0.5
-NUMBER_WIDTH = 0.75
-"""Space to the right of the longest bar, for its number; all in inches."""
+ROW_HEIGHT, LEGEND_ROW, LEGEND_COLUMN = 0.36, 0.2, 1.65
+NUMBER_WIDTH, LEAST_WIDTH = 0.75, 4.6
+"""Space for a number to the right of the longest bar; the least width with the whole margin."""
+NARROW_LEFT, NARROW_NUMBER_WIDTH = 1.75, 0.45
+"""The margin and that space below it; all in inches."""
+LEAST_LEGEND, LEAST_LABEL = 4.5, 3.4
+"""Widths of the bars from which the key is as wide, and the whole label of the axis fits [inch]."""
+LEGEND_ENTRIES = 5
+WRONG, SHORT_WRONG = "NEGLECTED BUT SIGNIFICANT", "NEGLECTED, TOO LARGE"
 BAR_THICKNESS = 0.36
 """Thickness of a bar, as a share of its row."""
-MEASURED, ESTIMATED = to_hex(SEQUENTIAL(0.25)), FAINT
 HATCH = "/////"
-BUDGET_LINE: Any = {"color": ACCENT, "lw": 1.4, "ls": (0, (5, 2))}
+BUDGET_DASHES = (0, (5, 2))
 SMALLEST_BAR = 1e-5
 """Smallest displacement that is drawn as a bar, as a share of the requested error."""
 
@@ -73,23 +65,28 @@ def draw_effects(trajectory: Trajectory, path: Target) -> None:
     rows = effect_rows(trajectory)
     budget = 1e3 * trajectory.accuracy.requested_m
     height = ROW_HEIGHT * len(rows)
-    with picture(
-        path, WIDTH, BOTTOM + height + LEGEND_HEIGHT + head_room(trajectory, WIDTH)
-    ) as made:
-        axes = axes_at(made, LEFT, BOTTOM, PLOT_WIDTH, height)
-        limits = _limits(rows, budget)
+    width = look().across(LEFT + PLOT_WIDTH + RIGHT)
+    left = LEFT if width >= LEAST_WIDTH else NARROW_LEFT
+    wide = width - left - RIGHT
+    number = (NUMBER_WIDTH if left == LEFT else NARROW_NUMBER_WIDTH) / wide
+    columns = 3 if wide >= LEAST_LEGEND else min(2, int(width / LEGEND_COLUMN))
+    legend = LEGEND_ROW * -(-LEGEND_ENTRIES // columns) + 0.1
+    with picture(path, width, BOTTOM + height + legend + head_room(trajectory, width)) as made:
+        axes = axes_at(made, left, BOTTOM, wide, height)
+        limits = _limits(rows, budget, number)
         axes.set(xscale="log", xlim=limits, ylim=(len(rows) - 0.5, -0.5))
-        axes.set_xlabel("tip displacement when only this effect is switched [mm]")
-        axes.xaxis.set_major_locator(LogLocator(numticks=9))
+        words = "tip displacement when only this effect is switched [mm]"
+        axes.set_xlabel(words if wide >= LEAST_LABEL else "tip displacement [mm]")
+        axes.xaxis.set_major_locator(LogLocator(numticks=max(3, int(2 * wide))))
         axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
         axes.xaxis.set_minor_locator(NullLocator())
-        axes.grid(axis="x", color="#e6e6e6", lw=0.6)
+        axes.grid(axis="x", color=look().grid, lw=0.6)
         axes.set_axisbelow(True)
-        axes.axvline(budget, zorder=4, **BUDGET_LINE)
+        axes.axvline(budget, zorder=2, **_budget_line())
         for k, row in enumerate(rows):
-            _draw_row(axes, k, row, limits[0])
-        _draw_names(axes, rows, budget)
-        _draw_legend(made, budget, BOTTOM + height)
+            _draw_row(axes, k, row, number)
+        _draw_names(axes, rows, budget, WRONG if left == LEFT else SHORT_WRONG)
+        _draw_legend(made, budget, left, BOTTOM + height, columns)
         head(made, trajectory, "tip displacement by effect", 0.1)
 
 
@@ -111,24 +108,25 @@ def effect_rows(trajectory: Trajectory) -> list[EffectRow]:
     return sorted(rows, key=lambda row: row.size, reverse=True)
 
 
-def _limits(rows: Iterable[EffectRow], budget: float) -> tuple[float, float]:
-    """Limits of the axis, around all bars and the requested error."""
+def _limits(rows: Iterable[EffectRow], budget: float, number: float) -> tuple[float, float]:
+    """Limits of the axis around all bars and the line; ``number`` is its share for numbers."""
     moves = [m for row in rows for m in (row.estimated, row.measured) if m and math.isfinite(m)]
     seen = [budget, *(m for m in moves if m > SMALLEST_BAR * budget)]
     low = 10.0 ** math.floor(math.log10(0.5 * min(seen)))
-    return low, low * (max(seen) / low) ** (PLOT_WIDTH / (PLOT_WIDTH - NUMBER_WIDTH))
+    return low, low * (max(seen) / low) ** (1 / (1 - number))
 
 
-def _draw_row(axes: Axes, k: int, row: EffectRow, low: float) -> None:
+def _draw_row(axes: Axes, k: int, row: EffectRow, number: float) -> None:
     if not row.estimated and not row.measured and not row.note:
-        _write(axes, low, k, "none")
+        _write(axes, axes.get_xlim()[0], k, "none")
         return
-    _draw_bar(axes, k + BAR_THICKNESS / 2, row.estimated, row.is_included, ESTIMATED, "")
-    _draw_bar(axes, k - BAR_THICKNESS / 2, row.measured, row.is_included, MEASURED, row.note)
+    above, below = k - BAR_THICKNESS / 2, k + BAR_THICKNESS / 2
+    _draw_bar(axes, below, row.estimated, row.is_included, look().faint, "", number)
+    _draw_bar(axes, above, row.measured, row.is_included, look().main, row.note, number)
 
 
 def _draw_bar(
-    axes: Axes, y: float, move: float | None, taken: bool, colour: str, note: str
+    axes: Axes, y: float, move: float | None, taken: bool, colour: Any, note: str, number: float
 ) -> None:
     """A filled or hatched bar, with its number at its end."""
     low, high = axes.get_xlim()
@@ -136,10 +134,12 @@ def _draw_bar(
         words = note if move is None else f"{move:.2g}" if move else "none"
         _write(axes, low, y, words)
         return
-    end = min(move, low * (high / low) ** (1 - NUMBER_WIDTH / PLOT_WIDTH))
-    edge = colour if colour == MEASURED else GREY
+    end = min(move, low * (high / low) ** (1 - number))
+    edge = look().grey if colour == look().faint else colour
     style: dict[str, Any] = (
-        {"color": colour} if taken else {"facecolor": "white", "edgecolor": edge, "hatch": HATCH}
+        {"color": colour}
+        if taken
+        else {"facecolor": look().ground, "edgecolor": edge, "hatch": HATCH}
     )
     axes.barh(y, end - low, BAR_THICKNESS, left=low, zorder=3, linewidth=0.8, **style)
     _write(axes, end, y, f"{move:.3g}" if math.isfinite(move) else "unbounded")
@@ -148,34 +148,42 @@ def _draw_bar(
 def _write(axes: Axes, x: float, y: float, words: str) -> None:
     axes.annotate(
         words, xy=(x, y), xytext=(3, 0), textcoords="offset points", va="center_baseline",
-        fontsize=6.5, color=INK, zorder=5,
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4},
+        fontsize=6.5, color=look().ink, zorder=5,
+        bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.8, "pad": 0.4},
     )  # fmt: skip
 
 
-def _draw_names(axes: Axes, rows: list[EffectRow], budget: float) -> None:
+def _draw_names(axes: Axes, rows: list[EffectRow], budget: float, warning: str) -> None:
     """Name and decision; a wrong decision stands out."""
     wrongly = [not row.is_included and (row.measured or 0.0) > budget for row in rows]
     words = [
-        f"{shown(row.name, 24)}\n{'NEGLECTED BUT SIGNIFICANT' if wrong else row.decision}"
+        f"{shown(row.name, 24)}\n{warning if wrong else row.decision}"
         for row, wrong in zip(rows, wrongly, strict=True)
     ]
     axes.set_yticks(range(len(rows)), words, fontsize=7.5, linespacing=1.0)
     axes.tick_params(axis="y", length=0)
     for label, wrong in zip(axes.get_yticklabels(), wrongly, strict=True):
-        label.set(weight="bold" if wrong else "normal", color=ACCENT if wrong else INK)
+        label.set(
+            weight="bold" if wrong else "normal", color=look().warning if wrong else look().ink
+        )
 
 
-def _draw_legend(made: Figure, budget: float, top: float) -> None:
+def _budget_line() -> dict[str, Any]:
+    return {"color": look().accent, "lw": 1.4, "ls": BUDGET_DASHES}
+
+
+def _draw_legend(made: Figure, budget: float, left: float, top: float, columns: int) -> None:
     width, height = made.get_size_inches()
     handles = [
-        Patch(facecolor=MEASURED, label="measured"),
-        Patch(facecolor=ESTIMATED, label="estimated"),
-        Patch(facecolor=INK, label="included: filled"),
-        Patch(facecolor="white", edgecolor=INK, hatch=HATCH, label="neglected: hatched"),
-        Line2D([], [], **BUDGET_LINE, label=f"requested error: {budget:.3g} mm"),
+        Patch(facecolor=look().main, label="measured"),
+        Patch(facecolor=look().faint, label="estimated"),
+        Patch(facecolor=look().ink, label="included: filled"),
+        Patch(
+            facecolor=look().ground, edgecolor=look().ink, hatch=HATCH, label="neglected: hatched"
+        ),
+        Line2D([], [], **_budget_line(), label=f"requested error: {budget:.3g} mm"),
     ]
     made.legend(
-        handles=handles, loc="lower left", ncols=3, borderaxespad=0, columnspacing=1.4,
-        bbox_to_anchor=(LEFT / width, (top + 0.08) / height),
+        handles=handles, loc="lower left", ncols=columns, borderaxespad=0, columnspacing=1.4,
+        bbox_to_anchor=((left if columns == 3 else 0.1) / width, (top + 0.08) / height),
     )  # fmt: skip

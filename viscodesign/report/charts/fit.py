@@ -7,17 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from viscodesign.report.layout.style import (
-    ACCENT,
-    DIVERGING,
-    FAINT,
-    GREY,
-    INK,
-    TITLE_ROOM,
-    axes_at,
-    picture,
-    shown,
-)
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import PICTURE_UNITS
 from viscodesign.results.fit_result import Fit, FittedRun
 
@@ -25,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LEFT, RUN_WIDTH, GAP, RIGHT = 1.35, 4.2, 1.1, 0.75
+LEFT, RUN_WIDTH, GAP, RIGHT, LEAST_RUN_WIDTH = 1.35, 4.2, 1.1, 0.75, 1.5
 BOTTOM, MAP_HEIGHT, ROW_HEIGHT, CURVE_HEIGHT, PANEL_GAP = 0.5, 1.3, 0.115, 1.15, 0.12
 """In inches."""
 HEADER_ROOM = 0.2
@@ -37,31 +28,36 @@ REACH = 4.0
 
 def draw_fit(found: Fit, path: Path) -> None:
     """A column a recording: the last marker over time, and residuals of all channels."""
-    runs = found.runs[:MOST_RUNS]
+    natural = LEFT + min(len(found.runs), MOST_RUNS) * (RUN_WIDTH + GAP) - GAP + RIGHT
+    width = look().across(natural)
+    fitting = int((width - LEFT - RIGHT + GAP) / (LEAST_RUN_WIDTH + GAP))
+    runs = found.runs[: min(MOST_RUNS, max(1, fitting))]
+    run_width = (width - LEFT - RIGHT + GAP) / len(runs) - GAP
     rows = max(len(run.headers) for run in runs)
     map_height = max(MAP_HEIGHT, ROW_HEIGHT * rows)
-    width = LEFT + len(runs) * (RUN_WIDTH + GAP) - GAP + RIGHT
     curves = max(len(_drawn(run)) for run in runs)
-    height = BOTTOM + map_height + curves * (CURVE_HEIGHT + PANEL_GAP) + HEADER_ROOM + TITLE_ROOM
+    height = BOTTOM + map_height + curves * (CURVE_HEIGHT + PANEL_GAP) + HEADER_ROOM + title_room()
     with picture(path, width, height) as made:
         for k, run in enumerate(runs):
-            left = LEFT + k * (RUN_WIDTH + GAP)
-            image = _draw_map(axes_at(made, left, BOTTOM, RUN_WIDTH, map_height), run)
+            left = LEFT + k * (run_width + GAP)
+            image = _draw_map(axes_at(made, left, BOTTOM, run_width, map_height), run)
             if k == len(runs) - 1:
-                _draw_key(made, image, left + RUN_WIDTH + 0.08, map_height)
+                _draw_key(made, image, left + run_width + 0.08, map_height)
             bottom = BOTTOM + map_height + PANEL_GAP
             for place in _drawn(run):
-                _draw_curve(axes_at(made, left, bottom, RUN_WIDTH, CURVE_HEIGHT), run, place)
+                _draw_curve(axes_at(made, left, bottom, run_width, CURVE_HEIGHT), run, place)
                 bottom += CURVE_HEIGHT + PANEL_GAP
-            words = shown(" ".join([Path(run.file).name, *run.overrides]), 60)
-            made.text(left / width, (bottom + 0.02) / height, words, size=8, color=GREY)
+            words = shown(
+                " ".join([Path(run.file).name, *run.overrides]), int(14 * (run_width + RIGHT))
+            )
+            made.text(left / width, (bottom + 0.02) / height, words, size=8, color=look().note)
         more = len(found.runs) - len(runs)
         title = (
             f"{shown(found.name, 40)}: measured and fitted{f', and {more} more' if more else ''}"
         )
         if found.mismatch is not None:
             title = f"{shown(found.name, 40)}: the model does not describe the recording"
-        made.text(0.1 / width, 1 - 0.21 / height, title, size=10, va="baseline")
+        draw_title(made, title, 0.1)
 
 
 def _drawn(run: FittedRun) -> list[int]:
@@ -74,12 +70,17 @@ def _draw_curve(axes: Axes, run: FittedRun, place: int) -> None:
     unit, factor = PICTURE_UNITS[run.units[place]]
     measured, kept = factor * run.measured[:, place], run.kept[:, place]
     gross = np.isfinite(measured) & ~kept
-    axes.plot(run.time[kept], measured[kept], ".", ms=2.5, color=FAINT, label="measured")
+    axes.plot(run.time[kept], measured[kept], ".", ms=2.5, color=look().faint, label="measured")
     if gross.any():
         axes.plot(
-            run.time[gross], measured[gross], "x", ms=4, color=ACCENT, label="gross, left out"
+            run.time[gross],
+            measured[gross],
+            "x",
+            ms=4,
+            color=look().accent,
+            label="gross, left out",
         )
-    axes.plot(run.time, factor * run.expected[:, place], color=INK, lw=0.9, label="fitted")
+    axes.plot(run.time, factor * run.expected[:, place], color=look().ink, lw=0.9, label="fitted")
     axes.set_ylabel(f"{_bare(run.headers[place])} [{unit}]", fontsize=7.5)
     axes.set_xlim(run.time[0], run.time[-1])
     axes.tick_params(labelbottom=False)
@@ -101,14 +102,14 @@ def _draw_map(axes: Axes, run: FittedRun) -> object:
         edges,
         np.arange(len(run.headers) + 1),
         np.ma.masked_invalid(residuals),
-        cmap=DIVERGING,
+        cmap=look().diverging,
         vmin=-REACH,
         vmax=REACH,
         rasterized=True,
     )
     gross = np.isfinite(run.measured) & ~run.kept
     rows, channels = np.nonzero(gross)
-    axes.plot(run.time[rows], channels + 0.5, "x", ms=2.5, mew=0.6, color=ACCENT)
+    axes.plot(run.time[rows], channels + 0.5, "x", ms=2.5, mew=0.6, color=look().accent)
     axes.set_ylim(len(run.headers), 0)
     axes.set_yticks(
         np.arange(len(run.headers)) + 0.5, [_bare(h) for h in run.headers], fontsize=5.5

@@ -13,9 +13,10 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.charts.compare import draw_paths, frame_about
 from viscodesign.report.charts.quadrants import draw_plane
 from viscodesign.report.charts.tip_path import draw_path
+from viscodesign.report.layout.look import look
 from viscodesign.report.layout.motion_lines import line_style
 from viscodesign.report.layout.snapshots import outline, spread_instants
-from viscodesign.report.layout.style import ACCENT, FAINT, INK, axes_at, picture, shown
+from viscodesign.report.layout.style import axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import channel
 from viscodesign.results.paper_figure import FigurePanel, PaperCheck, PaperFigure
 from viscodesign.results.trajectory import Trajectory
@@ -25,14 +26,16 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 LEFT, SIDE, GAP, RIGHT = 0.72, 3.5, 1.0, 0.25
-TOP, TITLE, AXIS, LINE, PADDING = 0.42, 0.3, 0.5, 0.145, 0.25
+TITLE, AXIS, LINE, PADDING = 0.3, 0.5, 0.145, 0.25
 """All in inches: a row of panels has a title, a square, room for its axis, and lines of words."""
 STILL_SHARE = 1e-6
 """Way of the tip, in lengths of the actuator, below which it is steady."""
+LEAST_SIDE = 2.2
+"""Least side of a panel with another beside it [inch]."""
 INSTANTS = 6
 """Shapes drawn along the path of a single run."""
-COLUMNS = 74
-"""Characters of a line of words below a panel."""
+COLUMNS = 20
+"""Characters of a line of words below a panel, for an inch of its side."""
 MOST_NAME = 30
 
 
@@ -50,16 +53,19 @@ def draw_figure(found: PaperFigure, path: Path) -> None:
     if not found.panels:
         draw_plane(found.classifications, path, found.beside)
         return
-    rows = [found.panels[k : k + 2] for k in range(0, len(found.panels), 2)]
-    texts = [[_lines(found, panel) for panel in row] for row in rows]
-    heights = [TITLE + SIDE + AXIS + LINE * max(len(own) for own in row) + PADDING for row in texts]
-    width, height = LEFT + 2 * SIDE + GAP + RIGHT, TOP + sum(heights)
-    with picture(path, width, height) as made:
-        made.text(LEFT / width, 1 - 0.27 / height, shown(_title(found), 100), size=11)
-        top = height - TOP
+    width = look().across(LEFT + 2 * SIDE + GAP + RIGHT)
+    side, count = (width - LEFT - GAP - RIGHT) / 2, 2
+    if side < LEAST_SIDE:
+        side, count = width - LEFT - RIGHT, 1
+    rows = [found.panels[k : k + count] for k in range(0, len(found.panels), count)]
+    texts = [[_lines(found, panel, side) for panel in row] for row in rows]
+    heights = [TITLE + side + AXIS + LINE * max(len(own) for own in row) + PADDING for row in texts]
+    top = sum(heights)
+    with picture(path, width, top + title_room()) as made:
+        draw_title(made, shown(_title(found), 100), LEFT)
         for row, words, tall in zip(rows, texts, heights, strict=True):
             for k, panel in enumerate(row):
-                _draw_panel(made, panel, words[k], LEFT + k * (SIDE + GAP), top)
+                _draw_panel(made, panel, words[k], LEFT + k * (side + GAP), top, side)
             top -= tall
 
 
@@ -69,33 +75,38 @@ def _title(found: PaperFigure) -> str:
     return f"Figure {found.number}: {found.title}. {agree} of {known} statements agree{changed}"
 
 
-def _lines(found: PaperFigure, panel: FigurePanel) -> list[tuple[str, str]]:
+def _lines(found: PaperFigure, panel: FigurePanel, side: float) -> list[tuple[str, str]]:
     """Words below a panel, each line with its colour."""
     lines = [
-        (line, INK if check.agrees else ACCENT)
+        (line, look().ink if check.agrees else look().warning)
         for check in found.of_panel(panel.name)
-        for line in _wrapped(_words(check))
+        for line in _wrapped(_words(check), side)
     ]
     assumed = f"Assumed: {panel.assumed}." if panel.assumed else ""
-    return lines + [(line, "#555555") for line in _wrapped(assumed)]
+    return lines + [(line, look().note) for line in _wrapped(assumed, side)]
 
 
 def _words(check: PaperCheck) -> str:
     return f"{check.verdict}: {check.words}: {check.found}"
 
 
-def _wrapped(text: str) -> list[str]:
-    return textwrap.wrap(text, COLUMNS, subsequent_indent="    ")
+def _wrapped(text: str, side: float) -> list[str]:
+    return textwrap.wrap(text, int(COLUMNS * (side + LEFT / 2)), subsequent_indent="    ")
 
 
 def _draw_panel(
-    made: Figure, panel: FigurePanel, words: list[tuple[str, str]], left: float, top: float
+    made: Figure,
+    panel: FigurePanel,
+    words: list[tuple[str, str]],
+    left: float,
+    top: float,
+    side: float,
 ) -> None:
     width, height = made.get_size_inches()
     title = f"{panel.name}  {panel.title}"
     made.text(left / width, (top - 0.19) / height, title, size=9.5, weight="bold")
-    bottom = top - TITLE - SIDE
-    axes = axes_at(made, left, bottom, SIDE, SIDE)
+    bottom = top - TITLE - side
+    axes = axes_at(made, left, bottom, side, side)
     if panel.runs:
         _draw_runs(axes, panel.runs)
     for k, (line, colour) in enumerate(words):
@@ -110,7 +121,7 @@ def _draw_runs(axes: Axes, runs: tuple[Trajectory, ...]) -> None:
         for k, run in enumerate(runs):
             axis, colour = 1e3 * run.shape[-1], line_style(k).colour
             axes.plot(*axis.T, color=colour, lw=1.8, zorder=4, label=shown(run.name, MOST_NAME))
-            axes.plot(*axis[-1], marker="o", ms=5, mfc="white", mec=colour, zorder=5)
+            axes.plot(*axis[-1], marker="o", ms=5, mfc=look().ground, mec=colour, zorder=5)
     elif len(runs) == 1:
         run = runs[0]
         _draw_bodies(axes, [outline(run.shape[spread_instants(run, INSTANTS)], run.width)])
@@ -136,5 +147,7 @@ def _draw_bodies(axes: Axes, bodies: list[np.ndarray]) -> None:
     every = 1e3 * np.concatenate(bodies)
     frame_about(axes, every.reshape(-1, 2))
     axes.add_collection(
-        PolyCollection(list(every), facecolors="#eeeeee", edgecolors=FAINT, lw=0.6, alpha=0.6)
+        PolyCollection(
+            list(every), facecolors=look().body, edgecolors=look().faint, lw=0.6, alpha=0.6
+        )
     )

@@ -10,11 +10,8 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import BoundaryNorm, Normalize
 
 from viscodesign.report.layout.downsampling import envelope
+from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import (
-    FAINT,
-    GREY,
-    INLET_COLOURS,
-    SEQUENTIAL,
     TIME_DIGITS,
     Target,
     axes_at,
@@ -32,23 +29,30 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DASHES = ("-", "--", ":", "-.")
-LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT, GAP = 0.68, 0.5, 2.5, 3.0, 0.3
-BAR_LEFT = LEFT + 2 * PANEL_WIDTH + GAP + 0.15
-WIDTH = BAR_LEFT + 0.65
-PANEL_TITLE = 0.22
-LEGEND_ROW = 0.2
-"""All in inches."""
+LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT, GAP, BAR_GAP, RIGHT = 0.68, 0.5, 2.5, 3.0, 0.3, 0.15, 0.65
+PANEL_TITLE, LEGEND_ROW, LEGEND_COLUMN = 0.22, 0.2, 1.1
+LEAST_WIDTH, LOW_PANEL = 4.6, 1.7
+"""All in inches: the least width with both panels side by side, and the height of a panel where one
+is above the other."""
 MOST_DISCRETE_SECTIONS = 16
 """Up to this number of sections, each has its own field in the colour bar."""
 
 
 def draw_pressures(trajectory: Trajectory, path: Target) -> None:
     """Two panels, left and right column, kPa gauge; colour is the section."""
-    rows = -(-len(trajectory.inlet_pressure) // len(DASHES))
-    above = PANEL_TITLE + LEGEND_ROW * rows + head_room(trajectory, WIDTH)
-    with picture(path, WIDTH, BOTTOM + PANEL_HEIGHT + above) as made:
-        left = axes_at(made, LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT)
-        right = axes_at(made, LEFT + PANEL_WIDTH + GAP, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT)
+    width = look().across(LEFT + 2 * PANEL_WIDTH + GAP + BAR_GAP + RIGHT)
+    free = width - LEFT - BAR_GAP - RIGHT
+    wide, tall = (free - GAP) / 2, PANEL_HEIGHT
+    lefts, bottoms = (LEFT, LEFT + wide + GAP), (BOTTOM, BOTTOM)
+    if width < LEAST_WIDTH:
+        wide, tall, lefts = free, LOW_PANEL, (LEFT, LEFT)
+        bottoms = (BOTTOM + LOW_PANEL + PANEL_TITLE + 0.1, BOTTOM)
+    columns = min(len(DASHES), int(free / LEGEND_COLUMN))
+    rows = -(-len(trajectory.inlet_pressure) // columns)
+    above = PANEL_TITLE + LEGEND_ROW * rows + head_room(trajectory, width)
+    top = bottoms[0] + tall
+    with picture(path, width, top + above) as made:
+        left, right = (axes_at(made, x, y, wide, tall) for x, y in zip(lefts, bottoms, strict=True))
         norm = _section_colours(trajectory.sections)
         limits = _limits(trajectory)
         for axes, side, title in ((left, "L", "left column"), (right, "R", "right column")):
@@ -60,16 +64,22 @@ def draw_pressures(trajectory: Trajectory, path: Target) -> None:
             last = f" to {side}{trajectory.sections}" if trajectory.sections > 1 else ""
             axes.set_title(f"{title}, {side}1{last}", loc="left", fontsize=9)
         left.set_ylabel(channel("pressure").label)
-        right.tick_params(labelleft=False)
-        _draw_legend(made, right)
-        _draw_bar(made, trajectory, norm)
+        if bottoms[0] == bottoms[1]:
+            right.tick_params(labelleft=False)
+        else:
+            right.set_ylabel(channel("pressure").label)
+            left.set_xlabel("")
+            left.tick_params(labelbottom=False)
+        _draw_legend(made, right, columns, top + PANEL_TITLE)
+        bar = axes_at(made, width - RIGHT, BOTTOM, 0.12, top - BOTTOM)
+        _draw_bar(made, bar, trajectory, norm)
         head(made, trajectory, "gauge pressures", LEFT)
 
 
 def _section_colours(sections: int) -> Normalize:
     if sections > MOST_DISCRETE_SECTIONS:
         return Normalize(1, sections)
-    return BoundaryNorm(np.arange(sections + 1) + 0.5, SEQUENTIAL.N)
+    return BoundaryNorm(np.arange(sections + 1) + 0.5, look().sequential.N)
 
 
 def _draw_column(axes: Axes, trajectory: Trajectory, side: str, norm: Normalize) -> None:
@@ -81,19 +91,23 @@ def _draw_column(axes: Axes, trajectory: Trajectory, side: str, norm: Normalize)
     time, pressure = envelope(trajectory.time, trajectory.pressure)
     times = np.broadcast_to(time[:, None], (len(time), len(columns)))
     curves = np.stack((times, pressure[:, columns] / 1e3), axis=2).transpose(1, 0, 2)
-    lines = LineCollection(list(curves), cmap=SEQUENTIAL, norm=norm, linewidths=1.1, zorder=3)
+    lines = LineCollection(
+        list(curves), cmap=look().sequential, norm=norm, linewidths=1.1, zorder=3
+    )
     lines.set_array(numbers)
     axes.add_collection(lines)
     alone = len(trajectory.inlet_pressure) == 1
     for k, (name, values) in enumerate(trajectory.inlet_pressure.items()):
         axes.plot(
             time, envelope(trajectory.time, values[:, None])[1][:, 0] / 1e3, zorder=2, lw=2.4,
-            color=INLET_COLOURS[k % len(INLET_COLOURS)], ls=DASHES[k % len(DASHES)],
+            color=look().inlets[k % len(look().inlets)], ls=DASHES[k % len(DASHES)],
             label="inlet" if alone or name == "inlet" else f"inlet {shown(name, 14)}",
             marker="_" if len(time) == 1 else None,
         )  # fmt: skip
     if len(time) == 1:
-        axes.scatter(times[0], curves[:, 0, 1], c=numbers, cmap=SEQUENTIAL, norm=norm, zorder=3)
+        axes.scatter(
+            times[0], curves[:, 0, 1], c=numbers, cmap=look().sequential, norm=norm, zorder=3
+        )
 
 
 def _limits(trajectory: Trajectory) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -112,40 +126,41 @@ def _limits(trajectory: Trajectory) -> tuple[tuple[float, float], tuple[float, f
 
 def _draw_levels(axes: Axes, trajectory: Trajectory, limits: tuple[float, float]) -> None:
     """Grid, ambient pressure, and vacuum, the lowest gauge pressure there is."""
-    axes.grid(color="#e6e6e6", lw=0.6)
+    axes.grid(color=look().grid, lw=0.6)
     axes.set_axisbelow(True)
     levels = {"ambient": 0.0, "vacuum": -trajectory.ambient_pressure / 1e3}
     for name, level in levels.items():
         if limits[0] < level < limits[1]:
-            axes.axhline(level, color=GREY, lw=0.9, ls=(0, (6, 2)), zorder=1)
+            axes.axhline(level, color=look().grey, lw=0.9, ls=(0, (6, 2)), zorder=1)
             axes.annotate(
                 name, xy=(1, level), xycoords=("axes fraction", "data"), xytext=(-1, 1.5),
-                textcoords="offset points", ha="right", va="bottom", fontsize=7, color="#555555",
-                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
+                textcoords="offset points", ha="right", va="bottom", fontsize=7, color=look().note,
+                bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
                 zorder=5,
             )  # fmt: skip
 
 
-def _draw_legend(made: Figure, axes: Axes) -> None:
+def _draw_legend(made: Figure, axes: Axes, columns: int, bottom: float) -> None:
     width, height = made.get_size_inches()
     made.legend(
-        *axes.get_legend_handles_labels(), loc="lower left", ncols=len(DASHES), handlelength=2.4,
+        *axes.get_legend_handles_labels(), loc="lower left", ncols=columns, handlelength=2.4,
         borderaxespad=0, columnspacing=1.4,
-        bbox_to_anchor=(LEFT / width, (BOTTOM + PANEL_HEIGHT + PANEL_TITLE) / height),
+        bbox_to_anchor=(LEFT / width, bottom / height),
     )  # fmt: skip
 
 
-def _draw_bar(made: Figure, trajectory: Trajectory, norm: Normalize) -> None:
+def _draw_bar(made: Figure, axes: Axes, trajectory: Trajectory, norm: Normalize) -> None:
     sections = trajectory.sections
     bar = made.colorbar(
-        ScalarMappable(norm, SEQUENTIAL), cax=axes_at(made, BAR_LEFT, BOTTOM, 0.12, PANEL_HEIGHT)
+        ScalarMappable(norm, look().sequential),
+        cax=axes,
     )
     bar.set_label("section, 1 at the clamp")
     ticks = _section_ticks(sections)
     bar.set_ticks([float(tick) for tick in ticks], labels=[str(tick) for tick in ticks])
     bar.minorticks_off()
     bar.ax.tick_params(length=0 if sections <= MOST_DISCRETE_SECTIONS else 3)
-    bar.outline.set_edgecolor(FAINT)
+    bar.outline.set_edgecolor(look().faint)
     bar.outline.set_linewidth(0.4)
 
 

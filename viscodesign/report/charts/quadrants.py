@@ -11,7 +11,8 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.label_placement import Box, place_labels, text_box
-from viscodesign.report.layout.style import ACCENT, FAINT, GREY, INK, axes_at, picture, shown
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import axes_at, picture, shown
 from viscodesign.results.findings import Classification
 
 if TYPE_CHECKING:
@@ -26,8 +27,10 @@ WORDS = {
 }
 CORNERS = {"I": (1, 1), "II": (0, 1), "III": (0, 0), "IV": (1, 0)}
 LEFT, BOTTOM, SIZE, ABOVE, RIGHT = 0.72, 0.55, 4.6, 0.15, 0.2
-KEY_WIDTH = 2.2
-"""In inches."""
+KEY_WIDTH, KEY_LINE, LEAST_SIZE = 2.2, 0.16, 3.4
+"""All in inches; the key goes below where it would leave a plane less than the least size."""
+WORDS_SIZE, NARROW_WORDS_SIZE = 8.5, 6.5
+"""Of the words in the quadrants [pt]; the second on a plane less than the least size."""
 LARGEST_DECADE = 9
 """Ratios beyond ten to this, up or down, are drawn at the edge."""
 EDGE_DISTANCE = 0.022
@@ -65,16 +68,20 @@ def draw_plane(
     direct = len(marks) <= MOST_NAMED_MARKS and all(
         len(mark.names) <= MOST_NAMES_PER_MARK for mark in marks
     )
-    width = LEFT + SIZE + (RIGHT if direct else KEY_WIDTH)
-    with picture(path, width, BOTTOM + SIZE + ABOVE) as made:
-        axes = axes_at(made, LEFT, BOTTOM, SIZE, SIZE)
+    width = look().across(LEFT + SIZE + (RIGHT if direct else KEY_WIDTH))
+    is_beside = not direct and width - LEFT - KEY_WIDTH >= LEAST_SIZE
+    size = min(SIZE, width - LEFT - (KEY_WIDTH if is_beside else RIGHT))
+    below = 0.0 if direct or is_beside else 0.1 + KEY_LINE * _key_lines(marks)
+    with picture(path, width, below + BOTTOM + size + ABOVE) as made:
+        axes = axes_at(made, LEFT, below + BOTTOM, size, size)
         axes.set(xlim=(0, 1), ylim=(0, 1))
-        words = _draw_quadrants(axes, decades, beside or {})
+        words = _draw_quadrants(axes, decades, beside or {}, size)
         _draw_ticks(axes, decades)
         texts = ["\n".join(m.names) if direct else str(k + 1) for k, m in enumerate(marks)]
-        _draw_marks(axes, marks, texts, words)
+        _draw_marks(axes, marks, texts, words, size)
         if not direct:
-            _draw_key(made, marks)
+            place = (LEFT + size + 0.15, BOTTOM, size) if is_beside else (LEFT, 0.05, below - 0.05)
+            _draw_key(made, marks, *place)
 
 
 def _place(found: Classification) -> tuple[float, float]:
@@ -132,24 +139,28 @@ def _symbol(place: tuple[float, float], decades: tuple[tuple[int, int], tuple[in
 
 
 def _draw_quadrants(
-    axes: Axes, decades: tuple[tuple[int, int], tuple[int, int]], beside: Mapping[str, str]
+    axes: Axes,
+    decades: tuple[tuple[int, int], tuple[int, int]],
+    beside: Mapping[str, str],
+    size: float,
 ) -> list[Box]:
     """Draw them; return the room of their words and of the lines between them."""
     x, y = (-low / (high - low) for low, high in decades)
-    axes.fill_between([x, 1], y, 1, color="#f4f4f4", lw=0)
-    axes.fill_between([0, x], 0, y, color="#f4f4f4", lw=0)
-    axes.axhline(y, color=FAINT, lw=1)
-    axes.axvline(x, color=FAINT, lw=1)
+    axes.fill_between([x, 1], y, 1, color=look().shade, lw=0)
+    axes.fill_between([0, x], 0, y, color=look().shade, lw=0)
+    axes.axhline(y, color=look().faint, lw=1)
+    axes.axvline(x, color=look().faint, lw=1)
     boxes = [
         Box(x - HALF_LINE, 0, x + HALF_LINE, 1, faint=True),
         Box(0, y - HALF_LINE, 1, y + HALF_LINE, faint=True),
     ]
+    letters = WORDS_SIZE if size >= LEAST_SIZE else NARROW_WORDS_SIZE
     for quadrant, (right, up) in CORNERS.items():
         place = (0.98 if right else 0.02, 0.98 if up else 0.02)
         across, upright = "right" if right else "left", "top" if up else "bottom"
         words = "\n".join(filter(None, (WORDS[quadrant], beside.get(quadrant))))
-        axes.text(*place, words, ha=across, va=upright, fontsize=8.5, color="#555555")
-        boxes.append(text_box(words, place, across, upright, 8.5, SIZE))
+        axes.text(*place, words, ha=across, va=upright, fontsize=letters, color=look().note)
+        boxes.append(text_box(words, place, across, upright, letters, size))
     return boxes
 
 
@@ -171,30 +182,36 @@ def power_of_ten(exponent: int) -> str:
     return "10" + str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
-def _draw_marks(axes: Axes, marks: list[Mark], texts: list[str], words: list[Box]) -> None:
+def _draw_marks(
+    axes: Axes, marks: list[Mark], texts: list[str], words: list[Box], size: float
+) -> None:
     for mark in marks:
         axes.plot(
-            mark.x, mark.y, marker=mark.symbol, color=ACCENT, mec=INK, mew=0.6, ms=6.5,
-            ls="none", zorder=4,
+            mark.x, mark.y, marker=mark.symbol, color=look().accent, mec=look().ink, mew=0.6,
+            ms=6.5, ls="none", zorder=4,
         )  # fmt: skip
     points = [(mark.x, mark.y) for mark in marks]
-    for label in place_labels(points, texts, words, size=8.0, side=SIZE):
+    for label in place_labels(points, texts, words, size=8.0, side=size):
         if label.step > 0:
             ends = ([label.point[0], label.x], [label.point[1], label.y])
-            axes.plot(*ends, color=GREY, lw=0.6, zorder=3)
+            axes.plot(*ends, color=look().grey, lw=0.6, zorder=3)
         axes.text(
             label.x, label.y, label.text, ha=label.across, va=label.upright, fontsize=8.0, zorder=5,
             linespacing=1.15,
         )  # fmt: skip
 
 
-def _draw_key(made: Figure, marks: list[Mark]) -> None:
-    """Numbers and names in a column beside the plane, in the order of the marks' height."""
-    lines = sum(len(mark.names) for mark in marks) + 0.4 * (len(marks) - 1)
-    step = min(0.16, SIZE / max(lines, 1.0))
+def _key_lines(marks: list[Mark]) -> float:
+    """Height of the key in lines: every name, and a gap between marks."""
+    return sum(len(mark.names) for mark in marks) + 0.4 * (len(marks) - 1)
+
+
+def _draw_key(made: Figure, marks: list[Mark], left: float, bottom: float, height: float) -> None:
+    """Numbers and names in a column, in the order of the marks' height; its place in inches."""
+    step = min(KEY_LINE, height / max(_key_lines(marks), 1.0))
     size = min(8.0, step * 72 / 1.2)
-    axes = axes_at(made, LEFT + SIZE + 0.15, BOTTOM, KEY_WIDTH - 0.2, SIZE)
-    axes.set(xlim=(0, KEY_WIDTH - 0.2), ylim=(SIZE, 0))
+    axes = axes_at(made, left, bottom, KEY_WIDTH - 0.2, height)
+    axes.set(xlim=(0, KEY_WIDTH - 0.2), ylim=(height, 0))
     axes.set_axis_off()
     down = step / 2
     for k, mark in enumerate(marks):

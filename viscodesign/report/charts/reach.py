@@ -5,41 +5,37 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.patches import Polygon
 
-from viscodesign.report.layout.style import (
-    ACCENT,
-    FAINT,
-    INK,
-    SEQUENTIAL,
-    TITLE_ROOM,
-    Target,
-    axes_at,
-    picture,
-    shown,
-)
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import Target, axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import channel
 from viscodesign.results.reach_study import ReachStudy
 
-LEFT, BOTTOM, WIDTH, KEY = 0.75, 0.6, 6.0, 0.35
-"""In inches."""
+LEFT, BOTTOM, WIDTH, RIGHT, KEY_LINE, KEY_COLUMN = 0.75, 0.6, 6.0, 0.25, 0.2, 1.6
+"""In inches; a line of the key, and a column of it."""
 TALLEST, LOWEST = 6.0, 2.6
 MARGIN = 0.06
 NEAR_CLAMP = 0.4
 """The clamp is drawn, too, if it is nearer than this part of the extent of what is drawn."""
-OWN = SEQUENTIAL(0.25)
 
 
 def draw_reach(study: ReachStudy, path: Target) -> None:
     """Both sets as areas, z down from the clamp, and the point with the tip's way to it."""
     point = study.point
     low, high, has_clamp = _limits(study)
-    height = float(np.clip(WIDTH * (high[1] - low[1]) / (high[0] - low[0]), LOWEST, TALLEST))
-    size = np.array([WIDTH, height])
+    full = look().across(LEFT + WIDTH + RIGHT)
+    width = full - LEFT - RIGHT
+    height = float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]), LOWEST, TALLEST))
+    size = np.array([width, height])
     short = size * float(np.max((high - low) / size)) - (high - low)
     low, high = low - short / 2, high + short / 2
-    total = BOTTOM + height + KEY + TITLE_ROOM
-    with picture(path, LEFT + WIDTH + 0.25, total) as made:
-        axes = axes_at(made, LEFT, BOTTOM, WIDTH, height)
-        areas = ((study.edge_two_inlets, FAINT, "two inlets"), (study.edge, OWN, "one inlet"))
+    columns = 5 if look().width is None else max(1, int(width / KEY_COLUMN))
+    key = 0.15 + KEY_LINE * -(-(2 + has_clamp + 2 * (point is not None)) // columns)
+    with picture(path, full, BOTTOM + height + key + title_room()) as made:
+        axes = axes_at(made, LEFT, BOTTOM, width, height)
+        areas = (
+            (study.edge_two_inlets, look().faint, "two inlets"),
+            (study.edge, look().main, "one inlet"),
+        )
         for edge, colour, words in areas:
             if len(edge):
                 area = study.area_two_inlets_m2 if edge is study.edge_two_inlets else study.area_m2
@@ -48,18 +44,17 @@ def draw_reach(study: ReachStudy, path: Target) -> None:
                     Polygon(1e3 * edge, fc=colour, ec=colour, alpha=0.35, lw=1.2, label=label)
                 )
         if has_clamp:
-            axes.plot(0, 0, "s", color=INK, ms=6, label="clamp")
+            axes.plot(0, 0, "s", color=look().ink, ms=6, label="clamp")
         if point is not None:
-            axes.plot(*(1e3 * point.path.T), color=INK, lw=1.2, label="way of the tip")
-            axes.plot(1e3 * point.at[0], 1e3 * point.at[1], "x", color=ACCENT, ms=9, mew=2,
+            axes.plot(*(1e3 * point.path.T), color=look().ink, lw=1.2, label="way of the tip")
+            axes.plot(1e3 * point.at[0], 1e3 * point.at[1], "x", color=look().accent, ms=9, mew=2,
                       label="point", zorder=6)  # fmt: skip
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
         axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
         axes.set_aspect("equal")
-        axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=5, borderaxespad=0.1,
+        axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderaxespad=0.1,
                     columnspacing=1.2, handlelength=1.4)  # fmt: skip
-        made.text(LEFT / (LEFT + WIDTH + 0.25), (total - 0.21) / total, shown(_title(study), 90),
-                  size=10)  # fmt: skip
+        draw_title(made, shown(_title(study), 90), LEFT)
 
 
 def _limits(study: ReachStudy) -> tuple[np.ndarray, np.ndarray, bool]:

@@ -12,22 +12,34 @@ from matplotlib.colors import Colormap, Normalize
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.bellow_blocks import bellow_blocks
+from viscodesign.report.layout.label_placement import POINTS
+from viscodesign.report.layout.look import look
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes, spread_instants
 from viscodesign.report.layout.strip import Frame, Strip, arrange
-from viscodesign.report.layout.style import INK, Target, axes_at, head, head_room, picture
+from viscodesign.report.layout.style import Target, axes_at, head, head_room, picture
+from viscodesign.report.layout.tube_lines import inlet_places, tube_lines
+from viscodesign.report.page.page_data import tube_ends
+from viscodesign.report.page.sketch_numbers import scene_of
 from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
+from viscodesign.storage.disk_arrays import extremes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-MOST_SNAPSHOTS = 8
+MOST_SNAPSHOTS, NARROW_SNAPSHOTS = 8, 4
+"""The second where the picture is narrow: more would be too small."""
+MOST_TUBES = 256
+"""With more tubes than this none could be told from another."""
+INLET_MARK = 0.16
+"""Half the size of an inlet, of half the width of the clamp."""
 MOST_EDGED_SECTIONS = 24
 """With more sections than this a bellow's edge would hide its colour."""
-WIDTH, SIDE, FOOT_HEIGHT = 6.6, 0.2, 0.62
-"""The figure, its margins, and the foot with scale and colour bar [inch]."""
+WIDTH, SIDE, FOOT_HEIGHT, LEAST_WIDTH = 6.6, 0.2, 0.62, 4.6
+"""The figure, its margins, the foot with scale and colour bar, and the least width with all in one
+line there [inch]."""
 
 
 @dataclass(frozen=True)
@@ -41,48 +53,72 @@ class Snapshots:
     """(N, B, 4, 2)"""
     pressure: np.ndarray
     """(N, B) gauge."""
+    tubes: list[list[np.ndarray]]
+    """(N,) lines (n, 2) each."""
+    inlets: np.ndarray
+    """(I, 2)"""
+    inlet_names: Sequence[str]
+    inlet_pressure: np.ndarray
+    """(N, I) gauge."""
     clamp: tuple[float, float]
     """Half width and height."""
 
 
 def draw_shapes(trajectory: Trajectory, path: Target) -> None:
-    """Up to eight instants at one scale, time above each, a scale bar and a colour bar."""
-    snapshots = _snapshots(trajectory)
-    strip = arrange(_frames(snapshots), 1e3 * trajectory.length, WIDTH - 2 * SIDE)
-    height = FOOT_HEIGHT + strip.height + head_room(trajectory, WIDTH)
-    with picture(path, WIDTH, height) as made:
-        axes = axes_at(made, SIDE, FOOT_HEIGHT, WIDTH - 2 * SIDE, strip.height)
-        wide, high = (WIDTH - 2 * SIDE) / strip.scale, strip.height / strip.scale
+    """Instants at one scale with bellows, tubes and inlets, a scale bar and a colour bar."""
+    width = look().across(WIDTH)
+    foot = FOOT_HEIGHT + (0.0 if width >= LEAST_WIDTH else 0.24)
+    snapshots = _snapshots(trajectory, MOST_SNAPSHOTS if width >= LEAST_WIDTH else NARROW_SNAPSHOTS)
+    strip = arrange(_frames(snapshots), 1e3 * trajectory.length, width - 2 * SIDE)
+    height = foot + strip.height + head_room(trajectory, width)
+    with picture(path, width, height) as made:
+        axes = axes_at(made, SIDE, foot, width - 2 * SIDE, strip.height)
+        wide, high = (width - 2 * SIDE) / strip.scale, strip.height / strip.scale
         axes.set(xlim=(0, wide), ylim=(high, 0))
         axes.set_axis_off()
-        colours, norm, occurring = pressure_colours(trajectory.pressure)
+        colours, norm, occurring = pressure_colours(
+            np.hstack([extremes(trajectory.pressure), extremes(trajectory["inlet_pressure"])])
+        )
+        _draw_tubes(axes, snapshots, strip, colours, norm)
         _draw_snapshots(axes, snapshots, strip, colours, norm)
         _draw_labels(axes, snapshots, strip)
         _draw_sides(axes, snapshots, strip)
         _draw_scale(made, strip)
-        _draw_bar(made, ScalarMappable(norm, colours), occurring)
+        _draw_bar(made, ScalarMappable(norm, colours), occurring, width)
         head(made, trajectory, "shapes and gauge pressures", SIDE)
 
 
-def _snapshots(trajectory: Trajectory) -> Snapshots:
-    instants = spread_instants(trajectory, MOST_SNAPSHOTS, pressures=True)
+def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
+    instants = spread_instants(trajectory, count, pressures=True)
     axis, rows = trajectory.shape[instants] * 1e3, trajectory.shape_rows[instants]
+    width = 1e3 * trajectory.width
+    blocks = bellow_blocks(axis, trajectory.arc, trajectory.bellows, width)
+    tubes = tube_ends(trajectory, scene_of(trajectory))
+    inlets = inlet_places(trajectory.inlets, tubes, width)
+    drawn = tubes if len(tubes) <= MOST_TUBES else []
     return Snapshots(
         time_labels(trajectory.time[rows]),
         axis,
-        bellow_blocks(axis, trajectory.arc, trajectory.bellows, 1e3 * trajectory.width),
+        blocks,
         trajectory.pressure[rows] / 1e3,
-        (0.7e3 * trajectory.width, 0.14e3 * trajectory.width),
+        [tube_lines(own, trajectory.bellows, inlets, drawn, width) for own in blocks],
+        np.array(list(inlets.values())),
+        trajectory.inlets,
+        trajectory["inlet_pressure"][rows] / 1e3,
+        (0.7 * width, 0.14 * width),
     )
 
 
 def _frames(snapshots: Snapshots) -> list[Frame]:
     """The room that each snapshot takes about the middle of its clamp."""
     half, hatch = snapshots.clamp
-    corners = snapshots.blocks.reshape(len(snapshots.blocks), -1, 2)
-    low = np.minimum(corners.min(axis=1), (-half, -hatch))
-    high = np.maximum(corners.max(axis=1), (half, 0.0))
-    return [Frame(*a, *b) for a, b in zip(low.tolist(), high.tolist(), strict=True)]
+    found = []
+    for blocks, tubes in zip(snapshots.blocks, snapshots.tubes, strict=True):
+        points = np.concatenate([blocks.reshape(-1, 2), *tubes, snapshots.inlets])
+        low = np.minimum(points.min(axis=0), (-half, -hatch)) - (0.0, INLET_MARK * half)
+        high = np.maximum(points.max(axis=0), (half, 0.0))
+        found.append(Frame(*low.tolist(), *high.tolist()))
+    return found
 
 
 def time_labels(times: np.ndarray) -> list[str]:
@@ -97,6 +133,31 @@ def time_labels(times: np.ndarray) -> list[str]:
     return [f"t = {time:.{digits}g} s" for time in times]
 
 
+def _draw_tubes(
+    axes: Axes, snapshots: Snapshots, strip: Strip, colours: Colormap, norm: Normalize
+) -> None:
+    """Tubes as lines behind the bellows, inlets as triangles; the first ones are named."""
+    origin = np.array(strip.origins)
+    lines = [own + origin[n] for n, tubes in enumerate(snapshots.tubes) for own in tubes]
+    axes.add_collection(
+        LineCollection(lines, colors=look().ink, linewidths=0.6, zorder=0.9, clip_on=False)
+    )
+    places = (snapshots.inlets + origin[:, None]).reshape(-1, 2)
+    size = 2 * INLET_MARK * snapshots.clamp[0] * strip.scale * POINTS
+    axes.scatter(
+        places[:, 0], places[:, 1], c=snapshots.inlet_pressure.ravel(), cmap=colours, norm=norm,
+        marker="v", s=size**2, edgecolors=look().ink, linewidths=0.5, zorder=3, clip_on=False,
+    )  # fmt: skip
+    if len(snapshots.inlets) > 1:
+        return
+    (x, z), half = places[0], snapshots.clamp[0]
+    side = 1.0 if snapshots.inlets[0, 0] > 0 else -1.0
+    axes.annotate(
+        "inlet", (x + side * INLET_MARK * half, z), (2 * side, 0), textcoords="offset points",
+        ha="left" if side > 0 else "right", va="center", fontsize=6.5, color=look().note,
+    )  # fmt: skip
+
+
 def _draw_snapshots(
     axes: Axes, snapshots: Snapshots, strip: Strip, colours: Colormap, norm: Normalize
 ) -> None:
@@ -104,7 +165,11 @@ def _draw_snapshots(
     many = snapshots.blocks.shape[1] > 2 * MOST_EDGED_SECTIONS
     blocks = (snapshots.blocks + origin[:, None, None]).reshape(-1, 4, 2)
     shown = PolyCollection(
-        list(blocks), cmap=colours, norm=norm, edgecolors="face" if many else INK, linewidths=0.3
+        list(blocks),
+        cmap=colours,
+        norm=norm,
+        edgecolors="face" if many else look().ink,
+        linewidths=0.3,
     )
     shown.set_clip_on(False)
     shown.set_array(snapshots.pressure.ravel())
@@ -114,7 +179,9 @@ def _draw_snapshots(
     plates = origin[:, None] + np.array([(-half, 0.0), (half, 0.0)])
     bent = snapshots.axis + origin[:, None]
     for lines, pen in ((strokes, 0.5), (plates, 1.4), (bent, 0.9)):
-        axes.add_collection(LineCollection(list(lines), colors=INK, linewidths=pen, clip_on=False))
+        axes.add_collection(
+            LineCollection(list(lines), colors=look().ink, linewidths=pen, clip_on=False)
+        )
 
 
 def _draw_labels(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:
@@ -132,7 +199,7 @@ def _draw_sides(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:
     for name, sign in (("L", -1.0), ("R", 1.0)):
         place = axis[-1] + along * step + sign * across * snapshots.clamp[0] * 0.4
         x, z = place + strip.origins[0]
-        axes.text(x, z, name, ha="center", va="center", fontsize=7, color="#555555")
+        axes.text(x, z, name, ha="center", va="center", fontsize=7, color=look().note)
 
 
 def _draw_scale(made: Figure, strip: Strip) -> None:
@@ -141,7 +208,7 @@ def _draw_scale(made: Figure, strip: Strip) -> None:
     axes = axes_at(made, SIDE, 0.2, 2.0, 0.3)
     axes.set(xlim=(0, 2.0 / strip.scale), ylim=(0, 1))
     axes.set_axis_off()
-    axes.plot([0, length], [0.25, 0.25], color=INK, lw=2.4, solid_capstyle="butt")
+    axes.plot([0, length], [0.25, 0.25], color=look().ink, lw=2.4, solid_capstyle="butt")
     axes.text(0, 0.4, f"{length:g} mm", fontsize=8, va="bottom")
 
 
@@ -153,14 +220,20 @@ def scale_length(scale: float) -> float:
     return min(rounds, key=lambda length: abs(np.log(length * scale / 0.6)))
 
 
-def _draw_bar(made: Figure, mapped: ScalarMappable, occurring: tuple[float, float]) -> None:
+def _draw_bar(
+    made: Figure, mapped: ScalarMappable, occurring: tuple[float, float], width: float
+) -> None:
     """The part of the colours that occurs, lying in the foot."""
-    cax = axes_at(made, 2.6, 0.38, WIDTH - 2.6 - SIDE - 0.1, 0.11)
+    words = channel("pressure").label
+    left = 2.6 if width >= LEAST_WIDTH else 1.35
+    cax = axes_at(made, left, 0.38, width - left - SIDE - 0.1, 0.11)
     bar = made.colorbar(mapped, cax=cax, orientation="horizontal")
     cax.set_xlim(*occurring)
     cax.tick_params(labelsize=7.5, length=2.5, pad=1.5)
+    cax.locator_params(axis="x", nbins=max(3, int(2 * (width - left))))
     bar.outline.set_visible(False)
-    made.text(
-        2.5 / WIDTH, 0.435 / made.get_figheight(), channel("pressure").label,
-        ha="right", va="center", fontsize=8,
-    )  # fmt: skip
+    high = made.get_figheight()
+    if width >= LEAST_WIDTH:
+        made.text(2.5 / width, 0.435 / high, words, ha="right", va="center", fontsize=8)
+    else:
+        made.text(left / width, 0.55 / high, words, fontsize=8)

@@ -8,16 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
-from viscodesign.report.layout.style import (
-    ACCENT,
-    INK,
-    SEQUENTIAL,
-    TITLE_ROOM,
-    axes_at,
-    picture,
-    shown,
-)
+from viscodesign.report.layout.look import look
+from viscodesign.report.layout.style import axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import PICTURE_UNITS
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.sweep_table import FAILED, Sweep, SweptColumn, value_words
@@ -29,8 +23,8 @@ if TYPE_CHECKING:
 METRIC_UNITS = {"m": ("mm", 1e3), "m2": ("cm²", 1e4), "s": ("s", 1.0)}
 """Last word of a metric -> what a picture shows, and how many of these it is."""
 LEFT, BOTTOM, WIDTH, HEIGHT = 0.85, 0.62, 5.2, 3.4
-BAR_ROOM = 0.95
-PANEL, PANEL_GAP, MOST_PANELS, ACROSS = 1.75, 0.42, 12, 4
+BAR_ROOM, RIGHT = 0.95, 0.25
+PANEL, LEAST_PANEL, PANEL_GAP, MOST_PANELS, ACROSS = 1.75, 1.2, 0.42, 12, 4
 """All in inches, but for the counts of panels."""
 MOST_TICKS = 8
 MOST_MEANS = 10
@@ -50,16 +44,16 @@ def draw_sweep(sweep: Sweep, metric: str, path: Path) -> None:
 
 
 def _draw_line(sweep: Sweep, metric: str, path: Path) -> None:
-    width, height = LEFT + WIDTH + 0.25, BOTTOM + HEIGHT + TITLE_ROOM
+    width, height = look().across(LEFT + WIDTH + RIGHT), BOTTOM + HEIGHT + title_room()
     (column,), values = sweep.columns, _values(sweep, metric)
     with picture(path, width, height) as made:
-        axes = axes_at(made, LEFT, BOTTOM, WIDTH, HEIGHT)
+        axes = axes_at(made, LEFT, BOTTOM, width - LEFT - RIGHT, HEIGHT)
         places = _places(sweep, 0)
         order = np.argsort(places, kind="stable")
-        axes.plot(places[order], values[order], "o-", color=SEQUENTIAL(0.25), ms=3.5, lw=1.2)
+        axes.plot(places[order], values[order], "o-", color=look().main, ms=3.5, lw=1.2)
         _label_axis(axes, column, "x", _is_spread(column))
         axes.set_ylabel(_metric_words(metric))
-        axes.grid(color="#e6e6e6", lw=0.6)
+        axes.grid(color=look().grid, lw=0.6)
         _mark_failures(axes, sweep, places)
         _title(made, sweep, metric)
 
@@ -69,7 +63,7 @@ def _mark_failures(axes: Axes, sweep: Sweep, places: np.ndarray) -> None:
     rows = [found.row for found in sweep.failures]
     if rows:
         axes.plot(
-            places[rows], [0.02] * len(rows), "x", color=ACCENT, ms=5, clip_on=False,
+            places[rows], [0.02] * len(rows), "x", color=look().accent, ms=5, clip_on=False,
             transform=axes.get_xaxis_transform(), label="failed",
         )  # fmt: skip
         axes.legend(loc="best")
@@ -80,22 +74,22 @@ def _mark_failures(axes: Axes, sweep: Sweep, places: np.ndarray) -> None:
 
 def _draw_map(sweep: Sweep, metric: str, path: Path) -> None:
     """The first key upwards, the second across; what failed is crossed out."""
-    width, height = LEFT + WIDTH + BAR_ROOM, BOTTOM + HEIGHT + TITLE_ROOM
+    width, height = look().across(LEFT + WIDTH + BAR_ROOM), BOTTOM + HEIGHT + title_room()
     up, across = sweep.columns
     counts = [len(column.values or ()) for column in (up, across)]
     with picture(path, width, height) as made:
-        axes = axes_at(made, LEFT, BOTTOM, WIDTH, HEIGHT)
+        axes = axes_at(made, LEFT, BOTTOM, width - LEFT - BAR_ROOM, HEIGHT)
         table = np.ma.masked_invalid(_values(sweep, metric).reshape(counts))
         shown_map = axes.pcolormesh(
-            np.arange(counts[1] + 1), np.arange(counts[0] + 1), table, cmap=SEQUENTIAL
+            np.arange(counts[1] + 1), np.arange(counts[0] + 1), table, cmap=look().sequential
         )
         for found in sweep.failures:
             row, place = divmod(found.row, counts[1])
-            axes.plot(place + 0.5, row + 0.5, "x", color=ACCENT, ms=5)
+            axes.plot(place + 0.5, row + 0.5, "x", color=look().accent, ms=5)
         _ticks(axes, across, "x", 0.5)
         _ticks(axes, up, "y", 0.5)
-        bar = axes_at(made, LEFT + WIDTH + 0.15, BOTTOM, 0.14, HEIGHT)
-        made.colorbar(shown_map, cax=bar)
+        bar = axes_at(made, width - BAR_ROOM + 0.15, BOTTOM, 0.14, HEIGHT)
+        made.colorbar(shown_map, cax=bar).set_label(_metric_words(metric))
         _title(made, sweep, metric)
 
 
@@ -107,15 +101,17 @@ def _draw_keys(sweep: Sweep, metric: str, path: Path) -> None:
     values = _values(sweep, metric)
     order = sorted(range(len(sweep.columns)), key=lambda k: -_dependence(_places(sweep, k), values))
     order = order[:MOST_PANELS]
-    across = min(ACROSS, len(order))
+    natural = LEFT + min(ACROSS, len(order)) * (PANEL + PANEL_GAP)
+    width = look().across(natural)
+    across = max(1, min(len(order), int((width - LEFT) / (LEAST_PANEL + PANEL_GAP)), ACROSS))
+    panel = (width - LEFT) / across - PANEL_GAP
     down = math.ceil(len(order) / across)
-    width = LEFT + across * (PANEL + PANEL_GAP)
-    height = down * (PANEL + BOTTOM) + TITLE_ROOM + 0.1
+    height = down * (PANEL + BOTTOM) + title_room() + 0.1
     with picture(path, width, height) as made:
         for place, k in enumerate(order):
             row, column = divmod(place, across)
-            left, bottom = LEFT + column * (PANEL + PANEL_GAP), height - TITLE_ROOM - 0.1
-            axes = axes_at(made, left, bottom - row * (PANEL + BOTTOM) - PANEL, PANEL, PANEL)
+            left, bottom = LEFT + column * (panel + PANEL_GAP), height - title_room() - 0.1
+            axes = axes_at(made, left, bottom - row * (PANEL + BOTTOM) - PANEL, panel, PANEL)
             _draw_key(axes, sweep, k, values)
             if column == 0:
                 axes.set_ylabel(_metric_words(metric))
@@ -127,9 +123,9 @@ def _draw_keys(sweep: Sweep, metric: str, path: Path) -> None:
 
 def _draw_key(axes: Axes, sweep: Sweep, k: int, values: np.ndarray) -> None:
     column, places = sweep.columns[k], _places(sweep, k)
-    axes.plot(places, values, ".", color=SEQUENTIAL(0.25), ms=2.0, alpha=0.5, rasterized=True)
+    axes.plot(places, values, ".", color=look().main, ms=2.0, alpha=0.5, rasterized=True)
     middles, means = _running_mean(places, values)
-    axes.plot(middles, means, color=ACCENT, lw=1.4)
+    axes.plot(middles, means, color=look().accent, lw=1.4)
     _label_axis(axes, column, "x", _is_spread(column))
     axes.xaxis.label.set_fontsize(7)
     axes.tick_params(labelsize=6.5)
@@ -203,6 +199,10 @@ def _label_axis(axes: Axes, column: SweptColumn, axis: str, is_log: bool) -> Non
     axes.set(**{f"{axis}label": shown(words, 44)})
     if is_log:
         axes.set(**{f"{axis}scale": "log"})
+        own = axes.xaxis if axis == "x" else axes.yaxis
+        own.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=MOST_TICKS))
+        own.set_major_formatter(StrMethodFormatter("{x:g}"))
+        own.set_minor_formatter(NullFormatter())
 
 
 def _ticks(axes: Axes, column: SweptColumn, axis: str, offset: float) -> None:
@@ -225,9 +225,7 @@ def _metric_words(metric: str) -> str:
 
 
 def _title(made: Figure, sweep: Sweep, metric: str, more: str = "") -> None:
-    width, height = made.get_size_inches()
     count, failed, missing = len(sweep.designs), len(sweep.failures), len(sweep.missing)
     words = f"{_metric_words(metric)} of {count} designs{more}"
     words += f", {failed} failed" * (failed > 0) + f", {missing} missing" * (missing > 0)
-    title = f"{shown(sweep.name, 40)}: {words}"
-    made.text(0.1 / width, (height - 0.21) / height, title, size=10, va="baseline", color=INK)
+    draw_title(made, f"{shown(sweep.name, 40)}: {words}", 0.1)

@@ -10,18 +10,9 @@ from matplotlib.collections import LineCollection, PolyCollection
 from viscodesign.report.charts.coefficient_band import band_corners, draw_band
 from viscodesign.report.charts.tip_path import draw_path, time_range
 from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
+from viscodesign.report.layout.look import look
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
-from viscodesign.report.layout.style import (
-    FAINT,
-    INK,
-    SEQUENTIAL,
-    TIME_DIGITS,
-    Target,
-    axes_at,
-    head,
-    head_room,
-    picture,
-)
+from viscodesign.report.layout.style import TIME_DIGITS, Target, axes_at, head, head_room, picture
 from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
@@ -36,8 +27,10 @@ SMALLEST_AXES = np.array((3.2, 2.0))
 """Size of the axes, x and z [inch]."""
 LEFT, BOTTOM, RIGHT = 0.62, 0.5, 0.85
 """Room around the axes [inch]; the colour bar stands to their right."""
-ZOOM_GAP, ZOOM = 0.7, 2.1
-"""Room before, and side of, the enlarged path [inch]."""
+ZOOM_GAP, ZOOM, ZOOM_LEGEND, LEGEND_LINE = 0.7, 2.1, 0.5, 0.2
+"""Room before, and side of, the enlarged path, and the legend's where that is below [inch]."""
+LEAST_BESIDE = 6.0
+"""Least width that was asked for with the enlarged path on the right [inch]; else it is below."""
 ZOOM_RANGE = (1e-3, 0.12)
 """A path whose extent is in this range, in actuator lengths, is also drawn enlarged."""
 
@@ -46,13 +39,22 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
     """Equal axes in mm, the clamp at the top, z downwards as the actuator hangs."""
     instants = spread_instants(trajectory, MOST_INSTANTS)
     bodies = outline(trajectory.shape[instants], trajectory.width) * 1e3
-    low, high = _limits(trajectory, bodies)
-    width, height = np.maximum((high - low) * _scale(low, high), SMALLEST_AXES).tolist()
     zoomed = _is_small(trajectory)
-    right = LEFT + width + (ZOOM_GAP + ZOOM if zoomed else 0.0)
+    asked = look().width
+    is_narrow = asked is not None and asked < LEAST_BESIDE
+    below = zoomed and is_narrow
+    beside = ZOOM_GAP + ZOOM if zoomed and not below else 0.0
+    largest, smallest = LARGEST_AXES, SMALLEST_AXES
+    if asked is not None:
+        room = asked - LEFT - RIGHT - beside
+        largest, smallest = np.array((room, LARGEST_AXES[1])), np.array((room, SMALLEST_AXES[1]))
+    low, high = _limits(trajectory, bodies, largest, smallest)
+    width, height = np.maximum((high - low) * _scale(low, high, largest), smallest).tolist()
+    base = BOTTOM + (BOTTOM + ZOOM + ZOOM_LEGEND if below else LEGEND_LINE * is_narrow)
+    right = LEFT + width + beside
     full = right + RIGHT
-    with picture(path, full, BOTTOM + height + head_room(trajectory, full)) as made:
-        axes = axes_at(made, LEFT, BOTTOM, width, height)
+    with picture(path, full, base + height + head_room(trajectory, full)) as made:
+        axes = axes_at(made, LEFT, base, width, height)
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
         axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
         _draw_clamp(axes, trajectory)
@@ -60,10 +62,12 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         draw_band(axes, trajectory)
         lines = draw_path(axes, trajectory, 0.4 if zoomed else 1.0)
         if zoomed:
-            axes = axes_at(made, LEFT + width + ZOOM_GAP, BOTTOM, ZOOM, ZOOM)
+            side = min(ZOOM, width)
+            axes = axes_at(made, LEFT if below else right - ZOOM, BOTTOM, side, side)
             _draw_enlarged(axes, trajectory)
-        _draw_legend(made, axes, right, BOTTOM + ZOOM + 0.05 if zoomed else 0.07)
-        bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, BOTTOM, 0.12, height))
+        legend = LEFT + ZOOM if below else right
+        _draw_legend(made, axes, legend, BOTTOM + ZOOM + 0.25 * below + 0.05 if zoomed else 0.07)
+        bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, base, 0.12, height))
         bar.set_label(channel("time").label)
         bar.outline.set_visible(False)
         bar.ax.ticklabel_format(axis="y", scilimits=TIME_DIGITS)
@@ -103,7 +107,9 @@ def _draw_legend(made: Figure, axes: Axes, right: float, bottom: float) -> None:
     )  # fmt: skip
 
 
-def _limits(trajectory: Trajectory, bodies: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _limits(
+    trajectory: Trajectory, bodies: np.ndarray, largest: np.ndarray, smallest: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Corners (x, z) [mm] of a frame about all that is drawn, of a sensible shape."""
     half, hatch = _clamp_size(trajectory)
     corners = [1e3 * corner[None, :2] for corner in extremes(trajectory.tip)]
@@ -112,13 +118,13 @@ def _limits(trajectory: Trajectory, bodies: np.ndarray) -> tuple[np.ndarray, np.
     high = np.maximum(points.max(axis=0), (half, 0.0))
     margin = 0.04 * float(np.max(high - low))
     low, high = low - margin, high + margin
-    short = np.maximum(SMALLEST_AXES / _scale(low, high) - (high - low), 0.0)
+    short = np.maximum(smallest / _scale(low, high, largest) - (high - low), 0.0)
     return low - short / 2, high + short / 2
 
 
-def _scale(low: np.ndarray, high: np.ndarray) -> float:
+def _scale(low: np.ndarray, high: np.ndarray, largest: np.ndarray) -> float:
     """Inches for a millimetre."""
-    return float(np.min(LARGEST_AXES / (high - low)))
+    return float(np.min(largest / (high - low)))
 
 
 def _clamp_size(trajectory: Trajectory) -> tuple[float, float]:
@@ -129,8 +135,8 @@ def _clamp_size(trajectory: Trajectory) -> tuple[float, float]:
 def _draw_clamp(axes: Axes, trajectory: Trajectory) -> None:
     half, hatch = _clamp_size(trajectory)
     strokes = clamp_strokes(half, hatch, 12)
-    axes.add_collection(LineCollection(list(strokes), colors=INK, linewidths=0.7, zorder=3))
-    axes.plot([-half, half], [0, 0], color=INK, lw=1.5, solid_capstyle="butt", zorder=3)
+    axes.add_collection(LineCollection(list(strokes), colors=look().ink, linewidths=0.7, zorder=3))
+    axes.plot([-half, half], [0, 0], color=look().ink, lw=1.5, solid_capstyle="butt", zorder=3)
 
 
 def _draw_bodies(
@@ -139,11 +145,11 @@ def _draw_bodies(
     """Outlines in a light grey, axes in the colour of their time."""
     axes.add_collection(
         PolyCollection(
-            list(bodies), facecolors="#eeeeee", edgecolors=FAINT, linewidths=0.6, alpha=0.5
+            list(bodies), facecolors=look().body, edgecolors=look().faint, linewidths=0.6, alpha=0.5
         )
     )
     bent = LineCollection(
-        list(trajectory.shape[instants] * 1e3), cmap=SEQUENTIAL, linewidths=0.8, zorder=3
+        list(trajectory.shape[instants] * 1e3), cmap=look().sequential, linewidths=0.8, zorder=3
     )
     bent.set_array(trajectory.time[trajectory.shape_rows[instants]])
     bent.set_clim(*time_range(trajectory))

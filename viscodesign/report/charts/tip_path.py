@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.collections import LineCollection
 
 from viscodesign.report.layout.downsampling import stretches
-from viscodesign.report.layout.style import INK, SEQUENTIAL
+from viscodesign.report.layout.look import look
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
 
@@ -40,7 +40,7 @@ def draw_path(axes: Axes, trajectory: Trajectory, size: float = 1.0) -> LineColl
     rounds = way / max(float(np.sum(extent)), 1e-300)
     lines = LineCollection(
         [trajectory.tip[rows, :2] * 1e3 for rows in starts],
-        cmap=SEQUENTIAL,
+        cmap=look().sequential,
         linewidths=2.0 if rounds < MANY_ROUNDS else 1.0,
         capstyle="round",
         zorder=4,
@@ -49,17 +49,17 @@ def draw_path(axes: Axes, trajectory: Trajectory, size: float = 1.0) -> LineColl
     lines.set_clim(*time_range(trajectory))
     axes.add_collection(lines)
     _draw_arrows(axes, points, size)
-    common: dict[str, Any] = {"ls": "none", "mec": INK, "zorder": 6}
+    common: dict[str, Any] = {"ls": "none", "mec": look().ink, "zorder": 6}
     # Of different sizes, so that both are seen where they are one place.
     axes.plot(
         *(trajectory.tip[0, :2] * 1e3),
         marker="o",
-        mfc="white",
+        mfc=look().ground,
         ms=8 * size,
         label="start",
         **common,
     )
-    axes.plot(*points[-1], marker="s", mfc=INK, ms=3.5 * size, label="end", **common)
+    axes.plot(*points[-1], marker="s", mfc=look().ink, ms=3.5 * size, label="end", **common)
     return lines
 
 
@@ -90,5 +90,7 @@ def _draw_arrows(axes: Axes, points: np.ndarray, size: float) -> None:
         )
         axes.annotate(
             "", xy=(end[0], end[1]), xytext=(start[0], start[1]), zorder=5,
-            arrowprops={"arrowstyle": "-|>", "color": INK, "mutation_scale": 13 * size, "lw": 0},
+            arrowprops={
+                "arrowstyle": "-|>", "color": look().ink, "mutation_scale": 13 * size, "lw": 0,
+            },
         )  # fmt: skip

@@ -82,9 +82,9 @@ def _palette(first: Image) -> Image:
     """Colours of a frame, and of all pressures."""
     from PIL import Image
 
-    from viscodesign.report.layout.style import DIVERGING
+    from viscodesign.report.layout.look import look
 
-    bar = np.repeat(DIVERGING(np.linspace(0, 1, 64), bytes=True)[None, :, :3], 64, axis=0)
+    bar = np.repeat(look().diverging(np.linspace(0, 1, 64), bytes=True)[None, :, :3], 64, axis=0)
     both = Image.new("RGB", (first.width, first.height + 64), "white")
     both.paste(first, (0, 0))
     wide = Image.fromarray(np.ascontiguousarray(bar)).resize((first.width, 64))

@@ -13,11 +13,13 @@ from matplotlib.figure import Figure
 from viscodesign.report.film.film_plan import FilmOptions
 from viscodesign.report.layout.bellow_blocks import bellow_blocks
 from viscodesign.report.layout.downsampling import envelope
+from viscodesign.report.layout.look import drawn_as, look
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes
-from viscodesign.report.layout.style import ACCENT, FAINT, GREY, INK, own_style, shown
+from viscodesign.report.layout.style import own_style, shown
 from viscodesign.report.layout.tube_lines import inlet_places, tube_lines
 from viscodesign.report.page.shown_rows import shapes_near
+from viscodesign.report.picture_options import PictureOptions
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes, rows_at
 
@@ -26,7 +28,6 @@ if TYPE_CHECKING:
 
 WIDTH = 9.6
 """Width of the figure [inch]; pixels follow from its resolution."""
-COLUMN_COLOURS = {"R": "#1b7f79", "L": "#a3308f"}
 MOST_CURVES = 16
 """Largest number of curves of a column."""
 MOST_TUBES = 256
@@ -39,7 +40,7 @@ def film_frames(
 
     What does not move is drawn once; ``tubes`` are both ends of every tube.
     """
-    with own_style():
+    with drawn_as(PictureOptions(style="dark" if options.dark else "plain")), own_style():
         across, high = options.size
         dpi = across / WIDTH
         # A little more than whole pixels, which are counted by rounding down.
@@ -73,8 +74,8 @@ def _draw_title(made: Figure, run: Trajectory) -> None:
     if run.status != "complete":
         told = f"run {run.status}, ended at t = {run.time[-1]:.4g} s"
         made.text(
-            0.03, 0.895, told, va="top", size=10, weight="bold", color="white",
-            bbox={"facecolor": ACCENT, "edgecolor": "none", "pad": 3},
+            0.03, 0.895, told, va="top", size=10, weight="bold", color=look().ground,
+            bbox={"facecolor": look().accent, "edgecolor": "none", "pad": 3},
         )  # fmt: skip
 
 
@@ -97,17 +98,17 @@ class _Body:
         self._frame(rows)
         limits = np.hstack([extremes(run.pressure), extremes(run["inlet_pressure"])])
         colours, norm, occurring = pressure_colours(limits)
-        edges = INK if len(run.bellows) <= 64 else "face"
+        edges = look().ink if len(run.bellows) <= 64 else "face"
         self.cells = PolyCollection(
             [], cmap=colours, norm=norm, edgecolors=edges, linewidths=0.6, animated=True
         )
-        self.lines = LineCollection([], colors=INK, linewidths=1.1, animated=True)
-        self.axis = self.axes.plot([], [], color=INK, lw=1.2, animated=True)[0]
+        self.lines = LineCollection([], colors=look().ink, linewidths=1.1, animated=True)
+        self.axis = self.axes.plot([], [], color=look().ink, lw=1.2, animated=True)[0]
         self.inlets = inlet_places(run.inlets, tubes, self.width)
         across_mm, down_mm = np.transpose(list(self.inlets.values()))
         self.marks = self.axes.scatter(
             across_mm, down_mm, s=90, marker="v", c=[0.0] * len(run.inlets),
-            cmap=colours, norm=norm, edgecolors=INK, linewidths=0.8, animated=True,
+            cmap=colours, norm=norm, edgecolors=look().ink, linewidths=0.8, animated=True,
         )  # fmt: skip
         for part in (self.lines, self.cells):
             self.axes.add_collection(part)
@@ -127,10 +128,10 @@ class _Body:
         half, hatch = 0.7 * self.width, 0.14 * self.width
         plate = np.array([[(-half, 0.0), (half, 0.0)]])
         for lines, pen in ((clamp_strokes(half, hatch, 9), 0.8), (plate, 2.0)):
-            self.axes.add_collection(LineCollection(list(lines), colors=INK, linewidths=pen))
+            self.axes.add_collection(LineCollection(list(lines), colors=look().ink, linewidths=pen))
         if len(self.run.time) > 1:
             path = 1e3 * envelope(self.run.time, self.run.tip[:, :2])[1]
-            self.axes.plot(path[:, 0], path[:, 1], color=FAINT, lw=1.2, zorder=0)
+            self.axes.plot(path[:, 0], path[:, 1], color=look().faint, lw=1.2, zorder=0)
 
     def _bar(self, made: Figure, across: float, occurring: tuple[float, float]) -> None:
         place = made.add_axes((0.03 + 0.1 * across, 0.1, 0.8 * across, 0.022))
@@ -160,19 +161,19 @@ class _Curves:
     def __init__(self, made: Figure, run: Trajectory) -> None:
         self.run = run
         self.axes = made.add_axes((0.53, 0.14, 0.43, 0.68))
-        self.axes.grid(color="#e6e6e6", lw=0.6)
-        self.axes.axhline(0.0, color=GREY, lw=0.9)
+        self.axes.grid(color=look().grid, lw=0.6)
+        self.axes.axhline(0.0, color=look().grey, lw=0.9)
         start, end = float(run.time[0]), float(run.time[-1])
         self.axes.set(
             xlim=(start, end if end > start else start + 1.0),
             xlabel="time [s]", ylabel="gauge pressure [kPa]",
         )  # fmt: skip
         self._draw(self.axes)
-        self.cursor = self.axes.axvline(start, color=ACCENT, lw=1.4, animated=True)
+        self.cursor = self.axes.axvline(start, color=look().accent, lw=1.4, animated=True)
 
     def _draw(self, axes: Axes) -> None:
         run = self.run
-        for side, colour in COLUMN_COLOURS.items():
+        for side, colour in zip("RL", look().columns, strict=True):
             own = [k for k, name in enumerate(run.bellows) if name.startswith(side)]
             some = np.unique(np.linspace(0, len(own) - 1, min(len(own), MOST_CURVES)).astype(int))
             time, values = envelope(run.time, run.pressure)
@@ -181,7 +182,9 @@ class _Curves:
         time, inlets = envelope(run.time, run["inlet_pressure"])
         for k, name in enumerate(run.inlets):
             label = "inlet" if len(run.inlets) == 1 else f"inlet {shown(name, 12)}"
-            axes.plot(time, inlets[:, k] / 1e3, color=INK, lw=2, ls=("-", "--")[k > 0], label=label)
+            axes.plot(
+                time, inlets[:, k] / 1e3, color=look().ink, lw=2, ls=("-", "--")[k > 0], label=label
+            )
         axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, borderaxespad=0.2)
 
     def at(self, row: int) -> list[Any]:

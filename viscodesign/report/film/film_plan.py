@@ -30,7 +30,9 @@ class FilmOptions:
     width: int = 960
     """[pixel]; the height is 9/16 of it."""
     transparent: bool = False
-    """Instead of a white ground."""
+    """Instead of a ground."""
+    dark: bool = False
+    """A dark ground with light lines; where it is transparent, for one."""
     pressures: bool = True
     """Whether the pressures are drawn against time beside the actuator."""
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.layout.look import look
 
-COLOURS = ("#000000", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-"""Okabe-Ito, without its yellow, which is too pale for a line; the first motion is black."""
 DASHES: tuple[Sequence[float], ...] = ((), (5, 2), (1.2, 1.2), (6, 1.6, 1.2, 1.6))
 
 
@@ -22,4 +21,5 @@ class LineStyle:
 
 def line_style(k: int) -> LineStyle:
     """The style of the k-th motion; after all colours the dashes change."""
-    return LineStyle(COLOURS[k % len(COLOURS)], DASHES[(k // len(COLOURS)) % len(DASHES)])
+    colours = look().motions
+    return LineStyle(colours[k % len(colours)], DASHES[(k // len(colours)) % len(DASHES)])

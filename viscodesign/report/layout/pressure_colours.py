@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.colors import Colormap, ListedColormap, Normalize
 
-from viscodesign.report.layout.style import DIVERGING
+from viscodesign.report.layout.look import look
 from viscodesign.storage.disk_arrays import extremes
 
 
@@ -20,8 +20,8 @@ def pressure_colours(pressure: np.ndarray) -> tuple[Colormap, Normalize, tuple[f
     low, high = float(lows.min()) / 1e3, float(highs.max()) / 1e3
     largest = max(abs(low), abs(high))
     if largest == 0.0:
-        return DIVERGING, Normalize(-1.0, 1.0), (-1.0, 1.0)
+        return look().diverging, Normalize(-1.0, 1.0), (-1.0, 1.0)
     if low * high > 0 and 1e-6 * largest < high - low < 0.4 * largest:
         part = np.linspace(0.55, 1.0, 256) if low > 0 else np.linspace(0.0, 0.45, 256)
-        return ListedColormap(DIVERGING(part)), Normalize(low, high), (low, high)
-    return DIVERGING, Normalize(-largest, largest), (min(low, 0.0), max(high, 0.0))
+        return ListedColormap(look().diverging(part)), Normalize(low, high), (low, high)
+    return look().diverging, Normalize(-largest, largest), (min(low, 0.0), max(high, 0.0))

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.font_manager import findfont, get_font
 
 from viscodesign.report.layout.drawing_library import plain_settings
 from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS
+from viscodesign.report.layout.look import look
 from viscodesign.report.layout.png import png_bytes
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import replaced
@@ -39,6 +39,7 @@ RC: Any = {
     "legend.frameon": False,
     "hatch.linewidth": 0.6,
     "savefig.dpi": 200,
+    "pdf.fonttype": 42,  # as letters that a publisher can edit
     # Names are printed as they are: a dollar sign in one is no formula.
     "text.parse_math": False,
     "text.usetex": False,
@@ -49,20 +50,12 @@ SAVING: Any = {
     "pdf": {"metadata": {"CreationDate": None}},
 }
 """How other formats than PNG are written: the same picture is the same file."""
-INK = "#222222"
-GREY = "#8a8a8a"
-FAINT = "#b8b8b8"
-ACCENT = "#d55e00"
-"""Vermillion of the Okabe-Ito set."""
-INLET_COLOURS = (ACCENT, "#cc79a7", "#000000", "#e69f00")
-"""Okabe-Ito colours that do not occur in `SEQUENTIAL`."""
-SEQUENTIAL = ListedColormap(mpl.colormaps["viridis"](np.linspace(0.0, 0.9, 256)))
-"""Without its palest part, which is invisible on paper."""
-DIVERGING = mpl.colormaps["RdBu_r"]
-
 TIME_DIGITS = (-4, 5)
 """Powers of ten between which times are written in full; five digits fit."""
-TITLE_ROOM = 0.34
+TITLE_ROOM, NO_TITLE_ROOM = 0.34, 0.08
+"""Above a picture with a title, and without one [inch]."""
+TITLE, SMALLEST_TITLE = 10.0, 7.0
+"""Font sizes [pt]; a smaller one where the width that was asked for needs it."""
 BANNER_LINE = 0.17
 BANNER_LINES = 3
 
@@ -77,7 +70,7 @@ class Screen:
         """A new figure of this size [inch], with a colour behind it that the text is made for."""
         from matplotlib import pyplot
 
-        return pyplot.figure(figsize=(width, height), facecolor="white")
+        return pyplot.figure(figsize=(width, height), facecolor=look().ground)
 
 
 Target = Path | Screen
@@ -86,11 +79,12 @@ Target = Path | Screen
 
 @contextlib.contextmanager
 def own_style() -> Iterator[None]:
-    """This style, whatever the settings of the user's are, such as a dark theme."""
+    """The look in force, whatever the settings of the user's are, such as a dark theme."""
     settings: Any = mpl.rcParams
     with mpl.rc_context():
         dict.update(settings, plain_settings())  # valid already: checking all takes long
-        settings.update(RC)
+        settings.update(RC | look().settings)
+        settings["savefig.dpi"] = RC["savefig.dpi"] * look().enlarged
         yield
 
 
@@ -112,7 +106,7 @@ def picture(path: Target, width: float, height: float) -> Iterator[Figure]:
         kind = path.suffix.lstrip(".").lower() or "png"
         with replaced(path) as file:
             if kind == "png":
-                file.write(png_bytes(_pixels(made, canvas), RC["savefig.dpi"]))
+                file.write(png_bytes(_pixels(made, canvas), mpl.rcParams["savefig.dpi"]))
             else:
                 made.savefig(file, format=kind, **SAVING.get(kind, {}))
 
@@ -131,9 +125,27 @@ def axes_at(made: Figure, left: float, bottom: float, width: float, height: floa
     return made.add_axes((left / across, bottom / up, width / across, height / up))
 
 
+def title_room() -> float:
+    """Height [inch] that `draw_title` takes."""
+    return TITLE_ROOM if look().titles else NO_TITLE_ROOM
+
+
+def draw_title(made: Figure, words: str, left: float, below: float = 0.0) -> None:
+    """Words from ``left``, ``below`` the upper edge [inch]; none in a look without titles."""
+    if not look().titles:
+        return
+    width, height = made.get_size_inches()
+    size = TITLE
+    if look().width is not None:
+        room = (width - left) * POINTS / CHARACTER_WIDTH
+        size = min(TITLE, max(SMALLEST_TITLE, room / len(words)))
+        words = shown(words, int(room / size))
+    made.text(left / width, (height - below - 0.21) / height, words, size=size, va="baseline")
+
+
 def head_room(trajectory: Trajectory, width: float) -> float:
     """Height [inch] that `head` takes on a figure of ``width``."""
-    return TITLE_ROOM + BANNER_LINE * len(_banner_lines(trajectory, width))
+    return title_room() + BANNER_LINE * len(_banner_lines(trajectory, width))
 
 
 def head(made: Figure, trajectory: Trajectory, words: str, left: float) -> None:
@@ -141,16 +153,15 @@ def head(made: Figure, trajectory: Trajectory, words: str, left: float) -> None:
     width, height = made.get_size_inches()
     lines = _banner_lines(trajectory, width)
     top = height - BANNER_LINE * len(lines)
-    size = 10.0
-    title = f"{shown(trajectory.name, _characters(width - left, size) - len(words) - 2)}: {words}"
-    made.text(left / width, (top - 0.21) / height, title, size=size, va="baseline")
+    name = shown(trajectory.name, _characters(width - left, TITLE) - len(words) - 2)
+    draw_title(made, f"{name}: {words}", left, height - top)
     if lines:
         axes = axes_at(made, 0, top, width, height - top)
         axes.set_axis_off()
-        axes.add_patch(mpl.patches.Rectangle((0, 0), 1, 1, facecolor=ACCENT))
+        axes.add_patch(mpl.patches.Rectangle((0, 0), 1, 1, facecolor=look().warning))
         axes.text(
             0.5, 0.5, "\n".join(lines), ha="center", va="center_baseline",
-            color="white", weight="bold", size=8, linespacing=1.15,
+            color=look().ground, weight="bold", size=8, linespacing=1.15,
         )  # fmt: skip
 
 

@@ -15,9 +15,8 @@ from tests.studies import MODELS, POINTS, REFERENCE, STEPLESS, made_study, point
 from tests.unit.report.charts.conftest import Save, assert_on_page, words
 from viscodesign.report.charts.accuracy import draw_accuracy
 from viscodesign.report.charts.accuracy_axes import percent_words, time_words
-from viscodesign.report.charts.accuracy_key import COLOURS
 from viscodesign.report.charts.accuracy_labels import MOST_LABELS
-from viscodesign.report.layout.style import ACCENT
+from viscodesign.report.layout.look import PLAIN
 from viscodesign.results.accuracy_points import Model
 from viscodesign.results.accuracy_study import AccuracyStudy
 
@@ -74,7 +73,7 @@ def test_every_point_has_its_mark_full_on_the_front(drawn: Drawn) -> None:
     assert len(found) == len(POINTS)
     for one in study.points:
         line = found[one.solve_s, one.tip_error_rel]
-        colour = COLOURS[[m.name for m in MODELS].index(one.model)]
+        colour = PLAIN.models[[m.name for m in MODELS].index(one.model)]
         assert to_hex(line.get_markeredgecolor()) == colour  # type: ignore[arg-type]
         full = to_hex(line.get_markerfacecolor()) == colour  # type: ignore[arg-type]
         assert full != one.dominated
@@ -95,7 +94,7 @@ def test_the_recommended_setting_has_a_ring_and_a_label(drawn: Drawn) -> None:
     figure = drawn(made_study())
     (circle,) = ring(figure)
     assert float(circle.get_xdata()[0]) == 0.012  # type: ignore[index, arg-type]
-    assert to_hex(circle.get_markeredgecolor()) == ACCENT  # type: ignore[arg-type]
+    assert to_hex(circle.get_markeredgecolor()) == PLAIN.accent  # type: ignore[arg-type]
     assert "recommended for 0.5 %:\nauto, idas, 1 edge, tol 3e-3, 12 ms" in words(figure)
     assert ring(drawn(made_study(requested_rel=1e-7))) == []
 

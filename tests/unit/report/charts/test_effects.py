@@ -14,8 +14,8 @@ from matplotlib.patches import Rectangle
 
 from tests.trajectories import VERDICTS, ablated_run, verdict
 from tests.unit.report.charts.conftest import Save, assert_on_page, words
-from viscodesign.report.charts.effects import MEASURED, SMALLEST_BAR, draw_effects, effect_rows
-from viscodesign.report.layout.style import ACCENT
+from viscodesign.report.charts.effects import SMALLEST_BAR, draw_effects, effect_rows
+from viscodesign.report.layout.look import PLAIN
 from viscodesign.results.findings import EffectAblation
 from viscodesign.results.trajectory import Accuracy, Trajectory
 
@@ -93,8 +93,8 @@ def test_measured_and_estimated_differ_in_colour_the_decision_in_hatching(drawn:
         assert not found[taken, measured].get_hatch()
         assert found[left_out, measured].get_hatch()
         assert to_hex(found[left_out, measured].get_facecolor()) == "#ffffff"
-    assert to_hex(found[taken, True].get_facecolor()) == MEASURED
-    assert to_hex(found[taken, False].get_facecolor()) != MEASURED
+    assert to_hex(found[taken, True].get_facecolor()) == to_hex(PLAIN.main)
+    assert to_hex(found[taken, False].get_facecolor()) != to_hex(PLAIN.main)
 
 
 def test_the_requested_error_is_a_labelled_line(drawn: Drawn) -> None:
@@ -108,7 +108,9 @@ def test_the_requested_error_is_a_labelled_line(drawn: Drawn) -> None:
 
 def test_a_neglected_but_significant_effect_stands_out(drawn: Drawn) -> None:
     figure = drawn(ablated_run())
-    wrong = [label for label in figure.axes[0].get_yticklabels() if label.get_color() == ACCENT]
+    wrong = [
+        label for label in figure.axes[0].get_yticklabels() if label.get_color() == PLAIN.warning
+    ]
     assert [label.get_text() for label in wrong] == ["gravity\nNEGLECTED BUT SIGNIFICANT"]
     assert "inertia\nincluded" in names(figure)
     assert "feedback\nneglected" in names(figure)
