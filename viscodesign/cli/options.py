@@ -58,7 +58,8 @@ PictureFormat = Annotated[
 PictureStyle = Annotated[
     Literal["plain", "paper", "talk", "dark"],
     typer.Option(
-        "--style", help="Of the pictures: paper has no titles, talk is large, dark is on dark."
+        "--style",
+        help="Style of the pictures: paper has no titles, talk is large, dark is on dark.",
     ),
 ]
 PictureWidth = Annotated[
@@ -66,7 +67,7 @@ PictureWidth = Annotated[
     typer.Option(
         "--width",
         metavar="MM",
-        help="Of the pictures: single (89 mm), double (183 mm) or 80 to 400 mm; paper: double.",
+        help="Width of the pictures: single (89 mm), double (183 mm) or 80 to 400 mm; paper: double.",
     ),
 ]
 Force = Annotated[bool, typer.Option("--force", help="Write even if the folder holds other files.")]

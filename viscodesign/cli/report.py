@@ -58,7 +58,7 @@ def command(
         typer.Option(
             "--picture-width",
             metavar="MM",
-            help="Of the pictures: single (89 mm), double (183 mm) or 80 to 400 mm.",
+            help="Width of the pictures: single (89 mm), double (183 mm) or 80 to 400 mm.",
         ),
     ] = None,
     json: Json = False,

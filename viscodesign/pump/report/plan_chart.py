@@ -25,7 +25,7 @@ PANELS = 4 * TALL + 3 * GAP
 LEAST_WIDTH = 6.4
 """All in inches: the least width with the tip's paths on the right; else they are below."""
 MOST_ENTRIES = 8
-"""Of the key."""
+"""Largest number of entries of the key."""
 LEAD_SHOWN = 0.2
 """Largest part of a lead-in that is drawn, as a share of the run."""
 WANTED: dict[str, Any] = {"lw": 3.2, "alpha": 0.4, "solid_capstyle": "butt"}

@@ -30,7 +30,7 @@ LEFT, BOTTOM, SIZE, ABOVE, RIGHT = 0.72, 0.55, 4.6, 0.15, 0.2
 KEY_WIDTH, KEY_LINE, LEAST_SIZE = 2.2, 0.16, 3.4
 """All in inches; the key goes below where it would leave a plane less than the least size."""
 WORDS_SIZE, NARROW_WORDS_SIZE = 8.5, 6.5
-"""Of the words in the quadrants [pt]; the second on a plane less than the least size."""
+"""Letters of the words in the quadrants [pt]; the second size on a smaller plane."""
 LARGEST_DECADE = 9
 """Ratios beyond ten to this, up or down, are drawn at the edge."""
 EDGE_DISTANCE = 0.022
