@@ -67,7 +67,7 @@ PictureWidth = Annotated[
     typer.Option(
         "--width",
         metavar="MM",
-        help="Width of the pictures: single (89 mm), double (183 mm) or 80 to 400 mm; paper: double.",
+        help="Width of the pictures: single (89 mm), double (183 mm; paper), or 80 to 400 mm.",
     ),
 ]
 Force = Annotated[bool, typer.Option("--force", help="Write even if the folder holds other files.")]

@@ -14,11 +14,14 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Spec,
 )
 from viscodesign.errors import ViscodesignError
+from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.stand_study import StandStudy
@@ -51,6 +54,8 @@ def command(
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -62,6 +67,7 @@ def command(
     barrel that a crouch needs; writes stand.csv, stand.json and stand.png. A robot
     that is heavier than its legs bear exits with 3 and says what they bear.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign import stand as study_of
     from viscodesign.cli.output import say_result
     from viscodesign.cli.run_folders import folder_name
@@ -74,9 +80,7 @@ def command(
     folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_stand"
     prepare_folder(folder, force=force)
     study = study_of(scene, **({"height_ratios": crouch} if crouch else {}))
-    files = write_stand(
-        study, folder, plots=not no_plots, force=force, picture_format=picture_format
-    )
+    files = write_stand(study, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(study.document(), files, stand_lines(study, folder, files), json, quiet)
     _refuse_sway(study)
 

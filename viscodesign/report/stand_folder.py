@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from viscodesign.report.csv_text import csv_table
-from viscodesign.report.folder import STAND_FILES, Format
+from viscodesign.report.folder import STAND_FILES
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.stand_study import StanceRow, StandStudy
 
 NAMES = tuple(field.name for field in fields(StanceRow))
@@ -20,7 +21,7 @@ def write_stand(
     *,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a study's table, document and picture, and return them."""
 
@@ -36,7 +37,7 @@ def write_stand(
         study.document(),
         draw if plots else None,
         force=force,
-        picture_format=picture_format,
+        pictures=pictures,
     )
 
 

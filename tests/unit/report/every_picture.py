@@ -28,6 +28,7 @@ from viscodesign.report.charts.pressures import draw_pressures
 from viscodesign.report.charts.quadrants import draw_plane
 from viscodesign.report.charts.reach import draw_reach
 from viscodesign.report.charts.shapes import draw_shapes
+from viscodesign.report.charts.stand import draw_stand
 from viscodesign.report.charts.sweep import draw_sweep
 from viscodesign.report.charts.tip import draw_tip
 from viscodesign.report.charts.tornado import draw_tornado
@@ -130,6 +131,15 @@ def _poses() -> Any:
     )  # fmt: skip
 
 
+def _stand() -> Any:
+    rows = [
+        SimpleNamespace(gauge_pressure_pa=g, height_m=0.1 + 1e-6 * g, sway_limit_n=5 + 1e-4 * g,
+                        tip_stiffness_n_per_m=20 + 1e-3 * g, weight_n=6.0)
+        for g in (-1e4, 0.0, 1e4)
+    ]  # fmt: skip
+    return SimpleNamespace(name="hexapod", own=rows[1], by_gauge=rows)
+
+
 def _comparison() -> Any:
     failed = replace(
         made_run(time=np.linspace(0, 3, 151), bending=0.8), name="bent", status="failed",
@@ -166,6 +176,7 @@ EVERY: dict[str, Subject] = {
     "sweep_line": (_draw_sweep, lambda: sweep_over(LENGTH)),
     "sweep_map": (_draw_sweep, lambda: sweep_over(RADIUS, FLUID)),
     "sweep_keys": (_draw_sweep, lambda: sweep_over(LENGTH, RADIUS, FLUID)),
+    "stand": (draw_stand, _stand),
     "tornado": (draw_tornado, lambda: _sensitivity(True)),
     "tornado_shifts": (draw_tornado, lambda: _sensitivity(False)),
     "plan": (draw_plan, _plan),
