@@ -50,6 +50,10 @@ def command(
         typer.Option("--budget", metavar="TIME", help="Time of the search, such as `5 min`."),
     ] = None,
     seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of the starts.")] = 0,
+    workers: Annotated[
+        int | None,
+        typer.Option("--workers", min=1, metavar="N", help="Processes; by default one a core."),
+    ] = None,
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
@@ -87,7 +91,9 @@ def command(
             is_known = math.isfinite(best_m)
             advance(fraction, f"best so far {1e3 * best_m:.3g} mm rms" if is_known else "")
 
-        found = find(target, overrides or (), budget=seconds, seed=seed, progress=tell)
+        found = find(
+            target, overrides or (), budget=seconds, seed=seed, workers=workers, progress=tell
+        )
     files = write_design(found, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(found.document(), files, design_lines(found, folder, files), json, quiet)
     _end(found, folder)

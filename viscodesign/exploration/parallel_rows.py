@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Self, TypeVar
 
 from viscodesign.interrupt import STOP_SIGNALS, StopRequest
 from viscodesign.lazy_dataclass import dataclass
@@ -81,32 +81,54 @@ def compute_in_processes(
     A process that dies costs its chunk, which comes back without results; another takes its
     place.
     """
-    waiting, pools = deque(chunks), [_pool(work) for _ in range(workers)]
-    free, running = list(range(workers)), dict[Future[list[Result]], tuple[int, list[Row]]]()
-    try:
+    with RowProcesses(work, workers) as processes:
+        yield from processes.compute(chunks, stop)
+
+
+class RowProcesses(Generic[Row, Result]):
+    """Processes that compute chunks, in one round or in several."""
+
+    def __init__(self, work: Work[Row, Result], workers: int) -> None:
+        self._work = work
+        self._pools = [_pool(work) for _ in range(workers)]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for pool in self._pools:
+            pool.shutdown(wait=True, cancel_futures=True)
+
+    def compute(
+        self, chunks: Iterable[list[Row]], stop: StopRequest
+    ) -> Iterator[Chunk[Row, Result]]:
+        """Results of chunks as they come, as `compute_in_processes` has them."""
+        waiting, free = deque(chunks), list(range(len(self._pools)))
+        running: dict[Future[list[Result]], tuple[int, list[Row]]] = {}
         while waiting or running:
             while waiting and free and not stop.asked:
                 place, rows = free.pop(), waiting.popleft()
-                running[_submit(pools[place], rows)] = place, rows
+                running[_submit(self._pools[place], rows)] = place, rows
             if not running:
                 return
             done, _ = wait(running, LOOK_S, FIRST_COMPLETED)
             for future in done:
                 place, rows = running.pop(future)
                 free.append(place)
-                try:
-                    found = future.result()
-                except BrokenProcessPool:
-                    pools[place].shutdown(wait=False)
-                    pools[place] = _pool(work)
-                    yield Chunk(rows, [])
-                    continue
-                if len(found) < len(rows):
+                found = self._found(future, place)
+                if found is not None and len(found) < len(rows):
                     waiting.appendleft(rows[len(found) :])
-                yield Chunk(rows[: len(found)], found)
-    finally:
-        for pool in pools:
-            pool.shutdown(wait=True, cancel_futures=True)
+                    rows = rows[: len(found)]
+                yield Chunk(rows, found or [])
+
+    def _found(self, future: Future[list[Result]], place: int) -> list[Result] | None:
+        """Results of a chunk; None where its process died, whose place another takes."""
+        try:
+            return future.result()
+        except BrokenProcessPool:
+            self._pools[place].shutdown(wait=False)
+            self._pools[place] = _pool(self._work)
+            return None
 
 
 def _pool(work: Work[Row, Result]) -> ProcessPoolExecutor:

@@ -7,6 +7,7 @@ import time as clock
 import numpy as np
 
 from viscodesign.errors import Fault, SolveError, SpecError, UsageError
+from viscodesign.exploration.parallel_rows import available_cores
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.inverse.alternatives import alternatives
 from viscodesign.inverse.beyond_reach import beyond_reach
@@ -39,6 +40,7 @@ def design(
     *,
     budget: float | None = None,
     seed: int = 0,
+    workers: int | None = None,
     progress: Progress | None = None,
 ) -> PathDesign:
     """Find the free numbers, the graph and the input that make the tip follow a path.
@@ -46,8 +48,11 @@ def design(
     ``target``: a `TARGET.yaml` as `load` takes a spec; ``overrides`` of keys of its spec;
     ``budget`` [s] instead of its own. Least squares from several starts, by ``seed``, with exact
     derivatives of the scene's own model; the result is simulated with the effects that it calls
-    for. The same seed gives the same design, unless time ends the search. ``progress`` is called
+    for. Graphs are tried in ``workers`` processes, by default one a core. ``progress`` is called
     with the part of the budget that is spent and the best distance so far [m].
+
+    The budget plans how many graphs are tried, and the same task, budget and seed give the same
+    design for any number of workers, unless the budget ends the search: the answer then says so.
 
     Ctrl-C raises nothing: the best so far is confirmed and returned, and says so. Raises
     `SpecError` for a task that makes no sense; one that cannot be met is an answer.
@@ -62,6 +67,8 @@ def design(
     seconds = read.spec.budget if budget is None else budget
     if not seconds > 0.0:
         raise UsageError(f"budget: must be a time above 0 s; got {seconds:g}")
+    if workers is not None and workers < 1:
+        raise UsageError(f"workers: must be 1 or more; got {workers}")
     with gentle_interrupt(second_raises=True) as stop:
         task = SearchTask(
             wanted=wanted,
@@ -73,6 +80,7 @@ def design(
             log=SearchLog(began),
             seed=seed,
             progress=progress,
+            workers=workers or available_cores(),
         )
         return _refused(task, scene) or _designed(task, scene)
 
@@ -127,7 +135,7 @@ def _designed(task: SearchTask, scene: Scene) -> PathDesign:
         allowed = task.tolerance_m
         missed = designs[0].distance.meets(allowed) and not confirmed.distance.meets(allowed)
         pinned = {name: "on" for name in confirmed.effects}
-        if not missed or task.is_over or not task.choice.ranges:
+        if not missed or not task.choice.ranges or task.is_over:
             break
         posed = found.replace({"effects": pinned})
     return _finished(task, scene, designs, found, confirmed)
@@ -168,6 +176,8 @@ def _finished(
         evaluations=task.log.evaluations,
         wall_s=clock.perf_counter() - task.log.began,
         interrupted=task.stop.asked,
+        ended_by_budget=task.log.is_cut,
+        lost_graphs=task.log.lost_graphs,
     )
 
 

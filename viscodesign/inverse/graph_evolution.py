@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+import math
 import random
 
 import numpy as np
 
+from viscodesign.inverse.graph_trials import GraphTrials, graph_trials
 from viscodesign.inverse.quick_fit import QUICK_EVALUATIONS, QuickCandidate, QuickFit
 from viscodesign.inverse.quick_starts import QuickStarts
 from viscodesign.inverse.tree_changes import changed_chain, changed_tree
 from viscodesign.inverse.tree_graph import TreeGraph, mirrored, straight
 
+GraphPair = tuple[TreeGraph, np.ndarray]
+"""A graph, and the numbers from which it is fitted."""
 CHANGE_EVALUATIONS = 15
 MORE_CHANGES, MOST_MORE_CHANGES = 0.25, 4
 """Chance of one more change at once, and how many more there may be."""
-MOST_CHANGES, MOST_PLAIN_CHANGES = 1500, 20_000
-"""Limits of graphs whose numbers are fitted, and of such as have none that are free."""
+CHANGES_PER_S, PLAIN_CHANGES_PER_S = 2.5, 150.0
+"""Changed graphs for each second of the budget, whose numbers are fitted, and of such as have none
+that are free: about a quarter of what an idle core does, so that the budget seldom ends the search,
+and a busy machine finds what an idle one does."""
+GENERATION, PLAIN_GENERATION = 16, 64
+"""Graphs that are changed from the same elite, and tried side by side."""
+MOST_DRAWS = 50
+"""Changes in a row that lead to known graphs only, after which a generation is complete."""
 ELITE, PLAIN_ELITE = 8, 24
 """Graphs that are changed, the best the most: with numbers that are fitted, and without."""
 
@@ -26,6 +36,8 @@ class GraphEvolution:
     def __init__(self, fit: QuickFit) -> None:
         self._fit, self._starts = fit, QuickStarts(fit)
         self._random = random.Random(fit.task.seed)
+        self._seen: set[object] = set()
+        self._has_numbers = fit.ranges is not None
         self._slots = {
             int(number.path[2]): k
             for k, number in enumerate(self._fit.keys.numbers)
@@ -34,38 +46,66 @@ class GraphEvolution:
         """Place of each tube's length among the numbers, by the tube."""
 
     def best(self) -> list[QuickCandidate]:
-        """The best after many changes, each from one of the best so far."""
-        seen = {graph.key: graph for graph in self._first_graphs()}
-        starts = [*self._starts.drawn(3)] if self._fit.ranges is not None else [np.zeros(0)]
-        pool = [
-            self._fit.fitted(g, s, QUICK_EVALUATIONS) for g in seen.values() for s in starts[:2]
-        ]
-        elite = self._best(pool)
-        near = 0.2 if self._fit.task.choice.ranges else 0.05
-        for _ in range(MOST_CHANGES if self._fit.ranges is not None else MOST_PLAIN_CHANGES):
-            if self._fit.is_over or elite[0].away_m < near * self._fit.task.tolerance_m:
-                break
-            place = min(int(self._random.expovariate(4.0 / self._elite)), len(elite) - 1)
-            parent = elite[place]
-            graph = self._changed(parent.graph)
-            for _ in range(MOST_MORE_CHANGES):
-                # Beside the best all are known sooner or later: look farther off.
-                if graph.key in seen or self._random.random() < MORE_CHANGES:
-                    graph = self._changed(graph)
-            if graph.key in seen:
-                continue
-            seen[graph.key] = graph
-            values = self._moved(parent, graph)
-            try:
-                child = self._fit.fitted(graph, values, CHANGE_EVALUATIONS)
-            except KeyboardInterrupt:
+        """The best after many changes, each from one of the best so far; none without a fit."""
+        with graph_trials(self._fit) as trials:
+            elite = self._evolved(trials)
+            if self._fit.task.stop.asked:
                 return elite
-            if child.away_m < elite[-1].away_m:
-                elite = self._best([*elite, child])
-                self._fit.task.tell()
-        if self._fit.task.stop.asked:
-            return elite
-        return [self._fit.fitted(one.graph, one.values, 2 * QUICK_EVALUATIONS) for one in elite]
+            pairs = [(one.graph, one.values) for one in elite]
+            finer = trials.fitted(pairs, 2 * QUICK_EVALUATIONS)
+        return [finer.get(k, one) for k, one in enumerate(elite)]
+
+    def _evolved(self, trials: GraphTrials) -> list[QuickCandidate]:
+        """The elite at the end."""
+        first = self._first_pairs()
+        self._seen = {graph.key for graph, _ in first}
+        elite = self._best([*trials.fitted(first, QUICK_EVALUATIONS).values()])
+        near = 0.2 if self._fit.task.choice.ranges else 0.05
+        left = self._planned
+        while elite and left > 0 and elite[0].away_m >= near * self._fit.task.tolerance_m:
+            changed = self._generation(elite, left)
+            if not changed or self._fit.is_over:
+                break
+            left -= len(changed)
+            elite = self._best([*elite, *trials.fitted(changed, CHANGE_EVALUATIONS).values()])
+            self._fit.task.tell()
+        return elite
+
+    @property
+    def _planned(self) -> int:
+        """Changed graphs that are tried."""
+        per_second = CHANGES_PER_S if self._has_numbers else PLAIN_CHANGES_PER_S
+        return math.ceil(per_second * self._fit.task.budget_s)
+
+    def _generation(self, elite: list[QuickCandidate], most: int) -> list[GraphPair]:
+        """New graphs, each changed from one of the elite, with the numbers that it had."""
+        size = min(most, GENERATION if self._has_numbers else PLAIN_GENERATION)
+        found: list[GraphPair] = []
+        failed = 0
+        while len(found) < size and failed < MOST_DRAWS:
+            place = min(int(self._random.expovariate(4.0 / self._elite)), len(elite) - 1)
+            graph = self._new_graph(elite[place].graph)
+            if graph.key in self._seen:
+                failed += 1
+                continue
+            failed = 0
+            self._seen.add(graph.key)
+            found.append((graph, self._moved(elite[place], graph)))
+        return found
+
+    def _new_graph(self, parent: TreeGraph) -> TreeGraph:
+        graph = self._changed(parent)
+        for _ in range(MOST_MORE_CHANGES):
+            # Beside the best all are known sooner or later: look farther off.
+            if graph.key in self._seen or self._random.random() < MORE_CHANGES:
+                graph = self._changed(graph)
+        return graph
+
+    def _first_pairs(self) -> list[GraphPair]:
+        """The first graphs, each from two starts."""
+        graphs = {graph.key: graph for graph in self._first_graphs()}.values()
+        starts = [*self._starts.drawn(3)][:2] if self._has_numbers else [np.zeros(0)]
+        return [(graph, start) for graph in graphs for start in starts]
 
     def _first_graphs(self) -> list[TreeGraph]:
         plain = straight(self._fit.sections)
@@ -104,4 +144,4 @@ class GraphEvolution:
 
     @property
     def _elite(self) -> int:
-        return ELITE if self._fit.ranges is not None else PLAIN_ELITE
+        return ELITE if self._has_numbers else PLAIN_ELITE

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from viscodesign.errors import SolveError
 from viscodesign.inverse.graph_evolution import GraphEvolution
+from viscodesign.inverse.graph_trials import graph_trials
 from viscodesign.inverse.number_search import NumberDesign, search_numbers
 from viscodesign.inverse.quick_fit import QUICK_EVALUATIONS, QuickCandidate, QuickFit
 from viscodesign.inverse.quick_starts import QuickStarts
@@ -22,10 +23,15 @@ FEW_GRAPHS = 800
 """Graphs that are all tried."""
 RANKED = 40
 """Graphs whose numbers are fitted quickly after all were tried."""
+RANKED_AT_ONCE = 8
+"""Of these, graphs between two looks at the clock."""
 FULL_GRAPHS = 6
 """Graphs that go on to the scene's own model."""
 DIFFERENT = 1.5
 """Times the tolerance, from which a quick distance is not worth a solution if others are near."""
+MET_SHARE, PLAIN_MET_SHARE = 0.9, 0.1
+"""Parts of the tolerance at which no other graph is solved: where numbers are fitted, and where
+only the right graph comes near."""
 
 
 def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
@@ -44,6 +50,8 @@ def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
     if task.stop.asked:
         return [fit.unsolved(candidates[0])]
     for candidate in candidates:
+        if found and (_is_enough(task, found) or task.is_over):
+            break
         try:
             found += search_numbers(
                 task,
@@ -54,15 +62,13 @@ def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
             )
         except SolveError as one:
             error = one
-        if task.is_over or _is_enough(task, found):
-            break
     if not found:
         raise error or KeyboardInterrupt
     return sorted(found, key=lambda one: one.distance.total_m)
 
 
 def _is_enough(task: SearchTask, found: list[NumberDesign]) -> bool:
-    share = 0.1 if not task.choice.ranges else 0.7
+    share = MET_SHARE if task.choice.ranges else PLAIN_MET_SHARE
     return bool(found) and min(d.distance.total_m for d in found) < share * task.tolerance_m
 
 
@@ -103,12 +109,11 @@ def _ranked(fit: QuickFit, graphs: list[TreeGraph]) -> list[QuickCandidate]:
     found.sort(key=lambda one: one.away_m)
     if fit.ranges is None:
         return found
-    fitted = []
-    for one in found[:RANKED]:
-        try:
-            fitted.append(fit.fitted(one.graph, one.values, QUICK_EVALUATIONS))
-        except KeyboardInterrupt:
-            return sorted([*fitted, *found[:1]], key=lambda one: one.away_m)
-        if fit.is_over:
-            break
-    return sorted(fitted, key=lambda one: one.away_m)
+    fitted: list[QuickCandidate] = []
+    with graph_trials(fit) as trials:
+        for k in range(0, min(RANKED, len(found)), RANKED_AT_ONCE):
+            if fitted and fit.is_over:
+                break
+            pairs = [(one.graph, one.values) for one in found[k : k + RANKED_AT_ONCE]]
+            fitted += trials.fitted(pairs, QUICK_EVALUATIONS).values()
+    return sorted(fitted or found[:1], key=lambda one: one.away_m)

@@ -20,8 +20,10 @@ def limiting_reason(task: SearchTask, best: NumberDesign, run: Confirmation | No
         parts.append("interrupted: this is the best so far, not confirmed")
         if not task.log.evaluations:
             parts.append("its distances are those of a linear network and a rod of arcs")
+    elif task.log.is_cut:
+        parts.append(f"ended by its budget of {task.budget_s:g} s; give it a larger one")
     elif best.status == "unfinished":
-        parts.append("the search ran out of time; give it a larger budget")
+        parts.append("its evaluations are used up; go on with its spec.yaml as `spec`")
     if best.at_bounds:
         shown = ", ".join(best.at_bounds[:MOST_NAMES])
         more = len(best.at_bounds) - MOST_NAMES

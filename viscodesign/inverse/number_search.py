@@ -99,7 +99,8 @@ def search_numbers(
         model = CompiledTip(function, task.wanted.is_free_loop)
         residuals = PathResiduals(model, task.wanted, limits, allowed_m=task.tolerance_m)
         fit = _fit(task, residuals, ranges, function.values, graph, several_starts and not turn)
-        if turn == MOST_ROUNDS - 1 or task.is_over or function.judge(fit.values).suits:
+        is_last = turn == MOST_ROUNDS - 1 or (fit.status == "unfinished" and task.is_over)
+        if is_last or function.judge(fit.values).suits or task.is_over:
             return _designs_of(task, model, fit, ranges, limits)
         here = function.scene(fit.values)
     raise AssertionError("the last round returns")

@@ -8,6 +8,8 @@ from viscodesign.lazy_dataclass import dataclass
 
 COARSE_STARTS = 16
 """Rows of a loop that are tried first as its beginning."""
+COARSE_POINTS = 4
+"""Steps between the wanted points that tell them apart."""
 CLAMPED = 1e-9
 """Share of a step at which a place is at its end."""
 
@@ -57,46 +59,58 @@ def match_paths(wanted: np.ndarray, found: np.ndarray, *, closed: bool) -> PathM
 
 def _rows_of_way(squares: np.ndarray) -> np.ndarray:
     """(N,) Rows that do not go back, with the least sum of squares (N, M)."""
-    found: np.ndarray = _traced(squares[:, None, :])[0]
-    return found
+    totals, least = _sums(squares[:, None, :])
+    return _traced(totals[:, 0], least[:, 0])
 
 
 def _rows_of_loop(squares: np.ndarray) -> np.ndarray:
     """The same around a loop, from the row that is best to begin at: coarsely, then beside it."""
     count = squares.shape[1]
     stride = max(1, count // COARSE_STARTS)
-    best, _ = _best_start(squares, np.arange(0, count, stride))
-    start, rows = _best_start(squares, np.arange(best - stride + 1, best + stride) % count)
-    around: np.ndarray = (rows + start) % count
+    starts = np.arange(0, count, stride)
+    totals, _ = _sums(_begun_at(squares[::COARSE_POINTS], starts))
+    best = int(starts[_best_of(totals)])
+    starts = np.arange(best - stride + 1, best + stride) % count
+    totals, least = _sums(_begun_at(squares, starts))
+    place = _best_of(totals)
+    around: np.ndarray = (_traced(totals[:, place], least[:, place]) + starts[place]) % count
     return around
 
 
-def _best_start(squares: np.ndarray, starts: np.ndarray) -> tuple[int, np.ndarray]:
-    """The best of some rows to begin at, and the rows (N,) from there."""
+def _begun_at(squares: np.ndarray, starts: np.ndarray) -> np.ndarray:
+    """(N, S, M) Squares (N, M) of a loop that begins at each of some rows (S,)."""
     count = squares.shape[1]
-    shifted = (starts[:, None] + np.arange(count)[None]) % count
-    rows = _traced(squares[:, shifted])
-    own = squares[np.arange(len(squares))[None], (rows + starts[:, None]) % count]
-    best = int(own.sum(axis=1).argmin())
-    return int(starts[best]), rows[best]
+    found: np.ndarray = squares[:, (starts[:, None] + np.arange(count)[None]) % count]
+    return found
 
 
-def _traced(squares: np.ndarray) -> np.ndarray:
-    """(S, N) Rows for squares (N, S, M) of S cases at once."""
-    total = squares[0].copy()
-    chosen = []
-    for own in squares[1:]:
-        least = np.minimum.accumulate(total, axis=1)
-        # The last row up to each one at which the least was reached.
-        place = np.where(total <= least, np.arange(total.shape[1]), 0)
-        chosen.append(np.maximum.accumulate(place, axis=1))
-        total = own + least
-    here = total.argmin(axis=1)
+def _best_of(totals: np.ndarray) -> int:
+    """Which of S cases has the least sum."""
+    return int(totals[-1].min(axis=1).argmin())
+
+
+def _sums(squares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Least sums (N, S, M) of S cases up to each wanted point, at each row and at any up to it."""
+    totals, least = np.empty_like(squares), np.empty_like(squares)
+    totals[0] = squares[0]
+    for k in range(len(squares) - 1):
+        np.minimum.accumulate(totals[k], axis=1, out=least[k])
+        np.add(squares[k + 1], least[k], out=totals[k + 1])
+    np.minimum.accumulate(totals[-1], axis=1, out=least[-1])
+    return totals, least
+
+
+def _traced(totals: np.ndarray, least: np.ndarray) -> np.ndarray:
+    """(N,) The rows that made the least sum, for the sums (N, M) of one case."""
+    # The last row up to each one at which the least was reached.
+    place = np.where(totals <= least, np.arange(totals.shape[1]), 0)
+    back = np.maximum.accumulate(place, axis=1).tolist()
+    here = int(totals[-1].argmin())
     rows = [here]
-    for back in reversed(chosen):
-        here = back[np.arange(len(here)), here]
+    for own in reversed(back[:-1]):
+        here = own[here]
         rows.append(here)
-    return np.array(rows[::-1]).T
+    return np.array(rows[::-1])
 
 
 def _slid(wanted: np.ndarray, found: np.ndarray, rows: np.ndarray, *, closed: bool) -> PathMatch:

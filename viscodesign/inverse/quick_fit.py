@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import time as clock
+from typing import Self
 
 import numpy as np
 
@@ -18,8 +18,8 @@ from viscodesign.scene.scene import Scene
 
 QUICK_EVALUATIONS = 40
 LENGTHS = ["network.tubes[*].length"]
-QUICK_SHARE = 0.45
-"""Part of the budget that ranking may take."""
+QUICK_SHARE = 0.6
+"""Part of the budget after which ranking is cut."""
 QUICK_MET = 0.25
 """Part of the tolerance at which the quick motion is near enough."""
 
@@ -38,6 +38,7 @@ class QuickFit:
     """Fits of a task's graphs by the quick motion, within a part of its budget."""
 
     def __init__(self, task: SearchTask, scene: Scene, own: TreeGraph | None) -> None:
+        self._arguments = scene, own
         self.task, self.wanted = task, task.wanted.coarser
         self.sections = scene.bellows.count // 2
         self.is_graph_free = task.choice.graph != "keep"
@@ -49,6 +50,10 @@ class QuickFit:
         self.keys = FreeKeys(self.base, LENGTHS) if numbers is None else numbers[0]
         self.ranges = None if numbers is None else numbers[1]
         self.limits = None if numbers is None else limits_of(task, self.keys)
+
+    def of_task(self, task: SearchTask) -> Self:
+        """The same for another task."""
+        return type(self)(task, *self._arguments)
 
     def scene_of(self, graph: TreeGraph) -> Scene:
         """The scene with a graph."""
@@ -80,8 +85,8 @@ class QuickFit:
 
     @property
     def is_over(self) -> bool:
-        """Whether ranking has to end."""
-        return self.task.stop.asked or clock.perf_counter() > self._until
+        """Whether ranking has to end; asked where work is left."""
+        return self.task.is_beyond(self._until)
 
     def motion(self, graph: TreeGraph) -> QuickMotion:
         """The quick motion of a graph."""

@@ -176,7 +176,7 @@ class QuickMotion:
         if not with_slopes:
             return self._at_times(pressure, period), np.zeros(0)
         drops = found @ self._drops.T - drive[:, None] * self._fed
-        forced = -np.einsum("qb,kq,qf->kbf", self._drops, drops, by_number)
+        forced = -(self._drops.T @ (drops[:, :, None] * by_number))
         for k, name in enumerate(self._names):
             if name in ("input.period", "input.frequency"):
                 change = -1 / period if name == "input.period" else period
@@ -215,7 +215,7 @@ class QuickMotion:
         if not with_slopes:
             return pressure, np.zeros(0)
         drops = pressure @ self._drops.T - drive[:, None] * self._fed
-        forced = -np.einsum("qb,tq,qf->tbf", self._drops, drops, by_number)
+        forced = -(self._drops.T @ (drops[:, :, None] * by_number))
         moved = self._inlet_slopes(values, times / times[-1], float(times[-1]))
         forced += feed[None, :, None] * moved[:, None, :]
         starts = moved[0] if scene.run.start == "equilibrium" else np.zeros(len(values))

@@ -27,24 +27,24 @@ class QuickStarts:
 
     def fitted(self) -> list[QuickCandidate]:
         """Fits from several starts: one harmonic of many sizes and periods, and chance."""
-        found = []
+        found: list[QuickCandidate] = []
         first, *drawn = self.drawn(QUICK_DRAWS)
         drawn.sort(key=lambda start: self._fit.cost(self._fit.own, start))
         for start in [*drawn[:2], first, *drawn[2:QUICK_STARTS]]:
+            if found and (self._are_enough(found) or self._fit.is_over):
+                break
             try:
                 found.append(self._fit.fitted(self._fit.own, start, QUICK_EVALUATIONS))
             except KeyboardInterrupt:
                 break
-            best = min(one.away_m for one in found)
             self._fit.task.tell()
-            again = sum(one.away_m < SAME_OPTIMUM * best for one in found)
-            if (
-                self._fit.is_over
-                or best < 0.3 * self._fit.task.tolerance_m
-                or again >= ENOUGH_TIMES
-            ):
-                break
         return _distinct(found)[:FULL_DESIGNS]
+
+    def _are_enough(self, found: list[QuickCandidate]) -> bool:
+        """Whether one is near, or several are as near as the best."""
+        best = min(one.away_m for one in found)
+        again = sum(one.away_m < SAME_OPTIMUM * best for one in found)
+        return best < 0.3 * self._fit.task.tolerance_m or again >= ENOUGH_TIMES
 
     def drawn(self, count: int) -> Iterator[np.ndarray]:
         """The scene's own numbers, then others by chance: high harmonics are small."""

@@ -25,6 +25,10 @@ class SearchLog:
     evaluations: int = 0
     quick_m: float | None = None
     """Best distance of the quick motion [m], where it was asked."""
+    is_cut: bool = False
+    """Whether time ended the search before its work was done."""
+    lost_graphs: int = 0
+    """Graphs that were not tried, since the process that did died."""
 
     @property
     def best_m(self) -> float:
@@ -52,11 +56,20 @@ class SearchTask:
     log: SearchLog
     seed: int = 0
     progress: Progress | None = None
+    workers: int = 1
+    """Processes that try graphs; the design does not depend on it."""
 
     @property
     def is_over(self) -> bool:
-        """Whether the search has to end."""
-        return self.stop.asked or clock.perf_counter() > self.until
+        """Whether the search has to end; asked where work is left."""
+        return self.is_beyond(self.until)
+
+    def is_beyond(self, until: float) -> bool:
+        """Whether what ends at ``until`` [s] has to end; notes that time was the reason."""
+        if self.stop.asked:
+            return True
+        self.log.is_cut = self.log.is_cut or clock.perf_counter() > until
+        return clock.perf_counter() > until
 
     def tell(self) -> None:
         """Tell how far the search has come."""

@@ -116,6 +116,10 @@ class PathDesign:
     """[s]"""
     interrupted: bool = False
     """Whether Ctrl-C ended the search: this is the best so far."""
+    ended_by_budget: bool = False
+    """Whether time ended the search: on another machine the design may be another."""
+    lost_graphs: int = 0
+    """Graphs that were not tried, since the process that tried them died."""
     hint: str = ""
     """What would help."""
 
@@ -130,6 +134,8 @@ class PathDesign:
             "reason": self.reason or None,
             "hint": self.hint or None,
             "interrupted": self.interrupted,
+            "ended_by_budget": self.ended_by_budget,
+            "lost_graphs": self.lost_graphs,
             "tolerance_m": self.tolerance_m,
             "rms_m": self.rms_m,
             "worst_m": self.worst_m,

@@ -21,7 +21,7 @@ def design_lines(found: PathDesign, folder: Path, files: Sequence[Path]) -> list
         "",
         *table(
             [
-                ("effort", f"{found.evaluations} solutions, {seconds(found.wall_s)}"),
+                ("effort", "; ".join(_effort(found))),
                 ("files", f"{folder}: {', '.join(_short(file, folder) for file in files)}"),
             ]
         ),
@@ -49,6 +49,14 @@ def _answer(found: PathDesign) -> Iterator[tuple[str, str]]:
         yield "hint", found.hint
     if len(found.alternatives) > 1:
         yield "also", f"{len(found.alternatives) - 1} designs that are better in something else"
+
+
+def _effort(found: PathDesign) -> Iterator[str]:
+    yield f"{found.evaluations} solutions, {seconds(found.wall_s)}"
+    if found.ended_by_budget:
+        yield "ended by its budget: another run may find another design"
+    if found.lost_graphs:
+        yield f"a process died, and {found.lost_graphs} graphs were not tried"
 
 
 def _numbers(found: PathDesign) -> list[str]:
