@@ -6,25 +6,24 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from viscodesign.checks.changed_ranges import CHANGED_RANGES
+from viscodesign.checks.fitting_parts import misfits
 from viscodesign.checks.input_ranges import input_ranges
 from viscodesign.checks.numbers_at_keys import numbers_at
 from viscodesign.checks.plausible_ranges import RANGES, PlausibleRange
 from viscodesign.checks.relative_ranges import reciprocal_ranges, relative_ranges
 from viscodesign.checks.slight_inputs import slight_inputs
+from viscodesign.checks.written_numbers import written
 from viscodesign.errors import Fault
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice
 from viscodesign.scene.pressure_levels import bare_levels
 from viscodesign.scene.scene import Scene
 
-_PREFIXES = {-9: "n", -6: "u", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
-_PREFIXED_UNITS = ("m", "Pa", "s")
 _OTHER_UNITS: dict[float | str, str] = {"celsius": "degC", "degrees": "deg"}
-BODY = ("actuator.", "bellows.")
+BODY = ("actuator.", "bellows.", "sections.")
 """Keys of what others are compared with."""
 _SURROUNDINGS = ("temperature", "ambient_pressure")
-_FINEST = {"m": -6, "Pa": -3, "s": -6}
-_COARSEST = {"m": 6, "Pa": 9, "s": 0}
 
 
 @dataclass(frozen=True)
@@ -38,8 +37,6 @@ class PlausibilityLimits:
     gas_density_ratio: float = 1.5
     """Largest ratio of a gas's density to ambient pressure over gas constant and temperature, or
     inverse."""
-    fit: float = 1.001
-    """Share of the space at hand, with a margin for rounding."""
 
 
 LIMITS = PlausibilityLimits()
@@ -55,14 +52,14 @@ def plausibility_notices(scene: Scene) -> Iterator[Notice]:
         size = " in size" if found.either_sign else ""
         yield Notice(
             "implausible_value",
-            f"{_written(value, found.unit)} is far {_side(found, value)} what such actuators have, "
-            f"{_written(found.low, found.unit)} to {_written(found.high, found.unit)}{size} "
+            f"{written(value, found.unit)} is far {_side(found, value)} what such actuators have, "
+            f"{written(found.low, found.unit)} to {written(found.high, found.unit)}{size} "
             f"({found.source}){_meant(found, value)}",
             found.key,
         )
     if not any(key.startswith(BODY) for key in outside):
         yield from slight_inputs(scene)
-    yield from (notice for notice in _misfits(scene) if notice.where not in outside)
+    yield from (notice for notice in misfits(scene) if notice.where not in outside)
     if not outside.keys() & {"fluid.density", "fluid.gas_constant", *_SURROUNDINGS}:
         yield from _gas_density(scene)
     if not outside.keys() & set(_SURROUNDINGS):
@@ -76,18 +73,18 @@ def impossible_values(scene: Scene) -> Iterator[Fault]:
         low, high = found.possible
         if not low <= value <= high:
             bound = (
-                f"at least {_written(low, found.unit)}"
+                f"at least {written(low, found.unit)}"
                 if value < low
-                else (f"at most {_written(high, found.unit)}")
+                else (f"at most {written(high, found.unit)}")
             )
-            given = _written(value, found.unit)
+            given = written(value, found.unit)
             yield Fault(f"must be {bound}; got {given}{_meant(found, value)}", found.key)
 
 
 def _outside(scene: Scene) -> Iterator[tuple[PlausibleRange, float]]:
     """Given numbers outside of their usual ranges; beside others where these are sound."""
     found: dict[str, tuple[PlausibleRange, float]] = {}
-    for ranges in (RANGES, relative_ranges, reciprocal_ranges):
+    for ranges in ((*RANGES, *CHANGED_RANGES), relative_ranges, reciprocal_ranges):
         if any(key.startswith(BODY) for key in found):
             break
         for one, value in _beyond(scene, ranges(scene) if callable(ranges) else ranges):
@@ -118,7 +115,7 @@ def _meant(found: PlausibleRange, value: float) -> str:
         if found.holds(meant):
             if slip in _OTHER_UNITS:
                 return f"; did you mean {value:g} {_OTHER_UNITS[slip]}?"
-            return f"; did you mean {_written(meant, found.unit)}?"
+            return f"; did you mean {written(meant, found.unit)}?"
     return ""
 
 
@@ -133,48 +130,6 @@ def _slipped(value: float, slip: float | str) -> float:
     return value * float(slip)
 
 
-def _written(value: float, unit: str) -> str:
-    """A number in the prefix that leaves one to three digits before the point."""
-    if unit not in _PREFIXED_UNITS or not value:
-        return f"{value:.4g} {unit}".rstrip()
-    exponent = 3 * math.floor(math.log10(abs(value) * (1 + 1e-12)) / 3)
-    exponent = min(max(exponent, _FINEST[unit]), _COARSEST[unit])
-    return f"{value / 10.0**exponent:.4g} {_PREFIXES[exponent]}{unit}"
-
-
-def _misfits(scene: Scene) -> Iterator[Notice]:
-    """Parts that are larger than the space that they lie in."""
-    body, bellows = scene.actuator, scene.bellows
-    pairs = bellows.count // 2
-    rows = (
-        ("bellows.height", bellows.height, 2, "a pair", "actuator.height", body.height),
-        ("bellows.length", bellows.length, 1, "a bellow", "actuator.width", body.width),
-        (
-            "bellows.width",
-            bellows.width,
-            pairs,
-            f"a row of {pairs}",
-            "actuator.length",
-            body.length,
-        ),
-    )
-    for key, size, count, words, outer, space in rows:
-        if count * size > LIMITS.fit * space:
-            needed, free = _written(count * size, "m"), _written(space, "m")
-            message = f"{words} needs {needed} and cannot lie within {outer}, {free}"
-            yield Notice("does_not_fit", f"{_written(size, 'm')}: {message}", key)
-    opening = min(bellows.height, bellows.width)
-    widest = max(scene.graph.tubes, key=lambda tube: tube.radius)
-    if 2 * widest.radius > LIMITS.fit * opening:
-        yield Notice(
-            "does_not_fit",
-            f"tube {widest.name} is {_written(2 * widest.radius, 'm')} wide, more than the "
-            f"bellows' smaller side of {_written(opening, 'm')}; is it a diameter, or in another "
-            "unit?",
-            "network.tube_radius",
-        )
-
-
 def _gas_density(scene: Scene) -> Iterator[Notice]:
     """An own gas whose density is not that of its pressure and temperature."""
     fluid = scene.fluid_choice
@@ -187,7 +142,7 @@ def _gas_density(scene: Scene) -> Iterator[Notice]:
             "gas_density",
             f"{fluid.density:.4g} kg/m^3 is {ratio:.3g} times the {ideal:.4g} kg/m^3 that a gas of "
             f"{fluid.gas_constant:.4g} J/(kg*K) has at {scene.temperature:.4g} K and "
-            f"{_written(scene.ambient_pressure, 'Pa')}; check density, gas_constant, temperature",
+            f"{written(scene.ambient_pressure, 'Pa')}; check density, gas_constant, temperature",
             "fluid.density",
         )
 
@@ -201,9 +156,9 @@ def _outputs(scene: Scene) -> Iterator[Notice]:
         often = f", {per_swing:,.0f} in one swing of the input" if is_dense else ""
         yield Notice(
             "many_outputs",
-            f"{_written(run.output_interval, 's')} in a run of {run.duration:g} s are "
+            f"{written(run.output_interval, 's')} in a run of {run.duration:g} s are "
             f"{run.outputs:,} outputs{often}; did you mean "
-            f"{_written(1e3 * run.output_interval, 's')}?",
+            f"{written(1e3 * run.output_interval, 's')}?",
             "run.output_interval",
         )
 
@@ -217,7 +172,7 @@ def _bare_levels(scene: Scene) -> Iterator[Notice]:
             highest = max(bare)
             yield Notice(
                 "gauge_or_absolute",
-                f"{_written(highest, 'Pa')} is taken as gauge; if absolute was meant, write "
-                f"'{_written(highest, 'Pa')} abs' ({_written(highest - ambient, 'Pa')} gauge)",
+                f"{written(highest, 'Pa')} is taken as gauge; if absolute was meant, write "
+                f"'{written(highest, 'Pa')} abs' ({written(highest - ambient, 'Pa')} gauge)",
                 "input" if scene.several_inputs is None else f"inputs.{name}",
             )

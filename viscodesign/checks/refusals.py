@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from viscodesign.checks.plausibility import impossible_values, plausibility_notices
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.errors import Fault, SpecError
@@ -116,7 +118,7 @@ def _rod(quantities: SceneQuantities) -> Iterator[Fault]:
     """Strains that no mesh can follow."""
     yield from _turn(quantities)
     pressure = max(abs(quantities.lowest_pressure), quantities.pressure_range)
-    stretch = 2 * pressure * abs(quantities.bellow.stretch_per_pressure)
+    stretch = 2 * pressure * float(np.max(np.abs(quantities.bellows.stretch_per_pressure)))
     if not stretch <= LIMITS.section_stretch:
         yield Fault(
             f"at the input's pressures a section stretches by {stretch:.3g} times its length; "

@@ -16,7 +16,8 @@ def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> 
     """The problem with other numbers, solved at the output times (T,) and at the stops."""
     schedule = Schedule.of(times, numbers.stops, numbers.pieces, numbers.initial_piece)
     equations = problem.equations.shared.with_numbers(numbers.parameters)
-    grown = float(equations.rest_amounts[0] / problem.equations.rest_amounts[0])
+    amounts = equations.rest_amounts / problem.equations.rest_amounts
+    grown, own = float(amounts[0]), amounts[problem.places]
     floor, drawing = problem.floor_volume, problem.drawing
     names = parameter_names(equations)
     if drawing is not None:
@@ -27,7 +28,7 @@ def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> 
         problem,
         equations=equations,
         schedule=schedule,
-        floor_volume=None if floor is None else grown * floor,
+        floor_volume=own * floor if isinstance(floor, np.ndarray) else floor and grown * floor,
         drawing=drawing,
         baseline=float(numbers.parameters[names.index("gauge_pressure")]),
     )

@@ -58,8 +58,9 @@ class FrozenParts:
 
     effects: list[type[Effect]]
     edges_per_section: int
-    capped_stiffness: float | None
-    """Stiffness of the axis, where the scene's own cannot be told from infinite [N]."""
+    stated: Body
+    resolved: Body
+    """The same with every stiffness capped that the accuracy cannot tell from infinite."""
     sizes: Sizes
 
     @classmethod
@@ -67,19 +68,33 @@ class FrozenParts:
         cls, quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings
     ) -> FrozenParts:
         """Those of a scene."""
-        stiffness = resolvable_body(quantities).extension_stiffness
         return cls(
             [type(effect) for effect in effects],
             settings.edges_per_section,
-            None if stiffness == quantities.body.extension_stiffness else stiffness,
+            quantities.body,
+            resolvable_body(quantities),
             sizes_of(quantities),
         )
 
     def body_of(self, quantities: SceneQuantities) -> Body:
         """The body of a scene with other numbers, as the equations have it."""
-        if self.capped_stiffness is None:
-            return quantities.body
-        return replace(quantities.body, extension_stiffness=self.capped_stiffness)
+        body, varied = quantities.body, quantities.body.varied
+        if varied is not None and self.stated.varied and self.resolved.varied:
+            ends = self.stated.varied, self.resolved.varied, varied
+            varied = replace(
+                varied,
+                bending_stiffness=_where_kept(*(own.bending_stiffness for own in ends)),
+                extension_stiffness=_where_kept(*(own.extension_stiffness for own in ends)),
+            )
+        stiffness = (own.extension_stiffness for own in (self.stated, self.resolved, body))
+        return replace(body, extension_stiffness=_where_kept(*stiffness), varied=varied)
+
+
+def _where_kept(stated: Any, resolved: Any, own: Any) -> Any:
+    """Numbers of their own where they were not capped, else the caps."""
+    if not isinstance(own, np.ndarray):
+        return own if stated == resolved else resolved
+    return np.where(stated == resolved, own, resolved)
 
 
 class ProblemTrace:

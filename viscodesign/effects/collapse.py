@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_wall import CollapsingWall
+from viscodesign.model.scene_number import Numbers
 from viscodesign.model.system import System
 from viscodesign.physics import bellow
 from viscodesign.postprocess.motion_limits import Limit, Peak
@@ -43,30 +44,29 @@ class Collapse(Effect):
     )
     keys: ClassVar[tuple[str, ...]] = ("bellows.collapse_fraction",)
 
-    floor: float
-    fade: float
-    give: float
-    linear: tuple[float, float, float]
-    """Volume, curvature and stretch per pressure."""
+    floor: Numbers
+    fade: Numbers
+    give: Numbers
+    linear: tuple[Numbers, Numbers, Numbers]
+    """Volume, curvature and stretch per pressure; all of them one for all bellows, or (B,)."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        law, bellows = quantities.bellow, quantities.scene.bellows
-        ambient = quantities.scene.ambient_pressure
-        own = (law.rest_volume, law.compliance, bellows.collapse_fraction, ambient)
-        floor, fade = bellow.collapse_pressures(*own)
-        give = bellow.residual_compliance(*own)
+        law, bellows = quantities.bellows, quantities.scene.bellows
+        ambient, fraction = quantities.scene.ambient_pressure, bellows.each("collapse_fraction")
+        own = (law.rest_volume, law.compliance, fraction, ambient)
+        floor, fade, give = _contact(*own)
         linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)
         return cls(floor, fade, give, linear)
 
     def weight(self, quantities: SceneQuantities) -> float:
         below = self.floor + self.fade - quantities.lowest_pressure
-        law = quantities.bellow
-        return max(0.0, below * law.compliance / law.rest_volume)
+        law = quantities.bellows
+        return max(0.0, np.max(below * law.compliance / law.rest_volume))
 
     def reason(self, quantities: SceneQuantities) -> str:
         return (
-            f"the walls start to touch at {(self.floor + self.fade) / 1e3:.3g} kPa gauge; "
+            f"the walls start to touch at {np.max(self.floor + self.fade) / 1e3:.3g} kPa gauge; "
             f"the lowest inlet pressure is {quantities.lowest_inlet_pressure / 1e3:.3g} kPa"
         )
 
@@ -84,40 +84,56 @@ class Collapse(Effect):
         is_forbidden = quantities.scene.effects.mode(self.name) == "off"
         if not is_forbidden or Trait.LIMITED_EMPTYING in traits_of(active):
             return
-        law, low = quantities.bellow, quantities.lowest_pressure
-        lowest = law.rest_volume + law.compliance * low
-        if lowest < law.floor_volume:
-            empty = -law.rest_volume / law.compliance
+        law, low = quantities.bellows, quantities.lowest_pressure
+        share = np.atleast_1d(1 + law.compliance * low / law.rest_volume)
+        floor = law.floor_volume / law.rest_volume * np.ones(len(share))
+        softest = int(np.argmin(share - floor))
+        if share[softest] < floor[softest]:
+            empty = low / (1 - share[softest])
             yield Notice(
-                "negative_volume" if lowest <= 0.0 else self.name,
+                "negative_volume" if share[softest] <= 0.0 else self.name,
                 f"at {low / 1e3:.4g} kPa gauge the linear law leaves a bellow "
-                f"{lowest / law.rest_volume:.3g} of its rest volume (nothing below "
+                f"{share[softest]:.3g} of its rest volume (nothing below "
                 f"{empty / 1e3:.4g} kPa gauge); a real bellow collapses at about "
-                f"{law.floor_volume / law.rest_volume:.3g}",
+                f"{floor[softest]:.3g}",
                 "bellows",
             )
 
     def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
         """The minimum volume, whatever the law of the bellows."""
-        law, names = quantities.bellow, quantities.graph.bellows
-        bound = -law.floor_volume * (1 - FLOOR_REL_TOL)
+        law, names = quantities.bellows, quantities.graph.bellows
+        every = np.ones(len(names))
+        floor, rest = law.floor_volume * every, law.rest_volume * every
+        kept = floor * (1 - FLOOR_REL_TOL)
 
         def below_floor(peak: Peak) -> Notice:
-            name, least = names[peak.column], -peak.value
-            count = int(np.sum(peak.columns > bound))
+            k = peak.column
+            name, least = names[k], kept[k] / rest[k] - peak.value
+            count = int(np.sum(peak.columns > 0.0))
             return Notice(
                 "negative_volume" if least <= 0.0 else self.name,
                 f"{count} of {len(names)} bellows fall below their minimum of "
-                f"{law.floor_volume / law.rest_volume:.3g} of the rest volume; {name} "
-                f"reaches {least / law.rest_volume:.3g}",
+                f"{floor[k] / rest[k]:.3g} of the rest volume; {name} reaches {least:.3g}",
                 name,
                 peak.time_s,
             )
 
-        yield Limit(lambda block: -block.volume, bound, below_floor)
+        # By how much of its rest volume a bellow is below its minimum.
+        yield Limit(lambda block: (kept - block.volume) / rest, 0.0, below_floor)
 
     def join(self, system: System) -> None:
-        floor = system.parameter("collapse.floor", self.floor)
-        fade = system.parameter("collapse.fade", self.fade)
-        give = system.parameter("collapse.give", self.give)
+        floor = system.of_bellows("collapse.floor", self.floor)
+        fade = system.of_bellows("collapse.fade", self.fade)
+        give = system.of_bellows("collapse.give", self.give)
         system.wall = CollapsingWall(system.linear_wall(), floor, fade, give)
+
+
+def _contact(*numbers: Any) -> tuple[Numbers, Numbers, Numbers]:
+    """Floor, fade and give by rest volume, compliance, minimum and ambient, bellow by bellow."""
+    count = max(np.size(own) for own in numbers)
+    if not any(isinstance(own, np.ndarray) for own in numbers):
+        return (*bellow.collapse_pressures(*numbers), bellow.residual_compliance(*numbers))
+    each = zip(*((own * np.ones(count)).tolist() for own in numbers), strict=True)
+    found = [(*bellow.collapse_pressures(*own), bellow.residual_compliance(*own)) for own in each]
+    floor, fade, give = (np.array(column) for column in zip(*found, strict=True))
+    return floor, fade, give

@@ -10,11 +10,12 @@ from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.scene_number import Numbers, mean_of
 from viscodesign.model.system import System
 from viscodesign.physics.timescales import LARGEST_TIME_RATIO
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Damping(Effect):
     """Kelvin-Voigt on the total strain rates, proportional to stiffness.
 
@@ -32,11 +33,18 @@ class Damping(Effect):
     source: ClassVar[str] = "The Kelvin-Voigt model; the paper has no damping."
     keys: ClassVar[tuple[str, ...]] = ("actuator.damping_time",)
 
-    damping_time: float
+    times: Numbers
+    """Retardation time, one for all sections or of each (S,) [s]."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        return cls(quantities.scene.actuator.damping_time)
+        return cls(quantities.scene.sections.each("damping_time"))
+
+    @property
+    def damping_time(self) -> float:
+        """The retardation time; where sections differ, the mean [s]."""
+        found: float = mean_of(self.times)
+        return found
 
     def present(self, quantities: SceneQuantities) -> bool:
         return self.damping_time > 0.0
@@ -47,7 +55,8 @@ class Damping(Effect):
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.present(quantities):
             return "actuator.damping_time is zero"
-        return f"the Kelvin-Voigt retardation time is {self.damping_time:.3g} s"
+        words = "retardation time is" if self.times is self.damping_time else "times have the mean"
+        return f"the Kelvin-Voigt {words} {self.damping_time:.3g} s"
 
     def estimate_term(self) -> EstimateTerm:
         return EstimateTerm(damping_time=self.damping_time)
@@ -62,6 +71,6 @@ class Damping(Effect):
             )
 
     def join(self, system: System) -> None:
-        time = system.parameter("damping_time", self.damping_time)
-        for power in system.rod.strain_rate_powers():
-            system.dissipation_power += time * power
+        time = system.of_sections("damping_time", self.times)
+        for power in system.rod.dissipation_powers(time):
+            system.dissipation_power += power

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
+
+import casadi as ca
+import numpy as np
 
 from viscodesign.effects.base import Effect, Trait
 from viscodesign.effects.catalogue import traits_of
@@ -12,11 +15,13 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_law import places
+from viscodesign.model.scene_number import Numbers, mean_of
 from viscodesign.model.system import System
 from viscodesign.physics import bellow
 from viscodesign.postprocess.stability import growth_notices
 from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.results.findings import Notice
+from viscodesign.scene.actuator_numbers import moving_bellows, section_stiffnesses
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start
 
@@ -24,7 +29,10 @@ RECIPROCITY_REL_TOL = 0.05
 """Ratio of the two coefficients of a coupling, less one, up to which they count as equal."""
 
 
-@dataclass(frozen=True)
+SX = ca.SX
+
+
+@dataclass(frozen=True, eq=False)
 class Feedback(Effect):
     """Volume stored by the section's normal force and moment; equation (1), last term."""
 
@@ -36,25 +44,40 @@ class Feedback(Effect):
     references: ClassVar[tuple[LiteratureReference, ...]] = (PAPER,)
     keys: ClassVar[tuple[str, ...]] = ("bellows.area_per_force", "bellows.area_per_moment")
 
-    area_per_force: float
-    area_per_moment: float
-    length: float
-    """Length of a bellow along the stream [m]."""
+    areas_per_force: Numbers
+    areas_per_moment: Numbers
+    lengths: Numbers
+    """Length of a bellow along the stream [m]; all of them one for all bellows, or of each (B,)."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        bellows = quantities.scene.bellows
-        return cls(bellows.area_per_force, bellows.area_per_moment, bellows.length)
+        # What blocks a section carries its load.
+        bellows, moved = quantities.scene.bellows, moving_bellows(quantities.scene)
+        per_force, per_moment = (bellows.each(f"area_per_{n}") for n in ("force", "moment"))
+        return cls(moved * per_force, moved * per_moment, bellows.each("length"))
+
+    @property
+    def area_per_force(self) -> float:
+        """Where bellows differ, the mean [m2/N]."""
+        found: float = mean_of(self.areas_per_force)
+        return found
+
+    @property
+    def area_per_moment(self) -> float:
+        """Where bellows differ, the mean [m2/(N m)]."""
+        found: float = mean_of(self.areas_per_moment)
+        return found
 
     def present(self, quantities: SceneQuantities) -> bool:
-        return (self.area_per_force, self.area_per_moment) != (0.0, 0.0)
+        return bool(np.any(self.areas_per_force) or np.any(self.areas_per_moment))
 
     def weight(self, quantities: SceneQuantities) -> float:
         force = quantities.load_force
         area = (
             abs(self.area_per_force) + abs(self.area_per_moment) * quantities.body.length
         ) * force
-        return area / (quantities.scene.bellows.area_per_pressure * quantities.swing)
+        per_pressure = mean_of(quantities.scene.bellows.each("area_per_pressure"))
+        return float(area / (per_pressure * quantities.swing))
 
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.present(quantities):
@@ -65,38 +88,42 @@ class Feedback(Effect):
 
     def estimate_term(self) -> EstimateTerm:
         return EstimateTerm(
-            volume_per_force=self.length * self.area_per_force,
-            volume_per_moment=self.length * self.area_per_moment,
+            volume_per_force=self.lengths * self.areas_per_force,
+            volume_per_moment=self.lengths * self.areas_per_moment,
         )
 
     def refusals(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Fault]:
         """Negative compliance: with its strain held, a section must still resist filling."""
         if self.name not in active:
             return
-        law, body = quantities.bellow, quantities.body
+        law: Any = quantities.bellows
+        own = quantities.scene.sections
+        bending, extension = section_stiffnesses(quantities.body)
         for strain, key, area, per_pressure, stiffness in (
             (
                 "extension",
                 "bellows.area_per_force",
-                self.area_per_force,
+                self.areas_per_force,
                 law.stretch_per_pressure,
-                body.extension_stiffness,
+                extension,
             ),
             (
                 "bending",
                 "bellows.area_per_moment",
-                self.area_per_moment,
+                self.areas_per_moment,
                 law.curvature_per_pressure,
-                body.bending_stiffness,
+                bending,
             ),
         ):
-            blocked = bellow.blocked_compliance(
-                law.compliance, law.length * area, per_pressure, stiffness
+            held = bellow.blocked_compliance(
+                law.compliance, law.length * area, per_pressure, own.of_bellows(stiffness)
             )
-            if blocked <= 0.0:
+            worst = np.argmin(held)
+            if np.min(held) <= 0.0:
+                free = np.broadcast_to(law.compliance, np.shape(held)).flat[worst]
                 yield Fault(
                     f"at fixed strain, a section's bellows have a negative compliance in {strain} "
-                    f"({blocked:.4g} m3/Pa, free: {law.compliance:.4g} m3/Pa): pressures would "
+                    f"({np.min(held):.4g} m3/Pa, free: {free:.4g} m3/Pa): pressures would "
                     f"diverge, and the model is ill-posed. Lower {key}, or set "
                     f"effects.{self.name}: off.",
                     key,
@@ -106,19 +133,28 @@ class Feedback(Effect):
         """Volume per resultant against strain per pressure: equal in a reciprocal coupling."""
         if quantities.scene.effects.mode(self.name) == "off":
             return
-        law, section = quantities.bellow, quantities.body.section_length
+        law, section = quantities.bellows, quantities.body.section_length
         for strain, resultant, found in (
-            (law.curvature_per_pressure * section, "moment", law.length * self.area_per_moment),
-            (law.stretch_per_pressure * section, "force", law.length * self.area_per_force),
+            (law.curvature_per_pressure * section, "moment", law.length * self.areas_per_moment),
+            (law.stretch_per_pressure * section, "force", law.length * self.areas_per_force),
         ):
-            if found * strain < 0.0:
+            yield from self._coupling(strain, resultant, found)
+
+    def _coupling(self, strains: Numbers, resultant: str, volumes: Numbers) -> Iterator[Notice]:
+        """What is odd about the couplings of bellows; of several alike, the first is named."""
+        told: set[str] = set()
+        every = max(np.size(strains), np.size(volumes))
+        for strain, found in zip(strains * np.ones(every), volumes * np.ones(every), strict=True):
+            if found * strain < 0.0 and "not_passive" not in told:
+                told.add("not_passive")
                 yield Notice(
                     "not_passive",
                     f"volume per {resultant} and strain per pressure have opposite signs "
                     f"({found:.3g} and {strain:.3g}): the coupling creates energy",
                     "bellows",
                 )
-            elif found and not _is_reciprocal(strain / found):
+            elif found and not _is_reciprocal(strain / found) and not told:
+                told.add("not_reciprocal")
                 yield Notice(
                     "not_reciprocal",
                     f"volume per {resultant} is {found:.3g}, strain per pressure {strain:.3g}, a "
@@ -136,13 +172,18 @@ class Feedback(Effect):
             yield from growth_notices(problem, start)
 
     def join(self, system: System) -> None:
-        length = system.parameter("bellow_length", self.length)
-        per_force = system.parameter("area_per_force", self.area_per_force)
-        per_moment = system.parameter("area_per_moment", self.area_per_moment)
+        length = self._of_each(system, "bellow_length", self.lengths)
+        per_force = self._of_each(system, "area_per_force", self.areas_per_force)
+        per_moment = self._of_each(system, "area_per_moment", self.areas_per_moment)
         for name, place in places(system.graph).items():
             force, moment = system.normal_force[place.section], system.moment[place.section]
-            area = per_force * force + place.side * per_moment * moment
-            system.extra_volume[name] += length * area
+            area = per_force[name] * force + place.side * per_moment[name] * moment
+            system.extra_volume[name] += length[name] * area
+
+    def _of_each(self, system: System, name: str, values: Numbers) -> dict[str, SX]:
+        """A number of every bellow by its name, as symbols."""
+        along, symbols = system.pressure, ca.vertsplit(system.of_bellows(name, values))
+        return dict(zip(along, symbols * (len(along) // len(symbols)), strict=True))
 
 
 def _is_reciprocal(ratio: float) -> bool:

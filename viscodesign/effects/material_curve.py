@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import ClassVar, Self
 
+import casadi as ca
 import numpy as np
 
 from viscodesign.effects.base import Effect, Trait
@@ -13,14 +14,16 @@ from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.bellow_wall import MeasuredWall, SnappingWall
+from viscodesign.model.bellow_wall import MeasuredWall, OwnWalls, SnappingWall
 from viscodesign.model.system import System
-from viscodesign.physics.curves import PiecewiseCubic
+from viscodesign.physics.pressure_curves import PressureCurves
 from viscodesign.physics.snapping import SnapCurves
 from viscodesign.postprocess.motion_limits import Limit, Peak
 from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
-from viscodesign.scene.bellows import falls, first_peak, snaps
+from viscodesign.scene.actuator_numbers import moving_bellows
+from viscodesign.scene.bellow_curve import falls, first_peak
+from viscodesign.scene.bellows import snaps
 from viscodesign.solve.obstacles import Obstacle
 
 LINEAR_WALL_VOLUME = 7**0.5
@@ -65,55 +68,65 @@ class MaterialCurve(Effect):
     )
     keys: ClassVar[tuple[str, ...]] = ("bellows.curve",)
 
-    curves: tuple[PiecewiseCubic, ...]
-    """Volume beyond rest, curvature and stretch against gauge pressure; none without a curve."""
-    snap: SnapCurves | None = None
-    """In their place where the pressure falls."""
+    laws: tuple[PressureCurves | SnapCurves, ...]
+    """One for all bellows, or one of each in the graph's order; none without a curve."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        curve = quantities.scene.bellows.curve
-        if curve is None:
+        scene, section = quantities.scene, quantities.body.section_length
+        curves, length = scene.bellows.curves, quantities.bellows.length
+        if not curves:
             return cls(())
-        rows = np.array(curve.rows, dtype=float)
-        section = quantities.body.section_length
-        if falls(curve.rows or ()):
-            baseline = quantities.scene.gauge_pressure
-            return cls((), SnapCurves.through(rows, quantities.bellow.length, section, baseline))
-        factors = (quantities.bellow.length, 1 / section, 1 / section)
-        found = tuple(
-            PiecewiseCubic.monotone(rows[:, 0], rows[:, k + 1]).zeroed().scaled(factor)
-            for k, factor in enumerate(factors)
-        )
-        return cls(found)
+        moved, snap = moving_bellows(scene), snaps(scene.bellows)
+        count = max(len(curves), np.size(length), np.size(moved))
+        lengths, moves = (own * np.ones(count) for own in (length, moved))
+        each = curves * (count // len(curves))
+        laws: list[PressureCurves | SnapCurves] = []
+        for curve, own, moves_section in zip(each, lengths, moves, strict=True):
+            # Pressures that strain no section are spread over an endless one.
+            spread = section / moves_section if moves_section else np.inf
+            rows = np.array(curve.rows, dtype=float)
+            if snap:
+                laws.append(SnapCurves.through(rows, own, spread, scene.gauge_pressure))
+            else:
+                laws.append(PressureCurves.through(rows, own, spread))
+        return cls(tuple(laws))
+
+    @property
+    def snap(self) -> bool:
+        """Whether the laws are functions of a bellow's swelling."""
+        return any(isinstance(law, SnapCurves) for law in self.laws)
 
     def present(self, quantities: SceneQuantities) -> bool:
-        return bool(self.curves) or self.snap is not None
+        return bool(self.laws)
 
     def weight(self, quantities: SceneQuantities) -> float:
         low, high = quantities.lowest_pressure, quantities.highest_pressure
         pressure = np.linspace(min(low, 0.0), max(high, 0.0), 101)
-        law = quantities.bellow
-        linear = (law.compliance, law.curvature_per_pressure, law.stretch_per_pressure)
-        found = []
-        for slope, measured in zip(linear, self.wall(pressure), strict=True):
-            straight = slope * pressure
-            size = float(np.ptp(straight)) or 1.0
-            found.append(float(np.max(np.abs(measured - straight))) / size)
+        law = quantities.bellows if len(self.laws) > 1 else quantities.bellow
+        found = [0.0]
+        for k, name in enumerate(("compliance", "curvature_per_pressure", "stretch_per_pressure")):
+            slopes = np.broadcast_to(getattr(law, name), len(self.laws))
+            for slope, own in zip(slopes, self.laws, strict=True):
+                straight = slope * pressure
+                size = float(np.ptp(straight)) or 1.0
+                found.append(float(np.max(np.abs(own.loaded(pressure)[k] - straight))) / size)
         return max(found)
 
     def reason(self, quantities: SceneQuantities) -> str:
-        if self.snap is not None:
+        if self.snap:
             return "the measured curve replaces the linear coefficients and snaps through"
-        if not self.curves:
+        if not self.laws:
             return "no curve is given (bellows.curve)"
         return "the measured curve replaces the linear coefficients"
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Volume beyond rest, curvature and stretch at gauge pressures, any shape."""
-        if self.snap is not None:
-            return self.snap.loaded(pressure)
-        volume, curvature, stretch = (curve(pressure) for curve in self.curves)
+        if len(self.laws) == 1:
+            return self.laws[0].loaded(pressure)
+        columns = np.moveaxis(pressure, -1, 0)
+        each = (law.loaded(own) for law, own in zip(self.laws, columns, strict=True))
+        volume, curvature, stretch = (np.stack(own, axis=-1) for own in zip(*each, strict=True))
         return volume, curvature, stretch
 
     def estimate_term(self) -> EstimateTerm:
@@ -132,11 +145,12 @@ class MaterialCurve(Effect):
             )
 
     def warnings(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Notice]:
-        rows = _rows(quantities)
-        if falls(rows) and quantities.scene.effects.mode(self.name) != "off":
+        falling = [rows for rows in _curves(quantities) if falls(rows)]
+        if falling and quantities.scene.effects.mode(self.name) != "off":
+            peak = min(first_peak(rows) for rows in falling)
             yield Notice(
                 "snapping_curve",
-                f"bellows.curve makes a bellow snap through at {first_peak(rows) / 1e3:.4g} kPa "
+                f"bellows.curve makes a bellow snap through at {peak / 1e3:.4g} kPa "
                 "gauge: identical bellows then swell one after another, in an order that small "
                 "differences decide",
                 "bellows.curve",
@@ -144,7 +158,7 @@ class MaterialCurve(Effect):
 
     def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
         """The measured range; without a curve, what a linear law can be trusted for."""
-        names, law = quantities.graph.bellows, quantities.bellow
+        names, law = quantities.graph.bellows, quantities.bellows
 
         def swollen(peak: Peak) -> Notice:
             return Notice(
@@ -159,11 +173,13 @@ class MaterialCurve(Effect):
         if self.name not in active:
             yield Limit(lambda b: b.volume / law.rest_volume, LINEAR_WALL_VOLUME, swollen)
             return
-        pressures = [row[0] for row in _rows(quantities)]
-        low, high = min(pressures), max(pressures)  # a curve may fall in between
+        # A curve may fall in between.
+        ranges = [(min(r)[0], max(r)[0]) for r in _curves(quantities)]
+        lows, highs = np.broadcast_to(np.array(ranges), (len(names), 2)).T
 
         def extrapolated(peak: Peak) -> Notice:
-            name = names[peak.column % len(names)]
+            k = peak.column % len(names)
+            name, low, high = names[k], lows[k], highs[k]
             reached = high + peak.value if peak.column < len(names) else low - peak.value
             return Notice(
                 "extrapolated_curve",
@@ -174,21 +190,36 @@ class MaterialCurve(Effect):
             )
 
         yield Limit(
-            lambda b: np.concatenate([b.pressure - high, low - b.pressure], axis=1),
+            lambda b: np.concatenate([b.pressure - highs, lows - b.pressure], axis=1),
             0.0,
             extrapolated,
         )
 
     def join(self, system: System) -> None:
-        rest = system.parameter("rest_volume", system.bellow.rest_volume)
-        if self.snap is not None:
-            wall = SnappingWall(rest, self.snap.pressure, self.snap.curvature, self.snap.stretch)
-            system.let_snap(wall, self.snap.filled)
+        rest = system.of_bellows("rest_volume", system.bellows.rest_volume)
+        wall = self._walls(system, rest)
+        if isinstance(wall, MeasuredWall) or not self.snap:
+            system.wall = wall
             return
-        system.wall = MeasuredWall(rest, *self.curves)
+        filled = [law.filled for law in self.laws if isinstance(law, SnapCurves)]
+        system.let_snap(wall, np.array(filled) if len(filled) > 1 else filled[0])
+
+    def _walls(self, system: System, rest: ca.SX) -> MeasuredWall | SnappingWall | OwnWalls:
+        """The law of all bellows, or a law of its own for each; ``rest``: one volume or (B,)."""
+        if len(self.laws) == 1:
+            return _wall(self.laws[0], rest)
+        own = dict(zip(system.graph.bellows, self.laws, strict=True))
+        each = ca.vertsplit(ca.repmat(rest, len(own) // rest.numel(), 1))
+        walls = (_wall(own[name], v) for name, v in zip(system.pressure, each, strict=True))
+        return OwnWalls(tuple(walls))
 
 
-def _rows(quantities: SceneQuantities) -> Sequence[tuple[float, ...]]:
-    """Rows of the measured curve, pressure first; none without one."""
-    curve = quantities.scene.bellows.curve
-    return (curve.rows or ()) if curve is not None else ()
+def _wall(law: PressureCurves | SnapCurves, rest_volume: ca.SX) -> MeasuredWall | SnappingWall:
+    if isinstance(law, SnapCurves):
+        return SnappingWall(rest_volume, law.pressure, law.curvature, law.stretch)
+    return MeasuredWall(rest_volume, law.volume, law.curvature, law.stretch)
+
+
+def _curves(quantities: SceneQuantities) -> list[Sequence[tuple[float, ...]]]:
+    """Rows of the measured curves, pressure first."""
+    return [curve.rows or () for curve in quantities.scene.bellows.curves]

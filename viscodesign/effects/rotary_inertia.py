@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 from typing import ClassVar, Self
 
+import numpy as np
+
 from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.scene_number import Numbers
 from viscodesign.model.system import System
 
 MODE_SLOPE = 4.648
@@ -31,11 +34,17 @@ class RotaryInertia(Effect):
     keys: ClassVar[tuple[str, ...]] = ("actuator.height",)
 
     gyration: float
-    """Radius of gyration of the cross section [m]."""
+    """Radius of gyration of the cross section; where sections differ, the largest [m]."""
+    inertia: Numbers
+    """Moment of inertia per length, one for all sections or of each (S,) [kg m]."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        return cls(quantities.scene.actuator.height / math.sqrt(12))
+        height = quantities.scene.sections.each("height")
+        varied, gyration = quantities.body.varied, height / math.sqrt(12)
+        mass = quantities.body.mass_per_length if varied is None else varied.mass_per_length
+        largest = gyration if not isinstance(gyration, np.ndarray) else np.max(gyration)
+        return cls(largest, mass * gyration**2)
 
     def weight(self, quantities: SceneQuantities) -> float:
         slender = (self.gyration / quantities.body.length) ** 2
@@ -54,7 +63,6 @@ class RotaryInertia(Effect):
         return EstimateTerm(modal_mass=self.modal_mass)
 
     def join(self, system: System) -> None:
-        per_length = system.parameter("mass_per_length", system.body.mass_per_length)
-        radius = system.parameter("gyration", self.gyration)
-        for energy in system.rod.rotary_energies(per_length * radius**2):
+        inertia = system.of_sections("rotary_inertia.per_length", self.inertia)
+        for energy in system.rod.rotary_energies(inertia):
             system.kinetic_energy += energy

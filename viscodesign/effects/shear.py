@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -11,9 +11,11 @@ from viscodesign.effects.base import Effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.scene_number import Numbers, mean_of
 from viscodesign.model.system import System
 from viscodesign.physics import beam
 from viscodesign.references import LiteratureReference
+from viscodesign.scene.scene import Scene
 
 EVEN_LOAD = 4.0
 """Deflection of a cantilever's tip under an even load by shear, q l^2/(2 kappa G A), over that by
@@ -28,7 +30,7 @@ UNDAMPED_MODES = 10.0
 """Factor on it where nothing damps the higher modes, which shear slows more than the first."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Shear(Effect):
     """Shear strain of the rod, Q/(kappa G A); off: cross sections stay perpendicular to the axis.
 
@@ -63,18 +65,26 @@ class Shear(Effect):
         "it, `auto` weighs it."
     )
 
-    stiffness: float
-    """kappa G A [N]."""
+    stiffnesses: Numbers
+    """kappa G A, one for all sections or of each (S,) [N]."""
     bending_stiffness: float
     """EI [N m2]."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        a = quantities.scene.actuator
-        factor = a.extension_factor if a.shear_factor is None else a.shear_factor
-        stiffness = beam.shear_stiffness(a.youngs_modulus, a.height, a.width, factor)
+        own = quantities.scene.sections
+        modulus, height, width = (own.each(n) for n in ("youngs_modulus", "height", "width"))
+        stiffness: Any = beam.shear_stiffness(modulus, height, width, _factors(quantities.scene))
+        if own.blocked is not None:
+            stiffness = np.where(own.blocked, np.inf, stiffness)
         most = UNSHEARABLE / quantities.accuracy * quantities.bending_force
         return cls(np.minimum(stiffness, most), quantities.body.bending_stiffness)
+
+    @property
+    def stiffness(self) -> float:
+        """kappa G A; where sections differ, of a uniform rod that shears as much [N]."""
+        found: float = 1 / mean_of(1 / self.stiffnesses)
+        return found if isinstance(self.stiffnesses, np.ndarray) else self.stiffnesses
 
     def present(self, quantities: SceneQuantities) -> bool:
         """Only where a spec names it, whatever `others` says.
@@ -108,4 +118,13 @@ class Shear(Effect):
         return EstimateTerm(shear_compliance=1 / self.stiffness, modal_mass=self.modal_mass)
 
     def join(self, system: System) -> None:
-        system.let_shear(system.parameter("shear.stiffness", self.stiffness))
+        system.let_shear(system.of_sections("shear.stiffness", self.stiffnesses))
+
+
+def _factors(scene: Scene) -> Any:
+    """Factor of the stiffness in shear, one for all sections or (S,): as in tension if absent."""
+    own, usual = scene.sections.each("shear_factor"), scene.sections.each("extension_factor")
+    if isinstance(own, np.ndarray) and scene.actuator.shear_factor is None:
+        each = zip(own, np.broadcast_to(usual, own.shape), strict=True)
+        return np.array([tension if shear is None else shear for shear, tension in each])
+    return usual if own is None else own

@@ -125,7 +125,7 @@ class LoadEstimate:
     def masses(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> np.ndarray:
         """Masses at the ends of the pieces (T or 1, K) [kg]."""
         setting = self.setting
-        mass = np.full(setting.pieces, setting.mass_per_length * setting.length / setting.pieces)
+        mass = setting.piece_masses * setting.length / setting.pieces * np.ones(setting.pieces)
         mass[-1] = mass[-1] / 2 + self.tip_mass
         return mass + self._held(pressure, uptake) if self.held_density else mass[None]
 
@@ -160,8 +160,9 @@ class LoadEstimate:
         normal = np.sum(axis.direction * carried, axis=-1)
         length = setting.length / nodes.shape[1]
         most = LARGEST_LOAD_TURN
-        turn = np.clip(moment / setting.bending_stiffness * length, -most, most)
-        return turn / length, normal / setting.extension_stiffness
+        bending, extension = setting.piece_stiffnesses
+        turn = np.clip(moment / bending * length, -most, most)
+        return turn / length, normal / extension
 
     def shear_angles(self, axis: Axis, force: np.ndarray) -> np.ndarray | None:
         """Shear of the pieces (T, K) [rad] by the same forces; None where they do not shear."""

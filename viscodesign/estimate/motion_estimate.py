@@ -26,6 +26,7 @@ from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.scene_number import Numbers
 from viscodesign.storage.cached_property import cached_property
 
 FIRST_BENDING = 3.5160
@@ -66,7 +67,7 @@ class MotionEstimate:
         return sum(term.damping_time for term in self.terms)
 
     @cached_property
-    def _uptake(self) -> tuple[float, float]:
+    def _uptake(self) -> tuple[Numbers, Numbers]:
         """Volume that a bellow takes up per normal force [m3/N] and per moment [m3/(N m)]."""
         terms = self.terms
         return sum(t.volume_per_force for t in terms), sum(t.volume_per_moment for t in terms)
@@ -75,7 +76,7 @@ class MotionEstimate:
     def tip(self) -> np.ndarray:
         """The tip at every sample (T, 2) [m]."""
         tip, moved = self._moving(self.loads.axis)
-        if self.loads.has_head or any(self._uptake):
+        if self.loads.has_head or any(np.any(own) for own in self._uptake):
             uptake = self._volumes_taken_up(moved)
             pressure = self._pressure_with_feedback(moved, uptake)
             tip, _ = self._moving(self.loads.axis_at(pressure, uptake))
@@ -169,10 +170,11 @@ class MotionEstimate:
         """Volumes that the forces in the axis give the bellows (T, B) [m3]."""
         setting = self.setting
         per_force, per_moment = self._uptake
-        moment = setting.bending_stiffness * axis.load_curvature @ setting.share
-        normal = setting.extension_stiffness * axis.load_stretch @ setting.share
-        force, turn = per_force * normal, per_moment * moment
-        return np.concatenate([force - turn, force + turn], axis=1)
+        bending, extension = setting.piece_stiffnesses
+        moment = bending * axis.load_curvature @ setting.share
+        normal = extension * axis.load_stretch @ setting.share
+        force = per_force * np.concatenate([normal, normal], axis=1)
+        return force + per_moment * np.concatenate([-moment, moment], axis=1)
 
     def _pressure_with_feedback(self, axis: Axis, uptake: np.ndarray) -> np.ndarray:
         """Pressures with volumes that the rod takes up, and with the fluid's head (T, B) [Pa]."""

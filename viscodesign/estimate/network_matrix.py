@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from viscodesign.model.graph import Component
+from viscodesign.model.scene_number import Numbers
 from viscodesign.physics import timescales
 
 
@@ -26,11 +27,11 @@ def laplacian(component: Component, resistances: Mapping[str, float]) -> np.ndar
 
 
 def settling_time(
-    component: Component, resistances: Mapping[str, float], compliance: float
+    component: Component, resistances: Mapping[str, float], compliance: Numbers
 ) -> float:
     """Slowest time constant of a component's bellows, junctions eliminated [s].
 
-    ``compliance``: of every bellow [m3/Pa].
+    ``compliance``: one for all bellows, or of each of the component's (B,) [m3/Pa].
     """
     matrix = laplacian(component, resistances)
     bellows, junctions = len(component.bellows), len(component.junctions)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -14,11 +15,13 @@ from viscodesign.estimate.network_matrix import laplacian, settling_time
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.bellow_law import BellowLaw
+from viscodesign.model.bellow_law import BellowLaw, BellowLaws
 from viscodesign.model.graph import Component, Graph
 from viscodesign.model.rod import Body
-from viscodesign.physics import beam, bellow, gas, timescales, tube
+from viscodesign.model.scene_number import Numbers, mean_of
+from viscodesign.physics import beam, gas, timescales, tube
 from viscodesign.results.findings import Scales
+from viscodesign.scene.actuator_numbers import bellow_laws, body_of
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
@@ -57,37 +60,25 @@ class SceneQuantities:
     @cached_property
     def body(self) -> Body:
         """The actuator as a beam."""
-        a = self.scene.actuator
-        return Body(
-            length=a.length,
-            sections=self.scene.bellows.count // 2,
-            bending_stiffness=beam.bending_stiffness(
-                a.youngs_modulus, a.height, a.width, a.bending_factor
-            ),
-            extension_stiffness=beam.extension_stiffness(
-                a.youngs_modulus, a.height, a.width, a.extension_factor
-            ),
-            mass_per_length=beam.mass_per_length(a.density, a.height, a.width, a.solid_fraction),
-        )
+        return body_of(self.scene)
 
     @cached_property
     def bellow(self) -> BellowLaw:
-        """The linear laws of one bellow."""
-        b, modulus = self.scene.bellows, self.scene.actuator.youngs_modulus
-        rest = bellow.rest_volume(b.height, b.width, b.length)
-        section = self.body.section_length
-        return BellowLaw(
-            length=b.length,
-            rest_volume=rest,
-            compliance=bellow.compliance(b.length, b.area_per_pressure),
-            curvature_per_pressure=bellow.curvature_per_pressure(
-                b.angle_per_pressure, modulus, section
-            ),
-            stretch_per_pressure=bellow.stretch_per_pressure(
-                b.extension_per_pressure, modulus, section
-            ),
-            floor_volume=b.collapse_fraction * rest,
-        )
+        """The linear laws of one bellow: the means of all."""
+        return self.bellows.typical
+
+    @cached_property
+    def bellows(self) -> BellowLaws:
+        """The linear laws of all bellows."""
+        return bellow_laws(self.scene)
+
+    def compliance_of(self, names: Sequence[str]) -> Numbers:
+        """Volume per pressure of these bellows, one for all or of each [m3/Pa]."""
+        each = self.bellows.compliance
+        if not isinstance(each, np.ndarray):
+            return each
+        places = {name: k for k, name in enumerate(self.graph.bellows)}
+        return np.asarray(each[[places[name] for name in names]])
 
     @cached_property
     def resistances(self) -> dict[str, float]:
@@ -133,7 +124,10 @@ class SceneQuantities:
         # Tubes of several radii: the radius of an equal tube of the same total resistance.
         radius = (total / sum(t.length / t.radius**4 for t in tubes)) ** 0.25
         return timescales.viscous_elastic_time(
-            self.scene.fluid.viscosity, self.scene.bellows.area_per_pressure, radius, total
+            self.scene.fluid.viscosity,
+            mean_of(self.scene.bellows.each("area_per_pressure")),
+            radius,
+            total,
         )
 
     def laplacian(self, component: Component) -> np.ndarray:
@@ -141,7 +135,7 @@ class SceneQuantities:
         return laplacian(component, self.resistances)
 
     def _settling_time(self, component: Component) -> float:
-        return settling_time(component, self.resistances, self.bellow.compliance)
+        return settling_time(component, self.resistances, self.compliance_of(component.bellows))
 
     # -- loads ----------------------------------------------------------------
 
@@ -190,7 +184,7 @@ class SceneQuantities:
     def bare_estimate(self) -> MotionEstimate:
         """The motion without any effect, for effects to add their terms to."""
         barrels = {name: self.barrel_compliance(name) for name in self.barrels}
-        numbers = (self.body, self.bellow, self.resistances, barrels, self.swing)
+        numbers = (self.body, self.bellows, self.resistances, barrels, self.swing)
         return MotionEstimate(EstimateSetting(self.scene, *numbers))
 
     @cached_property
@@ -271,8 +265,8 @@ class SceneQuantities:
     def fluid_weight(self) -> float:
         """Weight of all the fluid that the bellows may come to hold [N]."""
         b, swelling = self.scene.bellows, self.bellow.compliance * max(self.highest_pressure, 0.0)
-        if b.curve is not None:
-            swelling = max([swelling, *(b.length * row[1] for row in b.curve.rows or ())])
+        longest = float(np.max(b.each("length")))
+        swelling = max([swelling, *(longest * row[1] for c in b.curves for row in c.rows or ())])
         volume = len(self.graph.bellows) * (self.bellow.rest_volume + swelling)
         return self.scene.fluid.density * volume * self.acceleration
 
@@ -285,7 +279,8 @@ class SceneQuantities:
     def largest_turn(self) -> float:
         """Turn of a section with one bellow at the highest pressure, the other at the lowest
         [rad]."""
-        per_pressure = abs(self.bellow.curvature_per_pressure) * self.body.section_length
+        turn = np.max(np.abs(self.bellows.curvature_per_pressure))
+        per_pressure = float(turn) * self.body.section_length
         return self.pressure_range * per_pressure
 
     @property

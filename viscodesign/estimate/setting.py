@@ -10,8 +10,9 @@ import numpy as np
 from viscodesign.estimate.linear_network import LinearNetwork, UniformNetwork
 from viscodesign.estimate.modal_response import FilterStart
 from viscodesign.estimate.sample_grid import SampleGrid
-from viscodesign.model.bellow_law import BellowLaw
+from viscodesign.model.bellow_law import BellowLaws
 from viscodesign.model.rod import Body
+from viscodesign.model.scene_number import Numbers
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
 
@@ -21,6 +22,8 @@ TIME_OF_MODES = 0.25
 """Part of the run in which a flow's inertance is compared with its resistance."""
 PIECES = 8
 """Pieces of the axis of an estimate."""
+STIFFEST = 1e6
+"""Stiffness of a blocked piece over that of the uniform rod."""
 
 
 class EstimateSetting:
@@ -30,7 +33,7 @@ class EstimateSetting:
         self,
         scene: Scene,
         body: Body,
-        law: BellowLaw,
+        law: BellowLaws,
         resistances: Mapping[str, float],
         barrels: Mapping[str, float],
         swing: float,
@@ -45,6 +48,7 @@ class EstimateSetting:
         self.mass_per_length = body.mass_per_length
         self.bending_stiffness = body.bending_stiffness
         self.extension_stiffness = body.extension_stiffness
+        self._varied = body.varied
         self.compliance = law.compliance
         self.rest_volume = law.rest_volume
         self.curvature = law.curvature_per_pressure
@@ -191,6 +195,27 @@ class EstimateSetting:
         upper = np.minimum(ends[1:, None], joints[None, 1:])
         lower = np.maximum(ends[:-1, None], joints[None, :-1])
         return np.asarray(np.maximum(upper - lower, 0.0) * self.pieces)
+
+    @cached_property
+    def piece_masses(self) -> Numbers:
+        """Mass per length of every piece, one for all or (K,) [kg/m]."""
+        varied = self._varied
+        if varied is None or not isinstance(varied.mass_per_length, np.ndarray):
+            return self.mass_per_length
+        return np.asarray(self.spread @ varied.mass_per_length)
+
+    @cached_property
+    def piece_stiffnesses(self) -> tuple[Numbers, Numbers]:
+        """In bending [N m2] and extension [N] of every piece, each one for all or (K,)."""
+        if self._varied is None:
+            return self.bending_stiffness, self.extension_stiffness
+        bending = self._softened(self._varied.bending_stiffness, self.bending_stiffness)
+        return bending, self._softened(self._varied.extension_stiffness, self.extension_stiffness)
+
+    def _softened(self, stiffness: Numbers, typical: float) -> Numbers:
+        """Stiffness of every piece under a load that all of its sections carry (K,)."""
+        compliance = self.spread @ (1 / (stiffness * np.ones(self.sections)))
+        return np.asarray(1 / np.maximum(compliance, 1 / (STIFFEST * typical)))
 
     @cached_property
     def share(self) -> np.ndarray:

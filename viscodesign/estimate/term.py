@@ -8,6 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.scene_number import Numbers
 
 WallLaw = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray, np.ndarray]]
 """Gauge pressures [Pa] -> volume beyond rest [m3], curvature [1/m] and stretch [1] of each."""
@@ -60,7 +61,7 @@ class EstimateTerm:
     """Shear angle of the axis per transverse force [1/N]."""
     damping_time: float = 0.0
     """Retardation time of the rod's strains [s]."""
-    volume_per_force: float = 0.0
-    """Volume that a bellow takes up per normal force in its section [m3/N]."""
-    volume_per_moment: float = 0.0
+    volume_per_force: Numbers = 0.0
+    """Volume that a bellow takes up per normal force in its section, one or (B,) [m3/N]."""
+    volume_per_moment: Numbers = 0.0
     """The same per moment, with opposite signs left and right [m3/(N m)]."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.scene_number import Numbers
 
 
 @dataclass(frozen=True, eq=False)
@@ -14,15 +15,15 @@ class ArcRod:
 
     section: float
     """Length of a section [m]."""
-    turn: float
-    """Angle of a section per pressure difference of its bellows [rad/Pa]."""
-    stretch: float
-    """Stretch of a section per sum of its bellows' pressures [1/Pa]."""
+    turn: Numbers
+    """Angle of a section per pressure of its left bellow, one or (B,) [rad/Pa]."""
+    stretch: Numbers
+    """Stretch of a section per pressure of a bellow, likewise [1/Pa]."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> ArcRod:
         """That of a scene's actuator."""
-        law, section = quantities.bellow, quantities.body.section_length
+        law, section = quantities.bellows, quantities.body.section_length
         return cls(section, law.curvature_per_pressure * section, law.stretch_per_pressure)
 
     def tip(self, pressure: np.ndarray) -> np.ndarray:
@@ -40,17 +41,18 @@ class ArcRod:
         behind = np.cumsum(arms[:, :, ::-1], axis=2)[:, :, ::-1] - arms
         by_turn = behind + arms / 2 + (length * slope)[:, None] * along
         by_stretch = self.section * chord[:, None] * along
-        turned, drawn = self.turn * by_turn, self.stretch * by_stretch
-        return np.concatenate([drawn - turned, drawn + turned], axis=2)
+        turned = self.turn * np.concatenate([-by_turn, by_turn], axis=2)
+        return turned + self.stretch * np.concatenate([by_stretch, by_stretch], axis=2)
 
     def _arcs(self, pressure: np.ndarray) -> tuple[np.ndarray, ...]:
         """(T, S): direction of every chord, length of its arc, chord over arc, and its slope."""
-        right, left = np.split(pressure, 2, axis=1)
-        turn = self.turn * (left - right)
+        right, left = np.split(self.turn * pressure, 2, axis=1)
+        turn = left - right
+        drawn = np.sum(np.split(self.stretch * pressure, 2, axis=1), axis=0)
         middle = np.cumsum(turn, axis=1) - turn / 2
         half = turn / 2
         small = np.abs(half) < 1e-4
         safe = np.where(small, 1.0, half)
         chord = np.where(small, 1 - half**2 / 6, np.sin(safe) / safe)
         slope = np.where(small, -half / 3, (np.cos(safe) - np.sin(safe) / safe) / safe) / 2
-        return middle, self.section * (1 + self.stretch * (right + left)), chord, slope
+        return middle, self.section * (1 + drawn), chord, slope

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, fields
 
 import casadi as ca
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.graph import Graph
-from viscodesign.model.scene_number import SCENE_NUMBER
+from viscodesign.model.scene_number import SCENE_NUMBER, Numbers, mean_of
 
 SX = ca.SX
 
 
 @dataclass(frozen=True)
 class BellowLaw:
-    """The linear laws of one bellow, in SI; all bellows of an actuator are equal."""
+    """The linear laws of one bellow, in SI."""
 
     length: float = field(metadata=SCENE_NUMBER)
     rest_volume: float = field(metadata=SCENE_NUMBER)
@@ -23,6 +23,23 @@ class BellowLaw:
     curvature_per_pressure: float = field(metadata=SCENE_NUMBER)
     stretch_per_pressure: float = field(metadata=SCENE_NUMBER)
     floor_volume: float = field(metadata=SCENE_NUMBER)
+
+
+@dataclass(frozen=True, eq=False)
+class BellowLaws:
+    """The linear laws of all bellows: each number one for all, or an array in the graph's order (B,)."""
+
+    length: Numbers = field(metadata=SCENE_NUMBER)
+    rest_volume: Numbers = field(metadata=SCENE_NUMBER)
+    compliance: Numbers = field(metadata=SCENE_NUMBER)
+    curvature_per_pressure: Numbers = field(metadata=SCENE_NUMBER)
+    stretch_per_pressure: Numbers = field(metadata=SCENE_NUMBER)
+    floor_volume: Numbers = field(metadata=SCENE_NUMBER)
+
+    @property
+    def typical(self) -> BellowLaw:
+        """The law whose numbers are the means of all."""
+        return BellowLaw(**{f.name: mean_of(getattr(self, f.name)) for f in fields(self)})
 
 
 @dataclass(frozen=True)

@@ -1,12 +1,14 @@
 """Laws of a bellow's wall: volume and strains of its section as functions of its pressure.
 
-All bellows have the same law. The strains of a section's two bellows add up: curvature
+A law takes the pressures of all bellows (B,); its numbers are one for all of them, or one of each
+(B,). The strains of a section's two bellows add up: curvature
 of the left minus that of the right, stretch of both.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 
 import casadi as ca
 
@@ -147,3 +149,32 @@ class SnappingWall(Wall):
 
     def energy(self, swelling: SX) -> SX:
         return SX(self.pressure_curve.integral(swelling, ca))
+
+
+@dataclass(frozen=True)
+class OwnWalls(Wall):
+    """A law of its own for every bellow."""
+
+    walls: tuple[Wall, ...]
+
+    def pressure(self, swelling: SX) -> SX:
+        """Gauge pressures in equilibrium with swellings (B,), where all walls may snap [Pa]."""
+        walls = [wall for wall in self.walls if isinstance(wall, SnappingWall)]
+        each = zip(walls, ca.vertsplit(swelling), strict=True)
+        return ca.vertcat(*(wall.pressure(own) for wall, own in each))
+
+    def volume(self, pressure: SX) -> SX:
+        return self._each(lambda wall, own: wall.volume(own), pressure)
+
+    def curvature(self, pressure: SX) -> SX:
+        return self._each(lambda wall, own: wall.curvature(own), pressure)
+
+    def stretch(self, pressure: SX) -> SX:
+        return self._each(lambda wall, own: wall.stretch(own), pressure)
+
+    def energy(self, pressure: SX) -> SX:
+        return self._each(lambda wall, own: wall.energy(own), pressure)
+
+    def _each(self, law: Callable[[Wall, SX], SX], pressure: SX) -> SX:
+        each = zip(self.walls, ca.vertsplit(pressure), strict=True)
+        return ca.vertcat(*(law(wall, own) for wall, own in each))

@@ -15,6 +15,10 @@ accurate to higher order for smoothly varying strain:
 - **Length.** An edge of stretch lambda is the chord of an arc,
   h lambda sinc(kappa h / 2), with the edge's own total curvature kappa.
 
+Where sections differ, c is the moment over the stiffness EI of a uniform rod. It is continuous;
+the curvature of an edge is c times its softness, EI over its own stiffness, and stands in the
+place of c in both relations.
+
 The moment E I c is an unknown of its own: the system stays sparse, the number of
 operations linear in the number of edges. So is the axial force E A tau of every edge, with
 its elastic stretch tau: within a step of an integrator nodes move straight, which stretches
@@ -27,7 +31,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from viscodesign.model.rod import Body, PointMass, RodParameters, RodSymbols
+from viscodesign.model.rod import Body, PointMass, RodParameters, RodSymbols, Softness
 
 SX = ca.SX
 
@@ -50,6 +54,33 @@ def node_weights(edges: int) -> np.ndarray:
     return weights
 
 
+LARGEST_MASS_RATIO = 4.0
+"""Mass of an edge over that of a neighbour up to which it is spread in the fourth order."""
+
+
+def node_masses(per_edge: list[SX]) -> list[SX]:
+    """Masses of nodes 1..edges, from those of edges that may jump from edge to edge [kg].
+
+    Every edge is integrated by the cubic through the four nodes about it, at the tip by the
+    parabola through the last three; for equal edges these are the weights of `node_weights`.
+    Beside a far lighter edge less of this correction is made, so that no mass is negative.
+    """
+    edges = len(per_edge)
+    found = {i: SX(0) for i in range(-1, edges + 2)}
+    for e, mass in enumerate(per_edge):  # from node e to node e + 1
+        near = [per_edge[k] for k in (e - 1, e + 1) if 0 <= k < edges]
+        moved = SX(mass)
+        for other in near:
+            moved = ca.fmin(moved, LARGEST_MASS_RATIO * other)
+        for node in (e, e + 1):
+            found[node] += mass / 2
+        weights = (-2, 4, -2, 0) if e == edges - 1 else (-1, 1, 1, -1)
+        for node, weight in zip(range(e - 1, e + 3), weights, strict=True):
+            # The clamp mirrors.
+            found[abs(node)] += weight * moved / 24
+    return [found[i] for i in range(1, edges + 1)]
+
+
 class ChainSymbols(RodSymbols):
     """Symbols, strains and energies of a chain of ``edges_per_section`` edges a section."""
 
@@ -70,14 +101,17 @@ class ChainSymbols(RodSymbols):
         self.internal = ca.vertcat(self.elastic_curvature, self.axial_strain)
         self.coordinate_size = parameters.length
         self._length = parameters.length
+        self._soften(parameters.softness)
         self.intrinsic_curvature = SX.sym("intrinsic_curvature", body.sections)
         self.intrinsic_stretch = SX.sym("intrinsic_stretch", body.sections)
         self.tip_moment = SX.sym("tip_moment")
         mass = parameters.mass_per_length
-        self._masses = [
-            PointMass(mass * self.h * weight, self.position[:, i], self.velocity[:, i])
-            for i, weight in enumerate(node_weights(self.edges))
-        ]
+        self._masses: list[PointMass] = []
+        if mass.is_scalar():
+            each = [mass * self.h * weight for weight in node_weights(self.edges)]
+            self._hang(each)
+        else:
+            self._hang(node_masses(ca.vertsplit(self._per_edge(mass) * self.h)))
         self._measure_strains()
 
     # -- what effects may use -------------------------------------------------
@@ -113,28 +147,39 @@ class ChainSymbols(RodSymbols):
         count = self.edges_per_section
         per_edge = [mass / count for mass in per_section for _ in range(count)]
         around = [*per_edge, per_edge[-1]]
-        for i, weight in enumerate(node_weights(self.edges)):
-            mass = weight * (around[i] + around[i + 1]) / 2
+        weights = node_weights(self.edges)
+        self._hang([w * (around[i] + around[i + 1]) / 2 for i, w in enumerate(weights)])
+
+    def _hang(self, per_node: list[SX]) -> None:
+        for i, mass in enumerate(per_node):
             self._masses.append(PointMass(mass, self.position[:, i], self.velocity[:, i]))
 
-    def strain_rate_powers(self) -> list[SX]:
+    def dissipation_powers(self, time: SX) -> list[SX]:
         # The shortening of a chord that merely bends, of order (kappa h)^2, is left in the stretch.
         r, v = self.coordinates, self.rates
         stretch_rate = ca.jtimes(self.chord_lengths / self.h, r, v)
         curvature_rate = ca.jtimes(self.turns / self.tributary_lengths, r, v)
-        extension = self.EA * self.h * stretch_rate**2
+        extension = self.EA / self.extension_softness * self.h * stretch_rate**2
         bending = self.EI * self.tributary_lengths * curvature_rate**2
-        return ca.vertsplit(extension + bending)
+        if time.is_scalar():
+            return ca.vertsplit(time * (extension + bending))
+        edges = self._per_edge(time)
+        return ca.vertsplit(edges * extension + self._retarded(edges) * bending)
+
+    def _retarded(self, time: SX) -> SX:
+        """Mean of the retardation times (edges,) of the edges about every node's turn [s]."""
+        soft = time * self.bending_softness
+        return self.h * _about_nodes(soft) / self.tributary_lengths
 
     def rotary_energies(self, inertia_per_length: SX) -> list[SX]:
-        inertia = inertia_per_length * self.h
+        inertia = ca.vertsplit(self._per_edge(inertia_per_length) * self.h)
         rates = self._edge_turn_rates()
         # Along an edge the rate changes by half of what its neighbours differ by; the clamp
         # mirrors it, and the free tip bends no further.
         around = [-rates[0], *rates, rates[-1]]
         return [
-            inertia * (rate**2 + (after - before) ** 2 / 48) / 2
-            for before, rate, after in zip(around, rates, around[2:], strict=False)
+            own * (rate**2 + (after - before) ** 2 / 48) / 2
+            for own, before, rate, after in zip(inertia, around, rates, around[2:], strict=False)
         ]
 
     def _edge_turn_rates(self) -> list[SX]:
@@ -152,8 +197,20 @@ class ChainSymbols(RodSymbols):
 
     @property
     def tributary_lengths(self) -> SX:
-        """Reference length that each node's turn is spread over: h/2 at the clamp, else h."""
-        return self.h * ca.vertcat(0.5, SX.ones(self.edges - 1))
+        """Reference length that each node's turn is spread over: h/2 at the clamp, else h.
+
+        Where sections differ, that of the uniform rod which turns as much under the moment there.
+        """
+        if self._is_uniform:
+            return self.h * ca.vertcat(0.5, SX.ones(self.edges - 1))
+        return self.h * _about_nodes(self.bending_softness)
+
+    def _soften(self, softness: Softness | None) -> None:
+        """Note how much softer than the uniform rod every edge is (edges,) [1]."""
+        self._is_uniform = softness is None
+        one = SX.ones(self.edges)
+        self.bending_softness = one if softness is None else self._per_edge(softness.bending)
+        self.extension_softness = one if softness is None else self._per_edge(softness.extension)
 
     # -- kinematics -----------------------------------------------------------
 
@@ -166,7 +223,7 @@ class ChainSymbols(RodSymbols):
         zeta = self._per_edge(self.intrinsic_stretch)
         rest = ca.vertcat(kappa[0] * self.h / 2, (kappa[:-1] + kappa[1:]) * self.h / 2)
         measured = ca.vertcat((self.turns - rest) / self.tributary_lengths, self.tip_curvature)
-        edge_curvature = kappa + (measured[:-1] + measured[1:]) / 2
+        edge_curvature = kappa + self.bending_softness * (measured[:-1] + measured[1:]) / 2
         self.stretch = self._edge_stretch(chords, self.h * _sinc(edge_curvature * self.h / 2))
         self.elastic_stretch = self.stretch - 1 - zeta
         self.elastic_turns = self.turns - rest
@@ -182,6 +239,9 @@ class ChainSymbols(RodSymbols):
         return self.chord_lengths / arc
 
     def _per_edge(self, per_section: SX) -> SX:
+        """Values of sections, one for all or (S,), as those of their edges (edges,)."""
+        if per_section.is_scalar() and self.body.sections > 1:
+            return ca.repmat(per_section, self.edges, 1)
         return ca.vertcat(
             *(
                 per_section[j]
@@ -194,7 +254,8 @@ class ChainSymbols(RodSymbols):
         """Angle of the tangent at nodes 1..edges (edges,) [rad], from +z, never wrapped."""
         c = ca.vertcat(self.elastic_curvature, self.tip_curvature)
         chord_angles = ca.cumsum(self.turns)
-        return chord_angles + self._kappa * self.h / 2 + self.h * (c[:-1] / 6 + c[1:] / 3)
+        elastic = self.bending_softness * (c[:-1] / 6 + c[1:] / 3)
+        return chord_angles + self._kappa * self.h / 2 + self.h * elastic
 
     # -- energy ---------------------------------------------------------------
 
@@ -204,9 +265,10 @@ class ChainSymbols(RodSymbols):
         # Along an edge the curvature is linear. That of the tip is given: its product with the
         # last node's counts, its square does not.
         after = ca.vertcat(c[1:], self.tip_curvature)
-        square = c**2 + c * after + ca.vertcat(c[1:], 0) ** 2
+        square = self.bending_softness * (c**2 + c * after + ca.vertcat(c[1:], 0) ** 2)
         bending = self.EI * (c * self.elastic_turns - self.h / 6 * square)
-        extension = self.EA * self.h * tau * (self.elastic_stretch - tau / 2)
+        drawn = self.extension_softness * tau / 2
+        extension = self.EA * self.h * tau * (self.elastic_stretch - drawn)
         return ca.vertsplit(bending + extension)
 
     def outputs(self) -> dict[str, SX]:
@@ -215,6 +277,11 @@ class ChainSymbols(RodSymbols):
             "angle": self.node_angles(),
             "stretch": self.stretch,
         }
+
+
+def _about_nodes(per_edge: SX) -> SX:
+    """Half of what the edges before and after each of the nodes 0..edges-1 have (edges,)."""
+    return (ca.vertcat(0, per_edge[:-1]) + per_edge) / 2
 
 
 def _turns_of(chords: SX) -> SX:

@@ -66,7 +66,9 @@ class FluidContent:
         ]
         zero = [*system.normal_force, *system.moment, *(syringe.pushed for syringe in syringes)]
         pairs = [(symbol, pressure) for symbol in pressures] + [(s, SX(0)) for s in zero]
-        pairs += [(symbol, swelling) for symbol in system.swelling.values()]
+        count = len(system.swelling)
+        filled = ca.vertsplit(ca.repmat(swelling, count // swelling.numel(), 1)) if count else []
+        pairs += list(zip(system.swelling.values(), filled, strict=True))
         stored = column([system.stored(name) for name in nodes])
         return substitute([stored], pairs)[0]
 

@@ -29,12 +29,23 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.scene_number import SCENE_NUMBER
+from viscodesign.model.scene_number import SCENE_NUMBER, Numbers
 from viscodesign.model.step_geometry import StepGeometry
 
 SX = ca.SX
 
 MINIMUM_EDGES = 4
+
+
+@dataclass(frozen=True, eq=False)
+class SectionNumbers:
+    """Numbers of sections that differ, each one for all or an array (S,); in SI."""
+
+    bending_stiffness: Numbers = field(metadata=SCENE_NUMBER)
+    """Infinite where a section does not bend [N m2]."""
+    extension_stiffness: Numbers = field(metadata=SCENE_NUMBER)
+    """Infinite where a section does not stretch [N]."""
+    mass_per_length: Numbers = field(metadata=SCENE_NUMBER)
 
 
 @dataclass(frozen=True)
@@ -46,11 +57,22 @@ class Body:
     bending_stiffness: float = field(metadata=SCENE_NUMBER)
     extension_stiffness: float = field(metadata=SCENE_NUMBER)
     mass_per_length: float = field(metadata=SCENE_NUMBER)
+    varied: SectionNumbers | None = None
+    """Numbers of every section, where they differ; those above then are of a uniform
+    body that is as soft and as heavy as a whole."""
 
     @property
     def section_length(self) -> float:
         """Reference length of one section [m]."""
         return self.length / self.sections
+
+
+@dataclass(frozen=True)
+class Softness:
+    """Stiffness of the uniform body over that of every section (S,) [1]."""
+
+    bending: SX
+    extension: SX
 
 
 @dataclass(frozen=True)
@@ -61,9 +83,12 @@ class RodParameters:
     extension_stiffness: SX
     section_length: SX
     mass_per_length: SX
+    """One for all sections, or of each (S,)."""
     length: SX
     shear_stiffness: SX | None = None
-    """None where cross sections stay perpendicular to the axis [N]."""
+    """None where cross sections stay perpendicular to the axis; one or (S,) [N]."""
+    softness: Softness | None = None
+    """None where the stiffnesses are the same in all sections."""
 
 
 @dataclass(frozen=True)
@@ -143,18 +168,22 @@ class RodSymbols(ABC):
         """Distribute a mass [kg] along each section, first at the clamp."""
 
     @abstractmethod
-    def strain_rate_powers(self) -> list[SX]:
-        """Each stiffness times its squared strain rate, integrated [N m/s2].
+    def dissipation_powers(self, time: SX) -> list[SX]:
+        """Each stiffness times its squared strain rate and ``time``, integrated [W].
 
-        One local term for each part of the rod.
+        One local term for each part of the rod. ``time``: retardation time, one for all sections
+        or of each (S,) [s].
 
-        The power that a Kelvin-Voigt material dissipates, over its retardation time. It
-        depends on the motion alone; a rigid rotation has none.
+        The power that a Kelvin-Voigt material dissipates. It depends on the motion alone; a rigid
+        rotation has none.
         """
 
     @abstractmethod
     def rotary_energies(self, inertia_per_length: SX) -> list[SX]:
-        """Kinetic energies of the turning cross sections [J], whose inertia is given [kg m]."""
+        """Kinetic energies of the turning cross sections [J].
+
+        ``inertia_per_length``: one for all sections or of each (S,) [kg m].
+        """
 
     @abstractmethod
     def elastic_energies(self) -> list[SX]:

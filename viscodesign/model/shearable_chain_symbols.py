@@ -31,11 +31,13 @@ class ShearableChainSymbols(ChainSymbols):
 
     def __init__(self, body: Body, edges_per_section: int, parameters: RodParameters) -> None:
         assert parameters.shear_stiffness is not None
-        self.shear_stiffness = parameters.shear_stiffness
         edges = body.sections * edges_per_section
         self._angles = SX.sym("section_angle", edges)
         self._angle_rates = SX.sym("section_rate", edges)
         super().__init__(body, edges_per_section, parameters)
+        self.shear_stiffness = parameters.shear_stiffness
+        if not self.shear_stiffness.is_scalar():
+            self.shear_stiffness = self._per_edge(self.shear_stiffness)
 
     @property
     def section_angles(self) -> SX:
@@ -56,25 +58,41 @@ class ShearableChainSymbols(ChainSymbols):
     def elastic_energies(self) -> list[SX]:
         # Along an edge shear is linear: its square is that of the mean, and a twelfth of that of
         # what it changes by. At the clamp, where nothing moves, it does not change.
-        change = self.shear - ca.vertcat(self.shear[0], self.shear[:-1])
+        change = self._shear_change()
         reach = ca.vertcat(SX.ones(self.edges - 1), TIP_REACH)
         square = self.shear**2 + reach * change**2 / 12
         shearing = self.shear_stiffness * self.h * square / 2
         own = ca.vertsplit(shearing)
         return [a + b for a, b in zip(super().elastic_energies(), own, strict=True)]
 
-    def strain_rate_powers(self) -> list[SX]:
+    def _shear_change(self) -> SX:
+        """How much the shear of every edge differs from what the one before would have (edges,).
+
+        What changes smoothly where sections differ is the force.
+        """
+        if self.shear_stiffness.is_scalar():
+            return self.shear - ca.vertcat(self.shear[0], self.shear[:-1])
+        force = self.shear_stiffness * self.shear
+        return (force - ca.vertcat(force[0], force[:-1])) / self.shear_stiffness
+
+    def dissipation_powers(self, time: SX) -> list[SX]:
         at = ca.vertcat(self.coordinates, self._angles)
         along = ca.vertcat(self.rates, self._angle_rates)
         stretch, shear = (
             ca.jtimes(part / self.h, at, along) for part in (self._along, self._across)
         )
         bending = self._angle_rates - ca.vertcat(0, self._angle_rates[:-1])
-        power = self.EA * self.h * stretch**2 + self.shear_stiffness * self.h * shear**2
-        return ca.vertsplit(power + self.EI * bending**2 / self.tributary_lengths)
+        drawn = self.EA / self.extension_softness * self.h * stretch**2
+        power = drawn + self.shear_stiffness * self.h * shear**2
+        bent = self.EI * bending**2 / self.tributary_lengths
+        if time.is_scalar():
+            return ca.vertsplit(time * (power + bent))
+        edges = self._per_edge(time)
+        return ca.vertsplit(edges * power + self._retarded(edges) * bent)
 
     def rotary_energies(self, inertia_per_length: SX) -> list[SX]:
-        return ca.vertsplit(inertia_per_length * self.h * self._angle_rates**2 / 2)
+        inertia = self._per_edge(inertia_per_length) * self.h
+        return ca.vertsplit(inertia * self._angle_rates**2 / 2)
 
     def outputs(self) -> dict[str, SX]:
         return super().outputs() | {"shear_angle": ca.atan2(self._across, self._along)}

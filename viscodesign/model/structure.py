@@ -56,16 +56,24 @@ def without_numbers(thing: Any) -> Any:
     return thing
 
 
-def _blank(number: float | None) -> float | None:
+def _blank(number: Any) -> Any:
+    if isinstance(number, np.ndarray):
+        return np.array([_blank(own) for own in number.tolist()])
     return math.nan if _counts(number) is None else number
 
 
-def _counts(number: float | None) -> float | str | None:
-    """The structural part of a scene's number: whether it is absent, zero or infinite."""
+def _counts(number: Any) -> Hashable:
+    """The structural part of a scene's number: whether it is absent, zero or infinite.
+
+    Of an array the structural part of every entry.
+    """
     if number is None:
         return "absent"
+    if isinstance(number, np.ndarray):
+        return tuple(_counts(own) for own in number.tolist())
     is_finite = number - number == 0.0  # for any kind of number
-    return number if number == 0.0 or not is_finite else None
+    found: Hashable = number if number == 0.0 or not is_finite else None
+    return found
 
 
 class _Walk:

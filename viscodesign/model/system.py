@@ -13,19 +13,19 @@ Amounts of fluid are stated as volume at ambient density; so are flows.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.bellow_law import BellowLaw, in_pairs
-from viscodesign.model.bellow_wall import LinearWall, SnappingWall, Wall
+from viscodesign.model.bellow_law import BellowLaws, in_pairs
+from viscodesign.model.bellow_wall import LinearWall, OwnWalls, SnappingWall, Wall
 from viscodesign.model.fluid import FluidLaw, Incompressible
 from viscodesign.model.graph import Graph
-from viscodesign.model.rod import Body, RodDiscretisation, RodParameters
-from viscodesign.model.scene_number import PARAMETER_VALUE
+from viscodesign.model.rod import Body, RodDiscretisation, RodParameters, Softness
+from viscodesign.model.scene_number import PARAMETER_VALUE, Numbers
 from viscodesign.model.sums import Terms
 from viscodesign.model.syringes import SyringeParameters, SyringeSymbols
 from viscodesign.storage.cached_property import cached_property
@@ -63,7 +63,7 @@ class System:
         self,
         graph: Graph,
         body: Body,
-        bellow: BellowLaw,
+        bellows: BellowLaws,
         sources: Mapping[str, InletSource],
         baseline: float,
         ambient: float,
@@ -73,7 +73,8 @@ class System:
         self._stored: dict[str, SX] = {}
         self.graph = graph
         self.body = body
-        self.bellow = bellow
+        self.bellow = bellows.typical
+        self.bellows = bellows
         self.time = SX.sym("time")
         self.load_factor = SX.sym("load_factor")
         self.pieces = SX.sym("pieces", sum(s.coefficients for s in sources.values()))
@@ -81,13 +82,8 @@ class System:
         self.ambient = self.parameter("ambient_pressure", ambient)
         self.length = self.parameter("length", body.length)
         self.discretisation = rod
-        self._rod_parameters = RodParameters(
-            self.parameter("bending_stiffness", body.bending_stiffness),
-            self.parameter("extension_stiffness", body.extension_stiffness),
-            self.parameter("section_length", body.section_length),
-            self.parameter("mass_per_length", body.mass_per_length),
-            self.length,
-        )
+        self.parameter("compliance", self.bellow.compliance)
+        self._rod_parameters = self._parameters_of(body)
         self.rod = rod.symbols(self._rod_parameters)
         self.pressure = {name: SX.sym(f"pressure_{name}") for name in graph.bellows_along_tubes()}
         self.junction_pressure = {name: SX.sym(f"pressure_{name}") for name in graph.junctions}
@@ -145,6 +141,27 @@ class System:
             )
         return known.symbol
 
+    def of_sections(self, name: str, values: Numbers) -> SX:
+        """A number of all sections: one symbol for one number, or one of each section (S,)."""
+        return self._several(name, values, [str(j + 1) for j in range(self.graph.sections)])
+
+    def of_bellows(self, name: str, values: Numbers) -> SX:
+        """A number of all bellows, as the walls' laws read it: one symbol, or (B,) of them.
+
+        ``values``: one number, or an array in the order of the graph (B,).
+        """
+        if not isinstance(values, np.ndarray):
+            return self.parameter(name, values)
+        own = dict(zip(self.graph.bellows, values.tolist(), strict=True))
+        along = self.graph.bellows_along_tubes()
+        return self._several(name, np.array([own[b] for b in along]), along)
+
+    def _several(self, name: str, values: Numbers, members: Sequence[str]) -> SX:
+        if not isinstance(values, np.ndarray):
+            return self.parameter(name, values)
+        each = zip(members, values.tolist(), strict=True)
+        return ca.vertcat(*(self.parameter(f"{name}.{own}", value) for own, value in each))
+
     def parameters(self) -> tuple[SX, np.ndarray]:
         """All parameters' symbols and values, in the order of their first use."""
         symbols = [parameter.symbol for parameter in self._parameters.values()]
@@ -167,6 +184,22 @@ class System:
         self.fluid_energy()
 
     # -- the rod --------------------------------------------------------------
+
+    def _parameters_of(self, body: Body) -> RodParameters:
+        bending = self.parameter("bending_stiffness", body.bending_stiffness)
+        extension = self.parameter("extension_stiffness", body.extension_stiffness)
+        section = self.parameter("section_length", body.section_length)
+        own = body.varied
+        mass = self.parameter("mass_per_length", body.mass_per_length)
+        if own is None:
+            return RodParameters(bending, extension, section, mass, self.length)
+        softness = Softness(
+            bending / self.of_sections("section_bending_stiffness", own.bending_stiffness),
+            extension / self.of_sections("section_extension_stiffness", own.extension_stiffness),
+        )
+        if isinstance(own.mass_per_length, np.ndarray):
+            mass = self.of_sections("section_mass_per_length", own.mass_per_length)
+        return RodParameters(bending, extension, section, mass, self.length, softness=softness)
 
     def let_shear(self, stiffness: SX) -> None:
         """Let cross sections turn against the axis; ``stiffness``: kappa G A [N].
@@ -295,21 +328,21 @@ class System:
 
     def linear_wall(self) -> LinearWall:
         """The paper's laws of a bellow."""
-        law = self.bellow
+        law = self.bellows
         return LinearWall(
-            self.parameter("rest_volume", law.rest_volume),
-            self.parameter("compliance", law.compliance),
-            self.parameter("curvature_per_pressure", law.curvature_per_pressure),
-            self.parameter("stretch_per_pressure", law.stretch_per_pressure),
+            self.of_bellows("rest_volume", law.rest_volume),
+            self.of_bellows("compliance", law.compliance),
+            self.of_bellows("curvature_per_pressure", law.curvature_per_pressure),
+            self.of_bellows("stretch_per_pressure", law.stretch_per_pressure),
         )
 
-    def let_snap(self, wall: SnappingWall, filled: float) -> None:
+    def let_snap(self, wall: SnappingWall | OwnWalls, filled: Numbers) -> None:
         """Let the pressure of every bellow be a function of its swelling, a new unknown.
 
-        ``filled``: swelling at the pressure at which sealed parts were filled [m3].
+        ``filled``: swelling at the pressure at which sealed parts were filled, one or (B,) [m3].
         """
         self.wall = wall
-        self.filled_swelling = self.parameter("filled_swelling", filled)
+        self.filled_swelling = self.of_bellows("filled_swelling", filled)
         self.swelling = {name: SX.sym(f"swelling_{name}") for name in self.pressure}
 
     def plunger_pressures(self) -> list[SX]:
@@ -323,7 +356,7 @@ class System:
 
     def swelling_defects(self) -> SX:
         """Pressure of every swelling minus the bellow's own (B,) [Pa]; empty without swellings."""
-        if not isinstance(self.wall, SnappingWall):
+        if not (self.swelling and isinstance(self.wall, SnappingWall | OwnWalls)):
             return SX(0, 1)
         pressure = ca.vertcat(*self.pressure.values())
         return self.wall.pressure(ca.vertcat(*self.swelling.values())) - pressure
@@ -331,19 +364,20 @@ class System:
     @cached_property
     def intrinsic_curvature(self) -> SX:
         """Curvature of every section under its pressures alone (S,) [1/m]."""
-        left, right = self._columns
-        return self.wall.curvature(left) - self.wall.curvature(right)
+        left, right = self._columns(self.wall.curvature)
+        return left - right
 
     @cached_property
     def intrinsic_stretch(self) -> SX:
         """Stretch of every section under its pressures alone (S,) [1]."""
-        left, right = self._columns
-        return self.wall.stretch(left) + self.wall.stretch(right)
+        left, right = self._columns(self.wall.stretch)
+        return left + right
 
-    @cached_property
-    def _columns(self) -> tuple[SX, SX]:
-        """Arguments of the left and the right bellows' laws, clamp first (S,)."""
-        left, right = zip(*in_pairs(self.graph, self.wall_argument), strict=True)
+    def _columns(self, law: Callable[[SX], SX]) -> tuple[SX, SX]:
+        """A law's values of the left and the right bellows, clamp first (S,)."""
+        names, arguments = zip(*self.wall_argument.items(), strict=True)
+        values = dict(zip(names, ca.vertsplit(law(ca.vertcat(*arguments))), strict=True))
+        left, right = zip(*in_pairs(self.graph, values), strict=True)
         return ca.vertcat(*left), ca.vertcat(*right)
 
     def fluid_energy(self) -> SX:

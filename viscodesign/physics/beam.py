@@ -76,7 +76,9 @@ def elastic_inertial_time(mass_per_length: float, length: float, bending_stiffne
     return math.sqrt(mass_per_length * length**4 / bending_stiffness)
 
 
-def inner_fibre_stretch(length: np.ndarray, height: float, turn: np.ndarray) -> np.ndarray:
+def inner_fibre_stretch(
+    length: np.ndarray, height: float | np.ndarray, turn: np.ndarray
+) -> np.ndarray:
     r"""Length of the inner side of a bent section relative to that of its axis [1].
 
     .. math:: \lambda_i = 1 - |\theta| h / (2 l)

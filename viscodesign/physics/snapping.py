@@ -39,7 +39,8 @@ class SnapCurves:
         """
         pressure, area = rows[:, 0], rows[:, 1]
         law = PiecewiseCubic.monotone(area, pressure)
-        peak = int(np.argmax(np.diff(pressure) < 0))
+        falling = np.diff(pressure) < 0
+        peak = int(np.argmax(falling)) if falling.any() else len(falling)
         rest = _crossing(law, area[: peak + 1], 0.0)
         swelling = length * (area - rest)
         angle, extension = (

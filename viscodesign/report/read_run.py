@@ -85,6 +85,7 @@ class RunNames:
             "junctions": graph.junctions,
             "length": scene.actuator.length,
             "width": scene.actuator.height,
+            "section_widths": scene.sections.heights,
             "ambient_pressure": scene.ambient_pressure,
             "period": scene.period,
         }

@@ -151,6 +151,8 @@ class Trajectory(MotionArrays):
     """Actuator length [m]."""
     width: float
     """Actuator size along x (the YAML's `height`) [m], for drawing."""
+    section_widths: tuple[float, ...] = ()
+    """Size along x of every section, where sections differ [m]."""
     classification: Classification
     """Timescales and quadrant."""
     effects: tuple[Verdict, ...]

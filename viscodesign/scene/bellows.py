@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Sequence
-from typing import Annotated, Any, get_args
+from typing import Annotated, Any
 
-from pydantic import AfterValidator, Field, ValidationInfo, model_validator
+from pydantic import AfterValidator, Field, field_validator, model_validator
 
-from viscodesign.scene.spec_part import SpecPart, invalid, invalid_at
-from viscodesign.scene.table_file import FromFile, check_rows, pressure_faults, with_rows
-from viscodesign.scene.tables.columns import WantedColumn
+from viscodesign.model.graph import bellow_names
+from viscodesign.scene.bellow_changes import BellowChange, bellow_change_faults, bellows_named
+from viscodesign.scene.bellow_curve import BellowCurve, falls
+from viscodesign.scene.member_changes import numbers_of, values_by_member
+from viscodesign.scene.spec_part import SpecPart, invalid, invalid_at, raise_faults
 from viscodesign.units import (
     Angle,
-    Area,
     AreaPerForce,
     AreaPerMoment,
     AreaPerPressure,
     Fraction,
     Length,
-    Pressure,
 )
 
 MAX_BELLOWS = 4096
@@ -36,86 +34,8 @@ def _paired(count: int) -> int:
     return count
 
 
-CURVE_COLUMNS = (
-    WantedColumn("pressure", get_args(Pressure)[1], ("p",)),
-    WantedColumn("area", get_args(Area)[1]),
-    WantedColumn("angle", get_args(Angle)[1]),
-    WantedColumn("extension", get_args(Length)[1]),
-)
-ROW_SPACING_REL_MIN = 1e-4
-"""Smallest spacing of rows relative to the measured range; closer rows amplify rounding errors."""
-MAX_CURVE_ROWS = 60
-"""Each row adds a term to the equations of every bellow."""
-
-
-class BellowCurve(FromFile):
-    """The measured curve of one bellow, in rows of increasing area.
-
-    Where the pressure falls from one row to the next, the bellow is unstable under a given
-    pressure and snaps through.
-    """
-
-    rows: tuple[tuple[Pressure, Area, Angle, Length], ...] | None = Field(
-        None, description="Instead of a file: rows of [pressure, area, angle, extension]"
-    )
-
-    @model_validator(mode="before")
-    @classmethod
-    def _read(cls, given: Any, info: ValidationInfo) -> Any:
-        return with_rows(given, info, CURVE_COLUMNS, pressure_faults, "a curve")
-
-    @model_validator(mode="after")
-    def _check_rows(self) -> BellowCurve:
-        rows = self.rows or ()
-        check_rows(rows, pressure_faults)
-        if len(rows) > MAX_CURVE_ROWS:
-            raise invalid_at("rows", f"{len(rows)} rows; at most {MAX_CURVE_ROWS} are allowed")
-        for k, (before, after) in enumerate(itertools.pairwise(rows), start=2):
-            if after[1] <= before[1]:
-                raise invalid_at("rows", f"row {k}: the area must increase from row to row")
-        if rows[1][0] < rows[0][0] or rows[-1][0] < rows[-2][0]:
-            raise invalid_at(
-                "rows",
-                "the pressure must increase with the area at both ends; it may decrease only in "
-                "between, where the bellow snaps through",
-            )
-        if not rows[0][0] <= 0.0 <= first_peak(rows):
-            raise invalid_at("rows", "the first rising part must include zero gauge pressure")
-        self._check_spacing(rows)
-        return self
-
-    def _check_spacing(self, rows: tuple[tuple[float, ...], ...]) -> None:
-        """Raise a fault for rows that are too close to be resolved numerically."""
-        column, unit = (1, "m2") if falls(rows) else (0, "Pa")
-        smallest = ROW_SPACING_REL_MIN * (rows[-1][column] - rows[0][column])
-        for k, (before, after) in enumerate(itertools.pairwise(rows), start=2):
-            if after[column] - before[column] < smallest:
-                raise invalid_at(
-                    "rows",
-                    f"rows {k - 1} and {k} are closer than {smallest:.3g} {unit}, 1e-4 of the "
-                    "measured range; remove one of them",
-                )
-
-
-def falls(rows: Sequence[tuple[float, ...]]) -> bool:
-    """Whether the pressure of a curve decreases anywhere while the area increases."""
-    return any(after[0] < before[0] for before, after in itertools.pairwise(rows))
-
-
-def first_peak(rows: Sequence[tuple[float, ...]]) -> float:
-    """Pressure at the first maximum of the curve [Pa]."""
-    pressures = [row[0] for row in rows]
-    rising = itertools.takewhile(lambda pair: pair[1] > pair[0], itertools.pairwise(pressures))
-    return max([pressures[0], *(after for _, after in rising)])
-
-
-def snaps(bellows: Bellows) -> bool:
-    """Whether the measured curve makes a bellow snap through."""
-    return bellows.curve is not None and falls(bellows.curve.rows or ())
-
-
 class Bellows(SpecPart):
-    """Identical bellows in pairs, one right and one left of the axis in every section."""
+    """Bellows in pairs, one right and one left of the axis in every section."""
 
     count: Annotated[int, Field(strict=True), AfterValidator(_paired)] = Field(
         description="Number of bellows, even"
@@ -150,3 +70,49 @@ class Bellows(SpecPart):
     curve: BellowCurve | None = Field(
         None, description="Measured curve of one bellow, replaces the linear coefficients"
     )
+    changes: dict[str, BellowChange] | None = Field(
+        None,
+        description="Bellows that differ, by name or range: R3, L1-L4, or 3 and 1-4 for both "
+        "bellows of these sections",
+    )
+
+    @field_validator("changes", mode="before")
+    @classmethod
+    def _named(cls, given: Any) -> Any:
+        return {str(key): own for key, own in given.items()} if isinstance(given, dict) else given
+
+    @model_validator(mode="after")
+    def _check_changes(self) -> Bellows:
+        if self.changes is None:
+            return self
+        found = bellow_change_faults(self.changes, self.count // 2)
+        raise_faults(f._replace(path=("changes", *f.path)) for f in found)
+        curves = (self._by_name("curve") or {}).values()
+        if any(curve is None for curve in curves):
+            raise invalid_at(
+                "curve",
+                "missing; some bellows have a curve by 'changes', and others have none. Give one "
+                "here, which all others then follow",
+            )
+        return self
+
+    def each(self, name: str) -> Any:
+        """A number of every bellow in the order of a graph (B,), or one where none has its own."""
+        return numbers_of(self._by_name(name), getattr(self, name))
+
+    def _by_name(self, name: str) -> dict[str, Any] | None:
+        names, usual = bellow_names(self.count // 2), getattr(self, name)
+        return values_by_member(self.changes or {}, bellows_named, names, name, usual)
+
+    @property
+    def curves(self) -> tuple[BellowCurve, ...]:
+        """The measured curves: none, one for all bellows, or one of each in the graph's order."""
+        own = self._by_name("curve")
+        if own is None:
+            return () if self.curve is None else (self.curve,)
+        return tuple(own.values())
+
+
+def snaps(bellows: Bellows) -> bool:
+    """Whether a measured curve makes a bellow snap through."""
+    return any(falls(curve.rows or ()) for curve in bellows.curves)

@@ -20,6 +20,7 @@ from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.network import Network
 from viscodesign.scene.pressure_levels import bare_levels
 from viscodesign.scene.pump import PARTS_PER_INLET, PumpSpec
+from viscodesign.scene.sections import section_faults
 from viscodesign.scene.spec_part import KeyFault, KeyPath, faults_of
 
 MAX_PERIODS = 250_000
@@ -34,7 +35,14 @@ Fields = Mapping[tuple[str, str | None], Any]
 def cross_check(valid: Fields) -> Iterator[KeyFault]:
     """All faults between the valid fields."""
     yield from _fluid(valid)
+    yield from _sections(valid)
     yield from _inputs(valid)
+
+
+def _sections(valid: Fields) -> Iterator[KeyFault]:
+    changes, count = valid.get(("Scene", "section_changes")), valid.get(("Bellows", "count"))
+    for fault in section_faults(changes, count // 2) if changes and count else ():
+        yield fault._replace(path=("sections", *fault.path))
 
 
 def _inputs(valid: Fields) -> Iterator[KeyFault]:

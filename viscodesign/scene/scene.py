@@ -28,6 +28,7 @@ from viscodesign.scene.network import Network
 from viscodesign.scene.pressure_levels import with_levels_above
 from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.run import RunSettings
+from viscodesign.scene.sections import SectionChange, Sections
 from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_below, invalid, raise_faults
 from viscodesign.scene.spec_version import SPEC_VERSION, version_problem
 from viscodesign.scene.uncertainty import Uncertainty
@@ -69,6 +70,11 @@ class Scene(SpecPart):
     name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
     actuator: Actuator = Field(description="The elastomer body: size, stiffness, mass")
     bellows: Bellows = Field(description="Number, size and measured coefficients of the bellows")
+    section_changes: dict[str, SectionChange] | None = Field(
+        None,
+        alias="sections",
+        description="Sections that differ, by number or range from the clamp: 3, 1-2",
+    )
     network: Network = Field(description="The tubes that connect the bellows")
     fluid_choice: Fluid = Field(
         alias="fluid",
@@ -151,6 +157,11 @@ class Scene(SpecPart):
         ambient = info.data.get("ambient_pressure")
         return pump if ambient is None else pump.with_gauge_pressures(ambient)
 
+    @field_validator("section_changes", mode="before")
+    @classmethod
+    def _numbered(cls, given: Any) -> Any:
+        return {str(key): own for key, own in given.items()} if isinstance(given, dict) else given
+
     @field_validator("loads", mode="before")
     @classmethod
     def _no_loads(cls, given: Any) -> Any:
@@ -193,6 +204,11 @@ class Scene(SpecPart):
     def fluid(self) -> FluidProperties:
         """The fluid at the scene's temperature and ambient pressure."""
         return self.fluid_choice.properties(self.temperature, self.ambient_pressure)
+
+    @cached_property
+    def sections(self) -> Sections:
+        """The numbers of all sections."""
+        return Sections(self.actuator, self.bellows.count // 2, self.section_changes)
 
     @cached_property
     def graph(self) -> Graph:

@@ -45,6 +45,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
         junctions=graph.junctions,
         length=scene.actuator.length,
         width=scene.actuator.height,
+        section_widths=scene.sections.heights,
         classification=found,
         effects=selection.verdicts,
         accuracy=Accuracy(quantities.requested_m, None, NOT_VERIFIED),

@@ -17,6 +17,7 @@ from viscodesign.model.chain import Chain
 from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import Body, RodDiscretisation
+from viscodesign.model.scene_number import Numbers
 from viscodesign.model.syringes import SyringeParameters
 from viscodesign.model.system import InletSource, System
 from viscodesign.model.unknowns import Sizes
@@ -94,7 +95,7 @@ def assemble(
     system = System(
         quantities.graph,
         body,
-        quantities.bellow,
+        quantities.bellows,
         {name: _source(scene, name, held) for name in scene.inputs},
         scene.gauge_pressure,
         scene.ambient_pressure,
@@ -143,6 +144,8 @@ def wide_tubes(quantities: SceneQuantities) -> frozenset[str]:
 INEXTENSIBLE = 30.0
 """Stiffness along the axis over what the accuracy can tell from infinite: a rod that is stiffer
 only makes its equations harder to solve."""
+MOST_STIFFENED = 1e4
+"""The same for the bending of a section that is stiffer than the others: steel in silicone."""
 
 
 def resolvable_body(quantities: SceneQuantities) -> Body:
@@ -152,10 +155,21 @@ def resolvable_body(quantities: SceneQuantities) -> Body:
     """
     body, pull = quantities.body, quantities.load_force + quantities.fluid_weight
     most = INEXTENSIBLE / quantities.accuracy * max(quantities.bending_force, pull)
-    return replace(body, extension_stiffness=min(body.extension_stiffness, most))
+    varied = body.varied
+    if varied is not None:
+        stiffest = np.maximum(INEXTENSIBLE / quantities.accuracy, MOST_STIFFENED)
+        varied = replace(
+            varied,
+            bending_stiffness=np.minimum(
+                varied.bending_stiffness,
+                stiffest * max(body.bending_stiffness, pull * body.length**2),
+            ),
+            extension_stiffness=np.minimum(varied.extension_stiffness, most),
+        )
+    return replace(body, extension_stiffness=min(body.extension_stiffness, most), varied=varied)
 
 
-def _floor_volume(quantities: SceneQuantities, effects: Sequence[Effect]) -> float | None:
+def _floor_volume(quantities: SceneQuantities, effects: Sequence[Effect]) -> Numbers | None:
     """Minimum volume of bellows whose law leads to negative ones, with a gas that fills them.
 
     It holds of a gas that is taken as incompressible, too, unless the spec says so: a gas that may
@@ -167,7 +181,7 @@ def _floor_volume(quantities: SceneQuantities, effects: Sequence[Effect]) -> flo
     allowed = _traits(_allowed(quantities))
     is_forbidden = Trait.LIMITED_EMPTYING not in allowed
     is_gas = Trait.COMPRESSIBLE_FLUID in (allowed if is_forbidden else traits)
-    return quantities.bellow.floor_volume if is_gas else None
+    return quantities.bellows.floor_volume if is_gas else None
 
 
 def _allowed(quantities: SceneQuantities) -> Iterator[Effect]:

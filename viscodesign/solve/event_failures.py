@@ -36,9 +36,12 @@ def thinnest_section(time: float, stretch: np.ndarray) -> EventError:
 
 
 def emptied_bellow(problem: Problem, time: float, volume: np.ndarray) -> EventError:
-    """The failure of the bellow whose volume (B,) is smallest: no gas fills a negative one."""
-    name = problem.bellows[int(np.argmin(volume))]
-    share = float(np.min(volume)) / rest_volume(problem)
+    """The failure of the bellow whose volume (B,) is smallest: no gas fills a negative one.
+
+    The smallest is that with the least of its rest volume.
+    """
+    shares = volume / rest_volumes(problem)
+    name, share = problem.bellows[int(np.argmin(shares))], float(np.min(shares))
     return EventError(
         f"{name} reached its minimum (collapsed) volume at t = {time:.6g} s, with {share:.3g} "
         "of its rest volume: the linear law continues to negative volumes, which no fluid can fill",
@@ -74,6 +77,6 @@ def folded_axis(time: float, section: int) -> EventError:
     )
 
 
-def rest_volume(problem: Problem) -> float:
-    """Volume of one bellow at zero gauge [m3]."""
-    return float(problem.equations.rest_amounts[0])
+def rest_volumes(problem: Problem) -> np.ndarray:
+    """Volumes of all bellows at zero gauge (B,) [m3]."""
+    return np.asarray(problem.equations.rest_amounts[problem.places])

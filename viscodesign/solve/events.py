@@ -168,7 +168,8 @@ def _at_floor(problem: Problem, time: np.ndarray, rows: Rows) -> Found:
     """A gas-filled bellow at its minimum volume, below which its law becomes negative."""
     if problem.floor_volume is None:
         return None
-    row = _first(rows["volume"].min(axis=1) < problem.floor_volume * (1 - FLOOR_REL_TOL))
+    above = rows["volume"] - problem.floor_volume * (1 - FLOOR_REL_TOL)
+    row = _first(above.min(axis=1) < 0.0)
     if row is None:
         return None
     return row, emptied_bellow(problem, float(time[row]), rows["volume"][row])

@@ -11,6 +11,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equations import Equations
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.rod_equations import RodForm
+from viscodesign.model.scene_number import Numbers
 from viscodesign.model.step_geometry import STRAIGHT, StepGeometry
 from viscodesign.model.taped_function import TapedFunction
 from viscodesign.model.unknowns import Unknowns
@@ -115,7 +116,7 @@ class Problem:
     baseline: float
     """Gauge pressure about which the inputs vary [Pa]."""
     schedule: Schedule
-    floor_volume: float | None
+    floor_volume: Numbers | None
     """Minimum volume, at which a gas-filled bellow ends a run [m3]; None where the model covers
     the contact of its walls, or where the fluid is no gas."""
     drawing: DrawingLimits | None

@@ -267,7 +267,7 @@ def test_turning_and_payload_slow_the_swing() -> None:
     assert plain == pytest.approx(3.516 / classify(leg()).scales.t_s, rel=1e-3)
     assert (
         estimate.plus(
-            EstimateTerm(modal_mass=RotaryInertia(0.03 / math.sqrt(12)).modal_mass)
+            EstimateTerm(modal_mass=RotaryInertia(0.03 / math.sqrt(12), 0.0).modal_mass)
         ).bending_rate()
         < plain
     )
@@ -379,7 +379,7 @@ def test_turning_counts_more_where_nothing_damps_the_rod() -> None:
     lively = bare("bellows.count=4", RAMPS, SHORT).plus(EstimateTerm(resists_acceleration=True))
     calm = lively.plus(EstimateTerm(damping_time=1e-3))
     moved = [
-        s.distance(s.plus(EstimateTerm(modal_mass=RotaryInertia(5e-3).modal_mass)))
+        s.distance(s.plus(EstimateTerm(modal_mass=RotaryInertia(5e-3, 0.0).modal_mass)))
         for s in (calm, lively)
     ]
     assert moved[1] > 2 * moved[0] > 0.0

@@ -10,7 +10,7 @@ from tests.scenes import CONFIGS, leg
 from tests.unit.scene.round_trip import comes_back
 from viscodesign import load
 from viscodesign.errors import SpecError
-from viscodesign.scene.bellows import CURVE_COLUMNS, MAX_CURVE_ROWS
+from viscodesign.scene.bellow_curve import CURVE_COLUMNS, MAX_CURVE_ROWS
 
 GOOD = (CONFIGS / "leg_16_straight_air.yaml").read_text()
 ROWS = "[[-20 kPa, -50 mm^2, -0.1, -0.3 mm], [0, 0, 0, 0], [30 kPa, 200 mm^2, 0.3, 2 mm]]"

@@ -13,6 +13,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.charts.compare import draw_paths, frame_about
 from viscodesign.report.charts.quadrants import draw_plane
 from viscodesign.report.charts.tip_path import draw_path
+from viscodesign.report.layout.bellow_blocks import body_widths
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.motion_lines import line_style
 from viscodesign.report.layout.snapshots import outline, spread_instants
@@ -117,14 +118,14 @@ def _draw_panel(
 def _draw_runs(axes: Axes, runs: tuple[Trajectory, ...]) -> None:
     """Steady actuators themselves, one moving one coloured by time, or several paths."""
     if all(_is_still(run) for run in runs):
-        _draw_bodies(axes, [outline(run.shape[-1:], run.width) for run in runs])
+        _draw_bodies(axes, [outline(run.shape[-1:], body_widths(run)) for run in runs])
         for k, run in enumerate(runs):
             axis, colour = 1e3 * run.shape[-1], line_style(k).colour
             axes.plot(*axis.T, color=colour, lw=1.8, zorder=4, label=shown(run.name, MOST_NAME))
             axes.plot(*axis[-1], marker="o", ms=5, mfc=look().ground, mec=colour, zorder=5)
     elif len(runs) == 1:
         run = runs[0]
-        _draw_bodies(axes, [outline(run.shape[spread_instants(run, INSTANTS)], run.width)])
+        _draw_bodies(axes, [outline(run.shape[spread_instants(run, INSTANTS)], body_widths(run))])
         lines = draw_path(axes, run, 0.8)
         bar = axes.figure.colorbar(lines, cax=axes.inset_axes((0.03, 0.03, 0.025, 0.28)))
         bar.set_label(channel("time").label, size=7)

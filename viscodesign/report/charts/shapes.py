@@ -11,7 +11,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Colormap, Normalize
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.layout.bellow_blocks import bellow_blocks
+from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
 from viscodesign.report.layout.label_placement import POINTS
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.pressure_colours import pressure_colours
@@ -91,8 +91,9 @@ def draw_shapes(trajectory: Trajectory, path: Target) -> None:
 def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
     instants = spread_instants(trajectory, count, pressures=True)
     axis, rows = trajectory.shape[instants] * 1e3, trajectory.shape_rows[instants]
-    width = 1e3 * trajectory.width
-    blocks = bellow_blocks(axis, trajectory.arc, trajectory.bellows, width)
+    widths = 1e3 * section_widths(trajectory)
+    width = float(widths.max())
+    blocks = bellow_blocks(axis, trajectory.arc, trajectory.bellows, widths)
     tubes = tube_ends(trajectory, scene_of(trajectory))
     inlets = inlet_places(trajectory.inlets, tubes, width)
     drawn = tubes if len(tubes) <= MOST_TUBES else []

@@ -9,6 +9,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 
 from viscodesign.report.charts.coefficient_band import band_corners, draw_band
 from viscodesign.report.charts.tip_path import draw_path, time_range
+from viscodesign.report.layout.bellow_blocks import body_widths
 from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
@@ -38,7 +39,7 @@ ZOOM_RANGE = (1e-3, 0.12)
 def draw_tip(trajectory: Trajectory, path: Target) -> None:
     """Equal axes in mm, the clamp at the top, z downwards as the actuator hangs."""
     instants = spread_instants(trajectory, MOST_INSTANTS)
-    bodies = outline(trajectory.shape[instants], trajectory.width) * 1e3
+    bodies = outline(trajectory.shape[instants], body_widths(trajectory)) * 1e3
     zoomed = _is_small(trajectory)
     asked = look().width
     is_narrow = asked is not None and asked < LEAST_BESIDE

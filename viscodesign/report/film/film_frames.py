@@ -11,7 +11,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
 from viscodesign.report.film.film_plan import FilmOptions
-from viscodesign.report.layout.bellow_blocks import bellow_blocks
+from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
 from viscodesign.report.layout.downsampling import envelope
 from viscodesign.report.layout.look import drawn_as, look
 from viscodesign.report.layout.pressure_colours import pressure_colours
@@ -90,7 +90,8 @@ class _Body:
         rows: np.ndarray,
         options: FilmOptions,
     ) -> None:
-        self.run, self.width = run, 1e3 * run.width
+        self.run, self.widths = run, 1e3 * section_widths(run)
+        self.width = float(np.max(self.widths))
         self.tubes = tubes if len(tubes) <= MOST_TUBES else []
         across = 0.4 if options.pressures else 0.9
         self.axes = made.add_axes((0.03, 0.14, across, 0.74))
@@ -144,7 +145,7 @@ class _Body:
         """The moving parts at a row, from below."""
         run = self.run
         axis = 1e3 * run.shape[shape]
-        blocks = bellow_blocks(axis[None], 1e3 * run.arc, run.bellows, self.width)[0]
+        blocks = bellow_blocks(axis[None], 1e3 * run.arc, run.bellows, self.widths)[0]
         self.cells.set_verts(list(blocks))
         self.cells.set_array(run.pressure[row] / 1e3)
         self.axis.set_data(axis[:, 0], axis[:, 1])

@@ -74,9 +74,12 @@ def normals(axis: np.ndarray) -> np.ndarray:
     return np.stack((unit[..., 1], -unit[..., 0]), axis=-1)
 
 
-def outline(axis: np.ndarray, width: float) -> np.ndarray:
-    """Closed outlines (..., 2 K, 2) of a body of ``width`` about its axis (..., K, 2) [m]."""
-    side = normals(axis) * width / 2
+def outline(axis: np.ndarray, width: float | np.ndarray) -> np.ndarray:
+    """Closed outlines (..., 2 K, 2) of a body about its axis (..., K, 2) [m].
+
+    ``width``: one for all, or (K,) [m].
+    """
+    side = normals(axis) * np.asarray(width)[..., None] / 2
     return np.concatenate([axis + side, (axis - side)[..., ::-1, :]], axis=-2)
 
 

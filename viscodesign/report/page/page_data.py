@@ -34,6 +34,7 @@ def page_data(run: Trajectory) -> dict[str, Any]:
         "spec": _spec(run.spec_text),
         "length": run.length,
         "width": run.width,
+        "widths": list(run.section_widths),
         "inlets": run.inlets,
         "bellows": run.bellows,
         "all_tubes": tube_ends(run, scene),

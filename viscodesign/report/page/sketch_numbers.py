@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
+import numpy as np
+
 from viscodesign.errors import ViscodesignError
 from viscodesign.model.graph import Tube, crossed_order, straight_order
-from viscodesign.physics import bellow
 from viscodesign.results.trajectory import Trajectory
+from viscodesign.scene.actuator_numbers import bellow_laws
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.scene import Scene
 
@@ -35,7 +37,7 @@ def why_not(run: Trajectory, scene: Scene | None) -> str:
         return "it has one output time only"
     if not all(source.gives_pressure for source in scene.inputs.values()):
         return "a syringe prescribes its volume, and the pressure follows from the design"
-    if scene.bellows.curve is not None:
+    if scene.bellows.curves:
         return "its bellows follow a measured curve, and the sketch is linear"
     if len(run.bellows) > MOST_BELLOWS:
         return f"it has more than {MOST_BELLOWS} bellows"
@@ -48,21 +50,12 @@ def sketch_numbers(run: Trajectory, scene: Scene, *, from_start: bool) -> dict[s
     ``from_start``: whether the first output time is shown; else the shown part is taken to
     repeat itself.
     """
-    body, cells, graph = scene.actuator, scene.bellows, scene.graph
-    section = body.length / graph.sections
-    modulus = body.youngs_modulus
+    graph = scene.graph
     stores_gas = any(COMPRESSIBLE in row.traits and row.taken for row in run.effects)
     return {
-        "length": body.length,
+        "length": scene.actuator.length,
         "sections": graph.sections,
-        "curvature_per_pressure": bellow.curvature_per_pressure(
-            cells.angle_per_pressure, modulus, section
-        ),
-        "stretch_per_pressure": bellow.stretch_per_pressure(
-            cells.extension_per_pressure, modulus, section
-        ),
-        "compliance": bellow.compliance(cells.length, cells.area_per_pressure),
-        "rest_volume": bellow.rest_volume(cells.height, cells.width, cells.length),
+        **_bellows(scene),
         "polytropic_exponent": scene.fluid.polytropic_exponent if stores_gas else None,
         "viscosity": scene.fluid.viscosity,
         "ambient": scene.ambient_pressure,
@@ -74,6 +67,14 @@ def sketch_numbers(run: Trajectory, scene: Scene, *, from_start: bool) -> dict[s
         "layout": scene.network.layout,
         "tubes": _layouts(scene),
     }
+
+
+def _bellows(scene: Scene) -> dict[str, list[float]]:
+    """Numbers of all bellows, each in the order of the graph."""
+    laws = bellow_laws(scene)
+    names = ("curvature_per_pressure", "stretch_per_pressure", "compliance", "rest_volume")
+    every = np.ones(len(scene.graph.bellows))
+    return {name: (getattr(laws, name) * every).tolist() for name in names}
 
 
 def _layouts(scene: Scene) -> dict[str, list[list[Any]]]:

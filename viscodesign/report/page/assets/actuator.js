@@ -99,6 +99,11 @@ function plainPath(places, { section, sign }, width) {
   return `M${corner(places, f, near)}L${corner(places, f, far)}L${corner(places, f + 2, far)}L${corner(places, f + 2, near)}Z`;
 }
 
+// Size across the axis of a bellow's section.
+function widthOf(body, { section }) {
+  return body.widths.length ? body.widths[section] : body.width;
+}
+
 // Section and side of every bellow, from names such as R3.
 function cellsOf(bellows) {
   return bellows.map((name) => ({ section: Number(name.slice(1)) - 1, sign: name[0] === "R" ? 1 : -1 }));
@@ -109,7 +114,7 @@ function drawInColours(view, places, pressures) {
   const texts = Array.from({ length: COLOURS }, () => []);
   for (let k = 0; k < pressures.length; k++) {
     const colour = Math.floor((pressures[k] - low) / step);
-    if (Number.isFinite(colour)) texts[Math.max(0, Math.min(COLOURS - 1, colour))].push(plainPath(places, view.cellOf[k], view.body.width));
+    if (Number.isFinite(colour)) texts[Math.max(0, Math.min(COLOURS - 1, colour))].push(plainPath(places, view.cellOf[k], widthOf(view.body, view.cellOf[k])));
   }
   view.cells.forEach((cell, c) => {
     cell.setAttribute("d", texts[c].join(""));
@@ -127,7 +132,7 @@ function drawActuator(view, points, pressures, inletPressures) {
   const { body, scale } = view, places = placesAlong(points, view.frame);
   if (body.bellows.length > MOST_EDGED) drawInColours(view, places, pressures);
   else body.bellows.forEach((_, k) => {
-    view.cells[k].setAttribute("d", bellowPath(places, view.cellOf[k], body.width));
+    view.cells[k].setAttribute("d", bellowPath(places, view.cellOf[k], widthOf(body, view.cellOf[k])));
     view.cells[k].setAttribute("fill", pressureColour(scale, pressures[k]));
   });
   view.inlets.forEach((mark, k) => mark.setAttribute("fill", pressureColour(scale, inletPressures[k])));
@@ -171,7 +176,7 @@ function portsOf(body, places) {
   });
   for (const name of body.bellows) {
     const side = name[0] === "R" ? 1 : -1, k = 4 * (3 * (Number(name.slice(1)) - 1) + 1);
-    const nx = places[k + 2], nz = places[k + 3], out = (0.5 * side) * body.width;
+    const nx = places[k + 2], nz = places[k + 3], out = (0.5 * side) * widthOf(body, { section: Number(name.slice(1)) - 1 });
     ports.set(name, { x: places[k] + out * nx, z: places[k + 1] + out * nz, nx, nz, side });
   }
   for (const [name, near] of body.junctions) ports.set(name, { x: 0, z: 0, side: 0, near });

@@ -35,10 +35,11 @@ function nodeOrder(numbers, tubes) {
 }
 
 // Storage of a bellow [m3/Pa]; a gas stores more by its own compression at the baseline.
-function storage(numbers, gauge) {
-  if (numbers.polytropic_exponent === null) return numbers.compliance;
-  const volume = numbers.rest_volume + numbers.compliance * gauge;
-  return numbers.compliance + Math.max(volume, 0) / (numbers.polytropic_exponent * (numbers.ambient + gauge));
+function storage(numbers, gauge, bellow) {
+  const compliance = numbers.compliance[bellow];
+  if (numbers.polytropic_exponent === null) return compliance;
+  const volume = numbers.rest_volume[bellow] + compliance * gauge;
+  return compliance + Math.max(volume, 0) / (numbers.polytropic_exponent * (numbers.ambient + gauge));
 }
 
 // C dp/dt = -K p + F u: storage, banded conductances (by rows, up to the diagonal), feeds.
@@ -47,9 +48,9 @@ function linearNetwork(numbers, choice) {
   const index = new Map(order.map((name, k) => [name, k])), count = order.length;
   const inner = tubes.filter(([a, b]) => index.has(a) && index.has(b));
   const band = Math.max(0, ...inner.map(([a, b]) => Math.abs(index.get(a) - index.get(b)))), row = band + 1;
-  const bellows = new Set(numbers.bellows), own = storage(numbers, choice.gauge);
+  const bellows = new Map(numbers.bellows.map((name, k) => [name, storage(numbers, choice.gauge, k)]));
   const network = { order, index, count, band, conductance: new Float64Array(count * row), feeds: [],
-    capacity: Float64Array.from(order, (name) => (bellows.has(name) ? own : 0)) };
+    capacity: Float64Array.from(order, (name) => bellows.get(name) || 0) };
   for (const [a, b, length, radius] of tubes) {
     const resistance = (8 * choice.viscosity * length * choice.length_factor) / (Math.PI * (radius * choice.radius_factor) ** 4);
     const ends = [index.get(a), index.get(b)];
@@ -202,8 +203,9 @@ function sketchAxis(numbers, pressures) {
   let angle = 0;
   for (let s = 0; s < sections; s++) {
     const right = pressures[s], left = pressures[sections + s];
-    const stretch = 1 + numbers.stretch_per_pressure * (right + left);
-    const turn = (numbers.curvature_per_pressure * (left - right) * length) / POINTS_A_SECTION;
+    const drawn = numbers.stretch_per_pressure, bent = numbers.curvature_per_pressure;
+    const stretch = 1 + drawn[s] * right + drawn[sections + s] * left;
+    const turn = ((bent[sections + s] * left - bent[s] * right) * length) / POINTS_A_SECTION;
     const chord = (stretch * length * (Math.abs(turn) > 1e-6 ? Math.sin(turn / 2) / (turn / 2) : 1)) / POINTS_A_SECTION;
     for (let k = POINTS_A_SECTION * s; k < POINTS_A_SECTION * (s + 1); k++) {
       points[2 * k + 2] = points[2 * k] + chord * Math.sin(angle + turn / 2);

@@ -1,0 +1,81 @@
+"""The body and the bellows of a scene, section by section where sections differ."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from viscodesign.model.bellow_law import BellowLaws
+from viscodesign.model.rod import Body, SectionNumbers
+from viscodesign.model.scene_number import Numbers, mean_of
+from viscodesign.physics import beam, bellow
+from viscodesign.scene.scene import Scene
+
+
+def body_of(scene: Scene) -> Body:
+    """The actuator as a beam; where sections differ, with the numbers of each."""
+    own, count = scene.sections, scene.bellows.count // 2
+    modulus, height, width = (own.each(n) for n in ("youngs_modulus", "height", "width"))
+    bending = beam.bending_stiffness(modulus, height, width, own.each("bending_factor"))
+    extension = beam.extension_stiffness(modulus, height, width, own.each("extension_factor"))
+    mass = beam.mass_per_length(own.each("density"), height, width, own.each("solid_fraction"))
+    blocked = own.blocked
+    if blocked is not None:
+        bending, extension = _blocked(bending, blocked), _blocked(extension, blocked)
+    if not any(isinstance(value, np.ndarray) for value in (bending, extension, mass)):
+        return Body(scene.actuator.length, count, bending, extension, mass)
+    return Body(
+        scene.actuator.length,
+        count,
+        bending_stiffness=1 / mean_of(1 / bending, _shares_of_deflection(count)),
+        extension_stiffness=1 / mean_of(1 / extension),
+        mass_per_length=mean_of(mass),
+        varied=SectionNumbers(bending, extension, mass),
+    )
+
+
+def _blocked(stiffness: Any, blocked: np.ndarray) -> Any:
+    return np.where(blocked, np.inf, stiffness)
+
+
+def _shares_of_deflection(count: int) -> np.ndarray:
+    """Part of a tip's deflection by a force there that each of ``count`` sections causes (S,)."""
+    reach = np.arange(count, -1, -1) / count
+    return np.asarray(reach[:-1] ** 3 - reach[1:] ** 3)
+
+
+def bellow_laws(scene: Scene) -> BellowLaws:
+    """The linear laws of all bellows."""
+    b, own = scene.bellows, scene.sections
+    section_length = scene.actuator.length / (b.count // 2)
+    modulus, moved = own.of_bellows(own.each("youngs_modulus")), moving_bellows(scene)
+    rest = bellow.rest_volume(b.each("height"), b.each("width"), b.each("length"))
+    return BellowLaws(
+        length=b.each("length"),
+        rest_volume=rest,
+        compliance=bellow.compliance(b.each("length"), b.each("area_per_pressure")),
+        curvature_per_pressure=moved
+        * bellow.curvature_per_pressure(b.each("angle_per_pressure"), modulus, section_length),
+        stretch_per_pressure=moved
+        * bellow.stretch_per_pressure(b.each("extension_per_pressure"), modulus, section_length),
+        floor_volume=b.each("collapse_fraction") * rest,
+    )
+
+
+def moving_bellows(scene: Scene) -> Numbers:
+    """One for a bellow that strains its section, zero where the section is blocked (B,)."""
+    own = scene.sections
+    return 1.0 if own.blocked is None else own.of_bellows(np.where(own.blocked, 0.0, 1.0))
+
+
+def section_stiffnesses(body: Body) -> tuple[Numbers, Numbers]:
+    """In bending [N m2] and in extension [N], each one for all sections or of each (S,).
+
+    Zero where a section is blocked: there no strain by pressure pulls on it.
+    """
+    if body.varied is None:
+        return body.bending_stiffness, body.extension_stiffness
+    both = body.varied.bending_stiffness, body.varied.extension_stiffness
+    bending, extension = (np.where(np.isinf(own), 0.0, own) for own in both)
+    return bending, extension
