@@ -21,7 +21,8 @@ from viscodesign.physics import bellow
 from viscodesign.postprocess.stability import growth_notices
 from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.results.findings import Notice
-from viscodesign.scene.actuator_numbers import moving_bellows, section_stiffnesses
+from viscodesign.scene.bellow_numbers import moving_bellows
+from viscodesign.scene.body_numbers import section_stiffnesses
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start
 

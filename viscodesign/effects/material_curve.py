@@ -21,8 +21,8 @@ from viscodesign.physics.snapping import SnapCurves
 from viscodesign.postprocess.motion_limits import Limit, Peak
 from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
-from viscodesign.scene.actuator_numbers import moving_bellows
 from viscodesign.scene.bellow_curve import falls, first_peak
+from viscodesign.scene.bellow_numbers import moving_bellows
 from viscodesign.scene.bellows import snaps
 from viscodesign.solve.obstacles import Obstacle
 

@@ -21,7 +21,8 @@ from viscodesign.model.rod import Body
 from viscodesign.model.scene_number import Numbers, mean_of
 from viscodesign.physics import beam, gas, timescales, tube
 from viscodesign.results.findings import Scales
-from viscodesign.scene.actuator_numbers import bellow_laws, body_of
+from viscodesign.scene.bellow_numbers import bellow_laws
+from viscodesign.scene.body_numbers import body_of
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import field, fields
-
-import casadi as ca
+from typing import TYPE_CHECKING
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.graph import Graph
 from viscodesign.model.scene_number import SCENE_NUMBER, Numbers, mean_of
 
-SX = ca.SX
+if TYPE_CHECKING:
+    from casadi import SX
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class BellowLaw:
 
 @dataclass(frozen=True, eq=False)
 class BellowLaws:
-    """The linear laws of all bellows: each number one for all, or an array in the graph's order (B,)."""
+    """The linear laws of all bellows, each number one for all or an array in graph order (B,)."""
 
     length: Numbers = field(metadata=SCENE_NUMBER)
     rest_volume: Numbers = field(metadata=SCENE_NUMBER)

@@ -33,7 +33,7 @@ def page_data(run: Trajectory) -> dict[str, Any]:
         "summary": _short(run.summary()),
         "spec": _spec(run.spec_text),
         "length": run.length,
-        "width": run.width,
+        "width": max(run.width, *run.section_widths, 0.0),
         "widths": list(run.section_widths),
         "inlets": run.inlets,
         "bellows": run.bellows,

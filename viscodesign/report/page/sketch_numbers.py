@@ -11,7 +11,7 @@ import numpy as np
 from viscodesign.errors import ViscodesignError
 from viscodesign.model.graph import Tube, crossed_order, straight_order
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.scene.actuator_numbers import bellow_laws
+from viscodesign.scene.bellow_numbers import bellow_laws
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.scene import Scene
 

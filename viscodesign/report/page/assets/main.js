@@ -14,7 +14,7 @@ function start() {
 }
 
 function showMotion(run) {
-  const body = { arc: run.arc.values, sections: run.sections, width: run.width, bellows: run.bellows, inlets: run.inlets,
+  const body = { arc: run.arc.values, sections: run.sections, width: run.width, widths: run.widths, bellows: run.bellows, inlets: run.inlets,
     tubes: run.all_tubes, junctions: junctionsOf(run.all_tubes, run.bellows, run.inlets) };
   const pressures = [...extremes(run.pressure.values), ...extremes(run.inlet_pressure.values)];
   const scale = pressureScale(Math.min(...pressures), Math.max(...pressures)), room = roomOf(run.shape.values, run.width);
