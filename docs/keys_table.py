@@ -24,7 +24,11 @@ from viscodesign.units import QuantityKind
 HEAD = ("key", "meaning", "unit", "default", "range", "effects")
 BOUNDS = {"gt": "> {:g}", "ge": ">= {:g}", "lt": "< {:g}", "le": "<= {:g}"}
 KIND = "kind"
-EXAMPLE_PATHS = {"changes": "changes.R1-R2"}
+EXAMPLE_PATHS = {
+    "sections": "sections.1-2",
+    "bellows.changes": "bellows.changes.R1",
+    "network.changes": "network.changes.R1-R2",
+}
 """Mappings with names of their own, with one such name."""
 
 Row = tuple[str, ...]
@@ -42,7 +46,7 @@ def sections() -> Iterator[Section]:
             elif model is Uncertainty:
                 yield name, _summary(model), _uncertainty_rows()
             elif not issubclass(model, Input):
-                yield f"{name}", _summary(model), list(_rows(name, model))
+                yield f"{name}", _summary(model), list(_rows(EXAMPLE_PATHS.get(name, name), model))
     for kind, model in INPUT_KINDS.items():
         rows = [row for row in _rows("input", model) if row[0] != f"`input.{KIND}`"]
         yield f"input of kind {kind}", _summary(model), rows
@@ -70,7 +74,7 @@ def _rows(path: str, model: type[BaseModel]) -> Iterator[Row]:
     for name, found in model.model_fields.items():
         key = found.alias or name
         yield _row(path, key, found)
-        below = f"{path}.{EXAMPLE_PATHS.get(key, key)}"
+        below = EXAMPLE_PATHS.get(f"{path}.{key}", f"{path}.{key}")
         for part in _models(found.annotation):
             yield from _rows(below + ("[0]" if _is_list(found.annotation) else ""), part)
 

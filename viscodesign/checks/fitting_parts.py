@@ -14,6 +14,7 @@ from viscodesign.scene.scene import Scene
 LARGEST_SHARE = 1.001
 """Share of the space at hand that parts may take, with a margin for rounding."""
 
+
 @dataclass(frozen=True)
 class _Space:
     """Parts and the spaces that they must lie in, each of both for every section."""
@@ -64,5 +65,3 @@ def _spaces(scene: Scene) -> Iterator[_Space]:
     yield _Space("bellows.length", long.max(axis=0), 1, "a bellow", "actuator.width", width)
     row = f"a row of {pairs}"
     yield _Space("bellows.width", np.array([mean]), pairs, row, "actuator.length", whole)
-
-

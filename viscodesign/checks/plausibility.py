@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from viscodesign.checks.changed_ranges import CHANGED_RANGES
+from viscodesign.checks.changed_ranges import with_changes
 from viscodesign.checks.fitting_parts import misfits
 from viscodesign.checks.input_ranges import input_ranges
 from viscodesign.checks.numbers_at_keys import numbers_at
@@ -84,10 +84,11 @@ def impossible_values(scene: Scene) -> Iterator[Fault]:
 def _outside(scene: Scene) -> Iterator[tuple[PlausibleRange, float]]:
     """Given numbers outside of their usual ranges; beside others where these are sound."""
     found: dict[str, tuple[PlausibleRange, float]] = {}
-    for ranges in ((*RANGES, *CHANGED_RANGES), relative_ranges, reciprocal_ranges):
+    for ranges in (RANGES, relative_ranges, reciprocal_ranges):
         if any(key.startswith(BODY) for key in found):
             break
-        for one, value in _beyond(scene, ranges(scene) if callable(ranges) else ranges):
+        own = ranges(scene) if callable(ranges) else ranges
+        for one, value in _beyond(scene, with_changes(own)):
             found.setdefault(one.key, (one, value))
     for one, value in _beyond(scene, input_ranges(scene)):
         found.setdefault(one.key, (one, value))

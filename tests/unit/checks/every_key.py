@@ -17,7 +17,17 @@ BODY: Spec = {
         "area_per_pressure": 3.413e-9, "angle_per_pressure": 10.266,
         "extension_per_pressure": 0.047, "area_per_force": 3e-7, "area_per_moment": 1.2e-6,
         "collapse_fraction": 0.1,
+        "changes": {"R1": {
+            "height": 0.009, "width": 0.013, "length": 0.017, "area_per_pressure": 3.5e-9,
+            "angle_per_pressure": 10.0, "extension_per_pressure": 0.045, "area_per_force": 2e-7,
+            "area_per_moment": 1.1e-6, "collapse_fraction": 0.12,
+        }},
     },
+    "sections": {"1-2": {
+        "height": 0.031, "width": 0.021, "youngs_modulus": 1.9e6, "density": 940.0,
+        "solid_fraction": 0.45, "extension_factor": 0.5, "bending_factor": 0.5,
+        "shear_factor": 0.5, "damping_time": 1.1e-3,
+    }},
     "gauge_pressure": 1e3,
     "ambient_pressure": 101325.0,
     "temperature": 293.15,

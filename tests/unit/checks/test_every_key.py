@@ -26,6 +26,8 @@ NEED_NOT = {
     "run.duration": "a long run is what it says; its outputs are counted",
     "bellows.area_per_force": "measured ones are 0.1 to 0.2 of what the work of pressures gives",
     "bellows.area_per_moment": "measured ones are 0.004 to 0.1 of what the work of pressures gives",
+    "bellows.changes.R1.area_per_force": "likewise",
+    "bellows.changes.R1.area_per_moment": "likewise",
     "network.tube_wall.youngs_modulus": "tubes are made of steel, too",
     "loads.gravity.tilt": ANY_ANGLE,
     "input.phase": ANY_ANGLE,
@@ -54,6 +56,7 @@ WITHOUT_UNIT = {"spec", "bellows.count", "run.max_steps", "run.shape_every", "pu
 """Integers, which have no prefix to slip."""
 NOT_GIVEN = {
     "bellows.curve.rows",
+    "bellows.changes.R1.curve.rows",
     "run.output_times",
     "input.measured.noise",
     "input.measured.largest",
