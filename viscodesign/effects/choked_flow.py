@@ -95,21 +95,22 @@ class ChokedFlow(Effect):
         return float(np.max(self._mach_squared(quantities.slow_flows), initial=0.0))
 
     def _mach_squared(self, flow: np.ndarray) -> np.ndarray:
-        """Squared Mach numbers of flows (T, Q) [m3/s] at the densities of slow laminar flow (T,
-        Q) [1]."""
+        """Squared Mach numbers of flows (..., T, Q) [m3/s] at the densities of slow laminar flow
+        (T, Q) [1]."""
         ambient = self.quantities.scene.ambient_pressure
         ratio = np.maximum(1 + self.quantities.slow_tube_pressures / ambient, LEAST_RATIO)
         coefficient = np.array(list(self.coefficients.values()))
         return np.asarray(choking.mach_squared(flow, ratio, ambient, self.exponent, coefficient))
 
     def multiplier(self, flow: np.ndarray) -> np.ndarray:
-        """Pressure lost over that of slow laminar flow at flows (T, Q) [m3/s].
+        """Pressure lost over that of slow laminar flow at flows (..., T, Q) [m3/s].
 
         That of each tube's fastest moment, as the loss grows with the cube of the flow: a mean
         would be several times too small. The start's jump lasts for no time. Where a gas chokes,
         its change of speed takes about as much as friction, however low the pressure behind.
         """
-        fastest = np.max(self._mach_squared(flow)[1:], axis=0, initial=0.0)
+        squared = self._mach_squared(flow)[..., 1:, :]
+        fastest = np.max(squared, axis=-2, keepdims=True, initial=0.0)
         return np.broadcast_to(1 + fastest / (1 + fastest), flow.shape)
 
     def reason(self, quantities: SceneQuantities) -> str:

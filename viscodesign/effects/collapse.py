@@ -72,7 +72,10 @@ class Collapse(Effect):
 
     def wall(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Volume beyond rest, curvature and stretch at gauge pressures, any shape."""
-        effective = bellow.effective_pressure(pressure, self.floor, self.fade, np, self.give)
+        effective = pressure
+        if np.any(pressure < self.floor + self.fade):  # else the law is the linear one
+            own = (self.floor, self.fade, np, self.give)
+            effective = bellow.effective_pressure(pressure, *own)
         volume, curvature, stretch = (slope * effective for slope in self.linear)
         return volume, curvature, stretch
 

@@ -23,6 +23,8 @@ from viscodesign.results.findings import Notice
 from viscodesign.solve.problem import Problem
 from viscodesign.storage.disk_arrays import blocks
 
+SLOW_REYNOLDS = 1000.0
+"""Reynolds number up to which the friction is that of laminar flow, to round-off."""
 LAMINAR_REYNOLDS = 2300.0
 """Reynolds number up to which slow laminar flow is trusted."""
 
@@ -99,10 +101,12 @@ class FlowRegime(Effect):
         return np.asarray(tube.reynolds_number(flow, self.density, self.viscosity, radius))
 
     def multiplier(self, flow: np.ndarray) -> np.ndarray:
-        """Loss over that of slow laminar flow, at flows (T, Q) [m3/s]."""
+        """Loss over that of slow laminar flow, at flows (..., T, Q) [m3/s]."""
         radius, resistance = np.array(list(self.radii.values())), self._resistance
         ends = np.array([self._ends(r) for r in radius])
-        friction = tube.friction_multiplier(self._reynolds(flow), np)
+        reynolds = self._reynolds(flow)
+        friction, fast = np.ones_like(reynolds), reynolds > SLOW_REYNOLDS
+        friction[fast] = tube.friction_multiplier(reynolds[fast], np)
         return np.asarray(friction + ends * np.abs(flow) / resistance)
 
     @property

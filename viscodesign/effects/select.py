@@ -46,8 +46,14 @@ def select_effects(quantities: SceneQuantities) -> Selection:
     displacements = TipDisplacements(sets)
 
     def choice() -> tuple[Names, tuple[Verdict, ...]]:
-        active = _fewest(sets, displacements)
-        return active, tuple(verdict(sets, displacements, n, active) for n in sets.effects)
+        active, dominant = _fewest(sets, displacements)
+        acting = [n for n in sets.effects if n in sets.present and sets.acts_in(n, active)]
+        flipped = {n: sets.flipped(active, n) for n in acting if n not in dominant}
+        displacements.prepare(active, flipped.values())
+        # What dominates does nearly the same in a set without what hardly moves the tip.
+        moved = {n: displacements.between(active, other) for n, other in flipped.items()}
+        moved |= dominant
+        return active, tuple(verdict(sets, n, active, moved.get(n, 0.0)) for n in sets.effects)
 
     return Selection(sets, displacements, *_choices.get(sets.key, choice))
 
@@ -133,18 +139,35 @@ class Selection:
         return self.sets.members(names)
 
 
-def _fewest(sets: AllowedSets, displacements: TipDisplacements) -> Names:
-    """The fewest effects whose omissions fit into their part of the accuracy."""
+def _fewest(sets: AllowedSets, displacements: TipDisplacements) -> tuple[Names, dict[str, float]]:
+    """The fewest effects whose omissions fit into their part of the accuracy.
+
+    And how far those move the tip that do far too much ever to be neglected [m].
+    """
     share = NUMBERS.accuracy_share * sets.quantities.requested_m
     names, spent = sets.everything, 0.0
-    kept = sets.kept(names)
+    required, dominant = sets.kept(names), dict[str, float]()
     # What one effect does may depend on another that a first pass neglects.
     for _ in range(NUMBERS.passes):
         before = names
-        names, spent = _thinned(sets, displacements, names, spent, kept, share)
+        # In the catalogue's order, so that equal costs are always met in the same one.
+        loose = [n for n in sets.effects if n in names - required and n not in dominant]
+        cost = _costs(sets, displacements, names, loose)
+        most = NUMBERS.always_kept * share
+        dominant |= {n: cost[n] for n in loose if cost[n] > most and sets.leads(n)}
+        names, spent = _thinned(sets, displacements, names, spent, cost, share)
         if names == before:
             break
-    return names
+    return names, dominant
+
+
+def _costs(
+    sets: AllowedSets, displacements: TipDisplacements, names: Names, loose: list[str]
+) -> dict[str, float]:
+    """How far the tip moves where one effect of a set is left out [m]."""
+    fewer = {n: sets.without(names, n) for n in loose}
+    displacements.prepare(names, fewer.values())
+    return {n: displacements.between(names, fewer[n]) for n in loose}
 
 
 def _thinned(
@@ -152,17 +175,10 @@ def _thinned(
     displacements: TipDisplacements,
     names: Names,
     spent: float,
-    kept: set[str],
+    cost: dict[str, float],
     share: float,
 ) -> tuple[Names, float]:
-    """Neglect what still fits, least first; returns the rest, and what all omissions may do [m].
-
-    ``kept`` gains what does far too much ever to be neglected.
-    """
-    # In the catalogue's order, so that equal costs are always met in the same one.
-    loose = [n for n in sets.effects if n in names and n not in kept]
-    cost = {n: displacements.between(names, sets.without(names, n)) for n in loose}
-    kept |= {n for n in cost if cost[n] > NUMBERS.always_kept * share and sets.leads(n)}
+    """Neglect what still fits, least first; returns the rest, and what all omissions may do [m]."""
     neglected: list[str] = []
     for name in sorted(cost, key=lambda n: cost[n]):
         if spent + cost[name] <= share and not sets.costs_nothing(name, names):

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+import numpy as np
+
 from viscodesign.effects.allowed_sets import AllowedSets, Names
-from viscodesign.estimate.motion_estimate import MotionEstimate
+from viscodesign.estimate.motion_estimate import MotionEstimate, tip_distance, tips
+from viscodesign.estimate.setting import PIECES
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
 MOST_BELLOWS_ESTIMATED = 96
 """Bellows beyond which an estimate would take too long: then weights alone decide."""
+
+NUMBERS_AT_ONCE = 45_000
+"""Numbers in an array of estimates side by side: a larger one leaves the fast caches."""
 
 
 _distances: LruCache[dict[frozenset[Names], float]] = LruCache(64)
@@ -22,7 +30,7 @@ class TipDisplacements:
     def __init__(self, sets: AllowedSets) -> None:
         self._sets = sets
         self._quantities = sets.quantities
-        self._estimates: dict[Names, MotionEstimate] = {}
+        self._tips: dict[Names, np.ndarray] = {}
         self._known: dict[frozenset[Names], float] = _distances.get(sets.key, dict)
 
     @cached_property
@@ -41,18 +49,42 @@ class TipDisplacements:
             self._known[pair] = self._estimated(one, other)
         return self._known[pair]
 
+    def prepare(self, names: Names, others: Iterable[Names]) -> None:
+        """Estimate all motions whose distances from that of a set are not known yet."""
+        unknown = [o for o in others if o != names and frozenset((names, o)) not in self._known]
+        if unknown:
+            self._estimate([names, *unknown])
+
+    def _estimate(self, sets: Iterable[Names]) -> None:
+        """Estimate the motions with these sets, those that are not known yet side by side."""
+        new = [names for names in dict.fromkeys(sets) if names not in self._tips]
+        if not new or self._is_too_large:
+            return
+        setting = self._quantities.bare_estimate.setting
+        if setting.first_means is None:
+            setting.begin_at(self._of(self._sets.everything).network.averaged.means)
+        count = max(1, NUMBERS_AT_ONCE // (len(setting.time) * max(setting.bellows, PIECES)))
+        for begin in range(0, len(new), count):
+            some = new[begin : begin + count]
+            self._tips.update(zip(some, tips([self._of(names) for names in some]), strict=True))
+
     def _estimated(self, one: Names, other: Names) -> float:
-        too_large = len(self._quantities.graph.bellows) > MOST_BELLOWS_ESTIMATED
-        unseen = [n for n in one ^ other if too_large or self._terms[n] is None]
+        unseen = [n for n in one ^ other if self._is_too_large or self._terms[n] is None]
         guess = sum(self._by_weight(n, one | other) for n in unseen)
-        return guess if too_large else self._of(one).distance(self._of(other)) + guess
+        if self._is_too_large:
+            return guess
+        self._estimate([one, other])
+        setting = self._quantities.bare_estimate.setting
+        return tip_distance(setting, self._tips[one], self._tips[other]) + guess
+
+    @property
+    def _is_too_large(self) -> bool:
+        return len(self._quantities.graph.bellows) > MOST_BELLOWS_ESTIMATED
 
     def _of(self, names: Names) -> MotionEstimate:
         """The estimate with these effects."""
-        if names not in self._estimates:
-            own = [term for n, term in self._terms.items() if n in names and term is not None]
-            self._estimates[names] = self._quantities.bare_estimate.plus(*own)
-        return self._estimates[names]
+        own = [term for n, term in self._terms.items() if n in names and term is not None]
+        return self._quantities.bare_estimate.plus(*own)
 
     def _by_weight(self, name: str, names: Names) -> float:
         """What the weight alone says that an effect among others may do to the tip [m]."""

@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from viscodesign.effects.allowed_sets import AllowedSets, Names
-from viscodesign.effects.tip_displacements import TipDisplacements
 from viscodesign.results.findings import Verdict
 
 
-def verdict(
-    sets: AllowedSets, displacements: TipDisplacements, name: str, active: Names
-) -> Verdict:
-    """Why one effect is active or not, and how far it moves the tip."""
+def verdict(sets: AllowedSets, name: str, active: Names, moved: float) -> Verdict:
+    """Why one effect is active or not; ``moved``: how far it moves the tip [m]."""
     effect, quantities, present = sets.effects[name], sets.quantities, name in sets.present
-    acts = present and sets.acts_in(name, active)
-    moved = displacements.between(active, sets.flipped(active, name)) if acts else 0.0
     share = moved / quantities.requested_m
     return Verdict(
         name=name,

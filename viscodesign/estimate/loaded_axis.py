@@ -1,19 +1,17 @@
-"""The axis of the rod under its pressures and steady loads."""
+"""The axis of the rod under its pressures and steady loads, for several estimates side by side."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.estimate.laws_by_row import WallsByRow, rows_by_law
 from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.arc_shape import arc_nodes
-from viscodesign.storage.cached_property import cached_property
 
 LARGEST_LOAD_TURN = 3.0
 """Angle by which a load may bend one piece [rad]."""
@@ -21,38 +19,49 @@ LARGEST_SHEAR = 1.0
 """Angle by which a load may shear one piece [rad]."""
 LOAD_ROUNDS = 2
 LEAST_STRETCH = 0.05
+TINY = 1e-30
 
 
 @dataclass(frozen=True)
-class Axis:
-    """The axis as K pieces of arc at T samples."""
+class Axes:
+    """S axes as K pieces of arc at T samples; vectors are complex numbers x + i z."""
 
     nodes: np.ndarray
-    """(T, K, 2) ends of the pieces [m]."""
+    """(S, T, K) ends of the pieces [m]."""
     middle: np.ndarray
-    """(T, K, 2) middles of their chords [m]."""
+    """(S, T, K) middles of their chords [m]."""
     direction: np.ndarray
-    """(T, K, 2) unit tangents at the middles."""
+    """(S, T, K) unit tangents at the middles."""
     stretch: np.ndarray
-    """(T, K)"""
+    """(S, T, K)"""
     load_curvature: np.ndarray
-    """(T, K) curvature by loads [1/m]."""
+    """(S, T, K) curvature by loads [1/m]."""
     load_stretch: np.ndarray
-    """(T, K) stretch by loads [1]."""
+    """(S, T, K) stretch by loads [1]."""
 
-    @property
-    def across(self) -> np.ndarray:
-        """(T, K, 2) unit vectors perpendicular to the axis."""
-        return np.stack((self.direction[..., 1], -self.direction[..., 0]), axis=-1)
+    def take(self, rows: Sequence[int]) -> Axes:
+        """Some of the axes, each as often as it is named."""
+        return Axes(
+            self.nodes[rows],
+            self.middle[rows],
+            self.direction[rows],
+            self.stretch[rows],
+            self.load_curvature[rows],
+            self.load_stretch[rows],
+        )
 
-    def sheared(self, angle: np.ndarray, length: float) -> Axis:
-        """The axis whose pieces (T, K) of this reference length also shear."""
-        moved = (length * self.stretch * angle)[..., None] * self.across
-        nodes = np.cumsum(moved, axis=1)
+    def shear_displacement(self, angle: np.ndarray, length: float) -> np.ndarray:
+        """How far pieces (S, T, K) of this reference length move their own ends by shear [m]."""
+        return np.asarray(-1j * length * self.stretch * angle * self.direction)
+
+    def sheared(self, angle: np.ndarray, length: float) -> Axes:
+        """The axes whose pieces (S, T, K) of this reference length also shear."""
+        moved = self.shear_displacement(angle, length)
+        nodes = np.cumsum(moved, axis=2)
         return replace(self, nodes=self.nodes + nodes, middle=self.middle + nodes - moved / 2)
 
-    def strained(self, curvature: np.ndarray, stretch: np.ndarray) -> Axis:
-        """The same places, with more elastic strain (T, K) from loads."""
+    def strained(self, curvature: np.ndarray, stretch: np.ndarray) -> Axes:
+        """The same places, with more elastic strain (S, T, K) from loads."""
         return replace(
             self,
             load_curvature=self.load_curvature + curvature,
@@ -60,139 +69,136 @@ class Axis:
         )
 
 
-@dataclass(frozen=True)
-class LoadEstimate:
-    """Masses and steady forces on the rod, and the axis that they bend."""
-
-    network: NetworkEstimate
-    acceleration: tuple[float, float]
-    tip_force: tuple[float, float]
-    tip_mass: float
-    held_density: float
-    shear_compliance: float
-
-    @classmethod
-    def of(cls, network: NetworkEstimate, terms: Sequence[EstimateTerm]) -> LoadEstimate:
-        """The sums of all terms."""
-        return cls(
-            network,
-            _sum_of_pairs([term.acceleration for term in terms]),
-            _sum_of_pairs([term.tip_force for term in terms]),
-            sum(term.tip_mass for term in terms),
-            sum(term.held_density for term in terms),
-            sum(term.shear_compliance for term in terms),
-        )
-
-    @property
-    def setting(self) -> EstimateSetting:
-        """What all estimates of the scene share."""
-        return self.network.setting
-
-    @property
-    def axis(self) -> Axis:
-        """The axis at the network's pressures."""
-        loads = (self.acceleration, self.tip_force, self.tip_mass, self.held_density)
-        key = (*self.network.key, *loads, self.shear_compliance)
-        return self.setting.remembered(key, lambda: self.axis_at(self.network.pressure))
-
-    @property
-    def has_head(self) -> bool:
-        """Whether the fluid's weight presses."""
-        return bool(self.held_density * math.hypot(*self.acceleration))
-
-    def axis_at(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> Axis:
-        """The axis at pressures (T, B); ``uptake``: volumes that the rod adds (T, B) [m3]."""
-        setting = self.setting
-        curvature, stretch = (s @ setting.spread.T for s in self._strains(pressure))
-        length = setting.length / setting.pieces
-        force = self.masses(pressure, uptake)[..., None] * np.array(self.acceleration)
-        force[:, -1] += self.tip_force
-        axis = _unloaded(curvature, 1 + stretch, length)
-        for _ in range(LOAD_ROUNDS if np.any(force) else 0):
-            bent, drawn = self.elastic_strains(axis, force)
-            shear = self.shear_angles(axis, force)
-            axis = _unloaded(curvature + bent, 1 + stretch + drawn, length)
-            axis = replace(axis, load_curvature=bent, load_stretch=drawn)
-            axis = axis if shear is None else axis.sheared(shear, length)
-        return axis
-
-    def _strains(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Curvature and stretch of every section (T, S)."""
-        _, bend, extend = self.network.bellow(pressure)
-        right, left = np.split(bend, 2, axis=1)
-        return left - right, sum(np.split(extend, 2, axis=1), np.zeros_like(left))
-
-    def masses(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> np.ndarray:
-        """Masses at the ends of the pieces (T or 1, K) [kg]."""
-        setting = self.setting
-        mass = setting.piece_masses * setting.length / setting.pieces * np.ones(setting.pieces)
-        mass[-1] = mass[-1] / 2 + self.tip_mass
-        return mass + self._held(pressure, uptake) if self.held_density else mass[None]
-
-    def _held(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> np.ndarray:
-        """Mass of the fluid in every piece (T, K) [kg]."""
-        setting, fluid = self.setting, self.network.fluid
-        volume = setting.rest_volume + self.network.bellow(pressure)[0]
-        amount = np.maximum(volume if uptake is None else volume + uptake, 0.0)
-        if fluid is not None:
-            amount *= fluid.density(pressure, setting.ambient)
-        per_section = sum(np.split(amount, 2, axis=1), np.zeros((1, 1)))
-        return np.asarray(self.held_density * per_section @ setting.share.T)
-
-    @cached_property
-    def distributed_mass(self) -> float:
-        """Mass along the rod, the fluid's by its mean over the motion [kg]."""
-        held = self._held(self.network.pressure) if self.held_density else np.zeros((1, 1))
-        mean = float(np.mean(np.sum(held, axis=1)))
-        return self.setting.mass_per_length * self.setting.length + mean
-
-    def head(self, axis: Axis) -> np.ndarray:
-        """Pressure that the weight of the fluid adds in every bellow (T, B) [Pa]."""
-        depth = (axis.middle @ np.array(self.acceleration)) @ self.setting.share
-        return self.held_density * np.concatenate([depth, depth], axis=1)
-
-    def elastic_strains(self, axis: Axis, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Curvature and stretch (T, K) that balance forces (T, K, 2) at the ends of the pieces."""
-        setting, middle, nodes = self.setting, axis.middle, axis.nodes
-        carried = _sum_to_tip(force)
-        torque = _sum_to_tip(nodes[..., 1] * force[..., 0] - nodes[..., 0] * force[..., 1])
-        moment = torque - (middle[..., 1] * carried[..., 0] - middle[..., 0] * carried[..., 1])
-        normal = np.sum(axis.direction * carried, axis=-1)
-        length = setting.length / nodes.shape[1]
-        most = LARGEST_LOAD_TURN
-        bending, extension = setting.piece_stiffnesses
-        turn = np.clip(moment / bending * length, -most, most)
-        return turn / length, normal / extension
-
-    def shear_angles(self, axis: Axis, force: np.ndarray) -> np.ndarray | None:
-        """Shear of the pieces (T, K) [rad] by the same forces; None where they do not shear."""
-        if self.shear_compliance == 0.0:
-            return None
-        across = np.sum(axis.across * _sum_to_tip(force), axis=-1)
-        most = LARGEST_SHEAR
-        return np.asarray(np.clip(self.shear_compliance * across, -most, most))
+Loads = tuple[complex, complex, float, float, float]
+"""Acceleration x + i z [m/s2], tip force x + i z [N], tip mass [kg], held density [kg/m3], shear
+angle per force [1/N]."""
 
 
-def _sum_of_pairs(pairs: Sequence[tuple[float, float]]) -> tuple[float, float]:
-    return sum(x for x, _ in pairs), sum(z for _, z in pairs)
-
-
-def _unloaded(curvature: np.ndarray, stretch: np.ndarray, length: float) -> Axis:
-    """The axis of pieces with these total strains (T, K), none of them from loads."""
-    stretch = np.maximum(stretch, LEAST_STRETCH)
-    nodes, angles = arc_nodes(curvature, stretch, length, 1)
-    ends = np.concatenate([np.zeros((len(nodes), 1, 2)), nodes], axis=1)
-    turned = angles - curvature * length / 2
-    return Axis(
-        nodes=nodes,
-        middle=(ends[:, 1:] + ends[:, :-1]) / 2,
-        direction=np.stack((np.sin(turned), np.cos(turned)), axis=-1),
-        stretch=stretch,
-        load_curvature=np.zeros_like(curvature),
-        load_stretch=np.zeros_like(stretch),
+def loads_of(terms: Sequence[EstimateTerm]) -> Loads:
+    """The sums of all terms."""
+    return (
+        sum((complex(*term.acceleration) for term in terms), 0j),
+        sum((complex(*term.tip_force) for term in terms), 0j),
+        sum(term.tip_mass for term in terms),
+        sum(term.held_density for term in terms),
+        sum(term.shear_compliance for term in terms),
     )
 
 
+class LoadEstimates:
+    """Masses and steady forces on S rods, and the axes that they bend."""
+
+    def __init__(
+        self, setting: EstimateSetting, networks: Sequence[NetworkEstimate], loads: Sequence[Loads]
+    ) -> None:
+        self.setting = setting
+        acceleration, force, tip_mass, density, shear = zip(*loads, strict=True)
+        self.acceleration, self.tip_force = np.array(acceleration), np.array(force)
+        self.tip_mass, self.held_density = np.array(tip_mass), np.array(density)
+        self.shear_compliance = np.array(shear)
+        self._bellow = WallsByRow(setting, [one.wall for one in networks])
+        self._fluids = list(rows_by_law([one.fluid for one in networks]))
+
+    @property
+    def has_head(self) -> bool:
+        """Whether the fluid's weight presses in any of them."""
+        return bool(np.any(self.held_density * np.abs(self.acceleration)))
+
+    def axes_at(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> Axes:
+        """The axes at pressures (S, T, B); ``uptake``: volumes that the rod adds [m3]."""
+        setting = self.setting
+        curvature, stretch = (s @ setting.spread.T for s in self._strains(pressure))
+        length = setting.length / setting.pieces
+        force = self.masses(pressure, uptake) * self.acceleration[:, None, None]
+        force[..., -1] += self.tip_force[:, None]
+        axes = _unloaded(curvature, 1 + stretch, length)
+        for _ in range(LOAD_ROUNDS if np.any(force) else 0):
+            bent, drawn = self.elastic_strains(axes, force)
+            shear = self.shear_angles(axes, force)
+            axes = _unloaded(curvature + bent, 1 + stretch + drawn, length)
+            axes = replace(axes, load_curvature=bent, load_stretch=drawn)
+            axes = axes if shear is None else axes.sheared(shear, length)
+        return axes
+
+    def _strains(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Curvature and stretch of every section (S, T, sections)."""
+        _, bend, extend = self._bellow(pressure)
+        sections = self.setting.sections
+        return (
+            bend[..., sections:] - bend[..., :sections],
+            extend[..., sections:] + extend[..., :sections],
+        )
+
+    def masses(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> np.ndarray:
+        """Masses at the ends of the pieces (S, T or 1, K) [kg]."""
+        setting = self.setting
+        own = setting.piece_masses * setting.length / setting.pieces
+        mass = own * np.ones((len(pressure), 1, setting.pieces))
+        mass[..., -1] = mass[..., -1] / 2 + self.tip_mass[:, None]
+        return np.asarray(mass + self._held(pressure, uptake))
+
+    def _held(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> np.ndarray:
+        """Mass of the fluid in every piece (S, T, K); (S, 1, K) where none of it counts [kg]."""
+        setting, density = self.setting, self.held_density
+        if not density.any():
+            return np.zeros((len(pressure), 1, setting.pieces))
+        volume = setting.rest_volume + self._bellow(pressure)[0]
+        amount = np.maximum(volume if uptake is None else volume + uptake, 0.0)
+        for fluid, rows in self._fluids:
+            if fluid is not None:
+                amount[rows] *= fluid.density(pressure[rows], setting.ambient)
+        per_section = amount[..., : setting.sections] + amount[..., setting.sections :]
+        return np.asarray(density[:, None, None] * per_section @ setting.share.T)
+
+    def distributed_mass(self, pressure: np.ndarray) -> np.ndarray:
+        """Mass along the rods (S,), the fluid's by its mean over the motion [kg]."""
+        mean = np.mean(np.sum(self._held(pressure), axis=2), axis=1)
+        return np.asarray(self.setting.mass_per_length * self.setting.length + mean)
+
+    def head(self, axes: Axes) -> np.ndarray:
+        """Pressure that the weight of the fluid adds in every bellow (S, T, B) [Pa]."""
+        down = self.acceleration.conj()[:, None, None]
+        depth = (axes.middle * down).real @ self.setting.share
+        both = np.concatenate([depth, depth], axis=-1)
+        return np.asarray(self.held_density[:, None, None] * both)
+
+    def elastic_strains(self, axes: Axes, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Curvature and stretch that balance forces (S, T, K) at the ends of the pieces."""
+        setting = self.setting
+        carried = _sum_to_tip(force)
+        torque = _sum_to_tip((axes.nodes.conj() * force).imag)
+        moment = (axes.middle.conj() * carried).imag - torque
+        normal = (axes.direction.conj() * carried).real
+        length = setting.length / setting.pieces
+        most = LARGEST_LOAD_TURN
+        bending, extension = setting.piece_stiffnesses
+        turn = np.clip(moment * (length / bending), -most, most)
+        return turn / length, normal / extension
+
+    def shear_angles(self, axes: Axes, force: np.ndarray) -> np.ndarray | None:
+        """Shear of the pieces (S, T, K) [rad] by the same forces; None where none shears."""
+        if not self.shear_compliance.any():
+            return None
+        across = -(axes.direction.conj() * _sum_to_tip(force)).imag
+        angle = self.shear_compliance[:, None, None] * across
+        return np.asarray(np.clip(angle, -LARGEST_SHEAR, LARGEST_SHEAR))
+
+
+def _unloaded(curvature: np.ndarray, stretch: np.ndarray, length: float) -> Axes:
+    """The axes of pieces with these total strains (S, T, K), none of them from loads."""
+    stretch = np.maximum(stretch, LEAST_STRETCH)
+    half_turn = curvature * (length / 2)
+    middle_turn = 2 * np.cumsum(half_turn, axis=2) - half_turn
+    # The sine of an angle over the angle, also at zero.
+    angle = np.where(half_turn == 0.0, TINY, half_turn)
+    direction = np.empty(curvature.shape, dtype=complex)
+    direction.real, direction.imag = np.sin(middle_turn), np.cos(middle_turn)
+    chord = length * stretch * (np.sin(angle) / angle) * direction
+    nodes = np.cumsum(chord, axis=2)
+    nothing = np.zeros_like(curvature)
+    return Axes(nodes, nodes - chord / 2, direction, stretch, nothing, nothing)
+
+
 def _sum_to_tip(values: np.ndarray) -> np.ndarray:
-    """Sums from each piece to the tip, along the second axis."""
-    return np.asarray(np.cumsum(values[:, ::-1], axis=1)[:, ::-1])
+    """Sums from each piece to the tip, along the third axis."""
+    return np.asarray(np.cumsum(values[..., ::-1], axis=2)[..., ::-1])

@@ -1,4 +1,7 @@
-"""Exact response of linear filters to a drive that is straight between its samples."""
+"""Exact response of linear filters to a drive that is straight between its samples.
+
+A filter may have several channels, driven apart: the last axes of its drive.
+"""
 
 from __future__ import annotations
 
@@ -23,57 +26,70 @@ class FilterStart(Enum):
 NEARLY_ZERO = 1e-2
 """Rate times step below which exponentials are taken by their series."""
 
-FEW = 4
-"""Filters up to which joining steps is faster than taking them one by one."""
-
 
 def first_order(
     rate: np.ndarray, time: np.ndarray, drive: np.ndarray, start: np.ndarray
 ) -> np.ndarray:
-    """y' = rate y + drive at every sample (T, M).
+    """y' = rate y + drive at every sample (T, M, ...).
 
-    ``rate`` (M,) may be complex [1/s], or one for all (1,); ``time`` (T,) ascending, equal times
-    are a jump; ``drive`` (T, M); ``start`` (M,). Exact for a drive that is linear between samples.
+    ``rate`` (M,) may be complex [1/s]; ``time`` (T,) ascending, equal times are a jump; ``drive``
+    (T, M, ...); ``start`` (M, ...). Exact for a drive that is linear between samples.
     """
-    step = np.diff(time)[:, None]
-    z = rate[None, :] * step
+    growth, level, ramp = (c[..., None] for c in _over_steps(rate, np.diff(time)))
+    channels = math.prod(drive.shape[2:])
+    flat = drive.reshape(*drive.shape[:2], channels)
+    gain = level * flat[:-1] + ramp * np.diff(flat, axis=0)
+    found = _joined(growth, gain, start.reshape(len(rate), channels))
+    return found.reshape(drive.shape)
+
+
+def _over_steps(rate: np.ndarray, step: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """What is left of a value after steps (n,), and what a level and a ramp of the drive add.
+
+    Each (n, M), the last two [s].
+    """
+    kinds, place = np.unique(step, return_inverse=True)
+    z = kinds[:, None] * rate
     small = np.abs(z) < NEARLY_ZERO
-    safe = np.where(small, 1.0, z)
     growth = np.exp(z)
-    level, ramp = (growth - 1) / safe, (growth - 1 - z) / (safe * safe)
+    inverse = 1 / np.where(small, 1.0, z)
+    level = (growth - 1) * inverse
+    ramp = (level - 1) * inverse
     if small.any():
         level[small], ramp[small] = _series(z[small], 1), _series(z[small], 2)
-    gain = level * step * drive[:-1] + ramp * step * np.diff(drive, axis=0)
-    joined = _doubling if gain.shape[1] <= FEW else _in_parts
-    return joined(growth, gain, start)
+    level, ramp = level * kinds[:, None], ramp * kinds[:, None]
+    return growth[place], level[place], ramp[place]
 
 
-def _in_parts(growth: np.ndarray, gain: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """The recursion y_k+1 = growth_k y_k + gain_k (T, M), with all parts of the time side by side.
+def _joined(growth: np.ndarray, gain: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """The recursion y_k+1 = growth_k y_k + gain_k (T, M, C), all parts of the time side by side.
 
-    Each part begins at zero; what it begins with is added afterwards.
+    ``growth`` (T - 1, M, 1). Each part begins at zero; what it begins with is added afterwards.
     """
-    count, width = gain.shape
+    count = len(gain)
     length = math.isqrt(count) + 1
     parts = -(-count // length)
     kind = np.result_type(growth, gain, start)
     grown, gained = (_filled(values, parts, length, kind) for values in (growth, gain))
     for k in range(1, length):
-        gained[:, k] += grown[:, k] * gained[:, k - 1]
-        grown[:, k] *= grown[:, k - 1]
-    begins = np.empty((parts, 1, width), dtype=kind)
+        gained[k] += grown[k] * gained[k - 1]
+        grown[k] *= grown[k - 1]
+    begins = np.empty((parts, *start.shape), dtype=kind)
     begins[0] = start
     for k in range(1, parts):
-        begins[k] = grown[k - 1, -1] * begins[k - 1] + gained[k - 1, -1]
-    found = gained + grown * begins
-    return np.concatenate([begins[0], found.reshape(-1, width)[:count]])
+        begins[k] = grown[-1, k - 1] * begins[k - 1] + gained[-1, k - 1]
+    gained += grown * begins
+    found = np.empty((count + 1, *start.shape), dtype=kind)
+    found[0] = start
+    found[1:] = gained.swapaxes(0, 1).reshape(parts * length, *start.shape)[:count]
+    return found
 
 
 def _filled(values: np.ndarray, parts: int, length: int, kind: np.dtype[Any]) -> np.ndarray:
-    """Values (T, M) in parts (parts, length, M), the last of them filled up with zeros."""
-    found = np.zeros((parts * length, values.shape[1]), dtype=kind)
+    """Values (T, ...) as steps of parts (length, parts, ...), the last ones filled with zeros."""
+    found = np.zeros((parts * length, *values.shape[1:]), dtype=kind)
     found[: len(values)] = values
-    return found.reshape(parts, length, -1)
+    return np.ascontiguousarray(found.reshape(parts, length, *values.shape[1:]).swapaxes(0, 1))
 
 
 def _series(z: np.ndarray, order: int) -> np.ndarray:
@@ -84,44 +100,71 @@ def _series(z: np.ndarray, order: int) -> np.ndarray:
     return found
 
 
-def _doubling(growth: np.ndarray, gain: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """The same recursion for few filters: steps are joined to ever longer ones."""
-    growth, gain = growth.copy(), gain.astype(np.result_type(growth, gain))
-    reach = 1
-    while reach < len(gain):
-        gain[reach:] += growth[reach:] * gain[:-reach].copy()
-        growth[reach:] = growth[reach:] * growth[:-reach].copy()
-        reach *= 2
-    return np.concatenate([start[None, :] + 0 * gain[:1], gain + growth * start])
-
-
 def second_order(
     delay: np.ndarray, rate: np.ndarray, time: np.ndarray, drive: np.ndarray, start: FilterStart
 ) -> np.ndarray:
-    """delay y'' + y' + rate y = drive at every sample (T, M), real.
+    """delay y'' + y' + rate y = drive at every sample (T, M, ...), real.
 
-    ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s], or one for all (1,). A rate of zero stays
-    at zero.
+    ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s]. A rate of zero stays at zero.
     """
     square = 1 - 4 * delay * rate
-    root = np.sqrt(square) if np.all(square > 0.0) else np.sqrt(square + 0j)
-    root = np.where(np.abs(root) < 1e-6, 1e-6, root)
-    fast, slow = (-1 - root) / (2 * delay), (-1 + root) / (2 * delay)
+    found = np.zeros(drive.shape)
+    for own, response in ((square < 0.0, _swinging), (square >= 0.0, _creeping)):
+        own &= rate > 0.0
+        if own.all():
+            return response(delay, rate, square, time, drive, start)
+        if own.any():
+            numbers = delay[own], rate[own], square[own]
+            found[:, own] = response(*numbers, time, drive[:, own], start)
+    return found
+
+
+def _swinging(
+    delay: np.ndarray,
+    rate: np.ndarray,
+    square: np.ndarray,
+    time: np.ndarray,
+    drive: np.ndarray,
+    start: FilterStart,
+) -> np.ndarray:
+    """Those with a pair of complex poles, of which one tells the other."""
+    del rate
+    root = np.maximum(np.sqrt(-square), LEAST_ROOT)
+    found = _from_start((1j * root - 1) / (2 * delay), time, drive, start)
+    return np.asarray(found.imag * _wide(2 / root, drive))
+
+
+def _creeping(
+    delay: np.ndarray,
+    rate: np.ndarray,
+    square: np.ndarray,
+    time: np.ndarray,
+    drive: np.ndarray,
+    start: FilterStart,
+) -> np.ndarray:
+    """Those with two real poles."""
+    root = np.maximum(np.sqrt(square), LEAST_ROOT)
+    fast = (-1 - root) / (2 * delay)
     # The slow root by Vieta: the difference would lose its digits.
-    slow = np.where(np.abs(fast) > 0, rate / (delay * fast), slow)
-    late = _from_start(slow, time, drive, start)
-    # Of a pair of complex poles one tells the other.
-    ringing = bool(np.all(square < 0.0))
-    early = np.conj(late) if ringing else _from_start(fast, time, drive, start)
-    found = np.real((late - early) / (delay * (slow - fast)))
-    return np.where(rate > 0.0, found, 0.0)
+    slow = rate / (delay * fast)
+    late, early = (_from_start(pole, time, drive, start) for pole in (slow, fast))
+    return np.asarray((late - early) * _wide(1 / (delay * (slow - fast)), drive))
+
+
+LEAST_ROOT = 1e-6
+"""Distance at which equal poles are held apart, in parts of their size."""
+
+
+def _wide(values: np.ndarray, drive: np.ndarray) -> np.ndarray:
+    """One value per filter (M,), for all of its channels."""
+    return values.reshape(-1, *[1] * (drive.ndim - 2))
 
 
 def _from_start(
     pole: np.ndarray, time: np.ndarray, drive: np.ndarray, start: FilterStart
 ) -> np.ndarray:
     """One pole's filter."""
-    held = np.where(np.abs(pole) > 0, -drive[0] / np.where(pole == 0, 1, pole), 0.0)
+    held = drive[0] * _wide(-1 / pole, drive)
     return first_order(pole, time, drive, start_of(start, held, pole, time, drive))
 
 
@@ -132,12 +175,12 @@ def start_of(
     time: np.ndarray,
     drive: np.ndarray,
 ) -> np.ndarray:
-    """Values (M,) at which filters of `first_order` start; ``settled`` (M,): in equilibrium."""
+    """Values (M, ...) at which filters of `first_order` start; ``settled``: in equilibrium."""
     if start is FilterStart.EQUILIBRIUM:
         return settled
     if start is FilterStart.REST:
-        return np.asarray(0 * settled)
+        return np.zeros_like(settled)
     # What is left of the start in the end, and what the drive has added to it.
-    lost = -np.expm1(rate * (time[-1] - time[0]))
-    added = first_order(rate, time, drive, 0 * settled)[-1]
-    return np.where(rate != 0, added / np.where(rate != 0, lost, 1.0), 0.0)
+    lost = _wide(-np.expm1(rate * (time[-1] - time[0])), drive)
+    added = first_order(rate, time, drive, np.zeros_like(settled))[-1]
+    return np.where(lost != 0, added / np.where(lost != 0, lost, 1.0), 0.0)

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from viscodesign.errors import UsageError, described
-from viscodesign.estimate.linear_network import LinearNetwork
 from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.network_matrix import laplacian, settling_time
@@ -202,9 +201,7 @@ class SceneQuantities:
     @cached_property
     def slow_tube_pressures(self) -> np.ndarray:
         """Mean gauge pressures of all tubes in the same flow (T, Q) [Pa]."""
-        network, _ = self._slow_network.averaged
-        assert isinstance(network, LinearNetwork)  # pressures are distributed
-        return network.tube_pressures(network.pressures())
+        return self._slow_network.tube_pressures()
 
     @cached_property
     def _slow_network(self) -> NetworkEstimate:

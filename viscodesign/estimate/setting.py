@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
 
-from viscodesign.estimate.linear_network import LinearNetwork, UniformNetwork
+from viscodesign.estimate.linear_network import LinearNetworks, UniformNetworks
 from viscodesign.estimate.modal_response import FilterStart
+from viscodesign.estimate.motion_means import Means
 from viscodesign.estimate.sample_grid import SampleGrid
 from viscodesign.model.bellow_law import BellowLaws
 from viscodesign.model.rod import Body
@@ -43,6 +44,10 @@ class EstimateSetting:
         self.syringes = dict(barrels)
         """Volume per pressure of the barrel of every syringe [m3/Pa]."""
         self._memory: dict[Hashable, Any] = {}
+        self.averages: dict[Hashable, Any] = {}
+        """Networks with their means over the motion, by what they depend on."""
+        self.first_means: Means | None = None
+        """Means from which those of other networks are found in fewer rounds."""
         self.length = body.length
         self.sections = body.sections
         self.mass_per_length = body.mass_per_length
@@ -68,6 +73,11 @@ class EstimateSetting:
             self._memory[key] = make()
         found: T = self._memory[key]
         return found
+
+    def begin_at(self, means: Means) -> None:
+        """Find the means of all networks from these; what was found from others is forgotten."""
+        self.first_means = means
+        self.averages.clear()
 
     @property
     def time(self) -> np.ndarray:
@@ -98,44 +108,47 @@ class EstimateSetting:
         columns = [self._grid.values(name) for name in self.pressure_inlets]
         return np.array(columns).T.reshape(len(self.time), len(columns))
 
-    def _pushed(self, nodes: list[str]) -> np.ndarray:
+    def _pushed(self, nodes: tuple[str, ...]) -> np.ndarray:
         """Volume that plungers push into every node (T, N) [m3]."""
         pushed = np.zeros((len(self.time), len(nodes)))
         for name in self.syringes:
             pushed[:, nodes.index(name)] = self._grid.values(name)
         return pushed
 
-    def network(
+    def stores(self, names: Iterable[str]) -> tuple[str, ...]:
+        """Those of these nodes that store without being a bellow, and the syringes."""
+        return (*(n for n in names if n in self.graph.junctions), *self.syringes)
+
+    def networks(
         self,
         compliance: np.ndarray,
         multiplier: np.ndarray,
-        capacity: dict[str, float],
+        storage: Sequence[Mapping[str, float]],
         inertance: np.ndarray,
         uniform: bool,
-    ) -> LinearNetwork | UniformNetwork:
-        """The linear network of bellows (B,), tubes (Q,) and what else stores."""
-        graph = self.graph
-        stores = {n: c for n, c in capacity.items() if n in graph.junctions} | self.syringes
-        nodes = [*graph.bellows, *stores]
-        held = compliance + np.array([capacity.get(n, 0.0) for n in graph.bellows])
-        everything = np.concatenate([held, np.array(list(stores.values()))])
-        pushed = self._pushed(nodes)
+    ) -> LinearNetworks | UniformNetworks:
+        """Linear networks of bellows (S, B), tubes (S, Q), and what else stores at equal nodes."""
+        graph, stores = self.graph, self.stores(storage[0])
+        nodes = (*graph.bellows, *stores)
+        held = [[{**own, **self.syringes}.get(n, 0.0) for n in nodes] for own in storage]
+        capacity = np.array(held)
+        capacity[:, : self.bellows] += compliance
+        pushed = self.remembered(("pushed", nodes), lambda: self._pushed(nodes))
         if uniform:
-            return self._uniform(nodes, everything, pushed)
+            return self._uniform(nodes, capacity, pushed)
         resistance = self.resistance * multiplier
         late = inertance / (TIME_OF_MODES * self.time[-1]) if inertance.size else 0.0
         impedance = resistance + late
-        key = tuple(nodes)
-        incidence = self.remembered(("incidence", key), lambda: self._incidence(key))
+        incidence = self.remembered(("incidence", nodes), lambda: self._incidence(nodes))
         known = len(nodes) + len(self.pressure_inlets)
         tubes = self._tubes(incidence, known, 1 / impedance)
         ends = np.abs(incidence[:, :known])
         leaving = incidence[:, : len(nodes)].T @ tubes
-        return LinearNetwork(
+        return LinearNetworks(
             self.time,
-            leaving[:, : len(nodes)],
-            -leaving[:, len(nodes) :],
-            everything,
+            leaving[..., : len(nodes)],
+            -leaving[..., len(nodes) :],
+            capacity,
             self.drive,
             pushed,
             self.baseline,
@@ -148,8 +161,8 @@ class EstimateSetting:
         )
 
     def _uniform(
-        self, nodes: list[str], capacity: np.ndarray, pushed: np.ndarray
-    ) -> UniformNetwork:
+        self, nodes: tuple[str, ...], capacity: np.ndarray, pushed: np.ndarray
+    ) -> UniformNetworks:
         held = np.full((len(self.time), len(nodes)), self.baseline)
         sealed = []
         for part in self.graph.components():
@@ -161,7 +174,7 @@ class EstimateSetting:
                 held[:, own] = self.baseline + self.drive[:, [column]]
             elif own.size:
                 sealed.append(own)
-        return UniformNetwork(held, tuple(sealed), capacity, pushed, self.baseline)
+        return UniformNetworks(held, tuple(sealed), capacity, pushed, self.baseline)
 
     def _incidence(self, nodes: tuple[str, ...]) -> np.ndarray:
         """Which tube leaves (1) or comes to (-1) which node: storing, inlets, bare (Q, ...)."""
@@ -173,19 +186,21 @@ class EstimateSetting:
         return incidence
 
     def _tubes(self, incidence: np.ndarray, kept: int, conductance: np.ndarray) -> np.ndarray:
-        """Flow of every tube per pressure of the first ``kept`` nodes, bare ones out (Q, kept)."""
-        flows = conductance[:, None] * incidence
+        """Flow of every tube per pressure of the first ``kept`` nodes, bare ones out.
+
+        ``conductance`` (S, Q); (S, Q, kept).
+        """
+        flows = conductance[..., None] * incidence
         if kept == incidence.shape[1]:
             return np.asarray(flows)
         balance = incidence[:, kept:].T @ flows
-        follow = -np.linalg.solve(balance[:, kept:], balance[:, :kept])
-        return np.asarray(flows[:, :kept] + flows[:, kept:] @ follow)
+        follow = -np.linalg.solve(balance[..., kept:], balance[..., :kept])
+        return np.asarray(flows[..., :kept] + flows[..., kept:] @ follow)
 
     @cached_property
     def straight(self) -> np.ndarray:
-        """Ends of the pieces of the unstrained axis (K, 2) [m]."""
-        places = self.length * np.arange(1, self.pieces + 1) / self.pieces
-        return np.column_stack((np.zeros(self.pieces), places))
+        """Ends x + i z of the pieces of the unstrained axis (K,) [m]."""
+        return np.asarray(1j * self.length * np.arange(1, self.pieces + 1) / self.pieces)
 
     @cached_property
     def spread(self) -> np.ndarray:

@@ -19,6 +19,7 @@ from viscodesign.checks.check import Check
 from viscodesign.effects.catalogue import catalogue, every_effect
 from viscodesign.effects.gravity import Gravity
 from viscodesign.effects.select import NUMBERS, Selection, select_effects
+from viscodesign.estimate.linear_network import LinearNetworks
 from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
@@ -456,3 +457,36 @@ def test_the_lowest_inlet_pressure_is_one_that_is_met(source: str, lowest: str) 
     """The baseline is none of an inlet that never comes down to it."""
     reason = verdicts("bellows.count=4", f"input={source}", "effects=auto")["collapse"].reason
     assert reason.endswith(f"the lowest inlet pressure is {lowest}")
+
+
+# -- what it takes ------------------------------------------------------------
+
+
+def test_choosing_solves_few_arrays_of_networks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One by one, with the means of each from the linear laws, it was 118."""
+    solved, pressures = [], LinearNetworks.pressures
+
+    def counted(self: LinearNetworks, *given: np.ndarray) -> np.ndarray:
+        solved.append(len(self.capacity))
+        return pressures(self, *given)
+
+    monkeypatch.setattr(LinearNetworks, "pressures", counted)
+    select_effects(SceneQuantities(leg(AUTO, "fluid=air", "run.duration=1.01 s")))
+    assert len(solved) <= 60
+    assert max(solved) >= 5
+
+
+def test_a_dominant_effect_is_told_by_the_set_in_which_it_was_weighed() -> None:
+    quantities = SceneQuantities(leg(AUTO, "bellows.count=4"))
+    found = select_effects(quantities)
+    share = NUMBERS.accuracy_share * quantities.requested_m
+    told = {v.name: v.contribution_m for v in found.verdicts if v.taken}
+    dominant = [n for n in told if told[n] > NUMBERS.always_kept * share and found.sets.leads(n)]
+    assert dominant
+    everything = found.everything
+    for name in dominant:
+        apart = found.displacements.between(everything, found.sets.without(everything, name))
+        assert told[name] == apart
+        # Nearly what it does in the set that was chosen.
+        now = found.displacements.between(found.active, found.sets.flipped(found.active, name))
+        assert told[name] == pytest.approx(now, abs=2 * share)

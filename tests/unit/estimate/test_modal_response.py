@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from viscodesign.estimate.modal_response import FEW, FilterStart, first_order, second_order
+from viscodesign.estimate.modal_response import FilterStart, first_order, second_order
 
 TIME = np.sort(np.random.default_rng(3).uniform(0.0, 2.0, 60))
 TIME[0] = 0.0
@@ -25,16 +25,15 @@ def decays(delay: float, rate: float, drive: np.ndarray, *, steady: bool = False
     return np.asarray(found[:, 0])
 
 
-@pytest.mark.parametrize("copies", [1, FEW + 1])
+@pytest.mark.parametrize("copies", [1, 5])
 def test_a_free_filter_decays(copies: int) -> None:
-    """Few filters and many are computed in different ways."""
     rates = np.tile(RATES, copies)
     start = np.arange(1.0, len(rates) + 1)
     found = first_order(rates, TIME, constant(0.0, len(rates)), start)
     assert found == pytest.approx(start * np.exp(rates * TIME[:, None]), rel=1e-12, abs=1e-15)
 
 
-@pytest.mark.parametrize("copies", [1, FEW + 1])
+@pytest.mark.parametrize("copies", [1, 5])
 def test_a_ramp(copies: int) -> None:
     """y' = r y + a + b t from rest: y = -(a + b t)/r - b/r^2 + (a/r + b/r^2) exp(r t)."""
     rates = np.tile(RATES, copies)
@@ -64,7 +63,7 @@ def test_slow_filters_keep_their_digits_on_both_sides_of_the_series(rate: float)
     assert found == pytest.approx(expected, rel=1e-9)
 
 
-@pytest.mark.parametrize("copies", [1, FEW + 1])
+@pytest.mark.parametrize("copies", [1, 5])
 def test_a_jump_of_the_drive_is_felt_only_afterwards(copies: int) -> None:
     time = np.array([0.0, 1.0, 1.0, 2.0])
     drive = np.repeat(np.array([0.0, 0.0, 1.0, 1.0])[:, None], copies, axis=1)

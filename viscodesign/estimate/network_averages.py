@@ -1,0 +1,141 @@
+"""Means over the motion of several networks, and the pressures that follow from them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from viscodesign.estimate.laws_by_row import WallsByRow, rows_by_law
+from viscodesign.estimate.linear_network import LinearNetworks, UniformNetworks
+from viscodesign.estimate.motion_means import Means
+from viscodesign.estimate.setting import EstimateSetting
+
+if TYPE_CHECKING:
+    from viscodesign.estimate.network_estimate import NetworkEstimate
+
+AVERAGING_ROUNDS = 6
+"""Rounds in which means over the motion converge, to a few thousandths."""
+FEWER_ROUNDS = 2
+"""The same from the means of a network that differs by one term."""
+LEAST_PRESSURE = 0.02
+"""Absolute pressure, in parts of the ambient, below which a linear network is not followed."""
+LEAST_VOLUME = 0.02
+"""The same for a bellow's volume, in parts of that at rest."""
+
+
+def averaged(
+    setting: EstimateSetting, members: Sequence[NetworkEstimate]
+) -> tuple[LinearNetworks | UniformNetworks, np.ndarray, list[Means]]:
+    """Networks of equal structure with their means, and pressures of their bellows (S, T, B).
+
+    Means over the motion follow from it, and it from them. Always the same number of rounds from
+    the same start: the remainder of the iteration is then alike in two estimates, and their
+    difference shows the term. Fewer rounds from means that are nearly right.
+    """
+    averages = _Averages(setting, members)
+    networks = averages.networks()
+    pressure = networks.pressures()
+    rounds = FEWER_ROUNDS if setting.first_means else AVERAGING_ROUNDS
+    for _ in range(rounds if averages.is_nonlinear else 0):
+        averages.update(networks, pressure)
+        networks = averages.networks()
+        pressure = networks.pressures()
+    return networks, pressure[..., : setting.bellows], averages.means
+
+
+class _Averages:
+    """Compliances of bellows and resistances of tubes, by their means."""
+
+    def __init__(self, setting: EstimateSetting, members: Sequence[NetworkEstimate]) -> None:
+        self._setting = setting
+        self._bellow = WallsByRow(setting, [m.wall for m in members])
+        self._fluids = [(f, r) for f, r in rows_by_law([m.fluid for m in members]) if f]
+        self._losses = [(f, r) for f, r in rows_by_law([m.losses for m in members]) if f]
+        self._is_uniform = not members[0].distributed
+        self._inertance = np.array([m.inertance for m in members])
+        self._storage = [dict(m.storage) for m in members]
+        self._compliance = np.full((len(members), setting.bellows), setting.compliance)
+        self._multiplier = np.ones((len(members), len(setting.resistance)))
+        self._thinness = np.ones_like(self._multiplier)
+        self.is_nonlinear = bool(self._fluids or self._losses) or members[0].wall is not None
+        if setting.first_means and self.is_nonlinear:
+            self._begin_at(setting.first_means)
+
+    def _begin_at(self, first: Means) -> None:
+        """What a law has not given is left as it is without that law."""
+        self._compliance[:] = first.compliance
+        for _, rows in self._losses:
+            self._multiplier[rows] = first.multiplier
+        for _, rows in self._fluids:
+            self._thinness[rows] = first.thinness
+
+    @property
+    def means(self) -> list[Means]:
+        """Those of every network."""
+        columns = self._compliance, self._multiplier, self._thinness
+        return [Means(*own) for own in zip(*columns, strict=True)]
+
+    def networks(self) -> LinearNetworks | UniformNetworks:
+        """Those with the present means."""
+        multiplier = self._multiplier * self._thinness
+        return self._setting.networks(
+            self._compliance, multiplier, self._storage, self._inertance, uniform=self._is_uniform
+        )
+
+    def update(self, networks: LinearNetworks | UniformNetworks, pressure: np.ndarray) -> None:
+        """Means over the motion at pressures (S, T, N)."""
+        if isinstance(networks, LinearNetworks) and (self._losses or self._fluids):
+            flow = networks.flows(pressure)
+            # A jump's first instant would count for a whole step: the later end represents it.
+            work = flow[:, 1:] ** 2 * np.diff(self._setting.time)[:, None] + 1e-300
+            share = work / np.sum(work, axis=1, keepdims=True)
+            self._lose(flow, share)
+            self._thin(networks.tube_pressures(pressure), share)
+        self._yield(pressure[..., : self._setting.bellows])
+
+    def _lose(self, flow: np.ndarray, share: np.ndarray) -> None:
+        """Loss of every tube over that of slow laminar flow, from flows (S, T, Q)."""
+        for (first, *others), rows in self._losses:
+            own = flow[rows]
+            loss = first(own)
+            for law in others:
+                loss = loss + law(own) - 1
+            mean = np.sum(loss[:, 1:] * share[rows], axis=1)
+            self._multiplier[rows] = np.sqrt(self._multiplier[rows] * mean)
+
+    def _thin(self, pressure: np.ndarray, share: np.ndarray) -> None:
+        """Mean density of the fluid in all tubes over that in each, at pressures (S, T, Q).
+
+        In a row of tubes the thinner gas flows faster, and loses more of the pressure.
+        """
+        ambient = self._setting.ambient
+        for fluid, rows in self._fluids:
+            gauge = self._absolute(pressure[rows]) - ambient
+            ratios = np.asarray(fluid.density(gauge, ambient))
+            density = np.sum(ratios[:, 1:] * share[rows], axis=1)
+            self._thinness[rows] = np.mean(density, axis=1, keepdims=True) / density
+
+    def _absolute(self, pressure: np.ndarray) -> np.ndarray:
+        """Absolute pressures; a linear network knows no vacuum [Pa]."""
+        ambient = self._setting.ambient
+        return np.maximum(ambient + pressure, LEAST_PRESSURE * ambient)
+
+    def _yield(self, pressure: np.ndarray) -> None:
+        """Volume per pressure of every bellow, over its own range of pressures (S, T, B)."""
+        setting = self._setting
+        low, high = pressure.min(axis=1), pressure.max(axis=1)
+        spread = np.maximum(high - low, 1e-3 * setting.swing)
+        middle = (low + high) / 2
+        below, above = (self._bellow(middle + side * spread / 2)[0] for side in (-1, 1))
+        self._compliance = np.maximum((above - below) / spread, 1e-3 * setting.compliance)
+        if not self._fluids:
+            return
+        volume = setting.rest_volume + self._bellow(pressure)[0]
+        volume = np.maximum(volume, LEAST_VOLUME * setting.rest_volume)[:, 1:]
+        moved = np.abs(np.diff(pressure, axis=1)) + 1e-9 * setting.swing
+        share = moved / np.sum(moved, axis=1, keepdims=True)
+        for fluid, rows in self._fluids:
+            own = fluid.compliance(volume[rows], self._absolute(pressure[rows, 1:]))
+            self._compliance[rows] += np.sum(own * share[rows], axis=1)
