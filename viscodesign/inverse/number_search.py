@@ -39,13 +39,11 @@ from viscodesign.simulation.simulate import simulate
 
 MOST_ROUNDS = 3
 """Choices of effects in one search."""
-DESCENTS = 6
-STARTS_PER_NUMBER, LEAST_STARTS, MOST_STARTS = 4, 12, 48
 ENOUGH_SHARE = 0.1
 """Part of the tolerance at which a descent has found the path and no other start is tried."""
-EXACT_SHARE, NEAR_SHARE = 0.01, 0.3
-"""Parts of the tolerance at which nothing better is sought: solutions are no more accurate; the
-second for a path without times, whose numbers are not unique."""
+NEAR_SHARE = 0.3
+"""Part of the tolerance at which nothing better is sought for a path without times, whose numbers
+are not unique."""
 PERCENT = 0.01
 SAME_SHARE = 0.02
 """Optima whose numbers differ by less than this part of the range count as the same."""
@@ -127,8 +125,7 @@ def _fit(
     graph: str,
     several: bool,
 ) -> LeastSquaresFit:
-    count = len(own)
-    draws = min(max(STARTS_PER_NUMBER * count, LEAST_STARTS), MOST_STARTS) if several else 0
+    draws = task.plan.draws(len(own)) if several else 0
     before = task.log.evaluations
 
     def tell(best: BestSoFar) -> None:
@@ -136,10 +133,11 @@ def _fit(
         task.log.note(math.sqrt(best.cost), graph)
         task.tell()
 
-    share = EXACT_SHARE if task.wanted.timing == "given" else NEAR_SHARE
+    share = task.plan.exact_share if task.wanted.timing == "given" else NEAR_SHARE
     limits = SearchLimits(
         met_cost=(share * task.tolerance_m) ** 2,
         enough_cost=(ENOUGH_SHARE * task.tolerance_m) ** 2,
+        converged=task.plan.converged,
         until=task.until,
         stop=task.stop,
         tell=tell,
@@ -150,7 +148,11 @@ def _fit(
         return fit
     before = task.log.evaluations
     starts = ranges.starts(own, draws, task.seed)[1:]
-    other = least_squares(residuals, ranges, starts, descents=DESCENTS, limits=limits)
+    coarse = replace(limits, converged=task.plan.drawn_converged)
+    other = least_squares(residuals, ranges, starts, descents=task.plan.descents, limits=coarse)
+    if other.cost < fit.cost and coarse.converged > limits.converged:
+        before = task.log.evaluations
+        other = least_squares(residuals, ranges, [other.values], limits=limits)
     optima = tuple(sorted((*fit.optima, *other.optima), key=lambda own: own.cost))
     return replace(min(fit, other, key=lambda own: own.cost), optima=optima)
 

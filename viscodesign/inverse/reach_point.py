@@ -13,7 +13,7 @@ from viscodesign.inverse.free_choice import FreeChoice
 from viscodesign.inverse.free_range import FreeRange
 from viscodesign.inverse.number_search import search_numbers
 from viscodesign.inverse.posed_scene import posed_scene
-from viscodesign.inverse.search_task import SearchLog, SearchTask
+from viscodesign.inverse.search_task import DescentPlan, SearchLog, SearchTask
 from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.results.reach_study import ReachedPoint
 from viscodesign.scene.reading.write import resolved_yaml
@@ -26,7 +26,16 @@ LEFT = (0.95, 0.72, 0.52, 0.36, 0.24, 0.15, 0.08, 0.035, 0.0)
 """Times of the free rows of the input before the end, in parts of the run: what lies far from the
 inlet has a long memory, what lies near it a short one."""
 KNOTS = len(LEFT)
-BUDGET_S = 20.0
+BUDGET_S = 60.0
+PLAN = DescentPlan(
+    draws_per_number=1,
+    least_draws=8,
+    descents=2,
+    converged=1e-4,
+    exact_share=0.03,
+    drawn_converged=1e-3,
+)
+"""A point out of reach is about as far off from every start, and known well enough by 1e-4."""
 PATH_TIMES = 200
 
 
@@ -64,7 +73,15 @@ def reach_point(
     ranges = tuple(FreeRange(f"input.rows[{k}].pressure", *limits) for k in range(1, KNOTS + 1))
     log = SearchLog(began)
     task = SearchTask(
-        wanted, FreeChoice(ranges), TOLERANCE, began + BUDGET_S, BUDGET_S, stop, log, seed
+        wanted,
+        FreeChoice(ranges),
+        TOLERANCE,
+        began + BUDGET_S,
+        BUDGET_S,
+        stop,
+        log,
+        seed,
+        plan=PLAN,
     )
     found = search_numbers(task, posed)[0]
     if stop.asked:
@@ -85,7 +102,9 @@ def reach_point(
             "run.output_times": np.linspace(0.0, time_s, PATH_TIMES).tolist(),
         }
     )
-    path = np.asarray(simulate(final, verify=False).tip)[:, :2]
+    # Of the same run at more times the effects are known.
+    pinned = final.replace({"effects": dict.fromkeys(run.effects, "on") | {"others": "off"}})
+    path = np.asarray(simulate(pinned, verify=False).tip)[:, :2]
     if not len(path):
         raise SolveError("the run has no motion", quantity="tip", where="rod")
     return ReachedPoint(

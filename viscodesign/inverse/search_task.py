@@ -6,6 +6,7 @@ import time as clock
 from collections.abc import Callable
 from dataclasses import field
 
+from viscodesign.exploration.least_squares import CONVERGED
 from viscodesign.interrupt import StopRequest
 from viscodesign.inverse.free_choice import FreeChoice
 from viscodesign.inverse.wanted_path import WantedPath
@@ -14,6 +15,28 @@ from viscodesign.results.path_design import HistoryRow
 
 Progress = Callable[[float, float], None]
 """Called with the part of the time that is spent and the best distance so far [m]."""
+
+
+@dataclass(frozen=True)
+class DescentPlan:
+    """How many starts a search has beside the spec's own numbers, and how exactly it ends."""
+
+    draws_per_number: int = 4
+    least_draws: int = 12
+    most_draws: int = 48
+    descents: int = 6
+    """From the best of the draws."""
+    converged: float = CONVERGED
+    """As in `SearchLimits`."""
+    exact_share: float = 0.01
+    """Part of the tolerance at which nothing better is sought, where times count: solutions are no
+    more accurate."""
+    drawn_converged: float = CONVERGED
+    """The same for draws; the best goes on to the former."""
+
+    def draws(self, numbers: int) -> int:
+        """Draws for so many free numbers."""
+        return min(max(self.draws_per_number * numbers, self.least_draws), self.most_draws)
 
 
 @dataclass
@@ -58,6 +81,7 @@ class SearchTask:
     progress: Progress | None = None
     workers: int = 1
     """Processes that try graphs; the design does not depend on it."""
+    plan: DescentPlan = DescentPlan()
 
     @property
     def is_over(self) -> bool:

@@ -85,6 +85,7 @@ def test_a_point_out_of_reach_is_so_far_away() -> None:
     assert found is not None
     assert not found.is_reached
     assert found.out_of_reach_m == pytest.approx(0.04 - longest, rel=5e-3)
+    assert found.evaluations <= 60
 
 
 @pytest.mark.parametrize(
