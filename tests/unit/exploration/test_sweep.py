@@ -202,6 +202,52 @@ def test_killed_at_any_moment_it_goes_on(tmp_path: Path) -> None:
     assert sorted(row for row, *_ in lines(tmp_path / "out")) == list(range(120))
 
 
+MANY = {"network.tube_radius": np.linspace(0.3e-3, 0.5e-3, 240)}
+
+
+def test_killed_five_times_no_row_is_lost_or_computed_twice(tmp_path: Path) -> None:
+    """At moments by chance: while it starts, solves, or writes; all processes at once."""
+    chance, counts = np.random.default_rng(5), [0]
+    for _ in range(5):
+        if not (child := os.fork()):
+            try:
+                quick(scene(), MANY, folder=tmp_path, workers=2)
+            finally:
+                os._exit(0)
+        time.sleep(chance.uniform(0.0, 0.6))
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        kept = tmp_path / "sweep.rows.jsonl"
+        counts.append(kept.read_bytes().count(b"\n") if kept.exists() else 0)
+    assert counts == sorted(counts)  # nothing that was kept is gone
+    table = quick(scene(), MANY, folder=tmp_path, workers=2)
+    assert table.status == "complete"
+    assert table.computed == 240 - max(counts[-1] - 1, 0)
+    assert sorted(row for row, *_ in lines(tmp_path)) == list(range(240))
+
+
+def test_a_worker_that_is_killed_costs_its_chunk_until_the_next_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    solve = DesignSolver.solve
+
+    def deadly(solver: DesignSolver, rows: list[Any], within_s: float) -> list[Any]:
+        if any(row == 70 for row, _ in rows):
+            os.kill(os.getpid(), signal.SIGKILL)
+        return solve(solver, rows, within_s)
+
+    with monkeypatch.context() as broken:
+        broken.setattr(DesignSolver, "solve", deadly)
+        table = quick(scene(), MANY, folder=tmp_path, workers=2)
+    assert table.status == "incomplete"
+    assert 70 in table.missing
+    assert len(table.missing) <= 60  # a chunk is a quarter of the rows
+    assert table.computed == 240 - len(table.missing)
+    again = quick(scene(), MANY, folder=tmp_path, workers=2)
+    assert (again.status, again.computed) == ("complete", len(table.missing))
+    assert sorted(row for row, *_ in lines(tmp_path)) == list(range(240))
+
+
 # -- what is refused --------------------------------------------------------------
 
 
