@@ -49,13 +49,24 @@ if TYPE_CHECKING:
     class RunPlots(Protocol):
         """Pictures of a run, as `report.plots` draws them."""
 
-        def tip(self) -> Axes: ...
+        def tip(self, *, style: PictureStyle = ..., width: PictureWidth = ...) -> Axes: ...
 
-        def pressures(self) -> tuple[Axes, Axes]: ...
+        def pressures(
+            self, *, style: PictureStyle = ..., width: PictureWidth = ...
+        ) -> tuple[Axes, Axes]: ...
 
-        def shapes(self) -> Axes: ...
+        def shapes(self, *, style: PictureStyle = ..., width: PictureWidth = ...) -> Axes: ...
+
+    class InlinePage(Protocol):
+        """The page of a run in a notebook, as `report.page.inline_page` makes it."""
+
+        content: bytes
+
+        def _repr_html_(self) -> str: ...
 
 
+PictureStyle = Literal["plain", "paper", "talk", "dark"]
+PictureWidth = str | float | None
 Status = Literal["complete", "failed", "interrupted"]
 
 
@@ -257,8 +268,8 @@ class Trajectory(MotionArrays):
         report: bool = True,
         force: bool = False,
         picture_format: Literal["png", "pdf", "svg"] = "png",
-        style: Literal["plain", "paper", "talk", "dark"] = "plain",
-        width: str | float | None = None,
+        style: PictureStyle = "plain",
+        width: PictureWidth = None,
     ) -> list[Path]:
         """Write the run's files to a folder, as `viscodesign simulate` does; returns them.
 
@@ -289,7 +300,8 @@ class Trajectory(MotionArrays):
     def plot(self) -> RunPlots:
         """Pictures to look at: ``plot.tip()``, ``plot.pressures()``, ``plot.shapes()``.
 
-        Each draws a new figure of pyplot and returns its axes.
+        Each draws a new figure of pyplot and returns its axes; ``style`` and ``width`` are those of
+        `--style` and `--width`.
         """
         plots: RunPlots = module_above("report.plots").TrajectoryPlots(self)
         return plots
@@ -363,6 +375,11 @@ class Trajectory(MotionArrays):
         Raises `UsageError` where it cannot be written.
         """
         return Path(module_above("report.page.page").write_page(self, file))
+
+    def page(self, height: int = 720) -> InlinePage:
+        """The page of the run for the output of a notebook's cell, ``height`` pixels high."""
+        page: InlinePage = module_above("report.page.inline_page").inline_page(self, height)
+        return page
 
     def film(
         self,

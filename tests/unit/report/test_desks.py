@@ -88,6 +88,30 @@ def test_the_backend_of_a_notebook_is_kept_for_its_own_pictures(tmp_path: Path) 
     assert done.stdout == "svg svg\n"
 
 
+def test_figures_of_the_users_own_still_show_after_ours(tmp_path: Path) -> None:
+    """A notebook's backend is loaded by the first figure, and then asks to show all of them."""
+    (tmp_path / "late_backend.py").write_text(
+        "import matplotlib\n"
+        "from matplotlib.backends.backend_agg import *\n"
+        "matplotlib.interactive(True)\n"
+    )
+    lines = (
+        "from tests.trajectories import made_run",
+        "made_run().plot.tip()",
+        "import matplotlib",
+        "print(matplotlib.is_interactive())",
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", "\n".join(lines)],
+        capture_output=True, text=True, check=True, cwd=tmp_path,
+        env={
+            **os.environ, "MPLBACKEND": "module://late_backend",
+            "PYTHONPATH": os.pathsep.join([str(ROOT), str(tmp_path)]),
+        },
+    )  # fmt: skip
+    assert done.stdout == "True\n"
+
+
 BEGINNINGS = {"png": b"\x89PNG", "pdf": b"%PDF", "svg": b"<?xml"}
 
 

@@ -149,7 +149,7 @@ def _write(axes: Axes, x: float, y: float, words: str) -> None:
     axes.annotate(
         words, xy=(x, y), xytext=(3, 0), textcoords="offset points", va="center_baseline",
         fontsize=6.5, color=look().ink, zorder=5,
-        bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.8, "pad": 0.4},
+        bbox={"facecolor": look().ground, "edgecolor": "none", "pad": 0.4},
     )  # fmt: skip
 
 

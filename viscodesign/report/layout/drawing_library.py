@@ -36,8 +36,15 @@ def import_matplotlib() -> None:
 
 
 def plain_settings() -> dict[str, Any]:
-    """Matplotlib's settings as it comes, without those of a user; the backend is left alone."""
+    """Matplotlib's settings as it comes, without those of a user.
+
+    The backend is left alone, and whether it shows figures by itself.
+    """
     import matplotlib as mpl
 
     defaults: Any = mpl.rcParamsDefault
-    return {key: dict.__getitem__(defaults, key) for key in defaults if "backend" not in key}
+    return {key: dict.__getitem__(defaults, key) for key in defaults if not _is_of_backend(key)}
+
+
+def _is_of_backend(key: str) -> bool:
+    return "backend" in key or key == "interactive"

@@ -85,7 +85,12 @@ def own_style() -> Iterator[None]:
         dict.update(settings, plain_settings())  # valid already: checking all takes long
         settings.update(RC | look().settings)
         settings["savefig.dpi"] = RC["savefig.dpi"] * look().enlarged
-        yield
+        try:
+            yield
+        finally:
+            wanted = settings["interactive"]
+    # A notebook's backend asks for this when the first figure loads it.
+    settings["interactive"] = wanted
 
 
 @contextlib.contextmanager
