@@ -98,6 +98,13 @@ class UsageError(ViscodesignError):
     kind = "usage"
 
 
+class OutputError(ViscodesignError):
+    """What was computed cannot be written or printed: the disk or the terminal refuses it."""
+
+    exit_code = 3
+    kind = "output"
+
+
 class SolveError(ViscodesignError):
     """The solver cannot continue: which quantity, where, when, and what to change."""
 

@@ -46,6 +46,7 @@ def test_exit_codes() -> None:
         "ViscodesignError": 1,
         "SpecError": 2,
         "UsageError": 2,
+        "OutputError": 3,
         "SolveError": 3,
         "PumpError": 4,
         "InterruptedRunError": 130,

@@ -69,6 +69,7 @@ def command(
     """
     pictures = picture_options(picture_format, style, width)
     from viscodesign.cli.option_values import positive_time
+    from viscodesign.cli.spare_folder import written
 
     budget_s = None if budget is None else positive_time("--budget", budget)
     limit_s = positive_time("--limit", limit)
@@ -86,13 +87,16 @@ def command(
     prepare_folder(folder, force=force)
     with progress(quiet, first="measuring") as advance:
         study = _kept(lambda: accuracy(scene, limit=limit_s, progress=advance))
-    files = write_study(
-        study,
+    files = written(
+        lambda place: write_study(
+            study,
+            place,
+            budget_s=budget_s,
+            plots=not no_plots,
+            force=force,
+            pictures=pictures,
+        ),
         folder,
-        budget_s=budget_s,
-        plots=not no_plots,
-        force=force,
-        pictures=pictures,
     )
     say_result(
         study.document(budget_s), files, cost_lines(study, budget_s, folder, files), json, quiet

@@ -34,8 +34,8 @@ def viscodesign(
     """Design and simulate soft actuators driven by viscous flow between their bellows.
 
     A spec (YAML) describes one actuator, its tubes, its fluid and its input.
-    Exit codes: 0 done; 2 wrong usage or spec; 3 the solve failed; 4 the pump or its
-    port, or a plan that the pump cannot follow; 130 interrupted.
+    Exit codes: 0 done; 2 wrong usage or spec; 3 the solve failed, or its results cannot be
+    written; 4 the pump or its port, or a plan that the pump cannot follow; 130 interrupted.
     """
 
 

@@ -139,6 +139,7 @@ def _compare(
     from viscodesign import compare
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
+    from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.compare_text import comparison_lines
     from viscodesign.report.comparison_folder import write_comparison
     from viscodesign.report.folder import COMPARED_RUNS
@@ -157,13 +158,16 @@ def _compare(
             ),
             folder,
         )
-    files = write_comparison(
-        found,
+    files = written(
+        lambda place: write_comparison(
+            found,
+            place,
+            plots=options.plots,
+            report=options.report,
+            force=options.force,
+            pictures=options.pictures,
+        ),
         folder,
-        plots=options.plots,
-        report=options.report,
-        force=options.force,
-        pictures=options.pictures,
     )
     if options.json:
         say(json_text({**found.document(), "files": [str(file) for file in files]}))

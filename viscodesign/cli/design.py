@@ -78,6 +78,7 @@ def command(
     from viscodesign.cli.output import say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.design_text import design_lines
     from viscodesign.report.design_folder import write_design
     from viscodesign.report.folder import prepare_folder
@@ -94,7 +95,12 @@ def command(
         found = find(
             target, overrides or (), budget=seconds, seed=seed, workers=workers, progress=tell
         )
-    files = write_design(found, folder, plots=not no_plots, force=force, pictures=pictures)
+    files = written(
+        lambda place: write_design(
+            found, place, plots=not no_plots, force=force, pictures=pictures
+        ),
+        folder,
+    )
     say_result(found.document(), files, design_lines(found, folder, files), json, quiet)
     _end(found, folder)
 

@@ -92,6 +92,7 @@ def command(
     from viscodesign.cli.output import complain, say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_for
+    from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.fit_text import fit_lines
     from viscodesign.report.fit_folder import write_fit
     from viscodesign.report.folder import prepare_folder
@@ -110,7 +111,10 @@ def command(
             next_experiment=following,
             progress=advance,
         )
-    files = write_fit(found, folder, plots=not no_plots, force=force, pictures=pictures)
+    files = written(
+        lambda place: write_fit(found, place, plots=not no_plots, force=force, pictures=pictures),
+        folder,
+    )
     say_result(found.document(), files, fit_lines(found, folder, files), json, quiet)
     _end(found, folder)
 

@@ -31,7 +31,7 @@ from viscodesign.cli.output import (
     json_text,
     say,
 )
-from viscodesign.errors import ViscodesignError
+from viscodesign.errors import OutputError, ViscodesignError
 from viscodesign.interrupt import ended_like_interrupts
 
 CommandLineError: Any = typer.BadParameter.__mro__[2]
@@ -101,7 +101,8 @@ def _output_failure(error: BaseException) -> Failure | None:
     if error.errno not in OUTPUT_ERRORS:
         return None
     abandon_stdout()
-    return plain_failure("output", INTERNAL_ERROR, f"standard output: {error.strerror}", error)
+    told = OutputError(f"standard output: {error.strerror}")
+    return Failure(told.exit_code, str(told), told.document(), error)
 
 
 def _replace_closed_streams() -> None:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from viscodesign.errors import UsageError, ViscodesignError
+from viscodesign.errors import OutputError, UsageError
 
 
 class ReaderGoneError(Exception):
@@ -54,7 +54,7 @@ def say(text: str = "") -> None:
     except OSError as error:
         # The interpreter would flush again at exit, and print its own error.
         abandon_stdout()
-        raise ViscodesignError(f"standard output: {error.strerror or error}") from error
+        raise OutputError(f"standard output: {error.strerror or error}") from error
 
 
 def say_result(

@@ -85,6 +85,7 @@ def command(
     from viscodesign.cli.option_values import pair, positive_time
     from viscodesign.cli.output import say_result
     from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.spare_folder import written
     from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.reach_text import reach_lines
     from viscodesign.report.folder import prepare_folder
@@ -97,7 +98,10 @@ def command(
     folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_reach"
     prepare_folder(folder, force=force)
     study = study_of(scene, limits=ends, harmonics=harmonics, at=point, time=seconds, seed=seed)
-    files = write_reach(study, folder, plots=not no_plots, force=force, pictures=pictures)
+    files = written(
+        lambda place: write_reach(study, place, plots=not no_plots, force=force, pictures=pictures),
+        folder,
+    )
     say_result(study.document(), files, reach_lines(study, folder, files), json, quiet)
     _end(study)
 

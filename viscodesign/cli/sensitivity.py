@@ -65,6 +65,7 @@ def command(
     from viscodesign import sensitivity as study_of
     from viscodesign.cli.output import complain, say_result
     from viscodesign.cli.run_folders import folder_for
+    from viscodesign.cli.spare_folder import written
     from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.sensitivity_text import sensitivity_lines
     from viscodesign.report.folder import prepare_folder
@@ -81,7 +82,12 @@ def command(
         study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
     except SensitivityInterruptedError as early:
         study, stopped = early.study, early
-    files = write_sensitivity(study, folder, plots=not no_plots, force=force, pictures=pictures)
+    files = written(
+        lambda place: write_sensitivity(
+            study, place, plots=not no_plots, force=force, pictures=pictures
+        ),
+        folder,
+    )
     say_result(study.document(), files, sensitivity_lines(study, folder, files), json, quiet)
     if stopped is not None:
         raise InterruptedRunError(f"{stopped}\nwhat there is is in {folder}")

@@ -147,6 +147,7 @@ def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) ->
     """Simulate one scene and write its files."""
     from viscodesign import simulate as solve
     from viscodesign.cli.progress import progress
+    from viscodesign.cli.spare_folder import written
     from viscodesign.interrupt import gentle_interrupt
     from viscodesign.report.folder import prepare_folder
     from viscodesign.report.run_folder import write_timed
@@ -169,15 +170,18 @@ def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) ->
         from viscodesign.report.layout.undocumented import import_undocumented
 
         import_undocumented()
-    written = write_timed(
-        trajectory.with_time(load_s=load_s),
+    files = written(
+        lambda place: write_timed(
+            trajectory.with_time(load_s=load_s),
+            place,
+            plots=options.plots,
+            report=options.report,
+            force=options.force,
+            pictures=options.pictures,
+        ),
         folder,
-        plots=options.plots,
-        report=options.report,
-        force=options.force,
-        pictures=options.pictures,
     )
-    return _result(written, folder, options, interrupted=interrupt.asked)
+    return _result(files, folder, options, interrupted=interrupt.asked)
 
 
 def _result(

@@ -103,6 +103,7 @@ def command(
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.check_text import notice_lines
     from viscodesign.cli.texts.sweep_text import sweep_lines
     from viscodesign.report.sweep_folder import write_sweep
@@ -125,13 +126,16 @@ def command(
             force=force,
             progress=advance,
         )
-    files = write_sweep(
-        found,
+    files = written(
+        lambda place: write_sweep(
+            found,
+            place,
+            metric=metric,
+            plots=not no_plots,
+            force=force,
+            pictures=pictures,
+        ),
         folder,
-        metric=metric,
-        plots=not no_plots,
-        force=force,
-        pictures=pictures,
     )
     if json:
         say(json_text({**found.document(), "files": [str(file) for file in files]}))

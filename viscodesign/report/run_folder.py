@@ -76,8 +76,8 @@ def write_timed(
     Tables come first, all or none, so that a failing picture cannot lose them; the summary
     comes last: a folder that holds one is complete. ``plots`` and ``report`` ask for pictures and
     page. An interrupt leaves out those that are not yet begun, and raises `KeyboardInterrupt`
-    when all else is written. Raises `UsageError` where the folder cannot be written, or (without
-    ``force``) holds files that are not ours.
+    when all else is written. Raises `OutputError` where the disk is full, `UsageError` where the
+    folder cannot be written, or (without ``force``) holds files that are not ours.
     """
     began = clock.perf_counter()
     folder = prepare_folder(directory, force=force)

@@ -6,7 +6,7 @@ import hashlib
 import re
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import BaseModel, Field, PrivateAttr, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
@@ -65,6 +65,8 @@ def _prepared(around: Surroundings, given: Any, path: KeyPath) -> Any:
 
 class Scene(SpecPart):
     """A validated scene in SI units; the keys are those of the YAML spec."""
+
+    section: ClassVar[str] = ""
 
     spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
     name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any, NamedTuple, Self, TypeVar
+from typing import Any, ClassVar, NamedTuple, Self, TypeVar
 
 from pydantic import (
     BaseModel,
@@ -16,7 +16,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from viscodesign.errors import Fault, SpecError, did_you_mean
+from viscodesign.errors import Fault, SpecError, UsageError, did_you_mean
 from viscodesign.storage.cached_property import cached_property
 
 KeyPath = tuple[str, ...]
@@ -37,6 +37,10 @@ class KeyFault(NamedTuple):
     """What the key may have, where its field does not say so."""
 
 
+class UnchangeableError(UsageError, AttributeError):
+    """A scene, or a part of one, is not changed but replaced."""
+
+
 class SpecPart(BaseModel):
     """A part of a spec: immutable, without unknown keys."""
 
@@ -47,6 +51,29 @@ class SpecPart(BaseModel):
         defer_build=True,
         ignored_types=(cached_property,),
     )
+
+    section: ClassVar[str] = "SECTION."
+    """Where its keys stand, for a message that does not know which part it is."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_"):
+            raise self._unchangeable(name, repr(value))
+        super().__setattr__(name, value)
+
+    def __delattr__(self, name: str) -> None:
+        raise self._unchangeable(name, "None")
+
+    def _unchangeable(self, name: str, value: str) -> UnchangeableError:
+        fields = type(self).model_fields
+        keys = {own: found.alias or own for own, found in fields.items()}
+        if name not in keys:
+            known = did_you_mean(name, keys.values())
+            return UnchangeableError(f"{name}: {type(self).__name__} has no such key{known}")
+        return UnchangeableError(
+            f"{keys[name]}: a scene is not changed but replaced: "
+            f"scene.replace({{'{self.section}{keys[name]}': {value}}}) is a new one, checked like "
+            "a loaded one"
+        )
 
     def unwritten(self) -> tuple[str, ...]:
         """Fields that another one replaces, which a resolved spec leaves out."""

@@ -23,6 +23,7 @@ from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, judgeabl
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
 from viscodesign.simulation.outcome import accuracy_of, outcome_of
+from viscodesign.simulation.path_to_event import with_path_to_event
 from viscodesign.simulation.solve_once import (
     ProblemStore,
     Progress,
@@ -92,7 +93,8 @@ def _simulated(
     judge = EffectJudge(quantities, progress, workspace)
     request = _Request(tolerance, verify, progress, workspace, watch, judge)
     found = _solve_escalating(quantities, selection, request)
-    selection, verifier, run = found.selection, found.verifier, found.run
+    selection, verifier = found.selection, found.verifier
+    run = with_path_to_event(found.run, workspace.store)
     proof: tuple[EffectAblation, ...] = ()
     if prove and run.is_complete and not (verifier.interrupted or run.solution.asked_to_stop):
         proof = measure_effects(quantities, selection, run.settings, progress, workspace)

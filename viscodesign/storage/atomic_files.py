@@ -15,14 +15,18 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import IO
 
-from viscodesign.errors import UsageError
+from viscodesign.errors import OutputError, UsageError
 from viscodesign.storage import file_locks
 
 TEMPORARY_SUFFIX = r"\.[a-z0-9_]{8}"
 """How the names of temporary files end."""
+NO_ROOM = "Free some space, or use another folder."
+OUTPUT_ERRNOS = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
+"""What says that a disk takes no more, rather than that a path was chosen badly."""
 REMEDIES = {
-    errno.ENOSPC: "Free some space, or use another folder.",
-    errno.EDQUOT: "Free some space, or use another folder.",
+    errno.ENOSPC: NO_ROOM,
+    errno.EDQUOT: NO_ROOM,
+    errno.EFBIG: "Raise the limit on the size of files, or use another folder.",
     errno.EROFS: "Use a writable folder.",
     errno.EACCES: "Use a folder that you may write to.",
     errno.EPERM: "Use a folder that you may write to.",
@@ -37,7 +41,7 @@ REMEDIES = {
 def replaced(path: Path) -> Iterator[IO[bytes]]:
     """A binary file that appears when it is complete, and vanishes on any interruption.
 
-    Raises `UsageError` where the folder or the disk refuses it.
+    Raises `UsageError` where the folder refuses it, `OutputError` where the disk is full.
     """
     with write_errors_as_usage(path):
         temporary: str | None = None
@@ -60,13 +64,16 @@ def replaced(path: Path) -> Iterator[IO[bytes]]:
 
 @contextlib.contextmanager
 def write_errors_as_usage(path: Path) -> Iterator[None]:
-    """Turn an `OSError` while writing ``path`` into a `UsageError` with a remedy."""
+    """Turn an `OSError` while writing ``path`` into an error with a remedy: an `OutputError` where
+    the disk takes no more, else a `UsageError`.
+    """
     try:
         yield
     except OSError as error:
         reason = error.strerror or str(error)
         remedy = REMEDIES.get(error.errno or 0, "Use another location.")
-        raise UsageError(f"cannot write {path}: {reason}. {remedy}") from error
+        kind = OutputError if error.errno in OUTPUT_ERRNOS else UsageError
+        raise kind(f"cannot write {path}: {reason}. {remedy}") from error
 
 
 def _umask() -> int:

@@ -16,7 +16,7 @@ from typing import IO
 
 import numpy as np
 
-from viscodesign.errors import ViscodesignError
+from viscodesign.errors import OutputError
 
 MOST_BYTES_IN_MEMORY = 8 * 2**20
 """Bytes up to which an array stays in memory."""
@@ -25,7 +25,7 @@ BLOCK = 4096
 FLOAT = np.dtype(float)
 
 
-class NoRoomError(ViscodesignError):
+class NoRoomError(OutputError):
     """The disk is full; the rows written before are complete."""
 
 

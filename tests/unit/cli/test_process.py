@@ -65,7 +65,7 @@ def test_a_full_disk_under_stdout_is_one_line() -> None:
         done = subprocess.run(
             [*COMMAND, "init", "--list"], stdout=full, stderr=subprocess.PIPE, text=True
         )
-    assert done.returncode == 1
+    assert done.returncode == 3
     assert done.stderr == "standard output: No space left on device\n"
 
 
@@ -135,9 +135,18 @@ def test_closed_outputs_change_no_exit_code(closed: str, words: str) -> None:
 
 @PIPES
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-@pytest.mark.parametrize("words", [["--help"], ["check", "--help"], ["--version"], ["schema"]])
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--help"],
+        ["check", "--help"],
+        ["--version"],
+        ["schema"],
+        ["check", str(CONFIGS / "leg_4_air.yaml")],
+    ],
+)
 def test_a_full_disk_under_any_text_is_one_line(words: list[str]) -> None:
     with open("/dev/full", "w") as full:
         done = subprocess.run([*COMMAND, *words], stdout=full, stderr=subprocess.PIPE, text=True)
-    assert done.returncode == 1
+    assert done.returncode == 3
     assert done.stderr == "standard output: No space left on device\n"

@@ -16,7 +16,7 @@ import pytest
 
 from tests.scenes import ACTUATOR_SPECS, CONFIGS, leg
 from viscodesign import Trajectory, classify, load, simulate
-from viscodesign.errors import UsageError
+from viscodesign.errors import OutputError, UsageError
 from viscodesign.report.charts.quadrants import draw_plane
 from viscodesign.report.folder import PAGE, RUN_PICTURES, RUN_TABLES, SUMMARY
 from viscodesign.report.layout.snapshots import normals, outline, spread_instants
@@ -120,7 +120,7 @@ def test_a_full_disk_leaves_no_half_file(tmp_path: Path, monkeypatch: pytest.Mon
         real(source, target)
 
     monkeypatch.setattr(atomic.os, "replace", full)
-    with pytest.raises(UsageError, match="No space left on device"):
+    with pytest.raises(OutputError, match="No space left on device"):
         write_run(trajectory(), tmp_path, plots=False)
     assert os.listdir(tmp_path) == ["trajectory.csv"]  # whole, and no summary that calls it a run
 

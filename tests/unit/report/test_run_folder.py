@@ -22,7 +22,7 @@ from hypothesis.extra.numpy import arrays
 
 from tests.trajectories import ablated_run
 from tests.unit.report.conftest import Made
-from viscodesign.errors import UsageError
+from viscodesign.errors import OutputError, UsageError
 from viscodesign.report import run_folder as files
 from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
@@ -101,7 +101,7 @@ def test_a_full_disk_leaves_whole_files_alone(
     run: Trajectory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
     fill_disk(monkeypatch, name)
-    with pytest.raises(UsageError, match=rf"{name}: No space.*Free some space"):
+    with pytest.raises(OutputError, match=rf"{name}: No space.*Free some space"):
         write_run(run, tmp_path)
     order = [*RUN_PICTURES, PAGE, "summary.json"]
     expected = {*RUN_TABLES, *order[: order.index(name)]} if name in order else set()
@@ -115,7 +115,7 @@ def test_an_old_run_survives_tables_that_do_not_fit(
     write_run(made(name="old"), tmp_path, plots=False)
     before = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
     fill_disk(monkeypatch, name)
-    with pytest.raises(UsageError):
+    with pytest.raises(OutputError):
         write_run(made(name="new", bellows=2), tmp_path)
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == before
 

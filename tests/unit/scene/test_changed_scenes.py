@@ -11,11 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from pydantic import ValidationError
 
 from tests.scenes import ACTUATOR_SPECS, CONFIGS, leg
 from viscodesign import Scene, load
-from viscodesign.errors import SpecError
+from viscodesign.errors import SpecError, UsageError
 from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.spec_part import SpecPart
 
@@ -153,8 +152,16 @@ def test_a_plain_copy_is_equal(again: Callable[[Scene], Scene]) -> None:
 
 
 def test_a_scene_cannot_be_changed_in_place() -> None:
-    with pytest.raises(ValidationError, match="frozen"):
-        leg().network.tube_length = 0.2
+    scene = leg()
+    with pytest.raises(UsageError, match=r"scene\.replace\(\{'accuracy': 0\.1\}\)"):
+        scene.accuracy = 0.1
+    with pytest.raises(AttributeError, match=r"\{'SECTION\.tube_length': 0\.2\}"):
+        scene.network.tube_length = 0.2
+    with pytest.raises(UsageError, match="no such key; did you mean 'accuracy'"):
+        scene.acuracy = 0.1  # type: ignore[attr-defined]
+    with pytest.raises(UsageError, match="replaced"):
+        del scene.accuracy
+    assert scene == leg()
 
 
 def test_a_scene_is_shown_in_one_short_line() -> None:

@@ -7,6 +7,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.scenes import leg
@@ -142,6 +143,17 @@ def test_what_lasts_for_an_instant_between_all_looks_is_seen(outputs: list[float
         if is_met:
             exact = (math.pi + math.asin(1 / share)) / (2 * math.pi * 0.0173)
             assert event(run).time_s == pytest.approx(exact, abs=1e-6 * SLOW)
+
+
+def test_a_run_that_ends_before_its_second_output_shows_the_way_there() -> None:
+    crushed = (SOFT, DIP.format("-150 kPa"), "effects={others: off}")
+    run, dense = (simulate(scene(interval, *crushed), verify=False) for interval in (2.0, 0.02))
+    assert run.failure_time_s is not None
+    assert run.failure_time_s == pytest.approx(dense.failure_time_s, abs=1e-6 * DURATION)
+    assert len(run.time) == len(run.shape) == 50
+    assert run.time[-1] == pytest.approx(run.failure_time_s, rel=0.03)
+    # Without flow the rod shortens with the pressure, which falls at a constant rate.
+    assert run.tip[:, 1] == pytest.approx(np.interp(run.time, dense.time, dense.tip[:, 1]))
 
 
 def test_effects_chosen_by_the_outputs_do_not_move_an_event() -> None:

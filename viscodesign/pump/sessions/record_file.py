@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from viscodesign._version import __version__
-from viscodesign.errors import UsageError
+from viscodesign.errors import OutputError, UsageError
 from viscodesign.pump.play.axis import AxisState, Sample
 from viscodesign.pump.play.stream_result import RecordingError
 from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
@@ -137,7 +137,7 @@ class Record:
         try:
             with write_errors_as_usage(self.path):
                 yield
-        except UsageError as error:
+        except (OutputError, UsageError) as error:
             if not self.started:
                 raise
             if self.broken:

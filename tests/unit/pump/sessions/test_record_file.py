@@ -15,7 +15,7 @@ import pandas as pd
 import pytest
 
 from tests.unit.pump.samples import sample, servo
-from viscodesign.errors import UsageError
+from viscodesign.errors import OutputError
 from viscodesign.pump.play.stream_result import RecordingError
 from viscodesign.pump.sessions.record_file import FLUSH_INTERVAL_S, columns, recorded
 
@@ -99,7 +99,7 @@ def _paths(root: Path) -> dict[str, str]:
 def test_a_full_disk_is_one_error_with_a_remedy(tmp_path: Path) -> None:
     path = tmp_path / "record.csv"
     path.symlink_to("/dev/full")
-    with pytest.raises(UsageError, match="No space left"), recorded(path, ["inlet"], FACTS):
+    with pytest.raises(OutputError, match="No space left"), recorded(path, ["inlet"], FACTS):
         pass
 
 
