@@ -17,7 +17,8 @@ from viscodesign.solve.problem import Problem
 ROOT = Path(__file__).parent.parent
 CONFIGS = ROOT / "configs"
 ROBOT_SPECS = (CONFIGS / "hexapod.yaml",)
-ACTUATOR_SPECS = sorted(set(CONFIGS.glob("*.yaml")) - set(ROBOT_SPECS))
+SEVERAL_SPECS = (CONFIGS / "three_legs.yaml",)
+ACTUATOR_SPECS = sorted({*CONFIGS.glob("*.yaml")} - {*ROBOT_SPECS, *SEVERAL_SPECS})
 """Bundled specs of one actuator."""
 DATA = Path(__file__).parent / "validation" / "data"
 

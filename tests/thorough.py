@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from tests.scenes import CONFIGS
+from tests.scenes import ACTUATOR_SPECS
 from viscodesign import load
 
 ALL = os.environ.get("VISCODESIGN_TESTS") == "all"
@@ -13,7 +13,7 @@ ALL = os.environ.get("VISCODESIGN_TESTS") == "all"
 
 def configs() -> list[Path]:
     """Every bundled config, or the first of each kind: others differ from it by numbers alone."""
-    paths = sorted(CONFIGS.glob("*.yaml"))
+    paths = ACTUATOR_SPECS
     if ALL:
         return paths
     return list({_kind(path): path for path in reversed(paths)}.values())[::-1]

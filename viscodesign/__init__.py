@@ -10,7 +10,8 @@ designs in one table, `sensitivity` tells how far each number moves the tip, `de
 numbers and the graph that make the tip follow a path, `reach` tells where it can be, `fit` finds
 numbers by measurements, `compare` puts motions beside each other, `accuracy` measures what accuracy
 costs in time, `plan` turns its pressures into a pump's motion. `load_robot` reads a robot on such
-actuators, `stand` tells how it stands. Nothing here prints.
+actuators, `stand` tells how it stands. `load_several`, `check_several`, `classify_several` and
+`simulate_several` take specs of several actuators. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from viscodesign.calibration.fit import fit as fit
     from viscodesign.checks.check import Check as Check
     from viscodesign.checks.check import check as check
+    from viscodesign.checks.check_several import check_several as check_several
+    from viscodesign.checks.check_several import classify_several as classify_several
     from viscodesign.checks.classify import classify as classify
     from viscodesign.comparison.compare import compare as compare
     from viscodesign.compiled.function import Batch as Batch
@@ -33,11 +36,13 @@ if TYPE_CHECKING:
     from viscodesign.errors import ViscodesignError as ViscodesignError
     from viscodesign.exploration.sensitivity import sensitivity as sensitivity
     from viscodesign.exploration.simulate import simulate as simulate
+    from viscodesign.exploration.simulate_several import simulate_several as simulate_several
     from viscodesign.exploration.sweep import sweep as sweep
     from viscodesign.inverse.design import design as design
     from viscodesign.inverse.reach import reach as reach
     from viscodesign.loading import load as load
     from viscodesign.loading import load_robot as load_robot
+    from viscodesign.loading import load_several as load_several
     from viscodesign.pump.planning.plan import plan as plan
     from viscodesign.pump.planning.result import PumpPlan as PumpPlan
     from viscodesign.results.accuracy_study import (
@@ -56,6 +61,7 @@ if TYPE_CHECKING:
         SensitivityInterruptedError as SensitivityInterruptedError,
     )
     from viscodesign.results.sensitivity_study import SensitivityStudy as SensitivityStudy
+    from viscodesign.results.several_runs import SeveralRuns as SeveralRuns
     from viscodesign.results.stand_study import StandStudy as StandStudy
     from viscodesign.results.sweep_table import Sweep as Sweep
     from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
@@ -63,6 +69,7 @@ if TYPE_CHECKING:
     from viscodesign.robot.stand import stand as stand
     from viscodesign.scene.robot_scene import RobotScene as RobotScene
     from viscodesign.scene.scene import Scene as Scene
+    from viscodesign.scene.several_scene import SeveralScene as SeveralScene
     from viscodesign.studies.accuracy import accuracy as accuracy
 
 _HOMES = {
@@ -89,7 +96,13 @@ _HOMES = {
     "Trajectory": ".results.trajectory",
     "ViscodesignError": ".errors",
     "accuracy": ".studies.accuracy",
+    "SeveralRuns": ".results.several_runs",
+    "SeveralScene": ".scene.several_scene",
     "check": ".checks.check",
+    "check_several": ".checks.check_several",
+    "classify_several": ".checks.check_several",
+    "load_several": ".loading",
+    "simulate_several": ".exploration.simulate_several",
     "classify": ".checks.classify",
     "compare": ".comparison.compare",
     "compile": ".compiled.function",

@@ -143,6 +143,13 @@ class PumpError(ViscodesignError):
     """The rule under which a stream that it ends is recorded."""
 
 
+class RunFailedError(ViscodesignError):
+    """The solver stopped before the end of the run; partial results are on disk."""
+
+    exit_code = 3
+    kind = "solve"
+
+
 class InterruptedRunError(ViscodesignError):
     """The user interrupted; partial results are kept."""
 

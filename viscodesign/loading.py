@@ -11,10 +11,12 @@ from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.json_schema import spec_schema
 from viscodesign.scene.reading.read import KnownEffects, Overrides, load_scene, scene_of
 from viscodesign.scene.reading.read_robot import is_robot, robot_of
+from viscodesign.scene.reading.read_several import is_several, several_of
 from viscodesign.scene.reading.sources import ReadSpec, SpecSource, read_spec
 from viscodesign.scene.reading.write import plain_part
 from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.several_scene import SeveralScene
 
 
 def known_effects() -> KnownEffects:
@@ -43,10 +45,29 @@ def load_robot(source: SpecSource, overrides: Overrides = ()) -> RobotScene:
     return robot_of(read_spec(source), overrides, known_effects())
 
 
-def load_any(source: SpecSource, overrides: Overrides = ()) -> Scene | RobotScene:
-    """Read a spec of either kind. Arguments as of `load`."""
+def load_several(source: SpecSource, overrides: Overrides = ()) -> SeveralScene:
+    """Read a spec of several actuators: one with the key `actuators:`. Arguments as of `load`.
+
+    Raises `SpecError` with all faults.
+    """
+    return several_of(read_spec(source), overrides, known_effects())
+
+
+def load_any(source: SpecSource, overrides: Overrides = ()) -> Scene | RobotScene | SeveralScene:
+    """Read a spec of any kind. Arguments as of `load`."""
     spec = read_spec(source)
-    read = robot_of if is_robot(spec) else scene_of
+    if is_robot(spec):
+        return robot_of(spec, overrides, known_effects())
+    return _scenes_of(spec, overrides)
+
+
+def load_scenes(source: SpecSource, overrides: Overrides = ()) -> Scene | SeveralScene:
+    """Read a spec of one actuator or of several. Arguments as of `load`."""
+    return _scenes_of(read_spec(source), overrides)
+
+
+def _scenes_of(spec: ReadSpec, overrides: Overrides) -> Scene | SeveralScene:
+    read = several_of if is_several(spec) else scene_of
     return read(spec, overrides, known_effects())
 
 

@@ -10,13 +10,13 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tests.scenes import CONFIGS, leg
+from tests.scenes import ACTUATOR_SPECS, CONFIGS, leg
 from viscodesign import Trajectory, check, classify, load, simulate
 from viscodesign.comparison.paper_figures import figure_plan
 from viscodesign.comparison.paper_statements import checks_of
 from viscodesign.results.findings import Verdict
 
-PAPER_SCENES = sorted(path.stem for path in CONFIGS.glob("*.yaml"))
+PAPER_SCENES = [path.stem for path in ACTUATOR_SPECS]
 
 
 @cache

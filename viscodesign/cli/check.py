@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Specs
 from viscodesign.cli.output import json_text, write_text
-from viscodesign.cli.specs import SpecResult, read_scene, run_specs
+from viscodesign.cli.specs import SpecResult, read_scenes, run_specs
 
 if TYPE_CHECKING:
     from viscodesign import Check
@@ -36,14 +36,19 @@ def command(
 
     def run(spec: Path) -> SpecResult:
         from viscodesign import check
+        from viscodesign.scene.several_scene import SeveralScene
 
-        scene = read_scene(spec, overrides)
+        scene = read_scenes(spec, overrides)
+        if isinstance(scene, SeveralScene):
+            from viscodesign.cli.several import checked_several
+
+            return checked_several(scene, lines=not (json or quiet))
         found = check(scene)
         if scene.uncertainty is not None:
             from viscodesign.exploration.coefficient_band import refuse_uncertainty
 
             refuse_uncertainty(scene)
-        return SpecResult(found.document(), [] if json or quiet else _lines(found))
+        return SpecResult(found.document(), [] if json or quiet else check_lines(found))
 
     def keep(document: dict[str, Any]) -> None:
         if output is not None:
@@ -52,7 +57,8 @@ def command(
     run_specs(specs, run, json=json, quiet=quiet, debug=_debug, keep=keep)
 
 
-def _lines(found: Check) -> list[str]:
+def check_lines(found: Check) -> list[str]:
+    """A check for people."""
     from viscodesign.cli.texts.check_text import (
         full_notice_lines,
         quadrant_lines,

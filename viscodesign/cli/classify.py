@@ -52,14 +52,14 @@ def command(
     Prints timescales, ratios and quadrant of each spec; solves nothing. With -o also writes
     DIR/classification.json. --set applies to every spec.
     """
-    from viscodesign import classify
+    from viscodesign.checks.check_several import classified
     from viscodesign.cli.output import json_text, say, write_text
-    from viscodesign.cli.specs import read_scene
+    from viscodesign.cli.specs import read_scenes
     from viscodesign.results.findings import classification_document
     from viscodesign.results.provenance import provenance
 
     picture, pictures = _picture(plot), picture_options("png", style, width)
-    found = [classify(read_scene(spec, overrides)) for spec in specs]
+    found = [one for spec in specs for one in classified(read_scenes(spec, overrides))]
     documents = [classification_document(c) for c in found]
     document = json_text({"specs": documents, "provenance": provenance()})
     if output is not None:

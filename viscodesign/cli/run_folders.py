@@ -10,6 +10,7 @@ from viscodesign.report.folder_names import folder_name as folder_name
 from viscodesign.report.folder_names import numbered
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.several_scene import SeveralScene
 
 RUNS = Path("runs")
 KEY = "resolved_sha256"
@@ -17,7 +18,10 @@ KEY = "resolved_sha256"
 
 
 def folder_for(
-    scene: Scene, output: Path | None, taken: Container[Path] | None = None, suffix: str = ""
+    scene: Scene | SeveralScene,
+    output: Path | None,
+    taken: Container[Path] | None = None,
+    suffix: str = "",
 ) -> tuple[Path, str]:
     """The folder for a scene's results, and a remark where that is not the one expected.
 
@@ -28,7 +32,7 @@ def folder_for(
     return (output if taken is None else folder_in(output, scene, taken)), ""
 
 
-def own_folder(scene: Scene, suffix: str = "") -> tuple[Path, str]:
+def own_folder(scene: Scene | SeveralScene, suffix: str = "") -> tuple[Path, str]:
     """The folder in `runs` for a scene, and what to say where that is not the plain one.
 
     Results of an equal scene are replaced there; those of another one with the same name stay
@@ -45,7 +49,7 @@ def own_folder(scene: Scene, suffix: str = "") -> tuple[Path, str]:
     )
 
 
-def folder_in(output: Path, scene: Scene, taken: Container[Path]) -> Path:
+def folder_in(output: Path, scene: Scene | SeveralScene, taken: Container[Path]) -> Path:
     """The folder in a chosen one for a scene, none of those that are taken."""
     return next(path for path in numbered(output / folder_name(scene.name)) if path not in taken)
 

@@ -24,8 +24,8 @@ from viscodesign.cli.options import (
     Specs,
 )
 from viscodesign.cli.output import complain
-from viscodesign.cli.specs import SpecResult, read_scene, run_specs
-from viscodesign.errors import InterruptedRunError, ViscodesignError
+from viscodesign.cli.specs import SpecResult, read_scenes, run_specs
+from viscodesign.errors import InterruptedRunError, RunFailedError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.picture_options import PictureOptions, picture_options
 
@@ -41,13 +41,6 @@ Examples:
   viscodesign simulate leg.yaml --prove
   viscodesign simulate leg.yaml --set uncertainty=typical
   viscodesign simulate configs/leg_*.yaml --no-plots"""
-
-
-class RunFailedError(ViscodesignError):
-    """The solver stopped before the end of the run; partial results are on disk."""
-
-    exit_code = 3
-    kind = "solve"
 
 
 def command(
@@ -106,12 +99,17 @@ def command(
 
     def run(spec: Path) -> SpecResult:
         from viscodesign.cli.run_folders import folder_for
+        from viscodesign.scene.several_scene import SeveralScene
 
-        began, scene = next(begun), read_scene(spec, overrides)
+        began, scene = next(begun), read_scenes(spec, overrides)
         folder, remark = folder_for(scene, output, taken if len(specs) > 1 else None)
         taken.add(folder)
         if remark and not quiet:
             complain(remark)
+        if isinstance(scene, SeveralScene):
+            from viscodesign.cli.several import simulated_several
+
+            return simulated_several(scene, folder, options)
         return _simulated(scene, folder, options, began)
 
     run_specs(specs, run, json=json, quiet=quiet, debug=_debug)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from viscodesign.scene.reading.sources import SpecSource
     from viscodesign.scene.robot_scene import RobotScene
     from viscodesign.scene.scene import Scene
+    from viscodesign.scene.several_scene import SeveralScene
 
 STANDARD_INPUT = "-"
 
@@ -37,11 +38,18 @@ def read_robot(spec: Path, overrides: Sequence[str] | None) -> RobotScene:
     return load_robot(_source(spec), overrides or ())
 
 
-def read_any(spec: Path, overrides: Sequence[str] | None) -> Scene | RobotScene:
-    """The scene or the robot of a spec on the command line; `-` is standard input."""
+def read_any(spec: Path, overrides: Sequence[str] | None) -> Scene | RobotScene | SeveralScene:
+    """What a spec on the command line is of; `-` is standard input."""
     from viscodesign.loading import load_any
 
     return load_any(_source(spec), overrides or ())
+
+
+def read_scenes(spec: Path, overrides: Sequence[str] | None) -> Scene | SeveralScene:
+    """The scene of a spec, or its several actuators; `-` is standard input."""
+    from viscodesign.loading import load_scenes
+
+    return load_scenes(_source(spec), overrides or ())
 
 
 def _source(spec: Path) -> SpecSource:

@@ -103,6 +103,8 @@ COMPARISON_PAGE = "compare.html"
 COMPARED_RUNS = "runs"
 """Folder of the runs of specs that were compared."""
 REACH_FILES = FileSet("reach.csv", "reach.json", "reach.png")
+SEVERAL_PICTURE = "tips.png"
+"""Drawn of several actuators."""
 STAND_FILES = FileSet("stand.csv", "stand.json", "stand.png")
 REACH_INPUT = "input.csv"
 """The input that brings a tip to a point."""
@@ -125,6 +127,7 @@ OUR_FILES = {
     REACH_INPUT,
     COMPARISON_PAGE,
     COMPARED_RUNS,
+    *in_every_format([SEVERAL_PICTURE]),
     *(name for own in FILE_SETS for name in own.names),
 }
 DOCUMENTS = {SUMMARY, *(own.document for own in FILE_SETS)}

@@ -165,6 +165,7 @@ class RobotScene(SpecPart):
             {
                 "name": self.name,
                 "actuator": design.actuator,
+                "sections": design.section_changes,
                 "bellows": design.bellows,
                 "network": design.network,
                 "fluid": self.fluid_choice,

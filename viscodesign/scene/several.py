@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
 from viscodesign.errors import did_you_mean
 from viscodesign.scene.actuator import Actuator
@@ -14,6 +14,7 @@ from viscodesign.scene.bellows import Bellows
 from viscodesign.scene.input import AnyInput
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import Network
+from viscodesign.scene.sections import SectionChange
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, raise_faults
 from viscodesign.units import Time
 
@@ -23,15 +24,24 @@ class ActuatorDesign(SpecPart):
 
     like: str | None = Field(None, description="Name of the actuator that this one is like")
     actuator: Actuator | None = Field(None, description="The elastomer body")
+    section_changes: dict[str, SectionChange] | None = Field(
+        None, alias="sections", description="Its sections that differ"
+    )
     bellows: Bellows | None = Field(None, description="Its bellows")
     network: Network | None = Field(None, description="The tubes that connect them")
+
+    @field_validator("section_changes", mode="before")
+    @classmethod
+    def _numbered(cls, given: Any) -> Any:
+        return {str(key): own for key, own in given.items()} if isinstance(given, dict) else given
 
     @model_validator(mode="after")
     def _whole(self) -> ActuatorDesign:
         parts = ("actuator", "bellows", "network")
         given = [name for name in parts if getattr(self, name) is not None]
-        if self.like is not None and given:
-            raise invalid(f"'like' and {given[0]} are both given; give only one of them")
+        others = [*given, *(["sections"] if self.section_changes is not None else [])]
+        if self.like is not None and others:
+            raise invalid(f"'like' and {others[0]} are both given; give only one of them")
         if self.like is None:
             raise_faults(
                 KeyFault((name,), "missing; or give 'like' with the name of another actuator")

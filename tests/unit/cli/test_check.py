@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from .conftest import CONFIGS, Call
+from tests.scenes import ACTUATOR_SPECS
+
+from .conftest import Call
 
 
-@pytest.mark.parametrize("spec", sorted(CONFIGS.glob("*.yaml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("spec", ACTUATOR_SPECS, ids=lambda path: path.stem)
 def test_every_bundled_spec_is_valid(call: Call, spec: Path) -> None:
     outcome = call("check", spec, "--json")
     assert (outcome.status, outcome.err) == (0, "")

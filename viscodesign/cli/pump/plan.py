@@ -16,9 +16,8 @@ from viscodesign.cli.options import (
     Spec,
 )
 from viscodesign.cli.output import complain, say_result
-from viscodesign.cli.simulate import RunFailedError
 from viscodesign.cli.specs import read_scene
-from viscodesign.errors import PumpError
+from viscodesign.errors import PumpError, RunFailedError
 from viscodesign.report.picture_options import picture_options
 
 EXAMPLE = """\b

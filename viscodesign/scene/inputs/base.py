@@ -106,6 +106,14 @@ class Input(SpecPart):
         del around
         return given
 
+    def later(self, delay: float) -> Input | None:
+        """The same input, by a delay later [s]; None where no keys of its kind say that.
+
+        What it was before t = 0 then comes first: of a periodic input an earlier period.
+        """
+        del delay
+        return None
+
     def moves_within(self, duration: float) -> bool:
         """Whether its value changes in a run, or at its start."""
         low, high = self.extremes(duration)

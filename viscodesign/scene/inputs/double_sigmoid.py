@@ -43,6 +43,10 @@ class DoubleSigmoidInput(SmoothInput):
         """Start, drop, centres of fall and rise [s], and rate of both [1/s]."""
         return self.start, self.drop, self.fall_time, self.rise_time, 6 / self.transition
 
+    def later(self, delay: float) -> DoubleSigmoidInput:
+        times = {"fall_time": self.fall_time + delay, "rise_time": self.rise_time + delay}
+        return self.model_copy(update=times)
+
     def corners(self, duration: float) -> list[float]:
         """Where each transition begins: a solver with large steps could skip it."""
         begins = (self.fall_time - self.transition, self.rise_time - self.transition)

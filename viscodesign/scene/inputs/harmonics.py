@@ -69,6 +69,19 @@ class HarmonicsInput(SmoothInput):
             *(0.0,) * (MOST_HARMONICS - len(self.sine)),
         )
 
+    def later(self, delay: float) -> HarmonicsInput:
+        count = max(len(self.cosine), len(self.sine))
+        turn = 2 * math.pi * delay / self.cycle * np.arange(1, count + 1)
+        cosine, sine = (own[:count] for own in self._amplitudes())
+        found = (
+            cosine * np.cos(turn) - sine * np.sin(turn),
+            sine * np.cos(turn) + cosine * np.sin(turn),
+        )
+        names = ("cosine", "sine")
+        return self.model_copy(
+            update={name: tuple(own.tolist()) for name, own in zip(names, found, strict=True)}
+        )
+
     def corners(self, duration: float) -> list[float]:
         return []
 

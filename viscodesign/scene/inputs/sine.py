@@ -36,6 +36,9 @@ class SineInput(SmoothInput):
         """Mean, amplitude, angular frequency [rad/s] and phase."""
         return self.mean, self.amplitude, 2 * math.pi * self.frequency, self.phase
 
+    def later(self, delay: float) -> SineInput:
+        return self.model_copy(update={"phase": self.phase - 2 * math.pi * self.frequency * delay})
+
     def corners(self, duration: float) -> list[float]:
         return []
 

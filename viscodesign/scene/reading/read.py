@@ -66,7 +66,7 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
     document = spec.document
     apply_overrides(document, overrides)
     refuse_other_version(document)
-    _refuse_robot(document)
+    _refuse_other_kinds(document)
     valid: dict[tuple[str, str | None], Any] = {}
     context: dict[str, Any] = {"folder": spec.folder, VALID_FIELDS: valid}
     if known is not None:
@@ -103,10 +103,15 @@ def refuse_other_version(document: Document) -> None:
 
 ROBOT_KEY = "robot"
 """The key that makes a spec one of a robot."""
+ACTUATORS_KEY = "actuators"
+"""The key that, without a robot, makes a spec one of several actuators."""
 
 
-def _refuse_robot(document: Document) -> None:
-    """Raise `SpecError` for the spec of a robot, of which every key would be a fault."""
+def _refuse_other_kinds(document: Document) -> None:
+    """Raise `SpecError` for the spec of a robot or of several actuators.
+
+    Every key of it would be a fault.
+    """
     if ROBOT_KEY in document.data:
         file, line = document.place((ROBOT_KEY,))
         message = (
@@ -114,6 +119,13 @@ def _refuse_robot(document: Document) -> None:
             "`simulate` take it (in Python: load_robot)"
         )
         raise SpecError([Fault(message, ROBOT_KEY, file, line)])
+    if ACTUATORS_KEY in document.data:
+        file, line = document.place((ACTUATORS_KEY,))
+        message = (
+            "this spec has several actuators; `viscodesign simulate`, `check` and `classify` take "
+            "it (in Python: load_several)"
+        )
+        raise SpecError([Fault(message, ACTUATORS_KEY, file, line)])
 
 
 def in_order(faults: Sequence[Fault]) -> list[Fault]:

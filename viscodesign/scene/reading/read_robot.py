@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
@@ -19,6 +19,7 @@ from viscodesign.scene.reading.read import (
 )
 from viscodesign.scene.reading.sources import ReadSpec
 from viscodesign.scene.robot_scene import RobotScene
+from viscodesign.scene.spec_part import SpecPart
 
 
 def is_robot(spec: ReadSpec) -> bool:
@@ -30,18 +31,29 @@ def robot_of(
     spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | None = None
 ) -> RobotScene:
     """The robot of a spec with some keys overridden. Raises `SpecError` with all faults."""
+    found = read_as(RobotScene, spec, overrides, known)
+    return found if spec.provenance is None else found.with_source(spec.provenance)
+
+
+PartT = TypeVar("PartT", bound=SpecPart)
+
+
+def read_as(
+    model: type[PartT], spec: ReadSpec, overrides: Overrides, known: KnownEffects | None
+) -> PartT:
+    """A spec read into a model of its own. Raises `SpecError` with all faults."""
     document = spec.document
-    document.model = RobotScene
+    document.model = model
     apply_overrides(document, overrides)
     refuse_other_version(document)
     context: dict[str, Any] = {"folder": spec.folder}
     if known is not None:
         context |= {"effect_names": known.names}
     try:
-        found = RobotScene.model_validate(read_keys(document), context=context)
+        found = model.model_validate(read_keys(document), context=context)
     except ValidationError as error:
         faults = explain_validation(error, document)
         raise SpecError(in_order([*document.faults, *faults])) from None
     if document.faults:
         raise SpecError(in_order(document.faults))
-    return found if spec.provenance is None else found.with_source(spec.provenance)
+    return found

@@ -48,14 +48,20 @@ def resolved_yaml(scene: Scene) -> str:
     return _LATEST.get(scene.digest, lambda: _written(scene))
 
 
-def resolved_sha256(scene: Scene) -> str:
+def resolved_sha256(scene: SpecPart) -> str:
     """SHA-256 of the resolved spec as a file: equal for runs of the same values alone."""
-    return hashlib.sha256(resolved_yaml(scene).encode()).hexdigest()
+    text = resolved_yaml(scene) if isinstance(scene, Scene) else part_yaml(scene)
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def _written(scene: Scene) -> str:
+    return part_yaml(scene)
+
+
+def part_yaml(part: SpecPart) -> str:
+    """A whole spec, or a part of one, as YAML."""
     return yaml.dump(
-        plain_part(scene), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100
+        plain_part(part), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100
     )
 
 

@@ -1,0 +1,55 @@
+"""What is known of several actuators without solving them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from viscodesign.checks.check import Check, check
+from viscodesign.checks.classify import classify
+from viscodesign.errors import SpecError
+from viscodesign.results.findings import Classification
+from viscodesign.scene.scene import Scene
+from viscodesign.scene.several_scene import SeveralScene
+
+
+def check_several(scene: SeveralScene) -> Mapping[str, Check]:
+    """Weigh every effect of every actuator, as `check` does of one.
+
+    Raises `SpecError` where an actuator has no bounded solution.
+    """
+    found: dict[str, Check] = {}
+    for name, own in scene.scenes.items():
+        try:
+            one = check(own)
+        except SpecError as error:
+            raise error_of(name, error) from None
+        found[name] = replace(one, facts=(*_facts(scene, name), *one.facts))
+    return found
+
+
+def classify_several(scene: SeveralScene) -> Mapping[str, Classification]:
+    """Timescales and quadrant of every actuator, as `classify` tells of one."""
+    return {name: classify(own) for name, own in scene.scenes.items()}
+
+
+def classified(scene: Scene | SeveralScene) -> list[Classification]:
+    """Those of all actuators of a spec, which may be one."""
+    if isinstance(scene, SeveralScene):
+        return list(classify_several(scene).values())
+    return [classify(scene)]
+
+
+def error_of(name: str, error: SpecError) -> SpecError:
+    """The faults of an actuator's scene as those of the actuator."""
+    return SpecError([replace(f, key=f"actuators.{name}: {f.key}") for f in error.faults])
+
+
+def _facts(scene: SeveralScene, name: str) -> list[str]:
+    """What feeds an actuator, and what else that feeds."""
+    facts = []
+    for inlet, source in scene.sources_of(name).items():
+        others = [other for other in scene.fed_by(source) if other != name]
+        also = f", which also feeds {', '.join(others)}" if others else ""
+        facts.append(f"{inlet} is fed by {source}{also}: a given pressure, whatever flows")
+    return facts

@@ -1,0 +1,120 @@
+"""Several actuators that were simulated side by side."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.lazy_names import module_above
+from viscodesign.results.channels import trajectory_columns
+from viscodesign.results.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+TIME = "time_s"
+"""The column that all actuators have in common."""
+
+
+@dataclass(frozen=True)
+class SeveralRuns:
+    """The motions of actuators that share no fluid: each has its effects and its error."""
+
+    name: str
+    """That of the scene."""
+    runs: Mapping[str, Trajectory]
+    """By actuator, in the order of the spec."""
+    equal_to: Mapping[str, str]
+    """Of actuators that were not solved since they equal another one: that one."""
+    sources: Mapping[str, Mapping[str, str]]
+    """By actuator: the input that feeds each of its inlets."""
+    failures: Mapping[str, str]
+    """By actuator: why it has no run at all."""
+    interrupted: tuple[str, ...]
+    """Actuators that Ctrl-C left out."""
+    spec_text: str
+    """The spec as resolved, YAML, runnable again."""
+    spec_sha256: str
+    """Of the spec's file as it was read, without overrides."""
+    version: str
+    """Of this program."""
+
+    @property
+    def status(self) -> Literal["complete", "failed", "interrupted"]:
+        """The worst of all: whether every actuator has a complete run."""
+        states = {run.status for run in self.runs.values()}
+        if self.interrupted or "interrupted" in states:
+            return "interrupted"
+        return "failed" if self.failures or "failed" in states else "complete"
+
+    @property
+    def failure(self) -> str | None:
+        """Why actuators have no complete run; None where all have."""
+        told = {**{n: r.failure for n, r in self.runs.items() if r.failure}, **self.failures}
+        return "\n".join(f"{name}: {why}" for name, why in told.items()) or None
+
+    def __getitem__(self, actuator: str) -> Trajectory:
+        return self.runs[actuator]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.runs)
+
+    def table(self) -> tuple[list[str], np.ndarray]:
+        """Columns and rows (T, n) of `trajectory.csv`: those of every actuator after its name.
+
+        Beyond the end of a run that ended early they are NaN.
+        """
+        longest = max((run.time for run in self.runs.values()), key=len, default=np.zeros(0))
+        names, columns = [TIME], [np.asarray(longest)[:, None]]
+        for actuator, run in self.runs.items():
+            own, values = trajectory_columns(run)
+            names += [f"{actuator}.{column}" for column in own[1:]]
+            filled = np.full((len(longest), values.shape[1] - 1), np.nan)
+            filled[: len(values)] = values[:, 1:]
+            columns.append(filled)
+        return names, np.column_stack(columns)
+
+    def frame(self) -> pd.DataFrame:
+        """The same as a table."""
+        import pandas as pd
+
+        names, values = self.table()
+        return pd.DataFrame(values, columns=names)
+
+    def summary(self) -> dict[str, Any]:
+        """All runs without their arrays, ready for JSON."""
+        return {
+            "name": self.name,
+            "version": self.version,
+            "spec_sha256": self.spec_sha256,
+            "resolved_sha256": hashlib.sha256(self.spec_text.encode()).hexdigest(),
+            "status": self.status,
+            "failure": self.failure,
+            "actuators": {
+                name: {
+                    "sources": dict(self.sources[name]),
+                    "equal_to": self.equal_to.get(name),
+                    **run.summary(),
+                }
+                for name, run in self.runs.items()
+            },
+            "failures": dict(self.failures),
+            "interrupted": list(self.interrupted),
+        }
+
+    def save(
+        self, directory: str | Path, *, plots: bool = True, report: bool = True, force: bool = False
+    ) -> Sequence[Path]:
+        """Write the files of all runs to a folder, as `viscodesign simulate` does; returns them."""
+        files: Sequence[Path] = module_above("report.several_folder").write_several(
+            self, directory, plots=plots, report=report, force=force
+        )
+        return files
+
+    def __repr__(self) -> str:
+        return f"<SeveralRuns {self.name}: {self.status}, {', '.join(self.runs)}>"

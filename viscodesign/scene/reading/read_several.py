@@ -1,0 +1,21 @@
+"""From the spec of several actuators to its scenes; all faults of the file are reported at once."""
+
+from __future__ import annotations
+
+from viscodesign.scene.reading.read import ACTUATORS_KEY, ROBOT_KEY, KnownEffects, Overrides
+from viscodesign.scene.reading.read_robot import read_as
+from viscodesign.scene.reading.sources import ReadSpec
+from viscodesign.scene.several_scene import SeveralScene
+
+
+def is_several(spec: ReadSpec) -> bool:
+    """Whether a spec has several actuators, and no robot that walks on them."""
+    return ACTUATORS_KEY in spec.document.data and ROBOT_KEY not in spec.document.data
+
+
+def several_of(
+    spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | None = None
+) -> SeveralScene:
+    """The actuators of a spec with some keys overridden. Raises `SpecError` with all faults."""
+    found = read_as(SeveralScene, spec, overrides, known)
+    return found if spec.provenance is None else found.with_source(spec.provenance)

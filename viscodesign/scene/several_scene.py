@@ -1,0 +1,292 @@
+"""A spec of several actuators that share nothing but inputs of given pressure.
+
+Each is a scene of its own then: what happens in one changes nothing in the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, Literal
+
+from pydantic import (
+    Field,
+    PrivateAttr,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
+from pydantic_core import PydanticCustomError
+
+from viscodesign.errors import did_you_mean
+from viscodesign.scene.effects_choice import EffectsChoice
+from viscodesign.scene.fed_actuator import FedActuator, inherited
+from viscodesign.scene.fluid import Fluid
+from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.later_input import later_input
+from viscodesign.scene.loads import Loads
+from viscodesign.scene.network import TubeEntry
+from viscodesign.scene.run import RunSettings
+from viscodesign.scene.scene import (
+    DEFAULT_ACCURACY,
+    LEAST_ACCURACY,
+    STANDARD_ATMOSPHERE,
+    Provenance,
+    Scene,
+)
+from viscodesign.scene.several import OwnOrSameInput, SameInput, same_input_faults, unlike
+from viscodesign.scene.spec_part import KeyFault, KeyPath, SpecPart, faults_of, raise_faults
+from viscodesign.scene.spec_version import SPEC_VERSION
+from viscodesign.scene.uncertainty import Uncertainty
+from viscodesign.storage.cached_property import cached_property
+from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
+
+OF_DESIGN = {"actuator": "actuator", "sections": "section_changes", "bellows": "bellows",
+             "network": "network"}  # fmt: skip
+"""Keys of a scene that an actuator states, and their fields."""
+SHARED = (
+    *("temperature", "gauge_pressure", "ambient_pressure", "accuracy", "effects", "uncertainty"),
+    "run",
+)
+"""Keys of a scene that all actuators share, and whose fields are called the same."""
+
+
+class SeveralScene(SpecPart):
+    """A validated spec of several actuators, in SI units."""
+
+    spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
+    name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
+    actuators: dict[str, FedActuator] = Field(min_length=1, description="The actuators, by name")
+    tubes: tuple[TubeEntry, ...] | None = Field(
+        None, description="Tubes between actuators: not supported yet"
+    )
+    fluid_choice: Fluid = Field(alias="fluid", description="A named fluid, or its properties")
+    temperature: Temperature = Field(
+        293.15, gt=0, description="Temperature of fluid and surroundings"
+    )
+    gauge_pressure: GaugePressure = Field(
+        0.0, description="Baseline gauge pressure, to which the inputs add"
+    )
+    ambient_pressure: AbsolutePressure = Field(
+        STANDARD_ATMOSPHERE, gt=0, description="Absolute ambient pressure"
+    )
+    accuracy: Fraction = Field(
+        DEFAULT_ACCURACY,
+        ge=LEAST_ACCURACY,
+        le=0.2,
+        description="Allowed tip error relative to the length of each actuator",
+    )
+    inputs: dict[str, OwnOrSameInput] = Field(
+        min_length=1, description="The inputs by name: one may feed several actuators"
+    )
+    loads: Loads = Field(default_factory=Loads, description="Loads of every actuator")
+    effects: EffectsChoice = Field(
+        default_factory=EffectsChoice, description="auto, or effect: auto | on | off"
+    )
+    uncertainty: Uncertainty | None = Field(None, description="How well numbers are known")
+    run: RunSettings = Field(description="Duration, outputs and initial state")
+
+    _source: Provenance = PrivateAttr(default_factory=Provenance)
+
+    @field_validator("name")
+    @classmethod
+    def _usable_as_folder(cls, name: str) -> str:
+        return Scene._usable_as_folder(name)
+
+    @field_validator("actuators")
+    @classmethod
+    def _usable_as_folders(cls, given: dict[str, FedActuator]) -> dict[str, FedActuator]:
+        raise_faults(
+            KeyFault((name,), "not a valid name; use letters, digits and '_', a letter first")
+            for name in given
+            if not (name.isidentifier() and name.isascii())
+        )
+        return given
+
+    @field_validator("loads", mode="before")
+    @classmethod
+    def _no_loads(cls, given: Any) -> Any:
+        return {} if given is None else given
+
+    @field_validator("fluid_choice", mode="before")
+    @classmethod
+    def _named(cls, given: Any) -> Any:
+        return {"name": given} if isinstance(given, str) else given
+
+    @field_validator("inputs", mode="before")
+    @classmethod
+    def _prepared(cls, given: Any, info: ValidationInfo) -> Any:
+        """Inputs with what they refer to in other keys worked in, as those of a scene."""
+        return Scene._prepared(given, info) if isinstance(given, dict) else given
+
+    @model_validator(mode="after")
+    def _cross_check(self) -> SeveralScene:
+        raise_faults(self._faults())
+        return self
+
+    # -- faults -----------------------------------------------------------------
+
+    def _faults(self) -> Iterator[KeyFault]:
+        yield from self._tube_faults()
+        try:
+            unlike(self.actuators)
+        except PydanticCustomError as error:
+            yield from (f._replace(path=("actuators", *f.path)) for f in faults_of(error))
+            return
+        found = list(same_input_faults(self.inputs)) or list(self._later_faults())
+        found += self._source_faults()
+        yield from found
+        if not found:
+            yield from self._shared_plungers()
+            yield from self._scene_faults()
+
+    def _tube_faults(self) -> Iterator[KeyFault]:
+        for k, tube in enumerate(self.tubes or ()):
+            ends = [end.partition(".")[0] for end in (tube.start, tube.end) if "." in end]
+            for name in ends:
+                if name not in self.actuators:
+                    hint = did_you_mean(name, self.actuators)
+                    listed = ", ".join(self.actuators)
+                    message = f"no such actuator: '{name}'{hint}; there are {listed}"
+                    yield KeyFault(("tubes", str(k)), message)
+        if self.tubes is not None:
+            yield KeyFault(
+                ("tubes",),
+                "tubes between actuators are not supported yet: they would make one coupled system "
+                "of them. Remove them, and feed each actuator by a source of its own network",
+            )
+
+    def _source_faults(self) -> Iterator[KeyFault]:
+        listed = ", ".join(self.inputs)
+        for name in self.actuators:
+            source, place = inherited(name, self.actuators, "source"), ("actuators", name, "source")
+            if source is None and len(self.inputs) > 1:
+                message = f"missing; name the input that feeds it: {listed}"
+                yield KeyFault(place, message)
+            for key, given in _by_inlet(source).items():
+                if given not in self.inputs:
+                    hint = did_you_mean(given, self.inputs)
+                    below = (key,) if isinstance(source, dict) else ()
+                    message = f"no such input: '{given}'{hint}; there are {listed}"
+                    yield KeyFault((*place, *below), message)
+
+    def _later_faults(self) -> Iterator[KeyFault]:
+        for name, given in self.inputs.items():
+            if isinstance(given, SameInput) and name not in self.sources:
+                kind = self.inputs[given.source].name
+                yield KeyFault(
+                    ("inputs", name, "delay"),
+                    f"'{given.source}' is of the kind {kind}, which cannot be delayed; give "
+                    f"'{name}' rows of its own (kind: table)",
+                )
+
+    def _shared_plungers(self) -> Iterator[KeyFault]:
+        """A plunger whose volume several actuators share couples them."""
+        for name, source in self.sources.items():
+            fed = self.fed_by(name)
+            if not source.gives_pressure and len(fed) > 1:
+                yield KeyFault(
+                    ("inputs", name),
+                    f"a syringe that feeds {', '.join(fed)} would make one coupled system of them, "
+                    "which is not supported yet. Give the pressure instead, such as a recorded one "
+                    "(kind: table), or each actuator a syringe of its own",
+                )
+
+    def _scene_faults(self) -> Iterator[KeyFault]:
+        told: set[KeyFault] = set()
+        for name in self.actuators:
+            try:
+                self._scene(name)
+            except ValidationError as error:
+                for fault in self._own_faults(name, error):
+                    if fault not in told:
+                        told.add(fault)
+                        yield fault
+
+    def _own_faults(self, name: str, error: ValidationError) -> Iterator[KeyFault]:
+        """The faults of an actuator's scene at the keys of this spec."""
+        root = name
+        while (other := self.actuators[root].like) is not None:
+            root = other
+        for detail in error.errors(include_url=False):
+            for fault in (detail.get("ctx") or {}).get("faults", ()):
+                path: KeyPath = (*map(str, detail["loc"]), *fault.path)
+                first = path[0] if path else ""
+                if first in OF_DESIGN:
+                    path = ("actuators", root, *path)
+                elif first in ("input", "inputs"):
+                    path = ("actuators", name, "source")
+                yield fault._replace(path=path)
+
+    # -- what it consists of ------------------------------------------------------
+
+    @cached_property
+    def sources(self) -> Mapping[str, Input]:
+        """The inputs by name, each with values of its own."""
+        found: dict[str, Input] = {}
+        for name, given in self.inputs.items():
+            own: Input | None = given if isinstance(given, Input) else None
+            if isinstance(given, SameInput):
+                own = later_input(self.inputs[given.source], given.delay, self.run.duration)
+            if own is not None:
+                found[name] = own
+        return found
+
+    def sources_of(self, actuator: str) -> Mapping[str, str]:
+        """The input that feeds each inlet of an actuator."""
+        source = inherited(actuator, self.actuators, "source")
+        return _by_inlet(next(iter(self.inputs)) if source is None else source)
+
+    def fed_by(self, name: str) -> list[str]:
+        """The actuators that an input feeds."""
+        return [own for own in self.actuators if name in self.sources_of(own).values()]
+
+    @cached_property
+    def scenes(self) -> Mapping[str, Scene]:
+        """Each actuator by itself."""
+        return {name: self._scene(name) for name in self.actuators}
+
+    def _scene(self, name: str) -> Scene:
+        design, own = unlike(self.actuators)[name], self.sources_of(name)
+        loads = inherited(name, self.actuators, "loads")
+        inputs = {inlet: self.sources[source] for inlet, source in own.items()}
+        driven = {"inputs": inputs} if tuple(own) != (INLET,) else {"input": inputs[INLET]}
+        return Scene.model_validate(
+            {
+                "name": f"{self.name}.{name}"[:100],
+                **({"spec": self.spec} if "spec" in self.model_fields_set else {}),
+                **{key: getattr(design, field) for key, field in OF_DESIGN.items()},
+                "fluid": self.fluid_choice,
+                "loads": self.loads if loads is None else loads,
+                **{key: getattr(self, key) for key in SHARED},
+                **driven,
+            }
+        ).with_source(self._source)
+
+    @property
+    def source(self) -> Provenance:
+        """The file that the spec was read from."""
+        return self._source
+
+    def with_source(self, source: Provenance) -> SeveralScene:
+        """The same with its provenance."""
+        copy = self.model_copy()
+        copy._source = source
+        return copy
+
+    def __repr__(self) -> str:
+        return f"<SeveralScene {self.name}: {', '.join(self.actuators)}>"
+
+    def __str__(self) -> str:
+        return repr(self)
+
+
+INLET = "inlet"
+"""What the inlet of a network with one is called."""
+
+
+def _by_inlet(source: Any) -> dict[str, str]:
+    """Inputs by inlet; one alone is that of the only inlet."""
+    if source is None:
+        return {}
+    return dict(source) if isinstance(source, dict) else {INLET: source}
