@@ -23,6 +23,7 @@ ALLOWED_UP: set[Arrow] = set()
 # Plain data with methods that a room above carries out.
 WITH_METHODS_ABOVE = {
     "viscodesign.results.run_comparison",
+    "viscodesign.results.several_runs",
     "viscodesign.results.trajectory",
     "viscodesign.scene.scene",
 }

@@ -126,7 +126,7 @@ def test_a_syringe_that_several_share_is_refused_and_one_of_a_single_one_is_not(
 
 
 def test_single_specs_and_others_are_told_apart() -> None:
-    with pytest.raises(SpecError, match="several actuators.*load_several"):
+    with pytest.raises(SpecError, match=r"several actuators.*load_several"):
         load(SEVERAL_SPECS[0])
     with pytest.raises(SpecError, match="actuators: "):
         load_several(CONFIGS / "leg.yaml")
