@@ -16,7 +16,7 @@ from viscodesign.scene.scene import Scene
 
 def made_course(profile: Profile, lead: float = 0.0) -> PumpCourse:
     """A course through a profile's counts; of its other columns only what is told."""
-    shape = profile.counts.shape
+    shape = profile.steps.shape
     none = np.zeros(shape)
     return PumpCourse(
         time=profile.time,
@@ -24,8 +24,8 @@ def made_course(profile: Profile, lead: float = 0.0) -> PumpCourse:
         pressure=profile.pressure,
         given=none,
         position=none,
-        volume=0.0725e-6 * (profile.counts - profile.counts[0]),
-        count=profile.counts,
+        volume=0.0725e-6 * (profile.steps - profile.steps[0]),
+        count=profile.steps,
         flow=none,
         torque=none,
         stall_share=np.full(shape, 0.12),
@@ -60,8 +60,8 @@ def made_plan(profile: Profile, lead: float = 0.0, *, feasible: bool = True) -> 
         status="complete",
         failure=None,
         inlets=profile.inlets,
-        servos=profile.servos,
-        servo="AX-18A",
+        axes=profile.axes,
+        device="AX-18A",
         wanted=course,
         achievable=replace(course, count=np.round(course.count)),
         wanted_run=run,

@@ -55,7 +55,7 @@ def test_a_late_tick_catches_up_even_on_a_steady_ramp(stall: float) -> None:
         assert result.status == "complete"
         late = [row for row in rig.rows if row.time > 1.5 and row.time < 1.95]
         wanted = [200.0 + Ramp.speed * row.time for row in late]
-        positions = [row.sample.servos[1].position for row in late]
+        positions = [row.sample.axes[1].position for row in late]
         assert np.abs(np.subtract(positions, wanted)).max() < 2.5
 
 

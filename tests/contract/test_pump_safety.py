@@ -98,7 +98,7 @@ def test_a_stream_that_nothing_happens_to() -> None:
     assert rig.stream is not None
     assert rig.stream.ticks.skipped == 0
     promises(rig)
-    swing = [row.sample.servos[1].position for row in rig.rows if row.time >= 0]
+    swing = [row.sample.axes[1].position for row in rig.rows if row.time >= 0]
     assert max(swing) - min(swing) > 70
 
 
@@ -153,7 +153,7 @@ def test_a_servo_that_falls_silent(on_stop: str) -> None:
         before = streamed(rig, happen)
         ending = rig.play_armed()
         assert (ending.status, ending.rule) == ("stopped", "replies")
-        by_servo = {one.servo: one for one in ending.standing}
+        by_servo = {one.axis: one for one in ending.standing}
         assert _silence_until_hold(rig, before, moment) < 0.25 + 1.5 / RATE
         assert by_servo[1].verified  # the other one is held all the same
         assert not by_servo[2].verified
@@ -406,10 +406,10 @@ class Opposed(Rig):
 
     def profile(self) -> Profile:
         both = super().profile()
-        swing = both.counts[:, 0] - both.counts[0, 0]
+        swing = both.steps[:, 0] - both.steps[0, 0]
         signs = [(-1) ** k for k in range(len(self.ids))]
         counts = 200.0 + np.stack([sign * swing for sign in signs], axis=1)
-        return replace(both, counts=counts)
+        return replace(both, steps=counts)
 
 
 @pytest.mark.parametrize("ids", [(1,), (1, 2)])
@@ -422,7 +422,7 @@ def test_after_overpressure_no_plunger_moves_inwards(ids: tuple[int, ...]) -> No
         stopped = next(row.sample for row in rig.rows if row.stop is not None)
         for servo, position in zip(ids, rig.positions(), strict=True):
             # Back to home, or where it was beyond; further in it never goes.
-            assert position <= min(stopped.servos[servo].position + SAG, 200) + 1
+            assert position <= min(stopped.axes[servo].position + SAG, 200) + 1
         promises(rig)
 
 

@@ -98,7 +98,7 @@ def test_each_tick_allows_little_more_torque_than_the_plan_needs(ids: tuple[int,
     assert rig.play().status == "complete"
     assert rig.stream is not None
     profile = rig.profile()
-    speeds = np.diff(profile.counts[:, 0]) / np.diff(profile.time)
+    speeds = np.diff(profile.steps[:, 0]) / np.diff(profile.time)
     behind = 2.0 / RATE
     for row, follower in pairwise(rig.rows):
         near = (profile.time[1:] > row.time - AROUND + behind) & (
@@ -109,7 +109,7 @@ def test_each_tick_allows_little_more_torque_than_the_plan_needs(ids: tuple[int,
         wide = (profile.time[1:] > row.time - AROUND - behind) & (
             profile.time[:-1] < row.time + AROUND + behind
         )
-        for state in follower.sample.servos.values():
+        for state in follower.sample.axes.values():
             assert state.torque_limit >= torque_limit(rig.spec, speeds[near].max())
             assert state.torque_limit <= torque_limit(rig.spec, speeds[wide].max()) + NOTABLE
 

@@ -7,14 +7,18 @@ from dataclasses import dataclass, field, replace
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalServoState
+from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 AMBIENT = 101_325.0
 LIMITS = AxisLimits(
     step=100.0,
+    noun="regulator",
     unit="hPa",
+    weakness="the supply is too low",
+    dead_band=1.0,
+    settled_error=0.5,
     travel=(-100, 400),
     home=0,
     retreat_sign=-1,
@@ -104,16 +108,16 @@ class RegulatorPump(Pump):
     ) -> None:
         self._command(goals[1], speeds[1])
 
-    def hold(self, *, in_place: bool = True) -> list[FinalServoState]:
-        left = FinalServoState(1, True, "untouched")
+    def hold(self, *, in_place: bool = True) -> list[FinalAxisState]:
+        left = FinalAxisState(1, True, "untouched")
         if self.armed:
             try:
                 self._command(self._position() if in_place else self.goals[1])
             except PumpError as error:
                 return [replace(left, verified=False, words=f"no hold could be sent: {error}")]
-            left = FinalServoState(1, True, f"holds {self.device.target / 1e3:g} kPa")
+            left = FinalAxisState(1, True, f"holds {self.device.target / 1e3:g} kPa")
         return [left]
 
-    def release(self) -> list[FinalServoState]:
+    def release(self) -> list[FinalAxisState]:
         self.device.powered = self.armed = False
-        return [FinalServoState(1, True, "vented")]
+        return [FinalAxisState(1, True, "vented")]

@@ -214,7 +214,7 @@ def test_two_pumps_on_networks_of_their_own() -> None:
     words = "pump={syringe_diameter: 34.9 mm, servo_id: {left: 4, right: 7}, home: 500}"
     found = plan(leg(words, "run.duration=3 s", config="antagonistic_two_inlets"))
     assert found.inlets == ("left", "right")
-    assert found.servos == (4, 7)
+    assert found.axes == (4, 7)
     assert found.wanted.count.shape[1] == 2
     assert found.is_feasible
     assert found.deviation_m < 2e-4

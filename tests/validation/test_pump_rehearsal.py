@@ -52,15 +52,15 @@ def rehearsal() -> Rehearsal:
     planned = plan(scene)
     clock, plant = SteppedClock(), ActuatorPlant(scene)
     ambient = scene.ambient_pressure
-    board = Simulated(simulated_line(scene.pump, clock, plant, ambient), planned.servos)
+    board = Simulated(simulated_line(scene.pump, clock, plant, ambient), planned.axes)
     gauges = PressureReadings([BoardAnalog(board, 0).absolute], ambient)
-    pump = ServoPump(board, scene.pump, planned.servos, gauges, Switches({}), clock)
+    pump = ServoPump(board, scene.pump, planned.axes, gauges, Switches({}), clock)
     rows: list[tuple[float, ...]] = []
 
     def see(shown: TickReport) -> None:
         pressure = shown.sample.pressure[0]
         assert pressure is not None
-        position = shown.sample.servos[planned.servos[0]].position
+        position = shown.sample.axes[planned.axes[0]].position
         rows.append((shown.time, position, pressure, *plant.tip[:2]))
 
     course = planned.achievable
@@ -89,7 +89,7 @@ def test_a_feasible_plan_is_followed_within_a_count(rehearsal: Rehearsal) -> Non
     assert np.max(np.abs(pressure[run])) <= one_count
     assert found.wanted.position[0, 0] == pytest.approx(0.0, abs=1e-5)
     profile = found.profile(found.achievable)
-    assert profile.counts.shape == (len(profile.time), 1)
+    assert profile.steps.shape == (len(profile.time), 1)
     assert profile.time[0] == 0.0
     assert np.all(np.diff(profile.time) > 0.0)
 
@@ -140,7 +140,7 @@ def test_the_sensor_reads_the_planned_pressure_within_its_steps_and_a_tick(
 def test_the_plunger_follows_the_plan(rehearsal: Rehearsal) -> None:
     course = rehearsal.plan.achievable
     wanted = np.interp(rehearsal.time, course.time - course.lead_s, course.count[:, 0])
-    apart = rehearsal.counts - wanted
+    apart = rehearsal.steps - wanted
     # The servo's controller alone would lag by up to 27 counts.
     assert float(np.sqrt(np.mean(apart**2))) < 3.0
     assert np.abs(apart).max() < 10.0

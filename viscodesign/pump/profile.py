@@ -1,4 +1,4 @@
-"""What a pump is to play: positions of its servos against time."""
+"""What a pump is to play: targets of its axes against time."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ class Profile:
     """T instants, P pumps (one for each inlet); piecewise linear between instants."""
 
     inlets: tuple[str, ...]
-    servos: tuple[int, ...]  # id of each inlet's servo
+    axes: tuple[int, ...]  # id of each inlet's axis
     time: np.ndarray  # (T,) from 0, ascending [s]
-    counts: np.ndarray  # (T, P) servo positions, not rounded
+    steps: np.ndarray  # (T, P) targets of the axes, not rounded [steps]
     pressure: np.ndarray  # (T, P) gauge pressure that the model expects at each inlet [Pa]
 
     @property
@@ -23,5 +23,5 @@ class Profile:
         return float(self.time[-1])
 
     def at(self, moment: float) -> np.ndarray:
-        """Counts (P,) at a moment; held before the start and after the end."""
-        return np.array([np.interp(moment, self.time, column) for column in self.counts.T])
+        """Targets (P,) [steps] at a moment; held before the start and after the end."""
+        return np.array([np.interp(moment, self.time, column) for column in self.steps.T])

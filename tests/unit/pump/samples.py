@@ -12,7 +12,7 @@ from viscodesign.pump.play.axis import Sample
 def servo(position: int = 500, **changes: Any) -> ServoState:
     """A healthy servo that holds where it is."""
     fields: dict[str, Any] = {
-        "torque": True,
+        "driven": True,
         "goal": position,
         "moving_speed": 20,
         "torque_limit": 300,
@@ -38,10 +38,11 @@ def sample(
     state = state or servo()
     return Sample(
         time=time,
-        servos={1: state},
+        axes={1: state},
         pressure=(pressure,),
         wanted=(wanted,),
         pressed={1: frozenset(pressed.split())},
         goals={1: state.goal},
         next_goals={1: state.goal + step},
+        noun="servo",
     )

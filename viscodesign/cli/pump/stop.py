@@ -45,7 +45,7 @@ def command(
         return say("nothing to stop: a simulated pump lives only as long as its command")
     left = stop(address, ids=ids or (), release=release, tell=complain)
     if json:
-        servos = [{"id": s.servo, "verified": s.verified, "state": s.words} for s in left]
+        servos = [{"id": s.axis, "verified": s.verified, "state": s.words} for s in left]
         say(json_text({"board": board, "servos": servos}))
     elif not quiet:
         say("\n".join(str(one) for one in left))

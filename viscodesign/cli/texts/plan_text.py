@@ -18,7 +18,7 @@ def plan_lines(plan: PumpPlan, folder: Path, files: Sequence[Path]) -> list[str]
     """Limits, changes, and what the pump would do."""
     alone = len(plan.inlets) == 1
     lines = [f"{plan.name}: {'feasible' if plan.is_feasible else 'INFEASIBLE'}", ""]
-    for inlet, servo in zip(plan.inlets, plan.servos, strict=True):
+    for inlet, servo in zip(plan.inlets, plan.axes, strict=True):
         lines += [*_drive(plan, inlet, servo), ""]
         own = [v for v in plan.verdicts if v.inlet == inlet]
         lines += ["limits" if alone else f"limits of {inlet}", *table([_row(v) for v in own]), ""]
@@ -40,7 +40,7 @@ def _drive(plan: PumpPlan, inlet: str, servo: int) -> list[str]:
     pressures = ("stall", "steady", "lowest", "highest")
     kpa = {name: n[f"{name}_pressure_pa_gauge"] / 1e3 for name in pressures}
     rows = [
-        ("drive", f"{plan.servo}, id {servo}, for the inlet '{inlet}'"),
+        ("drive", f"{plan.device}, id {servo}, for the inlet '{inlet}'"),
         ("stall", f"{kpa['stall']:.4g} kPa gauge; a fifth of it is {kpa['steady']:.3g} kPa"),
         (
             "counts",

@@ -13,8 +13,9 @@ from viscodesign.pump.ax.protocol.transactions import ServoError
 from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.axis import FinalServoState
+from viscodesign.pump.play.axis import FinalAxisState
 
+NOUN = "servo"  # what an axis is called in messages
 HOLD_SPEED = 20
 """Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
 HOLD_TOLERANCE = 40  # A held plunger stands this close to its goal, or it is not held [counts]
@@ -32,7 +33,7 @@ def hold(
     *,
     positions: dict[int, int] | None = None,
     goals: Mapping[int, int] | None = None,
-) -> list[FinalServoState]:
+) -> list[FinalAxisState]:
     """Send every servo to where it is, and read back that it holds that goal.
 
     ``positions`` of a moment ago serve where a servo takes commands but its replies do not come
@@ -43,17 +44,17 @@ def hold(
     return _for_each(servos, clock, lambda servo: _hold(board, servo, last, aims.get(servo)))
 
 
-def release(board: Board, servos: Sequence[int], clock: Clock) -> list[FinalServoState]:
+def release(board: Board, servos: Sequence[int], clock: Clock) -> list[FinalAxisState]:
     """Switch torque off, and read back that it is."""
     return _for_each(servos, clock, lambda servo: _release(board, servo))
 
 
 def _for_each(
-    servos: Sequence[int], clock: Clock, attempt: Callable[[int], FinalServoState]
-) -> list[FinalServoState]:
+    servos: Sequence[int], clock: Clock, attempt: Callable[[int], FinalAxisState]
+) -> list[FinalAxisState]:
     """Try each servo in turns until it is verified or the time is over; at least once."""
     deadline = clock.now() + HOLD_TIMEOUT_S
-    left: dict[int, FinalServoState] = {}
+    left: dict[int, FinalAxisState] = {}
     waiting = list(servos)
     while waiting:
         left |= {servo: attempt(servo) for servo in waiting}
@@ -65,11 +66,11 @@ def _for_each(
     return [left[servo] for servo in servos]
 
 
-def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> FinalServoState:
+def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> FinalAxisState:
     """One attempt; the position is read first, so that no goal is far from the plunger."""
 
-    def left(words: str, verified: bool = False) -> FinalServoState:
-        return FinalServoState(servo, verified, words)
+    def left(words: str, verified: bool = False) -> FinalAxisState:
+        return FinalAxisState(servo, verified, words, NOUN)
 
     def failure_of_move(goal: int) -> str:
         try:
@@ -87,7 +88,7 @@ def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> Fi
         failure = failure_of_move(last[servo])
         return left(failure or f"sent to {last[servo]} counts unseen; no reply: {error}")
     last[servo] = state.position
-    if not state.torque:
+    if not state.driven:
         return left(f"torque is off, at {state.position} counts", True)
     if state.torque_limit == 0:
         return left(f"shut itself off ({state.complaint or 'torque limit 0'})", True)
@@ -102,7 +103,7 @@ def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> Fi
 
 def _held(goal: int, state: ServoState) -> tuple[str, bool]:
     """What became of a hold, and whether it is one."""
-    if not state.torque or state.goal != goal:
+    if not state.driven or state.goal != goal:
         return f"hold at {goal} counts was sent, but it did not take it", False
     if abs(state.position - goal) > HOLD_TOLERANCE:
         return f"holds {goal} counts, but is at {state.position}", False
@@ -110,19 +111,20 @@ def _held(goal: int, state: ServoState) -> tuple[str, bool]:
     return f"holds at {goal} counts, verified{reports}", True
 
 
-def _release(board: Board, servo: int) -> FinalServoState:
+def _release(board: Board, servo: int) -> FinalAxisState:
+    words, verified = "torque is off, verified", True
     try:
         write_register(board, servo, registers.TORQUE_ENABLE, 0)
     except ServoError as fault:
-        return FinalServoState(servo, False, f"torque off was sent; {fault}")
+        words, verified = f"torque off was sent; {fault}", False
     except PumpError as error:
-        return FinalServoState(servo, False, f"torque off is not verified: {error}")
-    return FinalServoState(servo, True, "torque is off, verified")
+        words, verified = f"torque off is not verified: {error}", False
+    return FinalAxisState(servo, verified, words, NOUN)
 
 
 def stop_all(
     board: Board, ids: Sequence[int], clock: Clock, *, release: bool = False
-) -> list[FinalServoState]:
+) -> list[FinalAxisState]:
     """Halt the board's own program, then hold (or release) each servo as soon as it is found.
 
     Empty where none answers; a board that plays by itself is asked again until its move must be
@@ -137,7 +139,7 @@ def stop_all(
         clock.sleep(HALT_INTERVAL_S)
 
 
-def _stop(board: Board, servo: int, clock: Clock, drop: bool) -> list[FinalServoState]:
+def _stop(board: Board, servo: int, clock: Clock, drop: bool) -> list[FinalAxisState]:
     try:
         there = board.answers(servo)
     except PumpError:  # what comes from it is broken: it may be there

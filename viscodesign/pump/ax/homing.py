@@ -41,14 +41,14 @@ def _find(pump: Pump, end: str, stopped: Callable[[], bool]) -> int:
     sign, other = SIGN[end], "high" if end == "low" else "low"
     _go(pump, sign, lambda pressed, _: end in pressed, other, stopped)
     _go(pump, -sign, lambda pressed, _: end not in pressed, other, stopped)
-    place = pump.positions[pump.servos[0]] - sign * BACK_OFF
+    place = pump.positions[pump.axes[0]] - sign * BACK_OFF
     _go(pump, -sign, lambda _, position: (place - position) * sign >= 0, other, stopped)
     return place
 
 
 def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[[], bool]) -> None:
     """Step by step in one direction; never on when something is wrong."""
-    servo = pump.servos[0]
+    servo = pump.axes[0]
     pump.reach = step = math.ceil(SPEED / RATE)
     ticks = Ticks(pump.clock, 1.0 / RATE)
     ticks.begin()

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.ax.hold import HOLD_SPEED, hold, release
+from viscodesign.pump.ax.hold import HOLD_SPEED, NOUN, hold, release
 from viscodesign.pump.ax.preflight import (
     HIGHEST_TEMPERATURE,
     LOWEST_VOLTAGE,
@@ -21,7 +21,7 @@ from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_li
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.drive import COUNTS_PER_TURN, Drive
-from viscodesign.pump.play.axis import AxisLimits, FinalServoState
+from viscodesign.pump.play.axis import AxisLimits, FinalAxisState
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
@@ -39,6 +39,8 @@ LARGEST_LEAD = 40.0
 """Of what is added for the load [counts]: beyond the slope nothing more is given anyway."""
 FOLLOWING_ERROR = 60.0
 """[counts]; the servo's controller needs an error of up to 32 to give all its torque."""
+WEAKNESS = "the plunger is blocked, or the torque limit is too low for the requested pressure"
+DEAD_BAND = 1.0  # [counts]: they are whole, and gears have play
 TRAVEL_TOLERANCE = 5
 LIMIT_STEPS = 6  # readings in which a torque limit may be lowered at the end of a motion
 ARMED_TOLERANCE = 3
@@ -66,7 +68,7 @@ class ServoPump(Pump):
     def connect(self) -> list[FoundServo]:
         """Identify the board and all servos; raises `PumpError` where they must not move."""
         self.identity = self.board.identify()
-        found = [identify(self.board, servo) for servo in self.servos]
+        found = [identify(self.board, servo) for servo in self.axes]
         self.positions = {servo.id: servo.state.position for servo in found}
         faults = [fault for servo in found for fault in blocking_faults(servo, self.settings)]
         if faults:
@@ -83,7 +85,7 @@ class ServoPump(Pump):
         # Where moves bring limits of their own along, that of a plunger at rest is enough.
         limit = torque_limit(self.settings, 0.0 if self.board.limits_torque else speed)
         self.board.hurry()
-        for servo in self.servos:
+        for servo in self.axes:
             state = self._healthy(servo)
             position = state.position
             # A servo that strained against this very limit may shut itself off just now, and a
@@ -149,7 +151,7 @@ class ServoPump(Pump):
 
     def _read(self) -> dict[int, ServoState]:
         before = self.clock.now()
-        states = {servo: read_servo(self.board, servo) for servo in self.servos}
+        states = {servo: read_servo(self.board, servo) for servo in self.axes}
         self.positions = {servo: state.position for servo, state in states.items()}
         self.read_at = (before + self.clock.now()) / 2
         for servo in self.torque_limits.revived(states):
@@ -159,12 +161,14 @@ class ServoPump(Pump):
         self.torque_limits.update(states, self.read_at)
         return states
 
-    def hold(self, *, in_place: bool = True) -> list[FinalServoState]:
+    def hold(self, *, in_place: bool = True) -> list[FinalAxisState]:
         """As `Pump.hold`; torque limits that a motion had raised are lowered again."""
         if not self.armed:
-            return [FinalServoState(s, True, "untouched: torque was never on") for s in self.servos]
+            return [
+                FinalAxisState(s, True, "untouched: torque was never on", NOUN) for s in self.axes
+            ]
         left = self._hold(None if in_place else self.goals)
-        self.goals = {s: self.positions[s] if in_place else self.goals[s] for s in self.servos}
+        self.goals = {s: self.positions[s] if in_place else self.goals[s] for s in self.axes}
         if not all(one.verified for one in left) or not self.board.limits_torque:
             return left
         try:
@@ -173,8 +177,8 @@ class ServoPump(Pump):
             return [replace(one, verified=False, words=f"{one.words}, but {error}") for one in left]
         return self._hold(self.goals)
 
-    def _hold(self, goals: Mapping[int, int] | None) -> list[FinalServoState]:
-        return hold(self.board, self.servos, self.clock, positions=self.positions, goals=goals)
+    def _hold(self, goals: Mapping[int, int] | None) -> list[FinalAxisState]:
+        return hold(self.board, self.axes, self.clock, positions=self.positions, goals=goals)
 
     def _lower_limits(self) -> None:
         """Lower torque limits to what a plunger at rest needs, byte by byte."""
@@ -188,15 +192,16 @@ class ServoPump(Pump):
             if not any(lowered):
                 return
 
-    def release(self) -> list[FinalServoState]:
+    def release(self) -> list[FinalAxisState]:
         self.armed = False
-        return release(self.board, self.servos, self.clock)
+        return release(self.board, self.axes, self.clock)
 
 
 def axis_limits(settings: PumpSpec) -> AxisLimits:
     """What the servos of a spec can do."""
     return AxisLimits(
         step=Drive(settings).advance_per_count,
+        noun=NOUN,
         unit="counts",
         travel=settings.travel,
         home=settings.home,
@@ -209,6 +214,9 @@ def axis_limits(settings: PumpSpec) -> AxisLimits:
         approach_speed=APPROACH_SPEED,
         settle_speed=SETTLE_SPEED,
         following_error=FOLLOWING_ERROR,
+        weakness=WEAKNESS,
+        dead_band=DEAD_BAND,
+        settled_error=DEAD_BAND / 2,
         travel_tolerance=TRAVEL_TOLERANCE,
         lowest_voltage=LOWEST_VOLTAGE,
         highest_temperature=HIGHEST_TEMPERATURE,

@@ -26,6 +26,9 @@ NO_ERRORS = ErrorBits(0)
 class ServoState(AxisState):
     """Registers 24 to 43 of a servo, read at once; a step is a count."""
 
+    load: float
+    voltage: float
+    temperature: float
     moving_speed: int
     """The register; 0 would be full speed."""
     torque_limit: int
@@ -52,7 +55,7 @@ def read_servo(board: Board, servo: int) -> ServoState:
         return register.within(data, FIRST)
 
     return ServoState(
-        torque=bool(value(registers.TORQUE_ENABLE)),
+        driven=bool(value(registers.TORQUE_ENABLE)),
         goal=value(registers.GOAL_POSITION),
         moving_speed=value(registers.MOVING_SPEED),
         torque_limit=value(registers.TORQUE_LIMIT),

@@ -93,7 +93,7 @@ class TorqueLimits:
         self.in_force = {
             servo: state.torque_limit
             for servo, state in states.items()
-            if state.torque and state.torque_limit > 0 and not state.errors
+            if state.driven and state.torque_limit > 0 and not state.errors
         }
         self.saturated_since = {
             servo: self.saturated_since.get(servo, moment)

@@ -67,10 +67,10 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         status=failed.status,
         failure=failed.failure,
         inlets=tuple(scene.inputs),
-        servos=tuple(
+        axes=tuple(
             servo for servo in each(pump.servo_id, len(scene.inputs)) if servo is not None
         ),
-        servo=demands[0].drive.servo.title,
+        device=demands[0].drive.servo.title,
         wanted=course_of(demands),
         achievable=course_of(achieved.demands),
         wanted_run=run,

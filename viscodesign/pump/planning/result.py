@@ -73,8 +73,8 @@ class PumpPlan:
     status: Status
     failure: str | None
     inlets: tuple[str, ...]
-    servos: tuple[int, ...]
-    servo: str
+    axes: tuple[int, ...]  # id of each inlet's axis
+    device: str  # what drives an axis, as its maker calls it
     wanted: PumpCourse
     achievable: PumpCourse
     wanted_run: Trajectory
@@ -131,7 +131,7 @@ class PumpPlan:
 
     def profile(self, course: PumpCourse) -> Profile:
         """A course as what a board plays."""
-        return Profile(self.inlets, self.servos, course.time, course.count, course.pressure)
+        return Profile(self.inlets, self.axes, course.time, course.count, course.pressure)
 
 
 NOT_CLIPPED = ("voltage", "battery")

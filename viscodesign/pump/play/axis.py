@@ -16,18 +16,18 @@ from viscodesign.lazy_dataclass import dataclass
 class AxisState:
     """One axis as it was read."""
 
-    torque: bool
+    driven: bool
     """Whether it is driven."""
     goal: int
     """Target that it holds [steps]."""
     position: int
     """[steps]"""
-    load: float
-    """Share of its full output, signed as the steps are."""
-    voltage: float
-    """Of its supply [V]."""
-    temperature: float
-    """[degC]"""
+    load: float | None
+    """Share of its full output, signed as the steps are; None where nothing measures it."""
+    voltage: float | None
+    """Of its supply [V]; None where nothing measures it."""
+    temperature: float | None
+    """[degC]; None where nothing measures it."""
 
     @property
     def alarm(self) -> str:
@@ -41,6 +41,8 @@ class AxisLimits:
 
     step: float
     """Of the coordinate that it sets, in SI: [m] of a plunger, [Pa] of a regulator."""
+    noun: str
+    """What an axis is called in messages: 'servo'."""
     unit: str
     """What several steps are called in messages: 'counts'."""
     travel: tuple[int, int]
@@ -65,6 +67,12 @@ class AxisLimits:
     """At the end of a path [steps/s]."""
     following_error: float
     """Beyond this and one tick's travel an axis does not follow its target [steps]."""
+    weakness: str
+    """Why one may not follow, in words: 'the plunger is blocked'."""
+    dead_band: float
+    """Following error that is none [steps]."""
+    settled_error: float
+    """The same at the end of a path [steps]."""
     travel_tolerance: int
     """A position this far outside of travel is not yet one that slipped [steps]."""
     lowest_voltage: float
@@ -74,16 +82,17 @@ class AxisLimits:
 
 
 @dataclass(frozen=True)
-class FinalServoState:
+class FinalAxisState:
     """How one axis was left."""
 
-    servo: int
+    axis: int
     verified: bool
     """Whether it was read back."""
     words: str
+    noun: str = "axis"
 
     def __str__(self) -> str:
-        return f"servo {self.servo}: {self.words}"
+        return f"{self.noun} {self.axis}: {self.words}"
 
 
 @dataclass(frozen=True)
@@ -92,7 +101,7 @@ class Sample:
 
     time: float
     """Of the clock [s]."""
-    servos: Mapping[int, AxisState]
+    axes: Mapping[int, AxisState]
     pressure: tuple[float | None, ...]
     """(S,) measured gauge pressure [Pa]; None where nothing measures it."""
     wanted: tuple[float | None, ...]
@@ -105,3 +114,10 @@ class Sample:
     """Targets that follow [steps]."""
     lag: float = 0.0
     """How far behind the plan the stream is [ticks]."""
+    noun: str = "axis"
+    """What an axis is called in messages."""
+
+    def inlet_words(self, inlet: int) -> str:
+        """Which of several inlets it is, by its axis; empty where there is one."""
+        several = len(self.axes) > 1
+        return f" at the inlet of {self.noun} {list(self.axes)[inlet]}" if several else ""

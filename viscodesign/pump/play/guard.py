@@ -20,7 +20,7 @@ class Stop:
     rule: str
     reason: str
     may_retreat: bool = False
-    """Whether the plunger may be drawn back."""
+    """Whether the pump may be drawn back."""
 
     def __str__(self) -> str:
         return f"{self.rule.replace('_', ' ')}: {self.reason}"
@@ -33,7 +33,7 @@ class Guard(ABC):
     rule: ClassVar[str]
     samples: ClassVar[int] = 1
     may_retreat: ClassVar[bool] = False
-    """Whether the plunger may be drawn back after this."""
+    """Whether the pump may be drawn back after this."""
     count: int = field(default=0, init=False)
 
     def check(self, sample: Sample) -> str | None:
@@ -41,6 +41,10 @@ class Guard(ABC):
         reason = self._fault(sample)
         self.count = self.count + 1 if reason else 0
         return reason if self.count >= self.samples else None
+
+    def name(self, sample: Sample) -> str:
+        """The rule, as records and messages have it."""
+        return self.rule
 
     @abstractmethod
     def _fault(self, sample: Sample) -> str | None:
@@ -58,6 +62,6 @@ class Watch:
         """The alarm, once there is one: it stays."""
         # Every rule is asked every time, since they count.
         reasons = [(guard, guard.check(sample)) for guard in self.guards]
-        broken = [Stop(g.rule, reason, g.may_retreat) for g, reason in reasons if reason]
+        broken = [Stop(g.name(sample), reason, g.may_retreat) for g, reason in reasons if reason]
         self.stop = self.stop or next(iter(broken), None)
         return self.stop

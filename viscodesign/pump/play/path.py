@@ -1,4 +1,4 @@
-"""The way from where the plungers are to the profile, and the set-points along it."""
+"""The way from where the axes are to the profile, and the set-points along it."""
 
 from __future__ import annotations
 
@@ -13,18 +13,17 @@ from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.profile import Profile
 from viscodesign.storage.cached_property import cached_property
 
-AROUND = 0.1  # A plunger may be this much earlier or later than its path [s]
+AROUND = 0.1  # An axis may be this much earlier or later than its path [s]
 SHORTEST = 0.1  # of such a way [s]
 LEARNING_RATE = 0.25  # part of the following error that is added to the goals in each tick
-DEAD_BAND = 1.0  # following error that is none [counts]: counts are whole, and gears have play
+ROUNDING = 1.0  # beyond which a target lies outside of a range: targets are whole [steps]
 SPEED_MARGIN = 1.25
-"""Of the speed register: a servo that is behind needs more than the path's speed."""
-SETTLED = 0.5  # dead band at the end of a path [counts]
+"""Of the speeds that are sent: an axis that is behind needs more than the path's speed."""
 
 
 @dataclass(frozen=True)
 class TargetPath:
-    """Set-points against time from the first tick on; S servos."""
+    """Set-points against time from the first tick on; S axes."""
 
     profile: Profile
     begins: float = math.inf
@@ -38,7 +37,7 @@ class TargetPath:
         return self.profile.duration
 
     def goals(self, elapsed: float) -> np.ndarray:
-        """(S,) counts, not rounded."""
+        """(S,) targets, not rounded."""
         return self.profile.at(elapsed)
 
     def expected_pressure(self, elapsed: float) -> tuple[float | None, ...]:
@@ -49,51 +48,51 @@ class TargetPath:
         return tuple(float(np.interp(elapsed, profile.time, p)) for p in profile.pressure.T)
 
     def paces(self, elapsed: float) -> dict[int, float]:
-        """By servo, the highest speed about this moment [counts/s]."""
+        """By axis, the highest speed about this moment [steps/s]."""
         time = self.profile.time
         first = max(int(np.searchsorted(time, elapsed - AROUND, "right")) - 1, 0)
         last = int(np.searchsorted(time, elapsed + AROUND, "left"))
         highest = self._speeds[first:last].max(axis=0, initial=0.0)
-        return dict(zip(self.profile.servos, highest.tolist(), strict=True))
+        return dict(zip(self.profile.axes, highest.tolist(), strict=True))
 
     @cached_property
     def _speeds(self) -> np.ndarray:
-        """(T - 1, S) between two instants each [counts/s]."""
-        rise: np.ndarray = np.abs(np.diff(self.profile.counts, axis=0))
+        """(T - 1, S) between two instants each [steps/s]."""
+        rise: np.ndarray = np.abs(np.diff(self.profile.steps, axis=0))
         return rise / np.diff(self.profile.time)[:, None]
 
     @cached_property
     def top_speed(self) -> float:
-        """Of its steepest part [counts/s]."""
+        """Of its steepest part [steps/s]."""
         return float(self._speeds.max(initial=0.0))
 
     def reach(self, seconds: float) -> int:
-        """Largest step in a time, rounded up and one more for rounding [counts]."""
+        """Largest step in a time, rounded up and one more for rounding [steps]."""
         return math.ceil(self.top_speed * seconds) + 1
 
 
 def top_speed(profile: Profile) -> float:
-    """Of a profile's steepest part [counts/s]."""
+    """Of a profile's steepest part [steps/s]."""
     return TargetPath(profile).top_speed
 
 
 def led_in(
     profile: Profile, present: Mapping[int, int], speed: float, lead: float = 0.0
 ) -> TargetPath:
-    """A profile behind a slow way to its first counts.
+    """A profile behind a slow way to its first targets.
 
     ``present``: position of each axis [steps]; ``speed``: of that way [steps/s]; ``lead``: part of
     the profile that lies before the scene's own start [s].
     """
-    here = np.array([[float(present[servo]) for servo in profile.servos]])
-    way = float(np.max(np.abs(profile.counts[0] - here), initial=0.0)) / speed
+    here = np.array([[float(present[axis]) for axis in profile.axes]])
+    way = float(np.max(np.abs(profile.steps[0] - here), initial=0.0)) / speed
     # Not at once even where it is there already: times have to rise.
     begins = max(way, SHORTEST)
     joined = Profile(
         inlets=profile.inlets,
-        servos=profile.servos,
+        axes=profile.axes,
         time=np.concatenate(([0.0], profile.time + begins)),
-        counts=np.concatenate((here, profile.counts)),
+        steps=np.concatenate((here, profile.steps)),
         pressure=np.concatenate((profile.pressure[:1], profile.pressure)),
     )
     return TargetPath(joined, begins, begins + lead)
@@ -101,15 +100,15 @@ def led_in(
 
 def way_back(profile: Profile, goals: Mapping[int, int], home: int, speed: float) -> TargetPath:
     """From the goals in force to home at a speed [steps/s]; no pressure is expected on the way."""
-    here = np.array([float(goals[servo]) for servo in profile.servos])
+    here = np.array([float(goals[axis]) for axis in profile.axes])
     counts = np.stack((here, np.full_like(here, home)))
     time = np.array([0.0, max(float(np.abs(here - home).max()) / speed, SHORTEST)])
-    return TargetPath(Profile(profile.inlets, profile.servos, time, counts, np.zeros_like(counts)))
+    return TargetPath(Profile(profile.inlets, profile.axes, time, counts, np.zeros_like(counts)))
 
 
 @dataclass
 class SetPoints:
-    """Goals for the next tick: where the path is then, and what the servos need to get there.
+    """Goals for the next tick: where the path is then, and what the axes need to get there.
 
     An axis whose output is proportional to the distance from its goal lags by what its load needs,
     and by more the faster it goes. Both lags are compensated: that of the speed in advance, that of
@@ -121,37 +120,38 @@ class SetPoints:
     """Of the ticks [s]."""
     limits: AxisLimits
     behind: dict[int, float] = field(default_factory=dict)
-    """By servo: what its load needs [counts]."""
+    """By axis: what its load needs [steps]."""
 
     def learn(
-        self, place: float, positions: Mapping[int, int], dead_band: float = DEAD_BAND
+        self, place: float, positions: Mapping[int, int], dead_band: float | None = None
     ) -> None:
-        """Add part of each plunger's following error, unless that is within a dead band [counts].
+        """Add part of each axis' following error, unless that is within a dead band [steps].
 
-        ``positions`` [counts] as read when the plungers should have been at a place [s].
+        ``positions`` [steps] as read when the axes should have been at a place [s].
         """
-        for servo, goal in zip(self.path.profile.servos, self.path.goals(place), strict=True):
-            error = float(goal) - positions[servo]
-            lead = self.behind.setdefault(servo, 0.0)
+        for axis, goal in zip(self.path.profile.axes, self.path.goals(place), strict=True):
+            error = float(goal) - positions[axis]
+            dead_band = self.limits.dead_band if dead_band is None else dead_band
+            lead = self.behind.setdefault(axis, 0.0)
             if abs(error) > dead_band:
                 lead += LEARNING_RATE * error
                 most = self.limits.largest_lead
-                self.behind[servo] = min(max(lead, -most), most)
+                self.behind[axis] = min(max(lead, -most), most)
 
     def next(
         self, place: float, goals: Mapping[int, int], reach: int
     ) -> tuple[dict[int, int], dict[int, float]]:
-        """Goals [counts], within reach of those in force, and speeds [counts/s] to get there."""
+        """Goals [steps], within reach of those in force, and speeds [steps/s] to get there."""
         now, then = self.path.goals(place), self.path.goals(place + self.period)
         aims: dict[int, int] = {}
         speeds: dict[int, float] = {}
-        for k, servo in enumerate(self.path.profile.servos):
+        for k, axis in enumerate(self.path.profile.axes):
             speed = float(then[k] - now[k]) / self.period
             lead = self.limits.lead_distance * speed / self.limits.top_speed
-            aim = float(then[k]) + self.behind.get(servo, 0.0) + lead
-            step = min(max(round(aim) - goals[servo], -reach), reach)
-            aims[servo] = goals[servo] + step
-            # Slow ramps go smoothly at their own speed, not in jerks of one count.
-            speeds[servo] = SPEED_MARGIN * max(abs(speed), (abs(step) - 1.0) / self.period)
-            speeds[servo] += self.limits.slowest_speed
+            aim = float(then[k]) + self.behind.get(axis, 0.0) + lead
+            step = min(max(round(aim) - goals[axis], -reach), reach)
+            aims[axis] = goals[axis] + step
+            # Slow ramps go smoothly at their own speed, not in jerks of one step.
+            speeds[axis] = SPEED_MARGIN * max(abs(speed), (abs(step) - 1.0) / self.period)
+            speeds[axis] += self.limits.slowest_speed
         return aims, speeds

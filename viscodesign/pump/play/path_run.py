@@ -8,8 +8,6 @@ from viscodesign.interrupt import StopRequest
 from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.guard import Guard, Stop, Watch
 from viscodesign.pump.play.path import (
-    DEAD_BAND,
-    SETTLED,
     SetPoints,
     TargetPath,
 )
@@ -20,7 +18,7 @@ from viscodesign.pump.play.ticks import Ticks
 CATCH_UP = 1.5
 """A late stream goes along its path this many times as fast as planned, until it is in time."""
 SETTLE_TIME = 2.0  # for the last of a following error to go, at the end of a profile [s]
-SETTLED_READINGS = 2  # in succession, that show the plungers at the end of their path
+SETTLED_READINGS = 2  # in succession, that show the axes at the end of their path
 
 
 class PathRun:
@@ -54,7 +52,7 @@ class PathRun:
         """How far it is along the path, and when that was, since the first tick [s]."""
 
     def go(self) -> StreamResult:
-        """Ticks along the path, then until the plungers are at its end."""
+        """Ticks along the path, then until the axes are at its end."""
         self.ticks.begin()
         settled = 0
         while settled < SETTLED_READINGS and not self.relieved:
@@ -62,7 +60,7 @@ class PathRun:
                 return StreamResult.interrupted(self.request)
             late = self.moment - self.place
             if self.ticks.elapsed > self.path.duration + SETTLE_TIME + late:
-                if self._arrived(DEAD_BAND):
+                if self._arrived(self.pump.limits.dead_band):
                     break
                 return self._short_of_target()
             stop = self._tick()
@@ -71,7 +69,7 @@ class PathRun:
             if not self.relieved:
                 self.ticks.wait(self._undisturbed)
             ended = self.place >= self.path.duration
-            settled = settled + 1 if ended and self._arrived(SETTLED) else 0
+            settled = settled + 1 if ended and self._arrived(self.pump.limits.settled_error) else 0
         if self.relief is not None and not self.relieved:
             return StreamResult("stopped", "back at home, and the pressure is still above the cap")
         return StreamResult("complete", "played to its end")
@@ -80,19 +78,20 @@ class PathRun:
         return self.request.times <= self.heard
 
     def _errors(self) -> dict[int, float]:
-        """By servo, from where it was last read to the end of the path [counts]."""
-        ends = zip(self.path.profile.servos, self.path.profile.counts[-1], strict=True)
-        return {servo: abs(float(end) - self.pump.positions[servo]) for servo, end in ends}
+        """By axis, from where it was last read to the end of the path [steps]."""
+        ends = zip(self.path.profile.axes, self.path.profile.steps[-1], strict=True)
+        return {axis: abs(float(end) - self.pump.positions[axis]) for axis, end in ends}
 
     def _arrived(self, within: float) -> bool:
         return self.pump.alarm is not None or max(self._errors().values()) <= within
 
     def _short_of_target(self) -> StreamResult:
-        servo, error = max(self._errors().items(), key=lambda item: item[1])
+        limits = self.pump.limits
+        axis, error = max(self._errors().items(), key=lambda item: item[1])
         return StreamResult(
             "stopped",
-            f"not reached: servo {servo} stays {error:.0f} {self.pump.limits.unit} from its "
-            "last target; the plunger is blocked, or the torque limit too low for the pressure",
+            f"not reached: {limits.noun} {axis} stays {error:.0f} {limits.unit} from its last "
+            f"target; {limits.weakness}",
             "not_reached",
         )
 
@@ -112,7 +111,7 @@ class PathRun:
         elapsed, read = self.ticks.now, pump.read_at - self.ticks.start
         commanded = self.place + min(max(read - self.moment, 0.0), period)
         ended = commanded >= self.path.duration
-        self.points.learn(commanded, pump.positions, SETTLED if ended else DEAD_BAND)
+        self.points.learn(commanded, pump.positions, pump.limits.settled_error if ended else None)
         pace = self._advance(elapsed)
         goals, speeds = self.points.next(self.place, pump.goals, pump.reach)
         goals = pump.allowed(goals)
@@ -120,13 +119,14 @@ class PathRun:
             speeds = dict.fromkeys(goals, pump.limits.settle_speed)
         sample = Sample(
             time=pump.clock.now(),
-            servos=states,
+            axes=states,
             pressure=pressure,
             wanted=self.path.expected_pressure(commanded),
             pressed=pressed,
             goals=dict(pump.goals),
             next_goals=goals,
             lag=(self.moment - self.place) / period,
+            noun=pump.limits.noun,
         )
         if self.relief is not None:
             self.relieved = all(p is None or p <= self.relief for p in pressure)

@@ -33,7 +33,7 @@ class PressureCap(Guard):
             if broken is None and self.above[inlet] >= NOISE_SAMPLES:
                 broken = (
                     f"{(pressure or 0.0) / 1e3:.2f} kPa gauge in {NOISE_SAMPLES} samples"
-                    f"{_inlet(sample, inlet)}; the limit is {self.cap / 1e3:g} kPa "
+                    f"{sample.inlet_words(inlet)}; the limit is {self.cap / 1e3:g} kPa "
                     "(pump.max_pressure)"
                 )
         return broken
@@ -62,12 +62,6 @@ class SensorFrozen(Guard):
                 return (
                     f"the pressure sensor is frozen: it kept reading {measured / 1e3:.2f} kPa "
                     f"while the pressure should have changed by {(high - low) / 1e3:.1f} kPa"
-                    f"{_inlet(sample, inlet)}. Check its cable, and the hose for a leak"
+                    f"{sample.inlet_words(inlet)}. Check its cable, and the hose for a leak"
                 )
         return None
-
-
-def _inlet(sample: Sample, inlet: int) -> str:
-    """Which of several inlets it is, by its servo."""
-    servos = list(sample.servos)
-    return f" at the inlet of servo {servos[inlet]}" if len(servos) > 1 else ""

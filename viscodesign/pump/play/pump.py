@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalServoState
+from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState
 from viscodesign.pump.play.guard import Stop
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
@@ -28,13 +28,13 @@ class Pump(ABC):
 
     def __init__(
         self,
-        servos: Sequence[int],
+        axes: Sequence[int],
         limits: AxisLimits,
         gauges: PressureReadings,
         read_switches: Callable[[], Pressed],
         clock: Clock,
     ) -> None:
-        self.servos = tuple(servos)
+        self.axes = tuple(axes)
         self.limits = limits
         self.gauges = gauges
         self.read_switches = read_switches
@@ -69,14 +69,14 @@ class Pump(ABC):
         """Send checked targets; arguments as for `set_goals`."""
 
     @abstractmethod
-    def hold(self, *, in_place: bool = True) -> list[FinalServoState]:
+    def hold(self, *, in_place: bool = True) -> list[FinalAxisState]:
         """Hold each axis where it is, read back; nothing is sent where it was never powered.
 
         Unless ``in_place``, the targets in force are kept: those that a load asks for.
         """
 
     @abstractmethod
-    def release(self) -> list[FinalServoState]:
+    def release(self) -> list[FinalAxisState]:
         """Power off, read back; pressure may push a plunger back then."""
 
     def look(self) -> tuple[Mapping[int, AxisState], tuple[float | None, ...], Pressed]:
@@ -114,15 +114,15 @@ class Pump(ABC):
         low, high = self.limits.travel
         if not self.armed:
             raise PumpError("the pump is not armed; nothing is sent")
-        for servo, goal in goals.items():
-            step = goal - self.goals[servo]
+        for axis, goal in goals.items():
+            step, who = goal - self.goals[axis], f"{self.limits.noun} {axis}"
             if self.alarm is not None and not self._draws_back(step):
                 raise PumpError(f"locked by an alarm ({self.alarm}); start a new command")
             if not low <= goal <= high:
-                raise PumpError(f"servo {servo}: goal {goal} is outside its travel [{low}, {high}]")
+                raise PumpError(f"{who}: goal {goal} is outside its travel [{low}, {high}]")
             if abs(step) > self.reach:
                 raise PumpError(
-                    f"servo {servo}: goal {goal} is {abs(step)} {self.limits.unit} from the "
+                    f"{who}: goal {goal} is {abs(step)} {self.limits.unit} from the "
                     f"last one; one tick's travel is {self.reach}"
                 )
 

@@ -34,33 +34,33 @@ class LimitSwitchPressed(Guard):
     may_retreat = True
     before: dict[int, frozenset[str]] = field(default_factory=dict, init=False)
     heading: dict[int, int] = field(default_factory=dict, init=False)
-    """Of each servo: 1 towards higher counts, -1 towards lower, by its last change of goal."""
+    """Of each axis: 1 towards higher steps, -1 towards lower, by its last change of goal."""
 
     def _fault(self, sample: Sample) -> str | None:
-        steps = {servo: goal - sample.goals[servo] for servo, goal in sample.next_goals.items()}
-        pressed = [(servo, end) for servo, ends in sample.pressed.items() for end in sorted(ends)]
+        steps = {axis: goal - sample.goals[axis] for axis, goal in sample.next_goals.items()}
+        pressed = [(axis, end) for axis, ends in sample.pressed.items() for end in sorted(ends)]
         hit = [(s, end) for s, end in pressed if self._meets(s, end, steps.get(s, 0))]
         self.before = dict(sample.pressed)
         if not hit:
             self.heading |= {s: (step > 0) - (step < 0) for s, step in steps.items() if step}
             return None
-        servo, end = hit[0]
-        which = f" of servo {servo}" if len(sample.servos) > 1 else ""
+        axis, end = hit[0]
+        which = f" of {sample.noun} {axis}" if len(sample.axes) > 1 else ""
         return (
             f"the switch at the {end} end{which} is pressed (or its wire broken); "
             "its position is no longer certain: run `pump calibrate` again"
         )
 
-    def _meets(self, servo: int, end: str, step: int) -> bool:
-        """Whether a servo is to go on towards a pressed switch, or has just run into it."""
+    def _meets(self, axis: int, end: str, step: int) -> bool:
+        """Whether an axis is to go on towards a pressed switch, or has just run into it."""
         sign = 1 if end == "high" else -1
-        fresh = end not in self.before.get(servo, frozenset())
-        return step * sign > 0 or (fresh and self.heading.get(servo, 0) * sign > 0)
+        fresh = end not in self.before.get(axis, frozenset())
+        return step * sign > 0 or (fresh and self.heading.get(axis, 0) * sign > 0)
 
 
 @dataclass
 class Travel(Guard):
-    """No plunger outside of its calibrated travel."""
+    """No axis outside of its travel."""
 
     rule = "travel"
     limits: AxisLimits
@@ -69,16 +69,16 @@ class Travel(Guard):
         (first, last), tolerance = self.limits.travel, self.limits.travel_tolerance
         low, high = first - tolerance, last + tolerance
         return _first(
-            f"servo {servo} is at {state.position} {self.limits.unit}, outside of "
+            f"{sample.noun} {axis} is at {state.position} {self.limits.unit}, outside of "
             f"[{first}, {last}] (pump.travel); find out what moved it, then calibrate again"
-            for servo, state in sample.servos.items()
+            for axis, state in sample.axes.items()
             if not low <= state.position <= high
         )
 
 
 @dataclass
 class Following(Guard):
-    """A plunger that stays behind its goal is blocked, or too weak."""
+    """An axis that stays behind its goal is blocked, or too weak."""
 
     rule = "following"
     samples = FOLLOWING_SAMPLES
@@ -87,13 +87,13 @@ class Following(Guard):
     """One tick's travel [steps]."""
 
     def _fault(self, sample: Sample) -> str | None:
-        errors = {s: abs(sample.goals[s] - state.position) for s, state in sample.servos.items()}
-        worst = max(errors, key=lambda servo: errors[servo])
+        errors = {s: abs(sample.goals[s] - state.position) for s, state in sample.axes.items()}
+        worst = max(errors, key=lambda axis: errors[axis])
         if errors[worst] <= self.limits.following_error + self.reach:
             return None
         return (
-            f"servo {worst} is {errors[worst]} {self.limits.unit} from its goal: the plunger is "
-            "blocked, or the torque limit is too low for the requested pressure"
+            f"{sample.noun} {worst} is {errors[worst]} {self.limits.unit} from its goal: "
+            f"{self.limits.weakness}"
         )
 
 
@@ -104,32 +104,35 @@ class Obedience(Guard):
     samples = LOST
 
     def _fault(self, sample: Sample) -> str | None:
-        for servo, state in sample.servos.items():
-            if not state.torque:
+        for axis, state in sample.axes.items():
+            if not state.driven:
                 self.count = self.samples  # at once
-                return f"servo {servo} has its torque off: it restarted or was switched off"
+                return f"{sample.noun} {axis} is not driven: it restarted or was switched off"
         return _first(
-            f"servo {servo} holds goal {state.goal}, not the {sample.goals[servo]} it was sent, "
-            f"{LOST} times in succession"
-            for servo, state in sample.servos.items()
-            if state.goal != sample.goals[servo]
+            f"{sample.noun} {axis} holds goal {state.goal}, not the {sample.goals[axis]} it "
+            f"was sent, {LOST} times in succession"
+            for axis, state in sample.axes.items()
+            if state.goal != sample.goals[axis]
         )
 
 
 class ErrorBitsSet(Guard):
     """Overload, overheating, voltage: what an axis reports of itself."""
 
-    rule = "servo_alarm"
+    rule = "alarm"
+
+    def name(self, sample: Sample) -> str:
+        return f"{sample.noun}_{self.rule}"
 
     def _fault(self, sample: Sample) -> str | None:
         return _first(
-            f"servo {s} {state.alarm}" for s, state in sample.servos.items() if state.alarm
+            f"{sample.noun} {s} {state.alarm}" for s, state in sample.axes.items() if state.alarm
         )
 
 
 @dataclass
 class Overheating(Guard):
-    """Stop before the servo shuts down by itself."""
+    """Stop before the axis shuts down by itself."""
 
     rule = "temperature"
     samples = NOISE_SAMPLES
@@ -137,9 +140,12 @@ class Overheating(Guard):
     """[degC]"""
 
     def _fault(self, sample: Sample) -> str | None:
-        hottest, servo = max((state.temperature, servo) for servo, state in sample.servos.items())
+        known = [
+            (s.temperature, axis) for axis, s in sample.axes.items() if s.temperature is not None
+        ]
+        hottest, axis = max(known, default=(-math.inf, 0))
         limit = f"limit {self.highest:g}"
-        words = f"servo {servo} is at {hottest:g} degC ({limit}); let it cool down"
+        words = f"{sample.noun} {axis} is at {hottest:g} degC ({limit}); let it cool down"
         return words if hottest >= self.highest else None
 
 
@@ -153,8 +159,11 @@ class LowBattery(Guard):
     """[V]"""
 
     def _fault(self, sample: Sample) -> str | None:
-        lowest = min(state.voltage for state in sample.servos.values())
-        words = f"{lowest:g} V at the servo; charge the battery (at least {self.lowest:g} V)"
+        known = [s.voltage for s in sample.axes.values() if s.voltage is not None]
+        lowest = min(known, default=math.inf)
+        words = (
+            f"{lowest:g} V at the {sample.noun}; charge the battery (at least {self.lowest:g} V)"
+        )
         return words if lowest < self.lowest else None
 
 

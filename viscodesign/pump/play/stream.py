@@ -9,10 +9,10 @@ from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.axis import FinalServoState, Sample
+from viscodesign.pump.play.axis import FinalAxisState, Sample
 from viscodesign.pump.play.guard import Guard, Stop
 from viscodesign.pump.play.path import (
-    DEAD_BAND,
+    ROUNDING,
     TargetPath,
     led_in,
     top_speed,
@@ -33,7 +33,7 @@ from viscodesign.pump.profile import Profile
 
 MAX_LAG = 3.0  # how far a stream may fall behind its profile for longer than a moment [ticks]
 SECOND_REQUEST_TIME = 3.0
-"""After a held stop request, how long a second one is waited for, which drops the torque [s]."""
+"""After a held stop request, how long a second one is waited for, which releases the pump [s]."""
 
 
 @dataclass
@@ -81,10 +81,10 @@ class Stream:
     def _forward(self) -> StreamResult:
         if self.request.asked:
             return StreamResult.interrupted(self.request)
-        (low, high), counts = self.pump.limits.travel, self.profile.counts
-        if counts.min() < low - DEAD_BAND or counts.max() > high + DEAD_BAND:
+        (low, high), steps = self.pump.limits.travel, self.profile.steps
+        if steps.min() < low - ROUNDING or steps.max() > high + ROUNDING:
             raise OutsideTravelError(
-                f"the profile goes from {counts.min():.0f} to {counts.max():.0f} "
+                f"the profile goes from {steps.min():.0f} to {steps.max():.0f} "
                 f"{self.pump.limits.unit}, outside "
                 f"of travel [{low}, {high}]; nothing was sent"
             )
@@ -109,7 +109,7 @@ class Stream:
         return path.reach(CATCH_UP * self.ticks.period)
 
     def _come_to_rest(self) -> None:
-        """Hold first, whatever comes then; a request repeated at any time drops the torque."""
+        """Hold first, whatever comes then; a request repeated at any time releases the pump."""
         result = self.result
         result.standing = self.pump.hold(in_place=result.status != "complete")
         if result.may_retreat and result.verified and self.pump.armed:
@@ -122,8 +122,8 @@ class Stream:
         if self.on_stop == "release" or self.request.urgent:
             result.standing = self.pump.release()
 
-    def _retreat(self, relief: float | None = None) -> list[FinalServoState]:
-        """Draw the plungers back slowly, under all rules that still apply.
+    def _retreat(self, relief: float | None = None) -> list[FinalAxisState]:
+        """Draw the pump back slowly, under all rules that still apply.
 
         To home, or until no inlet is above a gauge pressure [Pa].
         """
@@ -140,7 +140,7 @@ class Stream:
 
 
 def wait_for_second_request(request: StopRequest, clock: Clock) -> None:
-    """Give the user time to ask again, which drops the torque of a held pump."""
+    """Give the user time to ask again, which releases a held pump."""
     end = clock.now() + SECOND_REQUEST_TIME
     while not request.urgent and clock.now() < end:
         clock.sleep(SLICE)

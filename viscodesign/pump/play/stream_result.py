@@ -8,7 +8,7 @@ from typing import Literal
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.play.axis import FinalServoState, Sample
+from viscodesign.pump.play.axis import FinalAxisState, Sample
 from viscodesign.pump.play.guard import Stop
 
 OnStop = Literal["hold", "release", "retract"]
@@ -51,7 +51,7 @@ class StreamResult:
     """The broken rule, where one was."""
     may_retreat: bool = True
     """Whether the plunger may be drawn back."""
-    standing: list[FinalServoState] = field(default_factory=list)
+    standing: list[FinalAxisState] = field(default_factory=list)
     retreat: str = ""
     """Why the plunger was not drawn back as far as intended, where it was not."""
 
@@ -62,5 +62,5 @@ class StreamResult:
 
     @property
     def verified(self) -> bool:
-        """Whether every servo was read back as it was left."""
+        """Whether every axis was read back as it was left."""
         return bool(self.standing) and all(one.verified for one in self.standing)

@@ -111,7 +111,7 @@ def fit_poses(
         )
     frames = max(round(exact) if loop else int(np.ceil(exact - 1e-9)), 2 * FIRST_FRAMES)
     pace = profile.duration / (frames * FRAME) if loop else 1.0
-    bounds = [_bounds(profile.time, c, FRAME * pace, frames) for c in profile.counts.T]
+    bounds = [_bounds(profile.time, c, FRAME * pace, frames) for c in profile.steps.T]
     paths: dict[int, list[Vertex] | None] = {}
 
     def has_path(number: int) -> bool:
@@ -189,6 +189,6 @@ def _measured(profile: Profile, sequence: PoseSequence, loop: bool) -> PoseFit:
         frames=frames,
         requested_duration=profile.duration,
         time=time,
-        requested=np.stack([np.interp(time * pace, profile.time, c) for c in profile.counts.T], -1),
+        requested=np.stack([np.interp(time * pace, profile.time, c) for c in profile.steps.T], -1),
         played=np.stack([np.interp(time, instants, c) for c in counts.T], -1),
     )

@@ -13,13 +13,13 @@ import numpy as np
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
-from viscodesign.pump.ax.hold import HOLD_SPEED, HOLD_TOLERANCE
+from viscodesign.pump.ax.hold import HOLD_SPEED, HOLD_TOLERANCE, NOUN
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.transactions import NoReplyError
 from viscodesign.pump.ax.servo_pump import ServoPump, speed_register
 from viscodesign.pump.ax.servo_state import read_servo
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.play.axis import FinalServoState
+from viscodesign.pump.play.axis import FinalAxisState
 from viscodesign.pump.play.stream import Stream, wait_for_second_request
 from viscodesign.pump.play.stream_result import StreamResult, TickReport
 from viscodesign.pump.play.ticks import SLICE
@@ -43,8 +43,8 @@ HALT_TRIES = 3
 
 def by_servo(profile: Profile) -> Profile:
     """The profile with its columns in the order of the servos' ids, which must be 1, 2, ..."""
-    order = np.argsort(profile.servos)
-    ids = [profile.servos[k] for k in order]
+    order = np.argsort(profile.axes)
+    ids = [profile.axes[k] for k in order]
     if ids != list(range(1, len(ids) + 1)):
         raise PumpError(
             f"servo ids {', '.join(map(str, sorted(ids)))}; the PyPose firmware takes poses of the "
@@ -53,8 +53,8 @@ def by_servo(profile: Profile) -> Profile:
     return replace(
         profile,
         inlets=tuple(profile.inlets[k] for k in order),
-        servos=tuple(ids),
-        counts=profile.counts[:, order],
+        axes=tuple(ids),
+        steps=profile.steps[:, order],
         pressure=profile.pressure[:, order],
     )
 
@@ -73,8 +73,8 @@ def _resampled(profile: Profile, time: np.ndarray) -> Profile:
     def columns(values: np.ndarray) -> np.ndarray:
         return np.stack([np.interp(time, profile.time, column) for column in values.T], -1)
 
-    counts, pressure = columns(profile.counts), columns(profile.pressure)
-    return replace(profile, time=time, counts=counts, pressure=pressure)
+    counts, pressure = columns(profile.steps), columns(profile.pressure)
+    return replace(profile, time=time, steps=counts, pressure=pressure)
 
 
 def playing_speed(fit: PoseFit) -> int:
@@ -144,7 +144,7 @@ class PosePlayer:
         result = StreamResult()
         try:
             self.board.size_pose(pose_packets.size_pose(self.servos))
-            for servo in self.pump.servos:
+            for servo in self.pump.axes:
                 self.board.set(servo, registers.MOVING_SPEED, playing_speed(self.fit))
             result = self._played()
         except PumpError as error:
@@ -177,7 +177,7 @@ class PosePlayer:
     def _arrived(self) -> StreamResult:
         """Whether the plungers reach the end of the last move, with no errors reported."""
         last = self.fit.sequence.goals()[-1]
-        for servo, goal in zip(sorted(self.pump.servos), last, strict=False):
+        for servo, goal in zip(sorted(self.pump.axes), last, strict=False):
             state = read_servo(self.board, servo)
             if state.errors:
                 return StreamResult(
@@ -193,14 +193,14 @@ class PosePlayer:
                 )
         return StreamResult("complete", "played to its end")
 
-    def _come_to_rest(self) -> list[FinalServoState]:
+    def _come_to_rest(self) -> list[FinalAxisState]:
         """Halt what may be playing, then hold; release the torque after a second stop request.
 
         If the board does not respond, only that is reported.
         """
         if self._began is not None and not self._halted():
             words = "the board is still playing or hangs; switch its power off"
-            return [FinalServoState(servo, False, words) for servo in self.pump.servos]
+            return [FinalAxisState(servo, False, words, NOUN) for servo in self.pump.axes]
         left = [] if self.request.urgent else self.pump.hold()
         if self.request.asked:
             wait_for_second_request(self.request, self.pump.clock)

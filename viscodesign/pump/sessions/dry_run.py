@@ -73,7 +73,7 @@ class NoPressure(Plant):
 
 def rehearse_stream(session: StreamSession) -> Rehearsal:
     """The plan, and the packets that would set something."""
-    line, servos = _simulated_line(session.settings), session.plan.servos
+    line, servos = _simulated_line(session.settings), session.plan.axes
     pump = unmonitored_pump(Simulated(line, servos), session.settings, servos, line.clock)
     stream = session.stream_on(pump, StopRequest(), lambda tick: None)
     pump.connect()
@@ -94,7 +94,7 @@ def rehearse_stream(session: StreamSession) -> Rehearsal:
 
 def rehearse_upload(session: UploadSession) -> Rehearsal:
     """The plan and the packets, those on the way to the start only counted."""
-    line, servos = _simulated_line(session.settings, poses=True), session.lead.servos
+    line, servos = _simulated_line(session.settings, poses=True), session.lead.axes
     pump = unmonitored_pump(Arbotix(line, servos), session.settings, servos, line.clock)
     request = StopRequest()
 

@@ -14,7 +14,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.hold import stop_all
 from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
 from viscodesign.pump.ax.servo_state import listen
-from viscodesign.pump.play.axis import FinalServoState
+from viscodesign.pump.play.axis import FinalAxisState
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sessions.connection import (
     SCANNED_IDS,
@@ -181,7 +181,7 @@ def stop(
     ids: Sequence[int] = (),
     release: bool = False,
     tell: Tell = ignore,
-) -> list[FinalServoState]:
+) -> list[FinalAxisState]:
     """Halt the board, then hold every servo that answers (or ``release``: switch torque off).
 
     Works in any state and needs no scene. ``ids``: only these servos; by default 1 to 8. Says

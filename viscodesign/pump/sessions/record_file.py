@@ -20,7 +20,7 @@ from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
 FLUSH_INTERVAL_S = 1.0
 """Rows reach the disk this long after they were read, at the latest."""
-SERVO_CHANNELS: dict[tuple[str, str], Callable[[AxisState, int], float]] = {
+SERVO_CHANNELS: dict[tuple[str, str], Callable[[AxisState, int], float | None]] = {
     ("position", "counts"): lambda state, goal: state.position,
     ("goal", "counts"): lambda state, goal: goal,
     ("load", "rel"): lambda state, goal: state.load,
@@ -82,7 +82,7 @@ class Record:
         """One row; ``moment`` is the time of its first column [s]."""
         row: list[float | None] = [moment, *(value() for value in self._more.values())]
         row += [*sample.pressure, *sample.wanted]
-        for servo, state in sample.servos.items():
+        for servo, state in sample.axes.items():
             goal = sample.goals.get(servo, state.goal)
             row += [value(state, goal) for value in SERVO_CHANNELS.values()]
         self._waiting += (",".join(map(_number, row)) + "\n").encode()

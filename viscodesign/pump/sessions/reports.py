@@ -50,7 +50,7 @@ def servo_document(servo: FoundServo) -> dict[str, Any]:
         "firmware": servo.firmware,
         "position_counts": servo.state.position,
         "limits_counts": list(servo.limits),
-        "torque": servo.state.torque,
+        "torque": servo.state.driven,
         "goal_counts": servo.state.goal,
         "load_rel": servo.state.load,
         "voltage_v": servo.state.voltage,
@@ -72,7 +72,7 @@ def _servo_row(servo: FoundServo) -> tuple[str, ...]:
         servo.name,
         f"{state.position}",
         "wheel mode" if servo.turns_endlessly else f"{low} to {high}",
-        "on" if state.torque else "off",
+        "on" if state.driven else "off",
         f"{state.load:+.0%}",
         f"{state.voltage:.1f} V",
         f"{state.temperature:.0f} degC",
@@ -131,7 +131,7 @@ class PlaybackReport:
             "rule": result.rule,
             "hold_verified": result.verified,
             "servos": [
-                {"id": one.servo, "verified": one.verified, "state": one.words}
+                {"id": one.axis, "verified": one.verified, "state": one.words}
                 for one in result.standing
             ],
             "retreat": result.retreat,

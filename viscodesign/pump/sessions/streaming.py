@@ -156,7 +156,7 @@ class StreamSession:
         }
         tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_COLUMNS)}
         with connected(address, self.scene, plant, tell) as link, link.gauges() as gauges:
-            servos = self.plan.servos
+            servos = self.plan.axes
             switches = Switches.of(self.settings, servos)
             pump = ServoPump(link.board, self.settings, servos, gauges, switches, link.clock)
             lines = self._connect(pump)
@@ -209,7 +209,7 @@ class StreamSession:
                 "tick",
                 time_s=tick.time,
                 goals_counts=sample.next_goals,
-                positions_counts={s: state.position for s, state in sample.servos.items()},
+                positions_counts={s: state.position for s, state in sample.axes.items()},
                 pressure_pa_gauge=sample.pressure,
                 wanted_pa_gauge=sample.wanted,
             )

@@ -187,7 +187,7 @@ class UploadSession:
         """
         plant = ActuatorPlant(self.scene) if address.simulated else None
         with connected(address, self.scene, plant, tell, poses=True) as link:
-            pump = unmonitored_pump(link.board, self.settings, self.lead.servos, link.clock)
+            pump = unmonitored_pump(link.board, self.settings, self.lead.axes, link.clock)
             servos = pump.connect()
             lines = [*self.description(), *reports.found_lines(pump.identity, servos)]
             link.log.event("found", lines=lines, fit=self.document())

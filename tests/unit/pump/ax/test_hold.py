@@ -36,7 +36,7 @@ def test_what_moves_stands(name: str, release: bool) -> None:
     moving(pump)
     clock.sleep(2.0)
     board.line.drain()
-    left = {one.servo: one for one in stop_all(board, range(1, 5), clock, release=release)}
+    left = {one.axis: one for one in stop_all(board, range(1, 5), clock, release=release)}
     assert set(left) == {1, 2}
     assert all(one.verified for one in left.values())
     before = pump.servos[0].position
@@ -71,7 +71,7 @@ def test_a_loop_of_poses_ends_when_its_move_is_over() -> None:
     board.line.drain()
     began = clock.now()
     left = stop_all(board, [1, 2], clock)
-    assert [one.servo for one in left] == [1, 2]
+    assert [one.axis for one in left] == [1, 2]
     assert all(one.verified for one in left)
     assert clock.now() - began < 40.0
     before = [servo.position for servo in pump.servos]

@@ -31,7 +31,7 @@ def test_who_is_well_may_be_written_to() -> None:
     "state",
     [
         servo(torque_limit=0),
-        servo(torque=False),
+        servo(driven=False),
         servo(errors=ErrorBits.OVERLOAD),
         servo(errors=ErrorBits.OVERHEAT),
     ],

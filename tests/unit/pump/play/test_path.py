@@ -58,7 +58,7 @@ def test_the_way_back_expects_no_pressure() -> None:
 
 def test_the_pace_is_the_steepest_part_about_a_moment_of_each_servo() -> None:
     uneven = profile([0.0, 10.0, 110.0, 110.0, 110.0], (1, 2))
-    uneven.counts[:, 1] = [0.0, 0.0, 0.0, -30.0, 0.0]
+    uneven.steps[:, 1] = [0.0, 0.0, 0.0, -30.0, 0.0]
     course = TargetPath(uneven, 0.0, 0.0)
     assert course.paces(0.5) == {1: 10.0, 2: 0.0}
     assert course.paces(1.0 - 1.01 * AROUND) == {1: 10.0, 2: 0.0}

@@ -151,7 +151,7 @@ def test_a_lost_command_may_be_lost_twice() -> None:
 
 
 def test_a_servo_that_restarted_is_noticed_at_once() -> None:
-    reason = Obedience().check(sample(state=servo(torque=False)))
+    reason = Obedience().check(sample(state=servo(driven=False)))
     assert reason is not None
     assert "restarted" in reason
 
@@ -201,12 +201,13 @@ def two(
     goals = {number: state.goal for number, state in states.items()}
     return Sample(
         time=0.0,
-        servos=states,
+        axes=states,
         pressure=pressure,
         wanted=wanted,
         pressed={4: frozenset(), 7: frozenset(pressed.split())},
         goals=goals,
         next_goals={4: goals[4] + steps[0], 7: goals[7] + steps[1]},
+        noun="servo",
     )
 
 

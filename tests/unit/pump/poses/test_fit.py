@@ -67,7 +67,7 @@ def played_error(wanted: Profile, fit: PoseFit) -> float:
     fine = np.union1d(fine, corners[corners <= fit.duration])
     return max(
         float(np.abs(np.interp(fine, instants, c) - np.interp(pace * fine, wanted.time, w)).max())
-        for c, w in zip(counts.T, wanted.counts.T, strict=True)
+        for c, w in zip(counts.T, wanted.steps.T, strict=True)
     )
 
 
@@ -115,7 +115,7 @@ def test_common_profiles_are_played_closely(wanted: Profile, most: float, loop: 
 
 def test_two_servos_share_their_moves() -> None:
     one, two = sine(3.0, 150.0), sine(3.0, 80.0, shift=0.2)
-    wanted = profile(one.time, one.counts[:, 0], two.counts[:, 0])
+    wanted = profile(one.time, one.steps[:, 0], two.steps[:, 0])
     fit = fit_poses(wanted, loop=True)
     check(wanted, fit)
     assert fit.largest_error < 1.2

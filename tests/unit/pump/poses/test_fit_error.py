@@ -66,7 +66,7 @@ def test_a_coarse_fit_is_refused_with_a_remedy(fit: PoseFit) -> None:
 
 def test_an_open_loop_is_refused_with_its_gap() -> None:
     half = swing()
-    half = replace(half, time=half.time[:31], counts=half.counts[:31], pressure=half.pressure[:31])
+    half = replace(half, time=half.time[:31], steps=half.steps[:31], pressure=half.pressure[:31])
     fit = fit_poses(half, loop=True)
     # It cannot be at both ends at once: half of the gap is the least.
     assert fit.largest_error == pytest.approx(40.0, abs=2.0)

@@ -179,7 +179,7 @@ def test_ids_have_to_count_from_one() -> None:
     with pytest.raises(PumpError, match="takes poses of the servos 1 to 2 only"):
         by_servo(swing((1, 3)))
     turned = by_servo(swing((2, 1)))
-    assert turned.servos == (1, 2)
+    assert turned.axes == (1, 2)
     assert turned.inlets == ("inlet1", "inlet2")
 
 
@@ -188,11 +188,11 @@ def test_a_lead_is_divided_from_the_rest() -> None:
     lead, rest = split_at(whole, 0.5)
     assert lead.time[-1] == 0.5
     assert rest.time[0] == 0.0
-    assert rest.counts[0] == lead.counts[-1] == whole.at(0.5)
+    assert rest.steps[0] == lead.steps[-1] == whole.at(0.5)
     assert rest.duration == pytest.approx(whole.duration - 0.5)
     none, all_of_it = split_at(whole, 0.0)
     assert none.time.tolist() == [0.0]
-    assert np.array_equal(all_of_it.counts, whole.counts)
+    assert np.array_equal(all_of_it.steps, whole.steps)
 
 
 def test_a_plunger_that_did_not_follow_is_told() -> None:
