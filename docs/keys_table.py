@@ -16,6 +16,7 @@ from viscodesign.scene.bellows import Bellows
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.reading.field_lookup import alternatives, entry_of, quantity_of
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.uncertainty import Uncertainty
@@ -45,6 +46,8 @@ def sections() -> Iterator[Section]:
                 yield "effects", "Names of effects, each with its mode.", _effect_rows()
             elif model is Uncertainty:
                 yield name, _summary(model), _uncertainty_rows()
+            elif issubclass(model, PumpSpec):
+                yield f"{name} of kind {model.name}", _summary(model), list(_rows(name, model))
             elif not issubclass(model, Input):
                 yield f"{name}", _summary(model), list(_rows(EXAMPLE_PATHS.get(name, name), model))
     for kind, model in INPUT_KINDS.items():

@@ -19,7 +19,10 @@ PACKAGE = ROOT / "viscodesign"
 LAYERS = [
     ["cli", "__main__"],
     ["pump.sessions", "pump.report"],
-    ["pump.poses", "pump.planning"],
+    ["pump.kinds"],
+    ["pump.poses"],
+    ["pump.plunger"],
+    ["pump.planning"],
     ["pump.ax"],
     ["pump.play", "pump.simulated"],
     ["pump.sensors", "pump.boards"],

@@ -9,23 +9,24 @@ import numpy as np
 
 from tests.trajectories import made_run
 from viscodesign.pump.planning.plan import plan as plan_pump
-from viscodesign.pump.planning.result import PumpCourse, PumpPlan, PumpVerdict
+from viscodesign.pump.planning.result import PumpPlan, PumpVerdict
+from viscodesign.pump.plunger.plunger_course import PlungerCourse
 from viscodesign.pump.profile import Profile
 from viscodesign.scene.scene import Scene
 
 
-def made_course(profile: Profile, lead: float = 0.0) -> PumpCourse:
+def made_course(profile: Profile, lead: float = 0.0) -> PlungerCourse:
     """A course through a profile's counts; of its other columns only what is told."""
     shape = profile.steps.shape
     none = np.zeros(shape)
-    return PumpCourse(
+    return PlungerCourse(
         time=profile.time,
         lead_s=lead,
         pressure=profile.pressure,
         given=none,
         position=none,
         volume=0.0725e-6 * (profile.steps - profile.steps[0]),
-        count=profile.steps,
+        steps=profile.steps,
         flow=none,
         torque=none,
         stall_share=np.full(shape, 0.12),
@@ -61,20 +62,24 @@ def made_plan(profile: Profile, lead: float = 0.0, *, feasible: bool = True) -> 
         failure=None,
         inlets=profile.inlets,
         axes=profile.axes,
+        noun="servo",
+        unit="counts",
         device="AX-18A",
         wanted=course,
-        achievable=replace(course, count=np.round(course.count)),
+        achievable=replace(course, steps=np.round(course.count)),
         wanted_run=run,
         achievable_run=run,
         deviation=np.zeros(2),
         clipped=(),
         sweeps=1,
-        unsettled_counts=0.0,
+        unsettled_steps=0.0,
         verdicts=(verdict,),
         together=(),
         numbers={name: numbers for name in profile.inlets},
         limits={"fifth_nm": 0.36, "stall_nm": 1.8},
         warnings=(),
+        words={},
+        panels=(),
     )
 
 

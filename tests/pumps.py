@@ -8,15 +8,16 @@ from typing import Any
 from tests.rig.full import FullServo
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.simulated.bench import ClosedGas, Plant, SimulatedBench
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
+from viscodesign.pump.simulated.plant import Plant
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 HOME = 200
 
 
-def pump(**settings: Any) -> PumpSpec:
+def pump(**settings: Any) -> ServoPumpSpec:
     given = {"syringe_diameter": 0.0349, "home": HOME, "sensor": {"channel": 0}}
-    return PumpSpec.model_validate(given | settings)
+    return ServoPumpSpec.model_validate(given | settings)
 
 
 def bench(*ids: int, plant: Plant | None = None, **settings: Any) -> SimulatedBench:

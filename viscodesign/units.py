@@ -333,6 +333,7 @@ AreaPerForce = Annotated[float, QuantityKind("area per force", "m^2/N", "3.0e-7 
 AreaPerMoment = Annotated[float, QuantityKind("area per moment", "m^2/(N*m)", "1.2e-6 m^2/(N*m)")]
 GasConstant = Annotated[float, QuantityKind("specific gas constant", "J/(kg*K)", "287 J/(kg*K)")]
 Volume = Annotated[float, QuantityKind("volume", "m^3", "5 mL")]
+PressureRate = Annotated[float, QuantityKind("pressure rate", "Pa/s", "50 kPa/s")]
 Speed = Annotated[float, QuantityKind("speed", "m/s", "5 mm/s")]
 Area = Annotated[float, QuantityKind("area", "m^2", "1e-5 m^2")]
 Voltage = Annotated[float, QuantityKind("voltage", "V", "11.1 V")]

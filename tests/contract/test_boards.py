@@ -19,7 +19,7 @@ from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, Packet
 from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.boards.base import Board, Goal
-from viscodesign.pump.sessions.open_board import boards
+from viscodesign.pump.sessions.board_names import boards
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import Device, DirectLine
 from viscodesign.pump.simulated.pypose import PyPose

@@ -18,14 +18,14 @@ from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.kinds.servo import simulated_bench
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import RecordingError, StreamResult
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.pump.sessions.open_board import simulated_bench
 from viscodesign.pump.simulated.device import DirectLine
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 
 class Ramp(Rig):
@@ -106,7 +106,7 @@ def test_a_run_that_never_gets_to_its_last_target_is_not_complete() -> None:
 
 def blocked(speed: float, cap: float, on_stop: str = "hold") -> tuple[StreamResult, float, int]:
     """Against a closed outlet: how it ended, the pressure 5 s later, and the torque limit then."""
-    spec = PumpSpec.model_validate(
+    spec = ServoPumpSpec.model_validate(
         {"syringe_diameter": 0.0349, "filled_length": 0.06, "dead_volume": 0, "max_pressure": cap}
     )
     bench, clock = simulated_bench(spec), SteppedClock()

@@ -22,14 +22,14 @@ from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.kinds.servo import simulated_bench
 from viscodesign.pump.play.path import AROUND
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.pump.sessions.open_board import simulated_bench
 from viscodesign.pump.simulated.device import DirectLine
-from viscodesign.scene.pump import PumpSpec as Settings
+from viscodesign.scene.pumps.servo import ServoPumpSpec as Settings
 
 CAP = 25e3
 """Gauge [Pa]."""

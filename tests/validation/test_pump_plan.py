@@ -12,17 +12,18 @@ import pytest
 from tests.scenes import CONFIGS, leg
 from viscodesign import PumpPlan, Scene, plan, simulate
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import Barrel, feed_line_at
+from viscodesign.pump.planning.demand_kinds import pump_of
+from viscodesign.pump.planning.feed_line import feed_line_at
 from viscodesign.pump.planning.limits import verdicts
 from viscodesign.pump.planning.motion import active_effects
 from viscodesign.pump.planning.plan import requested_motion
 from viscodesign.pump.planning.scene_variants import (
     planned,
-    pump_of,
     with_effects_of,
     with_inputs,
 )
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
+from viscodesign.pump.plunger.barrel import Barrel
 from viscodesign.pump.report.plan_folder import plan_columns, write_plan
 
 AMBIENT = 101325.0

@@ -17,6 +17,7 @@ from viscodesign.interrupt import StopRequest
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.kinds.servo import ServoKind
 from viscodesign.pump.planning.plan import plan
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
@@ -25,7 +26,6 @@ from viscodesign.pump.play.stream_result import StreamResult, TickReport
 from viscodesign.pump.sensors.base import BoardAnalog
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.pump.sessions.open_board import simulated_line
 
 RATE = 30.0
 SENSOR_STEP = 1.0 / 256 / 0.002421 * 1e3
@@ -52,7 +52,7 @@ def rehearsal() -> Rehearsal:
     planned = plan(scene)
     clock, plant = SteppedClock(), ActuatorPlant(scene)
     ambient = scene.ambient_pressure
-    board = Simulated(simulated_line(scene.pump, clock, plant, ambient), planned.axes)
+    board = Simulated(ServoKind().simulated_line(scene.pump, clock, plant, ambient), planned.axes)
     gauges = PressureReadings([BoardAnalog(board, 0).absolute], ambient)
     pump = ServoPump(board, scene.pump, planned.axes, gauges, Switches({}), clock)
     rows: list[tuple[float, ...]] = []

@@ -9,7 +9,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.servo_motor import LARGEST_SPEED, SERVOS, SPEED_UNIT, ServoType
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 COUNTS_PER_TURN = 1024 * 360.0 / 300.0
 """The servo's 1024 counts span 300 degrees (e-manual of AX-12A and AX-18A, Goal Position)."""
@@ -23,7 +23,7 @@ class Drive:
     ambient pushes on the plunger's other side. Torques are positive where the servo pushes in.
     """
 
-    pump: PumpSpec
+    pump: ServoPumpSpec
 
     @property
     def servo(self) -> ServoType:

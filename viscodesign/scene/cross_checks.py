@@ -19,7 +19,7 @@ from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.network import Network
 from viscodesign.scene.pressure_levels import bare_levels
-from viscodesign.scene.pump import PARTS_PER_INLET, PumpSpec
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.sections import section_faults
 from viscodesign.scene.spec_part import KeyFault, KeyPath, faults_of
 
@@ -157,8 +157,8 @@ def _syringe_fluids(
 
 def _pump_parts(pump: PumpSpec | None, inputs: Mapping[str, Input]) -> Iterator[KeyFault]:
     """Parts of the pump per inlet: one for each inlet and no others."""
-    for key, description in PARTS_PER_INLET.items():
-        parts = getattr(pump, key, None)
+    for key, description in (pump.parts_per_inlet if pump else {}).items():
+        parts = getattr(pump, key)
         if not isinstance(parts, Mapping):
             continue
         known = ", ".join(inputs)

@@ -26,7 +26,8 @@ from viscodesign.scene.inputs.base import Input, Surroundings
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import Network
 from viscodesign.scene.pressure_levels import with_levels_above
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pump import AnyPump
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.sections import SectionChange, Sections
 from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_below, invalid, raise_faults
@@ -112,7 +113,7 @@ class Scene(SpecPart):
         "[low, high]; or typical, for all coefficients",
     )
     run: RunSettings = Field(description="Duration, outputs and initial state")
-    pump: PumpSpec | None = Field(None, description="The syringe pump, for the pump commands")
+    pump: AnyPump | None = Field(None, description="The pump, for the pump commands")
 
     _source: Provenance = PrivateAttr(default_factory=Provenance)
 

@@ -199,7 +199,7 @@ def test_a_real_board_with_an_unmonitored_inlet_is_refused(
 
 def test_going_without_one_sensor_keeps_the_others() -> None:
     from viscodesign import load
-    from viscodesign.pump.sessions.required_sensors import with_sensors
+    from viscodesign.pump.sensors.required_sensors import with_sensors
 
     words = [word for word in PUMP if word != "--set"]
     some = load(TWO, [*words, ONE_SENSOR[1]])

@@ -9,7 +9,7 @@ import pytest
 
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS, SPEED_UNIT, STEADY_SHARE
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 AX18A, AX12A = SERVOS["ax18a"], SERVOS["ax12a"]
 PINION = 29.6e-3
@@ -20,7 +20,7 @@ GLASS = {"BD": 34.90e-3, "Micro-Mate": 35.70e-3}
 def drive(make: str = "BD", **words: float) -> Drive:
     """A pump of that syringe, at 12 V if nothing else is said."""
     words = {"supply_voltage": 12.0, **words}
-    return Drive(PumpSpec(syringe_diameter=GLASS[make], **words))
+    return Drive(ServoPumpSpec(syringe_diameter=GLASS[make], **words))
 
 
 def test_the_makers_numbers() -> None:

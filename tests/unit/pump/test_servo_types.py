@@ -12,11 +12,11 @@ from viscodesign.pump.ax.servo_pump import axis_limits
 from viscodesign.pump.servo_motor import SERVOS, ServoType, model_title
 from viscodesign.pump.simulated.motor import MOTORS
 from viscodesign.pump.simulated.servo import SimulatedServo
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 
 def test_every_type_may_be_named_in_a_spec() -> None:
-    assert set(get_args(PumpSpec.model_fields["servo"].annotation)) == set(SERVOS)
+    assert set(get_args(ServoPumpSpec.model_fields["servo"].annotation)) == set(SERVOS)
 
 
 @pytest.mark.parametrize("name", SERVOS)

@@ -10,12 +10,12 @@ from tests.scenes import CONFIGS, leg
 from viscodesign.errors import SpecError
 from viscodesign.loading import schema
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.reading.write import resolved_yaml
 
 
-def pump(words: str, *others: str) -> PumpSpec:
+def pump(words: str, *others: str) -> ServoPumpSpec:
     found = leg(f"pump={{syringe_diameter: 34.9 mm, {words}}}", *others).pump
     assert found is not None
     return found
@@ -90,7 +90,7 @@ def test_a_pump_survives_a_round_trip(given: str) -> None:
 # -- several inlets -------------------------------------------------------------------------
 
 
-def two_inlets(words: str) -> PumpSpec:
+def two_inlets(words: str) -> ServoPumpSpec:
     ids = "servo_id: {right: 2, left: 1}"
     found = leg(
         f"pump={{syringe_diameter: 34.9 mm, {ids}, {words}}}", config="antagonistic_two_inlets"

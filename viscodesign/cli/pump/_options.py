@@ -14,10 +14,15 @@ if TYPE_CHECKING:
 
 Board = Annotated[
     str,
-    typer.Option("--board", metavar="NAME", help="dynamixel, arbotix, arbotix-ros or simulated."),
+    typer.Option(
+        "--board",
+        metavar="NAME",
+        help="dynamixel, arbotix, arbotix-ros, regulator or simulated.",
+    ),
 ]
 RealBoard = Annotated[
-    str, typer.Option("--board", metavar="NAME", help="dynamixel, arbotix or arbotix-ros.")
+    str,
+    typer.Option("--board", metavar="NAME", help="dynamixel, arbotix, arbotix-ros or regulator."),
 ]
 Port = Annotated[
     str | None,
@@ -44,7 +49,7 @@ Pace = Annotated[
     ),
 ]
 OptionalSpec = Annotated[
-    Path | None, typer.Argument(metavar="[SPEC]", help="Names servos, sensors and switches.")
+    Path | None, typer.Argument(metavar="[SPEC]", help="Names the pump, its sensors and switches.")
 ]
 Achievable = Annotated[
     bool,

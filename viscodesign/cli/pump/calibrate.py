@@ -1,4 +1,4 @@
-"""`viscodesign pump calibrate`: where home and the ends of travel are, kept in the servo too."""
+"""`viscodesign pump calibrate`: where home and the ends of travel are, kept in the pump too."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def command(
     ] = False,
     rename: Annotated[
         str | None,
-        typer.Option("--rename", metavar="OLD=NEW", help="Give a servo another id first."),
+        typer.Option("--rename", metavar="OLD=NEW", help="Give an axis another id first."),
     ] = None,
     write: Annotated[
         bool, typer.Option("--write", help="Put home and travel into the spec's file.")
@@ -42,12 +42,12 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Find home and travel, and keep them in the servo.
+    """Find home and travel, and keep them in the pump.
 
-    Its own angle limits are set to the travel. Against limit switches where the spec names
-    them, slowly and with little torque; else by hand, with the torque off. The only command
-    that writes what a servo keeps without power: ids, angle limits and whether it answers;
-    only what differs, and each is asked for.
+    Against limit switches where the spec names them, slowly and with little torque; else by
+    hand, with the torque off. Angle limits are set to the travel. The only command that
+    writes what a pump keeps without power: ids, angle limits and whether it answers; only
+    what differs, and each is asked for. A pump with nothing to calibrate is refused.
     """
     from viscodesign import load
     from viscodesign.cli.confirm import asking

@@ -1,4 +1,4 @@
-"""`viscodesign pump plan`: a spec in, its plunger's motion and its limits out."""
+"""`viscodesign pump plan`: a spec in, its pump's motion and its limits out."""
 
 from __future__ import annotations
 
@@ -40,19 +40,19 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Turn wanted pressures into plunger motion, and check it against the pump's limits.
+    """Turn wanted pressures into the pump's motion, and check it against its limits.
 
-    Simulates the spec with its coupled model; checks torque, speed, travel, suction,
-    resolution and battery at the pressure of each moment; names the smallest changes where
-    a limit is exceeded; and simulates what the pump would do instead. Writes plan.csv,
-    plan.json and plan.png. Exits with 4 where the plan is infeasible.
+    Simulates the spec with its coupled model; checks what limits its kind of pump (torque,
+    speed, travel, suction, battery; or range and rate) at each moment; names the smallest
+    changes where a limit is exceeded; and simulates what the pump would do instead. Writes
+    plan.csv, plan.json and plan.png. Exits with 4 where the plan is infeasible.
     """
     pictures = picture_options(picture_format, style, width)
     from viscodesign import plan
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.texts.plan_text import plan_lines
-    from viscodesign.pump.planning.scene_variants import pump_of
+    from viscodesign.pump.planning.demand_kinds import pump_of
     from viscodesign.pump.report.plan_folder import plan_document, write_plan
     from viscodesign.report.folder import prepare_folder
 

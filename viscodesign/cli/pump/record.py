@@ -41,8 +41,8 @@ def command(
 ) -> None:
     """Record what the pump's sensors show.
 
-    Pressure, position, load, voltage and temperature; only reads, no torque. The columns are
-    the simulator's and those of `pump stream`. Without a spec all servos that answer are
+    Pressure, position, and what else an axis reports; only reads. The columns are the
+    simulator's and those of `pump stream`. Without a spec all axes that answer are
     recorded, and no pressure.
     """
     from viscodesign.cli.output import complain, json_text, say

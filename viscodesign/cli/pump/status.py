@@ -28,10 +28,10 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Show the servos that answer.
+    """Show the axes that answer: servos, or a regulator.
 
-    With a spec, pressure and switches too. Only reads: no torque is switched, nothing is
-    written to a servo. Exits with 4 where a servo must not be moved as it is, and says why.
+    With a spec, pressure and switches too. Only reads: nothing is switched, nothing is
+    written. Exits with 4 where an axis must not be moved as it is, and says why.
     """
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.pump import BoardAddress, status
@@ -48,10 +48,10 @@ def command(
 
 def _lines(found: PumpStatus) -> list[str]:
     from viscodesign.cli.texts.layout import table
-    from viscodesign.pump.sessions.reports import servo_rows
+    from viscodesign.pump.sessions.reports import axis_rows
 
     lines = [f"{found.address.label}{found.identity}"]
-    lines += table(servo_rows(found.servos)) if found.servos else ["  no servo answers"]
+    lines += table(axis_rows(found.axes)) if found.axes else [f"  no {found.noun} answers"]
     for inlet, value in zip(found.inlets, found.pressure or (), strict=False):
         reading = "no sensor" if value is None else f"{value / 1e3:.2f} kPa gauge"
         name = f" of {inlet}" if len(found.inlets) > 1 else ""

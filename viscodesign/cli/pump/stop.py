@@ -22,20 +22,18 @@ def command(
     baud: Baud = None,
     ids: Annotated[
         list[int] | None,
-        typer.Option("--id", metavar="N", help="Only this servo; repeatable. By default 1 to 8."),
+        typer.Option("--id", metavar="N", help="Only this axis; repeatable. By default all."),
     ] = None,
-    release: Annotated[
-        bool, typer.Option("--release", help="Drop the torque; pressure may push the plunger.")
-    ] = False,
+    release: Annotated[bool, typer.Option("--release", help="Drop the torque, or vent.")] = False,
     log: Log = None,
     json: Json = False,
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Halt the board and hold every servo.
+    """Halt the board and hold every axis that answers.
 
-    Works in any state and asks nothing. Says of each servo whether that was verified, and
-    exits with 4 where it was not. A servo without torque is left without.
+    Works in any state and asks nothing. Says of each whether that was verified, and exits with 4
+    where it was not. A servo without torque is left without; a regulator holds its outlet.
     """
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.pump import BoardAddress, stop
@@ -45,10 +43,9 @@ def command(
         return say("nothing to stop: a simulated pump lives only as long as its command")
     left = stop(address, ids=ids or (), release=release, tell=complain)
     if json:
-        servos = [{"id": s.axis, "verified": s.verified, "state": s.words} for s in left]
-        say(json_text({"board": board, "servos": servos}))
+        say(json_text({"board": board, f"{left[0].noun}s": [one.document() for one in left]}))
     elif not quiet:
         say("\n".join(str(one) for one in left))
     if not all(one.verified for one in left):
-        raise PumpError("not verified for every servo: look at the pump, or switch its power off")
+        raise PumpError("not verified for every axis: look at the pump, or switch its power off")
     return None

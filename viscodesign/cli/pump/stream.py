@@ -28,7 +28,7 @@ def command(
     on_stop: Annotated[
         str,
         typer.Option(
-            "--on-stop", metavar="WHAT", help="At any end: hold, release (no torque), or retract."
+            "--on-stop", metavar="WHAT", help="At any end: hold, release (no force), or retract."
         ),
     ] = "hold",
     achievable: Achievable = False,
@@ -57,9 +57,9 @@ def command(
 ) -> None:
     """Play a spec's pressures, monitored at every tick.
 
-    Shows the plan and asks before anything moves. Every tick reads position, load, voltage,
-    temperature and pressure, and stops at the first broken rule. Ctrl-C holds the plunger
-    where it is; pressed again within 3 s, it drops the torque. Writes record.csv, with the
+    Shows the plan and asks before anything moves. Every tick reads the pump and its
+    pressures, and stops at the first broken rule. Ctrl-C holds it where it is; pressed
+    again within 3 s, it drops the torque or vents. Writes record.csv, with the
     simulator's columns, record.json and log.jsonl (every byte) to one folder.
     """
     from viscodesign.cli.confirm import asking

@@ -13,7 +13,7 @@ from viscodesign.errors import UsageError
 from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
-    from viscodesign.pump.sessions.uploading import Playback, UploadSession
+    from viscodesign.pump.poses.upload import Playback, PoseUpload
 
 EXAMPLE = """\b
 Examples:
@@ -82,16 +82,16 @@ def command(
     from viscodesign.pump.sessions.dry_run import rehearse_upload
     from viscodesign.pump.sessions.uploading import UploadSession, refuse_board
 
-    refuse_board(board)
+    scene = read_scene(spec, overrides)
+    refuse_board(board, scene)
     address = BoardAddress(board, port, baud, log=log)
     playable = port is not None or address.simulated
     _refuse_options(play, loop, playable or bool(export or picture or dry_run))
-    scene = read_scene(spec, overrides)
     playback: Playback = "loop" if loop else "once" if play else "none"
     with progress(quiet, "planning and fitting", "planning") as advance:
         session = UploadSession(scene, tolerance, playback, achievable, advance)
-    files = _write(session, export, picture, pictures, force)
-    document, lines, report = session.document(), session.description(), None
+    files = _write(session.poses, export, picture, pictures, force)
+    document, lines, report = session.poses.document(), session.description(), None
     if files:
         document |= {"status": "written", "files": [str(file) for file in files]}
     if dry_run:
@@ -126,7 +126,7 @@ def _refuse_options(play: bool, loop: bool, has_target: bool) -> None:
 
 
 def _write(
-    session: UploadSession,
+    poses: PoseUpload,
     export: Path | None,
     picture: Path | None,
     pictures: PictureOptions,
@@ -142,8 +142,8 @@ def _write(
     if existing and not force:
         raise UsageError(f"{existing[0]} exists and is not overwritten; choose another, or --force")
     if export is not None:
-        write_text(export, session.header(), overwrite=force)
+        write_text(export, poses.header(), overwrite=force)
     if picture is not None:
         with drawn_as(pictures):
-            draw_fit(session.fit, session.plan.wanted_run, picture)
+            draw_fit(poses.fit, poses.plan.wanted_run, picture)
     return files

@@ -16,7 +16,7 @@ from viscodesign.lazy_dataclass import dataclass
 if TYPE_CHECKING:
     from viscodesign.pump.planning.result import PumpPlan
     from viscodesign.pump.play.stream_result import TickReport
-    from viscodesign.scene.pump import PumpSpec
+    from viscodesign.scene.pumps.base import PumpSpec
 
 REDRAW_INTERVAL_S = 0.1
 """On a terminal."""

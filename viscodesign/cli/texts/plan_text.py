@@ -18,8 +18,8 @@ def plan_lines(plan: PumpPlan, folder: Path, files: Sequence[Path]) -> list[str]
     """Limits, changes, and what the pump would do."""
     alone = len(plan.inlets) == 1
     lines = [f"{plan.name}: {'feasible' if plan.is_feasible else 'INFEASIBLE'}", ""]
-    for inlet, servo in zip(plan.inlets, plan.axes, strict=True):
-        lines += [*_drive(plan, inlet, servo), ""]
+    for inlet in plan.inlets:
+        lines += [*table(plan.words[inlet]), ""]
         own = [v for v in plan.verdicts if v.inlet == inlet]
         lines += ["limits" if alone else f"limits of {inlet}", *table([_row(v) for v in own]), ""]
     lines += [*_changes(plan), *_outcome(plan)]
@@ -32,35 +32,6 @@ def plan_lines(plan: PumpPlan, folder: Path, files: Sequence[Path]) -> list[str]
 def _row(verdict: PumpVerdict) -> tuple[str, str, str, str]:
     percent = ">9900 %" if verdict.ratio > 99.0 else f"{100 * verdict.ratio:.0f} %"
     return MARKS[verdict.severity], verdict.name, percent, verdict.message
-
-
-def _drive(plan: PumpPlan, inlet: str, servo: int) -> list[str]:
-    """The drive in numbers."""
-    n = plan.numbers[inlet]
-    pressures = ("stall", "steady", "lowest", "highest")
-    kpa = {name: n[f"{name}_pressure_pa_gauge"] / 1e3 for name in pressures}
-    rows = [
-        ("drive", f"{plan.device}, id {servo}, for the inlet '{inlet}'"),
-        ("stall", f"{kpa['stall']:.4g} kPa gauge; a fifth of it is {kpa['steady']:.3g} kPa"),
-        (
-            "counts",
-            f"{n['counts_per_ml']:.3g} per mL; per kPa {n['counts_per_kpa_fast']:.3g} at first, "
-            f"{n['counts_per_kpa_slow']:.3g} once the actuator has followed",
-        ),
-        (
-            "travel",
-            f"{1e6 * n['travel_volume_m3']:.3g} mL; {1e3 * n['filled_length_m']:.4g} mm of the "
-            "barrel filled at home",
-        ),
-        (
-            "needs",
-            f"{kpa['lowest']:.4g} to {kpa['highest']:.4g} kPa gauge, "
-            f"{number(n['largest_torque_nm'], 'N m')}, "
-            f"{1e6 * n['largest_flow_m3_s']:.3g} mL/s, {number(n['largest_current_a'], 'A')}",
-        ),
-        ("lead-in", f"{number(n['lead_in_s'], 's')} from home to the pressure of the start"),
-    ]
-    return table(rows)
 
 
 def _changes(plan: PumpPlan) -> Iterator[str]:
@@ -101,11 +72,11 @@ def _outcome(plan: PumpPlan) -> Iterator[str]:
     total = ", ".join(filter(None, (total, plan.error_qualifier)))
     yield "what the pump would do"
     deviation = number(1e3 * plan.deviation_m, "mm")
-    life = plan.limits["battery_life_s"]
+    life = plan.limits.get("battery_life_s")
     yield from table(
         [
             ("tip", f"up to {deviation} off its wanted path; errors of both runs: {total}"),
-            ("battery", _battery(life)),
+            *([] if life is None else [("battery", _battery(life))]),
             *(("cut off", words) for words in plan.clipped),
         ]
     )

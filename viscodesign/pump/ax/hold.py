@@ -5,7 +5,7 @@ Needs no spec, so that `pump stop` works without one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import registers
@@ -14,13 +14,12 @@ from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_regist
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import FinalAxisState
+from viscodesign.pump.play.verified import until_verified
 
 NOUN = "servo"  # what an axis is called in messages
 HOLD_SPEED = 20
 """Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
 HOLD_TOLERANCE = 40  # A held plunger stands this close to its goal, or it is not held [counts]
-RETRY_PAUSE_S = 0.02  # between tries [s]
-HOLD_TIMEOUT_S = 1.0  # to try for a verified hold [s]
 LONGEST_MOVE_S = 40.0
 """A board that plays by itself may not listen for so long: its moves last up to 32.8 s [s]."""
 HALT_INTERVAL_S = 2.0  # between two halts of such a board [s]
@@ -41,29 +40,12 @@ def hold(
     are known. A servo without torque is left so: nothing drives it.
     """
     last, aims = positions if positions is not None else {}, goals or {}
-    return _for_each(servos, clock, lambda servo: _hold(board, servo, last, aims.get(servo)))
+    return until_verified(servos, clock, lambda servo: _hold(board, servo, last, aims.get(servo)))
 
 
 def release(board: Board, servos: Sequence[int], clock: Clock) -> list[FinalAxisState]:
     """Switch torque off, and read back that it is."""
-    return _for_each(servos, clock, lambda servo: _release(board, servo))
-
-
-def _for_each(
-    servos: Sequence[int], clock: Clock, attempt: Callable[[int], FinalAxisState]
-) -> list[FinalAxisState]:
-    """Try each servo in turns until it is verified or the time is over; at least once."""
-    deadline = clock.now() + HOLD_TIMEOUT_S
-    left: dict[int, FinalAxisState] = {}
-    waiting = list(servos)
-    while waiting:
-        left |= {servo: attempt(servo) for servo in waiting}
-        waiting = [servo for servo in waiting if not left[servo].verified]
-        if clock.now() >= deadline:
-            break
-        if waiting:
-            clock.sleep(RETRY_PAUSE_S)
-    return [left[servo] for servo in servos]
+    return until_verified(servos, clock, lambda servo: _release(board, servo))
 
 
 def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> FinalAxisState:

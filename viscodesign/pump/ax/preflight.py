@@ -9,8 +9,9 @@ from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.ax.servo_state import ServoState, read_anyway, read_servo
 from viscodesign.pump.boards.base import Board
+from viscodesign.pump.play.axis import FoundAxis
 from viscodesign.pump.servo_motor import SERVOS, model_title
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 LOWEST_VOLTAGE = 10.0
 """Below it a battery of three lithium cells is ruined; its servo would go on to 6 V [V]."""
@@ -41,6 +42,36 @@ class FoundServo:
     def turns_endlessly(self) -> bool:
         return self.limits == (0, 0)
 
+    def axis(self, pump: ServoPumpSpec | None) -> FoundAxis:
+        """It for people and programs; with a spec, whether it may be moved."""
+        state, (low, high) = self.state, self.limits
+        cells = {
+            "id": f"{self.id}",
+            "model": self.name,
+            "position": f"{state.position}",
+            "limits": "wheel mode" if self.turns_endlessly else f"{low} to {high}",
+            "torque": "on" if state.driven else "off",
+            "load": f"{state.load:+.0%}",
+            "voltage": f"{state.voltage:.1f} V",
+            "heat": f"{state.temperature:.0f} degC",
+            "state": state.complaint or "ok",
+        }
+        document = {
+            "id": self.id,
+            "model": self.name,
+            "firmware": self.firmware,
+            "position_counts": state.position,
+            "limits_counts": list(self.limits),
+            "torque": state.driven,
+            "goal_counts": state.goal,
+            "load_rel": state.load,
+            "voltage_v": state.voltage,
+            "temperature_degc": state.temperature,
+            "complaint": state.complaint,
+        }
+        faults = () if pump is None else _faults(self, pump)
+        return FoundAxis(self.id, cells, document, [f"servo {self.id}: {f}" for f in faults])
+
 
 def identify(board: Board, servo: int) -> FoundServo:
     """Read what a servo is and its state; changes nothing."""
@@ -55,12 +86,7 @@ def identify(board: Board, servo: int) -> FoundServo:
     )
 
 
-def blocking_faults(servo: FoundServo, pump: PumpSpec) -> list[str]:
-    """Why it must not be moved, each with what to do."""
-    return [f"servo {servo.id}: {fault}" for fault in _faults(servo, pump)]
-
-
-def _faults(servo: FoundServo, pump: PumpSpec) -> Iterator[str]:
+def _faults(servo: FoundServo, pump: ServoPumpSpec) -> Iterator[str]:
     state, (low, high) = servo.state, pump.travel
     if servo.model != SERVOS[pump.servo].model:
         title = SERVOS[pump.servo].title

@@ -8,24 +8,18 @@ from dataclasses import replace
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import HOLD_SPEED, NOUN, hold, release
-from viscodesign.pump.ax.preflight import (
-    HIGHEST_TEMPERATURE,
-    LOWEST_VOLTAGE,
-    FoundServo,
-    blocking_faults,
-    identify,
-)
+from viscodesign.pump.ax.preflight import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE, identify
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_limit
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.drive import COUNTS_PER_TURN, Drive
-from viscodesign.pump.play.axis import AxisLimits, FinalAxisState
+from viscodesign.pump.play.axis import AxisLimits, FinalAxisState, FoundAxis
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
 """Counts per second of one unit of the speed register."""
@@ -50,30 +44,28 @@ ARMED_TOLERANCE = 3
 class ServoPump(Pump):
     """Servos of one spec on one board, each with a plunger; a step is a count."""
 
+    board: Board
+
     def __init__(
         self,
         board: Board,
-        settings: PumpSpec,
+        settings: ServoPumpSpec,
         servos: Sequence[int],
         gauges: PressureReadings,
         switches: Switches,
         clock: Clock,
     ) -> None:
-        super().__init__(servos, axis_limits(settings), gauges, lambda: switches.read(board), clock)
-        self.board = board
-        self.settings = settings
-        self.identity = ""  # what the board said of itself
+        limits = axis_limits(settings)
+        super().__init__(
+            board, settings, servos, limits, gauges, lambda: switches.read(board), clock
+        )
         self.torque_limits = TorqueLimits()
 
-    def connect(self) -> list[FoundServo]:
-        """Identify the board and all servos; raises `PumpError` where they must not move."""
-        self.identity = self.board.identify()
+    def _inspect(self) -> tuple[str, list[FoundAxis]]:
+        identity = self.board.identify()
         found = [identify(self.board, servo) for servo in self.axes]
         self.positions = {servo.id: servo.state.position for servo in found}
-        faults = [fault for servo in found for fault in blocking_faults(servo, self.settings)]
-        if faults:
-            raise PumpError("\n".join(["nothing has moved:", *faults]))
-        return found
+        return identity, [servo.axis(self.settings) for servo in found]
 
     def arm(self, speed: float = 0.0) -> None:
         """Torque on where each plunger stands; limits first, each read back."""
@@ -197,7 +189,7 @@ class ServoPump(Pump):
         return release(self.board, self.axes, self.clock)
 
 
-def axis_limits(settings: PumpSpec) -> AxisLimits:
+def axis_limits(settings: ServoPumpSpec) -> AxisLimits:
     """What the servos of a spec can do."""
     return AxisLimits(
         step=Drive(settings).advance_per_count,

@@ -1,21 +1,15 @@
-"""Reading servos: what is known of each at one moment, also of a pump that somebody else moves."""
+"""Reading servos: what is known of each at one moment."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-
 from viscodesign.errors import PumpError
-from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, meaning
 from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.ax.protocol.transactions import ServoError
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.axis import AxisState, Sample
-from viscodesign.pump.play.ticks import Ticks
-from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.play.axis import AxisState
 
 FIRST = registers.TORQUE_ENABLE.address
 LENGTH = registers.PRESENT_TEMPERATURE.address + 1 - FIRST
@@ -91,32 +85,3 @@ def write_register(board: Board, servo: int, register: Register, value: int) -> 
             f"servo {servo}: {register.name} was set to {value}, but reads {held}; "
             "switch the servo off and on, and check its supply and cable"
         )
-
-
-def listen(
-    board: Board,
-    servos: Sequence[int],
-    gauges: PressureReadings,
-    clock: Clock,
-    request: StopRequest,
-    observe: Callable[[float, Sample], None],
-    *,
-    rate: float,
-    duration: float | None,
-) -> Ticks:
-    """Read at a steady rate [Hz] until the time [s] is over or a request to stop; writes nothing.
-
-    ``observe`` is given the time from the start [s] and what was read; no pressure is expected,
-    and the goals are those that the servos hold.
-    """
-    ticks = Ticks(clock, 1.0 / rate)
-    ticks.begin()
-    while not request.asked and (duration is None or ticks.elapsed <= duration):
-        began = ticks.now
-        states = {servo: read_servo(board, servo) for servo in servos}
-        goals = {servo: state.goal for servo, state in states.items()}
-        pressure = gauges.read()
-        expected = (None,) * len(pressure)
-        observe(began, Sample(clock.now(), states, pressure, expected, {}, goals, goals))
-        ticks.wait(lambda: not request.asked)
-    return ticks

@@ -11,7 +11,7 @@ from viscodesign.pump.ax.protocol.registers import FULL
 from viscodesign.pump.ax.servo_state import ServoState
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 ABOVE_CAP = 1.2  # so that the cap in software acts first
 NOTABLE = 32
@@ -22,7 +22,7 @@ servo at its limit shuts itself off; that it is no sooner than this is an assump
 SATURATION_MARGIN = 2  # an output this close to its limit is at it [1/1023 of stall]
 
 
-def torque_limit(pump: PumpSpec, speed: float = 0.0) -> int:
+def torque_limit(pump: ServoPumpSpec, speed: float = 0.0) -> int:
     """Torque limit register [1/1023 of stall] for the pressure cap, friction and a speed.
 
     It limits the output of the servo's controller, and along the straight line of a motor a
@@ -35,13 +35,13 @@ def torque_limit(pump: PumpSpec, speed: float = 0.0) -> int:
     return limit if limit % 256 else limit + 1  # see `TorqueLimits`: no byte that tells is 0
 
 
-def free_speed(pump: PumpSpec) -> float:
+def free_speed(pump: ServoPumpSpec) -> float:
     """Speed of a servo without load, at the spec's supply voltage [counts/s]."""
     servo = SERVOS[pump.servo]
     return servo.no_load_speed * pump.supply_voltage / servo.rated_voltage / COUNT_ANGLE
 
 
-def stalling_pressure(pump: PumpSpec, limit: int) -> float:
+def stalling_pressure(pump: ServoPumpSpec, limit: int) -> float:
     """Gauge pressure that a torque limit can hold against without friction [Pa]."""
     return limit / FULL * Drive(pump).stall_pressure
 

@@ -38,6 +38,7 @@ class Arbotix(Board):
     name = "arbotix"
     baud = 38_400
     streams = False
+    plays_poses = True
     limits_torque = False
     boot = 2.0
     patience = 0.5

@@ -1,17 +1,17 @@
-"""What every board can be asked. By default it passes everything through to the servos' bus."""
+"""What every board of servos can be asked; by default it passes everything through to their bus."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
 from viscodesign.errors import PumpError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import packets, registers
-from viscodesign.pump.ax.protocol.packets import shown
+from viscodesign.pump.ax.protocol.packets import Instruction, shown
 from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.ax.protocol.transactions import Transactions
+from viscodesign.pump.boards.controller import Controller
 from viscodesign.pump.bus.line import Line
 
 MOVING_PATIENCE = 0.05
@@ -42,43 +42,30 @@ class Goal:
             raise PumpError(f"a torque limit of {self.torque}; the register takes 1 to 1023")
 
 
-class Board(ABC):
+class Board(Controller):
     """One kind of board between a serial line and the servos' bus; a board is a file.
 
     Replies are checked for id, length, checksum and error bits. Reads and writes of absolute
     values are repeated where no valid reply came; what starts a motion program never is.
-    Everything raises `PumpError` with what was asked and what came.
     """
 
-    name: ClassVar[str]
-    """Word after `--board`."""
-    baud: ClassVar[int]
-    """Bits a second, where `--baud` says nothing else."""
-    streams: ClassVar[bool] = True
-    """Whether it takes set-points in real time (`pump stream`)."""
-    has_pins: ClassVar[bool] = False
-    """Whether it reads analog and digital pins."""
     limits_torque: ClassVar[bool] = True
     """Whether a move sets torque limits too, in the same transaction."""
-    simulated: ClassVar[bool] = False
-    """Whether nothing real moves; everything it says is labelled so."""
-    boot: ClassVar[float] = 0.0
-    """How long it takes to start, where opening its port resets it [s]."""
     patience: ClassVar[float] = 0.1
     """For a reply [s]."""
 
     def __init__(self, line: Line, servos: Sequence[int] = ()) -> None:
-        self.line = line
+        super().__init__(line, servos)
         self.servos = tuple(servos)  # ids of the servos that should be there, as far as known
         self.wire = Transactions(line, self.patience)
 
-    @abstractmethod
-    def identify(self) -> str:
-        """Name and version of what answers, without moving anything.
+    @staticmethod
+    def sets(request: bytes) -> bool:
+        return request[4:5] in (bytes([Instruction.WRITE]), bytes([Instruction.SYNC_WRITE]))
 
-        Raises `PumpError` where nothing answers, or something else than this board, saying what
-        it seems to be and which `--board` would fit.
-        """
+    @staticmethod
+    def shown(request: bytes) -> str:
+        return shown(request)
 
     def read(self, servo: int, address: int, count: int) -> bytes:
         """Registers of one servo."""
@@ -143,13 +130,5 @@ class Board(ABC):
         if high_bytes:
             self.wire.tell(packets.sync_write(registers.TORQUE_LIMIT.address + 1, high_bytes))
 
-    def halt(self) -> None:  # noqa: B027
+    def halt(self) -> None:
         """Stop a program that runs on the board itself."""
-
-    def analog(self, channel: int) -> float | None:
-        """An analog input over its supply, 0 to 1; None on boards without such pins."""
-        return None
-
-    def digital(self, pin: str) -> bool | None:
-        """Level of a digital pin like 'D1'; None on boards without such pins."""
-        return None

@@ -1,6 +1,6 @@
 """What the actuator does with what its pumps can really deliver.
 
-Pressures are clipped to the pump's; the plungers follow in whole counts, within travel and speed;
+Pressures are clipped to the pump's; the axes follow in whole steps, within travel and speed;
 that motion drives the coupled model, whose pressures limit the speed anew, until both agree.
 """
 
@@ -22,9 +22,8 @@ from viscodesign.pump.planning.motion import (
     shares_a_network,
 )
 from viscodesign.pump.planning.scene_variants import with_inputs, with_outputs, with_pressures
-from viscodesign.pump.planning.servo_limits import MARGINS
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -34,9 +33,9 @@ class SweepNumbers:
     """How motion and pressure are brought to agree, sweep by sweep."""
 
     most: int = 12
-    agreement_counts: float = 0.5  # by which two sweeps may differ
+    agreement_steps: float = 0.5  # by which two sweeps may differ
     damped_after: int = 4  # sweeps after which each goes half of the way: what overshoots settles
-    rounding_counts: float = 1.0  # that whole counts may be off without being reported as clipped
+    rounding_steps: float = 1.0  # that whole steps may be off without being reported as clipped
 
 
 SWEEPS = SweepNumbers()
@@ -50,7 +49,7 @@ class AchievableMotion:
     run: Trajectory
     clipped: tuple[str, ...]
     sweeps: int
-    unsettled_counts: float
+    unsettled_steps: float
 
 
 def achievable_motion(
@@ -59,15 +58,15 @@ def achievable_motion(
     """Let the pumps do what they can, and the coupled model what follows from it."""
     goal = _within_bounds(requested, pump)
     demands = goal.demands(pump)
-    paths = [_path(d, d.pressure) for d in demands]
+    paths = [d.path(d.pressure) for d in demands]
     apart, sweeps = np.inf, 0
-    while apart > SWEEPS.agreement_counts and sweeps < SWEEPS.most:
+    while apart > SWEEPS.agreement_steps and sweeps < SWEEPS.most:
         run = run_model(_driven(goal, demands, paths), goal.active)
         sweeps += 1
         pressures = np.concatenate([goal.lead.pressure, run.pressure]).T
-        steps = [_path(d, p) - path for d, p, path in zip(demands, pressures, paths, strict=True)]
-        apart = float(np.max(np.abs(steps))) / demands[0].drive.advance_per_count
-        if apart > SWEEPS.agreement_counts:
+        steps = [d.path(p) - path for d, p, path in zip(demands, pressures, paths, strict=True)]
+        apart = float(np.max(np.abs(steps))) / demands[0].axis.step
+        if apart > SWEEPS.agreement_steps:
             share = 1.0 if sweeps <= SWEEPS.damped_after else 0.5
             paths = [path + share * step for path, step in zip(paths, steps, strict=True)]
     last = run_verified(_driven(goal, demands, paths), progress)
@@ -81,7 +80,7 @@ def achievable_motion(
 def _within_bounds(requested: RequestedMotion, pump: PumpSpec) -> RequestedMotion:
     demands, before = requested.demands(pump), requested.lead.time.size
     pressure = np.stack([d.pressure[before:] for d in demands], axis=1)
-    kept = np.clip(pressure, *bounds(demands[0]))
+    kept = np.clip(pressure, *demands[0].bounds)
     if np.array_equal(kept, pressure):
         return requested
     scene = with_pressures(requested.scene, requested.run.time, kept)
@@ -89,41 +88,15 @@ def _within_bounds(requested: RequestedMotion, pump: PumpSpec) -> RequestedMotio
     return goal.led_in(goal.ramp_s, goal.rest_s) if before else goal
 
 
-def bounds(demand: PumpDemand) -> tuple[float, float]:
-    """Lowest and highest gauge pressure that a pump may make [Pa]."""
-    ambient, stall = demand.scene.ambient_pressure, demand.drive.stall_pressure
-    floor = max(MARGINS.sensor_floor, demand.scene.fluid.vapour_pressure or 0.0) - ambient
-    return max(floor, -stall), min(demand.pump.max_pressure, stall)
-
-
-def _path(demand: PumpDemand, pressure: np.ndarray) -> np.ndarray:
-    """A plunger's positions (T,) after its goal, as far as servo and travel let it [m]."""
-    drive = demand.drive
-    counts = np.clip(np.round(demand.count), *demand.pump.travel)
-    goals = np.array([drive.position(count) for count in counts])
-    path = np.empty_like(goals)
-    path[0] = goals[0]
-    # The reach of every step in both directions, at the harder of its ends' pressures.
-    speeds = {s: drive.speed_left(s * drive.torque(pressure, s)) for s in (1.0, -1.0)}
-    steps = np.diff(demand.time)
-    reach = {sign: np.minimum(v[:-1], v[1:]) * steps for sign, v in speeds.items()}
-    for k, goal in enumerate(goals[1:]):
-        way = goal - path[k]
-        most = reach[1.0 if way > 0.0 else -1.0][k]
-        path[k + 1] = path[k] + np.clip(way, -most, most)
-    return path
-
-
 def _driven(
     goal: RequestedMotion, demands: Sequence[PumpDemand], paths: Sequence[np.ndarray]
 ) -> Scene:
-    """The scene driven by plungers; its outputs are the run's own."""
+    """The scene driven by the axes; its outputs are the run's own."""
     # Where inlets share a network its first flows are known from the lead-in alone.
     before = 0 if shares_a_network(goal.scene) else goal.lead.time.size
     time = demands[0].time[before:] - demands[0].time[before]
     inputs = {
-        d.inlet: d.barrel.syringe(time, path[before:])
-        for d, path in zip(demands, paths, strict=True)
+        d.inlet: d.source(time, path[before:]) for d, path in zip(demands, paths, strict=True)
     }
     outputs = goal.run.time + (0.0 if before else goal.lead_s)
     return with_inputs(with_outputs(goal.scene, outputs), inputs)
@@ -151,14 +124,14 @@ def _clipped(
 ) -> Iterator[str]:
     """What of the requested motion is cut off, in words."""
     name = "" if alone else f"{asked.inlet}: "
-    (low, high), ends, most = bounds(asked), done.pump.travel, SWEEPS.rounding_counts
+    (low, high), ends, most = asked.bounds, done.axis.travel, SWEEPS.rounding_steps
     if asked.pressure.max() > high:
         yield f"{name}pressures above {high / 1e3:.4g} kPa gauge"
     if asked.pressure.min() < low:
         yield f"{name}pressures below {low / 1e3:.4g} kPa gauge"
-    if goal.count.max() > ends[1] + most or goal.count.min() < ends[0] - most:
-        yield f"{name}counts outside travel, {ends[0]} to {ends[1]}"
-    late = np.abs(np.clip(goal.count, *ends) - done.count)
+    if goal.steps.max() > ends[1] + most or goal.steps.min() < ends[0] - most:
+        yield f"{name}{done.axis.unit} outside travel, {ends[0]} to {ends[1]}"
+    late = np.abs(np.clip(goal.steps, *ends) - done.steps)
     if late.max() > most:
         when = float(done.time[int(np.argmax(late))])
-        yield f"{name}speed: up to {late.max():.3g} counts behind, at {when:.4g} s"
+        yield f"{name}speed: up to {late.max():.3g} {done.axis.unit} behind, at {when:.4g} s"

@@ -1,136 +1,215 @@
-"""What a pressure profile asks of one pump: where its plunger is, how fast, at what load."""
+"""What a pressure profile asks of the axis at one inlet, and what the axis makes of it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, ClassVar
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import Barrel, FeedLine
-from viscodesign.pump.planning.result import PumpCourse
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.pump.planning.feed_line import FeedLine
+from viscodesign.pump.planning.fix import CAP, LOWER, SLOWER, Fix
+from viscodesign.pump.planning.limits import PRESSURE_LIMITS, Limits
+from viscodesign.pump.planning.result import Panel, PumpCourse
+from viscodesign.pump.play.axis import AxisLimits
+from viscodesign.results.findings import Notice
+from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
 
-REST_COUNTS_PER_S = 0.05
-"""Speed below which a plunger counts as at rest: round-off and drift."""
-DIRECTION_SAMPLES = 5
-"""Samples on both sides over which the direction of motion is found: more than a count."""
-
 
 @dataclass(frozen=True)
-class PumpDemand:
-    """One inlet's pump over T times; arrays (T,) or, between the times, (T - 1,)."""
+class PumpDemand(ABC):
+    """One inlet's axis over T times; arrays (T,) or, between the times, (T - 1,).
+
+    What stands here is that of an axis that sets the pressure itself; an axis of another
+    principle overrides what differs. Positions are in SI: [Pa] gauge here, [m] of a plunger.
+    """
+
+    limits: ClassVar[Limits] = PRESSURE_LIMITS
+    fixes: ClassVar[Mapping[str, Sequence[Fix]]] = {
+        "range": (LOWER,),
+        "cap": (CAP, LOWER),
+        "rate": (SLOWER, LOWER),
+    }
+    """What may help against a limit, simplest first."""
+    stepwise: ClassVar[Sequence[tuple[Fix, Sequence[str]]]] = (
+        (LOWER, ("range", "rate")),
+        (CAP, ("cap",)),
+    )
+    """Changes that are tried one upon the other, each against its limits."""
 
     scene: Scene
-    pump: PumpSpec
+    pump: Any  # the section of its kind
     inlet: str
     line: FeedLine
     time: np.ndarray  # from the start of the lead-in [s]
     lead_s: float
     pressure: np.ndarray  # gauge [Pa]
     given: np.ndarray  # to the network since it was filled [m3 at ambient density]
-    stated_position: np.ndarray | None = None  # [m]; None: follows from pressure and given
+    stated_position: np.ndarray | None = None  # None: follows from pressure and given
 
-    @cached_property
-    def drive(self) -> Drive:
-        """Servo, pinion and barrel."""
-        return Drive(self.pump)
+    @property
+    @abstractmethod
+    def axis(self) -> AxisLimits:
+        """What the axis can do, and may."""
 
-    @cached_property
-    def barrel(self) -> Barrel:
-        """What is in front of the plunger."""
-        return Barrel(self.scene, self.drive, self.line)
+    @property
+    @abstractmethod
+    def device(self) -> str:
+        """What drives the axis, in words."""
+
+    @classmethod
+    def faults(cls, scene: Scene) -> Iterator[tuple[str, str]]:
+        """Keys of a scene that keep it from being planned, each with what to correct."""
+        return iter(())
 
     @cached_property
     def position(self) -> np.ndarray:
-        """Plunger pushed in from home [m]."""
-        if self.stated_position is not None:
-            return self.stated_position
-        return np.asarray(self.barrel.position(self.pressure, self.given))
+        """Of the axis (T,)."""
+        return self.pressure if self.stated_position is None else self.stated_position
+
+    @cached_property
+    def steps(self) -> np.ndarray:
+        """Targets of the axis (T,), not rounded."""
+        return self.axis.home - self.axis.retreat_sign * self.position / self.axis.step
 
     @property
-    def least_compliance(self) -> float:
-        """Of the barrel where it is emptiest, fullest or pressed hardest [m3/Pa]."""
-        places = (np.argmax(self.position), np.argmin(self.position), np.argmax(self.pressure))
-        kept = self.barrel.within(self.position)  # a plunger beyond its barrel compresses nothing
-        pairs = [(float(self.pressure[k]), float(kept[k])) for k in places]
-        return min(self.barrel.compliance(*pair) for pair in pairs)
-
-    @cached_property
-    def count(self) -> np.ndarray:
-        """Of the servo, not rounded."""
-        home, per_metre = self.drive.count(0.0), self.drive.count(1.0) - self.drive.count(0.0)
-        return np.asarray(home + per_metre * self.position)
-
-    @cached_property
-    def velocity(self) -> np.ndarray:
-        """Of the plunger between the times [m/s]."""
-        return np.asarray(np.diff(self.position) / np.diff(self.time))
-
-    @cached_property
-    def direction(self) -> np.ndarray:
-        """1 where the plunger moves in, -1 out, 0 at rest; between the times."""
-        rest = REST_COUNTS_PER_S * self.drive.advance_per_count
-        return np.where(np.abs(self.velocity) > rest, np.sign(self.velocity), 0.0)
-
-    @cached_property
-    def end_torques(self) -> np.ndarray:
-        """At both ends of each interval (2, T - 1) [N m]."""
-        ends = np.stack((self.pressure[:-1], self.pressure[1:]))
-        return np.asarray(self.drive.torque(ends, self.direction))
-
-    @cached_property
-    def speed_left(self) -> np.ndarray:
-        """Plunger speed that the servo has left in each interval [m/s]."""
-        hardest = np.max(self.end_torques * self.direction, axis=0)
-        return np.asarray(self.drive.speed_left(hardest))
-
-    @cached_property
-    def speed_share(self) -> np.ndarray:
-        """Share of it that is required; infinite where none is left."""
-        speed = np.abs(self.velocity) * (self.direction != 0.0)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return np.where(speed > 0.0, speed / self.speed_left, 0.0)
-
-    @cached_property
-    def torque(self) -> np.ndarray:
-        """At the times [N m]; friction by the motion around them, which steps of a count hide."""
-        near = np.minimum(DIRECTION_SAMPLES, len(self.time) - 1)
-        later = np.append(self.position[near:], np.full(near, self.position[-1]))
-        before = np.append(np.full(near, self.position[0]), self.position[: len(later) - near])
-        moved = (later - before) / self.drive.advance_per_count
-        direction = np.where(np.abs(moved) > 1.0, np.sign(moved), 0.0)
-        return np.asarray(self.drive.torque(self.pressure, direction))
+    def made_pressures(self) -> tuple[float, float]:
+        """Lowest and highest gauge pressure that the axis can make [Pa]."""
+        low, high = sorted(self._position_at(step) for step in self.axis.travel)
+        return low, high
 
     @property
-    def mean_current(self) -> float:
-        """Of the servo over the whole motion [A]."""
-        current = self.drive.current(self.torque)
-        return float(np.trapezoid(current, self.time)) / float(np.ptp(self.time))
+    def bounds(self) -> tuple[float, float]:
+        """Lowest and highest gauge pressure that it may make [Pa]."""
+        low, high = self.made_pressures
+        return low, min(high, self.pump.max_pressure)
+
+    def _position_at(self, step: Any) -> Any:
+        return self.axis.retreat_sign * (self.axis.home - step) * self.axis.step
+
+    def path(self, pressure: np.ndarray) -> np.ndarray:
+        """Positions (T,) after its targets, as far as travel and speed allow.
+
+        ``pressure`` (T,): at the inlet meanwhile, gauge [Pa].
+        """
+        goals: np.ndarray = self._position_at(np.clip(np.round(self.steps), *self.axis.travel))
+        path = np.empty_like(goals)
+        path[0] = goals[0]
+        reach = self._reach(pressure)
+        for k, goal in enumerate(goals[1:]):
+            way = goal - path[k]
+            most = reach[1.0 if way > 0.0 else -1.0][k]
+            path[k + 1] = path[k] + np.clip(way, -most, most)
+        return path
+
+    def _reach(self, pressure: np.ndarray) -> Mapping[float, np.ndarray]:
+        """Longest way in each interval (T - 1,), by the sign of its direction."""
+        most = self.axis.top_speed * self.axis.step * np.diff(self.time)
+        return {1.0: most, -1.0: most}
+
+    def approach_time(self, speed_share: float) -> float:
+        """From home to the first position, at a share of the speed that is left [s]."""
+        speed = speed_share * self.axis.top_speed * self.axis.step
+        return abs(float(self.position[0])) / speed
+
+    def source(self, time: np.ndarray, path: np.ndarray) -> Input:
+        """The input of a scene whose axis takes these positions (T,)."""
+        above = path - self.scene.gauge_pressure
+        rows = tuple(zip(time.tolist(), above.tolist(), strict=True))
+        return TableInput(kind="table", rows=rows)
+
+    def input_value(self, position: float) -> float:
+        """Value of that input with the axis at a position."""
+        return position - self.scene.gauge_pressure
+
+    def possible(self, position: float) -> float:
+        """The nearest position that the axis can have."""
+        return position
+
+    @classmethod
+    def course(cls, demands: Sequence[Any]) -> PumpCourse:
+        """All inlets' demands as one course."""
+        return PumpCourse(**cls._shared_columns(demands))
+
+    @classmethod
+    def _shared_columns(cls, demands: Sequence[PumpDemand]) -> dict[str, Any]:
+        first, given = demands[0], columns(demands, lambda d: d.given)
+        return {
+            "time": first.time,
+            "lead_s": first.lead_s,
+            "pressure": columns(demands, lambda d: d.pressure),
+            "given": given,
+            "position": columns(demands, lambda d: d.position),
+            "steps": columns(demands, lambda d: d.steps),
+            "flow": flow(given, first.time),
+        }
+
+    def numbers(self) -> dict[str, float]:
+        """What the axis is and what the plan takes of it, under names with units."""
+        low, high = self.made_pressures
+        rates = np.abs(np.diff(self.pressure) / np.diff(self.time))
+        return {
+            "step_pa": self.axis.step,
+            "lowest_made_pressure_pa_gauge": low,
+            "highest_made_pressure_pa_gauge": high,
+            "highest_pressure_pa_gauge": float(self.pressure.max()),
+            "lowest_pressure_pa_gauge": float(self.pressure.min()),
+            "fastest_change_pa_s": float(np.max(rates)),
+            "lead_in_s": self.lead_s,
+        }
+
+    def words(self) -> list[tuple[str, str]]:
+        """The same for people: a heading and a sentence each."""
+        n = self.numbers()
+        low, high = (n[f"{end}_pressure_pa_gauge"] / 1e3 for end in ("lowest", "highest"))
+        return [
+            ("drive", f"{self.device}, for the inlet '{self.inlet}'"),
+            ("steps", f"{n['step_pa']:.3g} Pa"),
+            (
+                "needs",
+                f"{low:.4g} to {high:.4g} kPa gauge, changing by up to "
+                f"{n['fastest_change_pa_s'] / 1e3:.3g} kPa/s",
+            ),
+            ("lead-in", f"{self.lead_s:.3g} s from home to the pressure of the start"),
+        ]
+
+    @classmethod
+    def limit_numbers(cls, demands: Sequence[Any]) -> dict[str, float]:
+        """Limits that apply to all inlets, under names with units."""
+        low, high = demands[0].made_pressures
+        return {
+            "cap_pa_gauge": demands[0].pump.max_pressure,
+            "lowest_made_pressure_pa_gauge": low,
+            "highest_made_pressure_pa_gauge": high,
+        }
+
+    @classmethod
+    def notices(cls, demands: Sequence[Any]) -> Iterator[Notice]:
+        """Warnings that belong to the plan as a whole."""
+        return iter(())
+
+    @classmethod
+    def panels(cls, demands: Sequence[Any]) -> tuple[Panel, ...]:
+        """What a picture of the plan shows against time."""
+        cap = (("cap", demands[0].pump.max_pressure / 1e3),)
+        return (
+            Panel("pressure\n[kPa gauge]", "pressure", 1e-3, cap, np.inf),
+            Panel("set-point\n[steps]", "steps", 1.0),
+            Panel("flow into the\nnetwork [mL/s]", "flow", 1e6),
+        )
 
 
-def course_of(demands: Sequence[PumpDemand]) -> PumpCourse:
-    """All inlets' demands as one course."""
+def columns(demands: Sequence[PumpDemand], value: Callable[[Any], np.ndarray]) -> np.ndarray:
+    """A value of all demands, (T, P)."""
+    return np.stack([value(demand) for demand in demands], axis=1)
 
-    def columns(value: Callable[[PumpDemand], np.ndarray]) -> np.ndarray:
-        return np.stack([value(d) for d in demands], axis=1)
 
-    first = demands[0]
-    volume = columns(lambda d: d.drive.area * d.position)
-    flow = np.diff(volume, axis=0) / np.diff(first.time)[:, None]
-    return PumpCourse(
-        time=first.time,
-        lead_s=first.lead_s,
-        pressure=columns(lambda d: d.pressure),
-        given=columns(lambda d: d.given),
-        position=columns(lambda d: d.position),
-        volume=volume,
-        count=columns(lambda d: d.count),
-        flow=np.concatenate([flow, np.zeros((1, len(demands)))]),
-        torque=columns(lambda d: d.torque),
-        stall_share=columns(lambda d: np.abs(d.torque) / d.drive.stall_torque),
-        speed_share=columns(lambda d: np.append(d.speed_share, 0.0)),
-    )
+def flow(volume: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """Volumes' (T, P) rates from each time on [m3/s]; 0 from the last."""
+    rate = np.diff(volume, axis=0) / np.diff(time)[:, None]
+    return np.concatenate([rate, np.zeros((1, volume.shape[1]))])

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.pump.planning.fix import RAMPS, SLOWER, Fix, Steps
 from viscodesign.pump.planning.result import PumpVerdict, SuggestedChange
 from viscodesign.pump.planning.scene_variants import jumps, scaled_fields
 from viscodesign.pump.planning.trials import Aim, Trials, Variation, remaining
-from viscodesign.pump.servo_motor import SERVOS
 from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
@@ -31,49 +30,12 @@ class SearchNumbers:
 SEARCH = SearchNumbers()
 
 
-@dataclass(frozen=True)
-class Fix:
-    """A number that is changed, and as far as to where."""
-
-    key: str  # of a `Variation`
-    far: float
-    words: str
-    unit: str = ""  # in which a spec states it
-    si: float = 1.0  # of that unit
-
-
-LOWER = Fix("pressure", 0.005, "every pressure of the input times {:.3g}")
-HIGHER = replace(LOWER, far=100.0)
-SLOWER = Fix("time", 1000.0, "everything slower by a factor of {:.3g}")
-RAMPS = Fix("ramp", 1000.0, "every jump of the pressure as a ramp of {:.3g} s")
-THINNER = Fix("pump.syringe_diameter", 5e-3, "a syringe of {:.4g} mm inner diameter", "mm", 1e-3)
-WIDER = replace(THINNER, far=0.1)
-RATED = min(servo.rated_voltage for servo in SERVOS.values())
-VOLTAGE = Fix("pump.supply_voltage", RATED, "a supply of {:.4g} V", "V")
-CAP = Fix("pump.max_pressure", 1e7, "a cap of {:.4g} kPa gauge", "kPa gauge", 1e3)
-HOME = Fix("pump.home", 0.0, "home at count {:.0f}")
-FIXES = {
-    "stall": (LOWER, THINNER, VOLTAGE),
-    "one_fifth": (LOWER, THINNER, VOLTAGE),
-    "speed": (SLOWER, LOWER, VOLTAGE),
-    "travel": (HOME, LOWER, WIDER),
-    "barrel": (HOME, LOWER, WIDER),
-    "suction": (LOWER,),
-    "cap": (CAP, LOWER),
-    "resolution": (THINNER, HIGHER),
-    "pressure_step": (THINNER,),
-    "speed_register": (THINNER,),
-}
-"""What may help against a limit, simplest first."""
-CURED_BY_PRESSURE = ("stall", "speed", "suction")
-"""What lower pressures cure, and another drive only at a price."""
-CURED_BY_HOME = ("travel", "barrel")
-
-
 def fixes_for(trials: Trials, verdict: PumpVerdict) -> tuple[SuggestedChange, ...]:
     """What makes a verdict pass, each change alone; those that leave least undone first."""
     aim = Aim(verdict.inlet, (verdict.name,))
-    tried = [_applied(fix, trials, aim, {}) for fix in FIXES.get(verdict.name, ())]
+    tried = [
+        _applied(fix, trials, aim, {}) for fix in trials.requested.kind.fixes.get(verdict.name, ())
+    ]
     found = [pair[0] for pair in tried if pair is not None]
     return tuple(sorted(found, key=lambda change: len(change.leaves)))
 
@@ -87,7 +49,11 @@ def combined_fix(trials: Trials, verdicts: tuple[PumpVerdict, ...]) -> tuple[Sug
     options: list[tuple[SuggestedChange, ...]]
     options = [(change,) for v in faults for change in v.changes if not change.leaves]
     if faults and not any(_kept_pressure(option) == 1.0 for option in options):
-        stepwise = [_stepwise(trials, (*CURED_BY_PRESSURE, *more)) for more in ((), ("cap",))]
+        steps = trials.requested.kind.stepwise
+        first, names = steps[0]
+        stepwise = [
+            _stepwise(trials, ((first, (*names, *more)), *steps[1:])) for more in ((), ("cap",))
+        ]
         options += [option for option in stepwise if option and not option[-1].leaves]
     return max(options, key=lambda option: (_kept_pressure(option), -len(option)), default=())
 
@@ -97,15 +63,14 @@ def _kept_pressure(changes: tuple[SuggestedChange, ...]) -> float:
     return min((c.factor for c in changes if c.key == "pressure"), default=1.0)
 
 
-def _stepwise(trials: Trials, lowered_for: tuple[str, ...]) -> tuple[SuggestedChange, ...]:
-    """Pressures lowered for these limits, then the drive changed for what is left."""
+def _stepwise(trials: Trials, steps: Steps) -> tuple[SuggestedChange, ...]:
+    """One change after the other, each for what is left of its limits."""
     case: Variation = {}
     made: dict[str, SuggestedChange] = {}
-    steps = ((LOWER, lowered_for), (HOME, CURED_BY_HOME), (LOWER, CURED_BY_HOME), (CAP, ("cap",)))
     for fix, names in steps:
         if not set(remaining(trials.demands(case))) & set(names):
             continue
-        if found := _applied(fix, trials, Aim(None, names), case):
+        if found := _applied(fix, trials, Aim(None, tuple(names)), case):
             change, case = found
             # Factors multiply: the last one says all, and comes last.
             made.pop(change.key, None)
@@ -120,7 +85,7 @@ def _applied(
     scene = trials.requested.scene
     if fix is SLOWER and jumps(scene):  # which have no time of their own
         fix = RAMPS
-    value = _home(trials, aim, case) if fix is HOME else _value(fix, trials, aim, case)
+    value = (_whole if fix.whole else _value)(fix, trials, aim, case)
     if value is None:
         return None
     tried, shown = {**case, fix.key: value}, value / fix.si
@@ -132,12 +97,13 @@ def _applied(
     return SuggestedChange(fix.key, words, settings, left, factor), tried
 
 
-def _home(trials: Trials, aim: Aim, case: Variation) -> float | None:
-    """The home nearest to its own with which neither travel nor barrel is left."""
-    pump, aim = trials.pump_of(case), Aim(aim.inlet, CURED_BY_HOME)
-    low, high = pump.travel
-    homes = sorted(range(low, high + 1), key=lambda count: abs(count - pump.home))
-    passing = (h for h in homes if aim.is_met(trials.demands({**case, HOME.key: h})))
+def _whole(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
+    """The value of a key that counts, nearest to its own, that passes all that it cures."""
+    assert fix.whole is not None
+    pump, aim = trials.pump_of(case), Aim(aim.inlet, fix.cures)
+    own = getattr(pump, fix.key.removeprefix("pump."))
+    values = sorted(fix.whole(pump), key=lambda value: abs(value - own))
+    passing = (v for v in values if aim.is_met(trials.demands({**case, fix.key: v})))
     return next(passing, None)
 
 

@@ -1,63 +1,58 @@
-"""What a pump can do against what is required of it: one function per limit, and their table."""
+"""What a pump can do against what is required of it: one function per limit."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from viscodesign.pump.planning import servo_limits as servo
-from viscodesign.pump.planning.demand import PumpDemand
-from viscodesign.pump.planning.result import PumpVerdict
-from viscodesign.pump.planning.servo_limits import MARGINS, Assessment
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.pump.planning.result import PumpVerdict, Severity
+from viscodesign.pump.planning.scene_variants import jumps
+
+if TYPE_CHECKING:
+    from viscodesign.pump.planning.demand import PumpDemand
 
 
-def travel(demand: PumpDemand) -> Assessment:
-    """Counts against the ends of travel."""
-    (low, high), place = demand.pump.travel, 1e3 * demand.position
-    volume = 1e6 * (high - low) * demand.drive.volume_per_count
-    message = (
-        f"needs counts {demand.count.min():.1f} to {demand.count.max():.1f}, a plunger from "
-        f"{place.min():.3g} to {place.max():.3g} mm from home; travel is {low} to {high}, "
-        f"{volume:.3g} mL"
-    )
-    return _within(demand.count, low, high, "counts", message)
+@dataclass(frozen=True)
+class LimitMargins:
+    """Where limits are drawn that no data sheet draws."""
+
+    sensor_floor: float = 20e3  # the Phidgets 1140 reads no lower [Pa abs]
+    sensor_accuracy: float = 6e3  # swing that its 1.5 % of full scale, 5.7 kPa, would hide [Pa]
+    sensor_step: float = 1.61e3  # its reading at 8 bit, as the firmware for ROS takes it [Pa]
+    fewest_steps: float = 5.0  # smallest motion
+    fine_steps: float = 20.0  # steps per swing of pressure, below which it is coarse
+    flat: float = 1.0  # swing of pressure below which nothing is asked [Pa]
 
 
-def barrel(demand: PumpDemand) -> Assessment:
-    """Plunger against the ends of the barrel, independent of the stated travel."""
-    filled, stroke = demand.drive.filled_at_home, demand.pump.syringe_stroke
-    left = 1e3 * (filled - demand.position)
-    message = (
-        f"{1e3 * filled:.4g} mm of the barrel of {1e3 * stroke:.4g} mm are filled at home; needs "
-        f"{left.min():.4g} to {left.max():.4g} mm"
-    )
-    return _within(demand.position, filled - stroke, filled, "m", message)
+MARGINS = LimitMargins()
 
 
-def _within(values: np.ndarray, low: float, high: float, unit: str, message: str) -> Assessment:
+class Assessment(NamedTuple):
+    """How a demand compares with one limit."""
+
+    severity: Severity  # where the ratio is above 1
+    wanted: float  # at the worst time, in the unit
+    allowed: float
+    unit: str
+    ratio: float  # how much of what is allowed is asked
+    when: int  # index of the worst time
+    message: str
+
+
+Limits = Mapping[str, Callable[[Any], Assessment]]
+"""Limits by name, each a function of a demand."""
+
+
+def within(values: np.ndarray, low: float, high: float, unit: str, message: str) -> Assessment:
     """Values against both ends of a range; by how much of its width they leave it."""
     beyond = np.maximum(values - high, low - values)
     when = int(np.argmax(beyond))
     worst, nearest = float(values[when]), high if values[when] > (low + high) / 2 else low
     ratio = 1.0 + float(beyond[when]) / (high - low)
     return Assessment("infeasible", worst, float(nearest), unit, ratio, when, message)
-
-
-def suction(demand: PumpDemand) -> Assessment:
-    """Lowest pressure against what the sensor reads, and a liquid boils at."""
-    ambient, vapour = demand.scene.ambient_pressure, demand.scene.fluid.vapour_pressure or 0.0
-    allowed = max(MARGINS.sensor_floor, vapour) - ambient
-    when = int(np.argmin(demand.pressure))
-    lowest = float(demand.pressure[when])
-    message = (
-        f"down to {lowest / 1e3:.4g} kPa gauge, {(lowest + ambient) / 1e3:.3g} kPa abs; the "
-        f"sensor reads no lower than {MARGINS.sensor_floor / 1e3:g} kPa abs"
-    )
-    if vapour and lowest + ambient < 2 * vapour:
-        message += f", and the liquid boils at {vapour / 1e3:.3g} kPa abs"
-    ratio = max(0.0, lowest / allowed)
-    return Assessment("infeasible", lowest, allowed, "Pa gauge", ratio, when, message)
 
 
 def cap(demand: PumpDemand) -> Assessment:
@@ -71,58 +66,59 @@ def cap(demand: PumpDemand) -> Assessment:
     return Assessment("infeasible", highest, allowed, "Pa gauge", ratio, when, message)
 
 
-def resolution(demand: PumpDemand) -> Assessment:
-    """Counts of the motion against the servo's own steps and the gear's play."""
-    swing, play = float(np.ptp(demand.count)), demand.pump.gear_play
-    allowed = MARGINS.fewest_counts + play
+def pressure_range(demand: PumpDemand) -> Assessment:
+    """Pressures against what the pump can make."""
+    low, high = demand.made_pressures
     message = (
-        f"the motion spans {swing:.3g} counts of {1e6 * demand.drive.volume_per_count:.3g} mL; "
-        f"at least {MARGINS.fewest_counts:g} are needed, and the gear loses {play:g}"
+        f"needs {demand.pressure.min() / 1e3:.4g} to {demand.pressure.max() / 1e3:.4g} kPa gauge; "
+        f"{demand.device} makes {low / 1e3:.4g} to {high / 1e3:.4g} kPa"
     )
-    flat = float(np.ptp(demand.pressure)) < MARGINS.flat
-    ratio = 0.0 if flat else allowed / max(swing, 1e-9)
-    when = int(np.argmax(demand.count))
-    return Assessment("infeasible", swing, allowed, "counts", ratio, when, message)
+    return within(demand.pressure, low, high, "Pa gauge", message)
 
 
-def pressure_step(demand: PumpDemand) -> Assessment:
-    """What one count does to the pressure before the actuator yields, against the swing."""
-    step = demand.drive.volume_per_count / demand.least_compliance
-    swing = float(np.ptp(demand.pressure))
+def pressure_rate(demand: PumpDemand) -> Assessment:
+    """Fastest change of pressure against what the pump may be asked for."""
+    rates = np.abs(np.diff(demand.pressure) / np.diff(demand.time))
+    when, allowed = int(np.argmax(rates)), demand.axis.top_speed * demand.axis.step
+    wanted = float(rates[when])
     message = (
-        f"one count changes the pressure by {step / 1e3:.3g} kPa at once ({1e3 / step:.3g} counts "
-        f"per kPa) where the barrel is stiffest; the pressure swings by {swing / 1e3:.3g} kPa"
+        f"the pressure has to change by {wanted / 1e3:.4g} kPa/s; "
+        f"at most {allowed / 1e3:.4g} kPa/s is allowed"
     )
+    message += jump_words(demand, when) if wanted > allowed else ""
+    return Assessment("infeasible", wanted, allowed, "Pa/s", wanted / allowed, when, message)
+
+
+def jump_words(demand: PumpDemand, when: int) -> str:
+    """How long a jump is taken to last, where an interval of the times holds one."""
+    begin, end = demand.time[when : when + 2] - demand.lead_s
+    if not any(begin - 1e-9 <= t <= end + 1e-9 for t in jumps(demand.scene)):
+        return ""
+    lasting = 1e3 * float(end - begin)
+    return f"; the wanted pressure jumps there, here taken to last {lasting:.3g} ms"
+
+
+def pressure_resolution(demand: PumpDemand) -> Assessment:
+    """Swing of pressure against the steps in which it is set."""
+    swing, step = float(np.ptp(demand.pressure)), demand.axis.step
+    message = f"the pressure swings by {swing / 1e3:.3g} kPa, and is set in steps of {step:.3g} Pa"
     ratio = 0.0 if swing < MARGINS.flat else MARGINS.fine_steps * step / swing
     when, allowed = int(np.argmax(demand.pressure)), swing / MARGINS.fine_steps
     return Assessment("advice", step, allowed, "Pa", ratio, when, message)
 
 
-def sensor(demand: PumpDemand) -> Assessment:
-    """Swing of pressure against the sensor's error, and its step with 8 bit."""
-    swing, allowed = float(np.ptp(demand.pressure)), MARGINS.sensor_accuracy
-    message = f"the pressure swings by {swing / 1e3:.3g} kPa; the sensor is accurate to 5.7 kPa"
-    if swing < MARGINS.sensor_step:
-        message += f", and its 8 bit reading steps by {MARGINS.sensor_step / 1e3:g} kPa"
-    ratio = 0.0 if swing < MARGINS.flat else allowed / swing
-    return Assessment(
-        "advice", swing, allowed, "Pa", ratio, int(np.argmax(demand.pressure)), message
-    )
-
-
-LIMITS: dict[str, Callable[[PumpDemand], Assessment]] = {
-    limit.__name__: limit
-    for limit in (
-        servo.stall, servo.one_fifth, servo.speed, travel, barrel, suction, cap,
-        servo.cap_torque, resolution, pressure_step, sensor, servo.speed_register,
-        servo.battery, servo.voltage,
-    )
-}  # fmt: skip
+PRESSURE_LIMITS: Limits = {
+    "range": pressure_range,
+    "cap": cap,
+    "rate": pressure_rate,
+    "resolution": pressure_resolution,
+}
+"""Of an axis that sets the pressure itself."""
 
 
 def verdict(demand: PumpDemand, name: str) -> PumpVerdict:
     """One limit held against a demand."""
-    severity, wanted, allowed, unit, ratio, when, message = LIMITS[name](demand)
+    severity, wanted, allowed, unit, ratio, when, message = demand.limits[name](demand)
     return PumpVerdict(
         name, demand.inlet, severity if ratio > 1.0 else "ok", wanted, allowed, unit,
         float(ratio), float(demand.time[when]), message,
@@ -131,7 +127,7 @@ def verdict(demand: PumpDemand, name: str) -> PumpVerdict:
 
 def verdicts(demand: PumpDemand) -> tuple[PumpVerdict, ...]:
     """All limits held against a demand."""
-    return tuple(verdict(demand, name) for name in LIMITS)
+    return tuple(verdict(demand, name) for name in demand.limits)
 
 
 def infeasible(demand: PumpDemand) -> tuple[str, ...]:

@@ -13,11 +13,11 @@ from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.planning.barrel import FeedLine
 from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.feed_line import FeedLine
 from viscodesign.pump.planning.scene_variants import with_pressures
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.simulate import simulate
@@ -57,6 +57,7 @@ class InletHistory:
 class RequestedMotion:
     """A run of given pressures, with the lead-in before it."""
 
+    kind: type[PumpDemand]  # what is asked of an axis of its pump
     scene: Scene
     active: frozenset[str]  # effects of the model
     lines: Mapping[str, FeedLine]
@@ -85,7 +86,7 @@ class RequestedMotion:
         pressure = np.concatenate([lead.pressure, pressure])
         given = np.concatenate([lead.given, given])
         return tuple(
-            PumpDemand(self.scene, pump, name, self.lines[name], time, self.lead_s, *own)
+            self.kind(self.scene, pump, name, self.lines[name], time, self.lead_s, *own)
             for name, *own in zip(self.scene.inputs, pressure.T, given.T, strict=True)
         )
 
@@ -116,14 +117,8 @@ class RequestedMotion:
 
     def _unhurried(self, pump: PumpSpec) -> float:
         """Time from home at a share of the speed that the start's pressure leaves [s]."""
-        longest = 0.0
-        for demand in replace(self, run=self.run.until(1)).demands(pump):
-            drive = demand.drive
-            left = float(drive.speed_left(drive.torque(np.abs(demand.pressure), 1.0))[0])
-            if left > 0.0:
-                way = abs(float(demand.position[0]))
-                longest = max(longest, way / (LEAD_IN.speed_share * left))
-        return longest
+        start = replace(self, run=self.run.until(1)).demands(pump)
+        return max(demand.approach_time(LEAD_IN.speed_share) for demand in start)
 
 
 def shares_a_network(scene: Scene) -> bool:

@@ -6,7 +6,7 @@ Times of the courses begin with the lead-in, those of the runs behind it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import ClassVar, Literal, NamedTuple
 
 import numpy as np
 
@@ -48,19 +48,34 @@ class PumpVerdict:
 
 @dataclass(frozen=True)
 class PumpCourse:
-    """Motion of P plungers at T times from the start of the lead-in; arrays (T, P)."""
+    """Motion of P axes at T times from the start of the lead-in; arrays (T, P)."""
+
+    columns: ClassVar[dict[str, str]] = {
+        "pressure_pa": "pressure",
+        "given_m3": "given",
+        "flow_m3_s": "flow",
+        "steps": "steps",
+    }
+    """Last words of a table's columns: the field that each shows."""
 
     time: np.ndarray  # (T,) [s]
     lead_s: float  # part before the scene's own t = 0: from home to what the start needs [s]
     pressure: np.ndarray  # gauge [Pa]
     given: np.ndarray  # to the network since it was filled [m3 at ambient density]
-    position: np.ndarray  # pushed in from home [m]
-    volume: np.ndarray  # swept by the plunger from home [m3]
-    count: np.ndarray  # of the servo
-    flow: np.ndarray  # swept, from each time on [m3/s]
-    torque: np.ndarray  # at the pinion, friction included [N m]
-    stall_share: np.ndarray  # of the stall torque at the supply voltage, in size [1]
-    speed_share: np.ndarray  # of the speed that is left at this torque [1]
+    position: np.ndarray  # of the axis, in SI: gauge [Pa], or of a plunger [m]
+    steps: np.ndarray  # targets of the axis, not rounded
+    flow: np.ndarray  # into the network, from each time on [m3/s]
+
+
+class Panel(NamedTuple):
+    """One quantity of a course against time, as a picture shows it."""
+
+    label: str
+    field: str
+    factor: float
+    marks: tuple[tuple[str, float], ...] = ()  # levels with their names
+    shows: float = 1.0  # share of a mark that brings it into the picture where a curve comes to it
+    limits: tuple[float, float] = (-np.inf, np.inf)  # beyond which nothing is drawn
 
 
 @dataclass(frozen=True)
@@ -74,7 +89,9 @@ class PumpPlan:
     failure: str | None
     inlets: tuple[str, ...]
     axes: tuple[int, ...]  # id of each inlet's axis
-    device: str  # what drives an axis, as its maker calls it
+    noun: str  # what an axis is called: servo
+    device: str  # what drives it, as its maker calls it
+    unit: str  # of several steps
     wanted: PumpCourse
     achievable: PumpCourse
     wanted_run: Trajectory
@@ -82,12 +99,14 @@ class PumpPlan:
     deviation: np.ndarray  # (T,) distance of both tips at the runs' times [m]
     clipped: tuple[str, ...]  # what of the wanted motion the pump cannot do, in words
     sweeps: int  # solutions of the achievable motion until it and its pressure agreed
-    unsettled_counts: float  # by how much the last two of them differed
+    unsettled_steps: float  # by how much the last two of them differed
     verdicts: tuple[PumpVerdict, ...]
     together: tuple[SuggestedChange, ...]  # changes that together make it feasible; or none
     numbers: Mapping[str, Mapping[str, float]]  # inlet -> its drive, by names with units
     limits: Mapping[str, float]  # what holds for all inlets, by names with units
     warnings: tuple[Notice, ...]
+    words: Mapping[str, tuple[tuple[str, str], ...]]  # inlet -> its drive, for people
+    panels: tuple[Panel, ...]  # of its picture
     resolved_sha256: str = ""
     """SHA-256 of the resolved spec, with all overrides."""
 
@@ -131,7 +150,7 @@ class PumpPlan:
 
     def profile(self, course: PumpCourse) -> Profile:
         """A course as what a board plays."""
-        return Profile(self.inlets, self.axes, course.time, course.count, course.pressure)
+        return Profile(self.inlets, self.axes, course.time, course.steps, course.pressure)
 
 
 NOT_CLIPPED = ("voltage", "battery")

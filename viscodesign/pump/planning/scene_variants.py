@@ -9,19 +9,16 @@ import numpy as np
 
 from viscodesign.effects.base import Trait
 from viscodesign.effects.catalogue import catalogue, effect_names, names_with
-from viscodesign.errors import Fault, SpecError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.drive import Drive
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.table import TableInput
-from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
 COUNTED = (Trait.COMPRESSIBLE_FLUID, Trait.TUBE_STORAGE)
-"""What a plunger feels even where the tip does not."""
+"""What a pump feels even where the tip does not."""
 
 
 @dataclass(frozen=True)
@@ -39,53 +36,8 @@ class PlanGrid:
 GRID = PlanGrid()
 
 
-def pump_of(scene: Scene) -> PumpSpec:
-    """The scene's pump; raises `SpecError` with what to correct where nothing can be planned."""
-    pump, inlets, fluid = scene.pump, list(scene.inputs), scene.fluid
-    driven = [name for name, source in scene.inputs.items() if not source.gives_pressure]
-    if pump is None:
-        key = "pump"
-        message = (
-            "missing; the pump commands need the drive's data. Add for example\n"
-            "  pump:\n    syringe_diameter: 34.9 mm\n    servo: ax18a\n"
-            "or try one: --set 'pump={syringe_diameter: 34.9 mm}'"
-        )
-    elif driven:
-        key = "input"
-        message = f"the inlet '{driven[0]}' already has a syringe as its input; a plan starts from "
-        message += "the pressure wanted at each inlet"
-    elif isinstance(pump.servo_id, int) and len(inlets) > 1:
-        key, count = "pump.servo_id", len(inlets)
-        ids = ", ".join(f"{name}: {k}" for k, name in enumerate(inlets, start=1))
-        message = f"{pump.servo_id} is one servo for {count} inlets; give each its own, like "
-        message += f"{{{ids}}}"
-    elif not fluid.is_gas and fluid.bulk_modulus is None:
-        key = "fluid"
-        message = (
-            f"the stiffness of {fluid.name}, which the pump pushes, is unknown; give viscosity, "
-        )
-        message += "density and gas_constant or bulk_modulus under fluid"
-    elif (drive := Drive(pump)).filled_at_home <= 0.0:
-        key = "pump.syringe_stroke"
-        message = (
-            f"{1e3 * pump.syringe_stroke:.4g} mm is not enough: from home ({pump.home} counts) the "
-            f"travel {list(pump.travel)} draws the plunger out by {-1e3 * drive.range[0]:.4g} mm. "
-            "Use a longer syringe, a smaller pinion_diameter or a shorter travel, or state "
-            "filled_length"
-        )
-    elif drive.filled_at_home > pump.syringe_stroke:
-        key = "pump.filled_length"
-        message = (
-            f"{1e3 * drive.filled_at_home:.4g} mm are longer than pump.syringe_stroke, the whole "
-            f"barrel of {1e3 * pump.syringe_stroke:.4g} mm"
-        )
-    else:
-        return pump
-    raise SpecError([Fault(message, key, scene.source.file)])
-
-
 def planned(scene: Scene) -> Scene:
-    """The scene with outputs as fine as a plunger needs, and what a plunger feels taken in."""
+    """The scene with outputs as fine as a pump needs, and what a pump feels taken in."""
     choice = scene.effects
     modes = dict(choice.modes)
     for name in (name for trait in COUNTED for name in names_with(trait)):

@@ -10,10 +10,12 @@ from viscodesign.effects.catalogue import catalogue
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.outputs import Outputs
-from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import KEPT_FREE, Barrel, feed_line_at
-from viscodesign.pump.planning.scene_variants import planned, pump_of, with_inputs
-from viscodesign.pump.simulated.bench import Plant
+from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.demand_kinds import demand_kind, pump_of
+from viscodesign.pump.planning.feed_line import feed_line_at
+from viscodesign.pump.planning.scene_variants import planned, with_inputs
+from viscodesign.pump.simulated.plant import Plant
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.build_problem import build, suggest_settings
 from viscodesign.solve.problem import Pieces, Problem, Schedule, evaluate_along
@@ -29,16 +31,15 @@ GRID = 0.01  # intervals of any other; what is left over waits for the next tick
 
 
 class ActuatorPlant(Plant):
-    """Gauge pressures at the plungers, and the tip, of a scene's actuator.
+    """Gauge pressures at the inlets, and the tip, of a scene's actuator.
 
-    Filled at the baseline with all plungers at home, it begins in equilibrium, there or where a
+    Filled at the baseline with all axes at home, it begins in equilibrium, there or where a
     first `advance` by no time puts them. `advance` raises `SolveError` where the model fails.
     """
 
     def __init__(self, scene: Scene) -> None:
-        drive, scene = Drive(pump_of(scene)), planned(scene)
-        self._area, self._longest_way = drive.area, (1 - KEPT_FREE) * drive.filled_at_home
-        self._problem = _problem(scene, drive)
+        pump, scene = pump_of(scene), planned(scene)
+        self._axes, self._problem = _driven_problem(scene, pump)
         self._solver = _solver(self._problem)
         self._any_length = not isinstance(self._solver, solver_catalogue()[SPARE_SOLVER])
         self._owed = 0.0
@@ -51,11 +52,12 @@ class ActuatorPlant(Plant):
         return self._work.steps
 
     def advance(self, seconds: float, positions: np.ndarray) -> np.ndarray:
-        """Gauge pressures (P,) [Pa] after some time in which the plungers move evenly to a place.
+        """Gauge pressures (P,) [Pa] after some time in which the axes move evenly to a place.
 
-        ``positions`` (P,) pushed in from home [m]; further than the barrel is filled none goes.
+        ``positions`` (P,) in SI; a plunger goes no further than its barrel is filled.
         """
-        goal = np.minimum(np.asarray(positions, dtype=float), self._longest_way)
+        places = zip(self._axes, positions, strict=True)
+        goal = np.array([float(axis.possible(position)) for axis, position in places])
         begin = self._position
         if seconds <= 0.0 and self._work.steps == 0:
             self._begin(goal)
@@ -65,7 +67,7 @@ class ActuatorPlant(Plant):
         return self.pressure
 
     def _begin(self, position: np.ndarray) -> None:
-        """Equilibrium with the plungers at a place [m]."""
+        """Equilibrium with the axes at a place."""
         schedule = self._schedule(GRID, position, position)
         self._here = equilibrium(self._problem, 0.0, schedule.initial_piece)
         self._read(schedule, position)
@@ -93,9 +95,12 @@ class ActuatorPlant(Plant):
         self._read(schedule, goal)
 
     def _schedule(self, seconds: float, begin: np.ndarray, end: np.ndarray) -> Schedule:
-        """One interval in which the plungers move evenly [m]."""
-        velocity = self._area * (end - begin) / seconds
-        piece = np.stack((self._area * begin, velocity, 0.0 * begin), axis=1).ravel()
+        """One interval in which the axes move evenly."""
+        first, last = (
+            np.array([axis.input_value(p) for axis, p in zip(self._axes, place, strict=True)])
+            for place in (begin, end)
+        )
+        piece = np.stack((first, (last - first) / seconds, 0.0 * first), axis=1).ravel()
         pieces = Pieces(piece[None, :], np.array([0]), 1)
         return Schedule(np.array([0.0, seconds]), pieces, np.array([0, 1]), piece)
 
@@ -109,17 +114,20 @@ class ActuatorPlant(Plant):
         self.tip: np.ndarray = np.append(shape[0, -1], angle)  # x [m], z [m], angle [rad]
 
 
-def _problem(scene: Scene, drive: Drive) -> Problem:
-    """The scene's equations with plungers at its inlets, at home."""
+def _driven_problem(scene: Scene, pump: PumpSpec) -> tuple[list[PumpDemand], Problem]:
+    """The axes at the scene's inlets, at home, and its equations with them."""
     names = select_effects(SceneQuantities(scene)).active
     times, home = np.array([0.0, 1.0]), np.zeros(2)
-    inputs = {
-        name: Barrel(scene, drive, feed_line_at(scene, name, names)).syringe(times, home)
+    axes = [
+        demand_kind(pump)(
+            scene, pump, name, feed_line_at(scene, name, names), times, 0.0, home, home
+        )
         for name in scene.inputs
-    }
+    ]
+    inputs = {axis.inlet: axis.source(times, home) for axis in axes}
     quantities = SceneQuantities(with_inputs(scene, inputs))
     effects = [kind.of(quantities) for name, kind in catalogue().items() if name in names]
-    return build(quantities, effects, suggest_settings(quantities, effects))
+    return axes, build(quantities, effects, suggest_settings(quantities, effects))
 
 
 def _solver(problem: Problem) -> Solver:

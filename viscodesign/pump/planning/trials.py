@@ -11,7 +11,7 @@ from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.limits import infeasible, verdict
 from viscodesign.pump.planning.motion import RequestedMotion, run_model, shares_a_network
 from viscodesign.pump.planning.scene_variants import ramped, scaled
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.spec_part import copied
 
 Variation = Mapping[str, float]

@@ -7,7 +7,8 @@ says what one is, in SI. Every number about steps is the family's own.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from viscodesign.lazy_dataclass import dataclass
 
@@ -33,6 +34,19 @@ class AxisState:
     def alarm(self) -> str:
         """The fault that it reports, in words; empty where there is none."""
         return ""
+
+
+@dataclass(frozen=True)
+class FoundAxis:
+    """One axis as it was found, before anything moves."""
+
+    id: int
+    cells: Mapping[str, str]
+    """What a table of axes says of it, by heading."""
+    document: Mapping[str, Any]
+    """The same for a program, under names with units."""
+    faults: Sequence[str] = ()
+    """Why it must not be moved, each with what to do."""
 
 
 @dataclass(frozen=True)
@@ -93,6 +107,10 @@ class FinalAxisState:
 
     def __str__(self) -> str:
         return f"{self.noun} {self.axis}: {self.words}"
+
+    def document(self) -> dict[str, Any]:
+        """It for a program."""
+        return {"id": self.axis, "verified": self.verified, "state": self.words}
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,6 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
 
 ROUNDS = 12  # of reading that are timed
-READING_SHARE = 0.8  # of a tick that reading may take; the rest is left for sending and recording
 LOWEST_RATE = 10.0  # slower ticks would take longer than a silence may last [Hz]
 HIGHEST_RATE = 100.0  # [Hz]
 
@@ -39,19 +38,20 @@ def measure_round_trip(read: Callable[[], object], clock: Clock) -> RoundTrip:
     return RoundTrip(median(times), max(times))
 
 
-def sustainable_rate(requested: float, trip: RoundTrip) -> tuple[float, str]:
+def sustainable_rate(requested: float, trip: RoundTrip, share: float = 0.8) -> tuple[float, str]:
     """Rate to stream at [Hz], and a note for the user where it is not the ``requested`` one.
+
+    ``share`` of a tick that reading may take; the rest is left for sending and recording.
 
     Raises `PumpError` where the link does not even hold `LOWEST_RATE`.
     """
-    if requested * trip.median <= READING_SHARE:
+    if requested * trip.median <= share:
         return requested, ""
-    rate = float(math.floor(READING_SHARE / trip.median))
+    rate = float(math.floor(share / trip.median))
     if rate < LOWEST_RATE:
         raise PumpError(
             f"reading the pump once takes {trip}, too long for {LOWEST_RATE:g} set-points a "
-            "second; lower the adapter's latency (`viscodesign pump ports` says how), or use "
-            "`pump upload`"
+            "second; lower the adapter's latency: `viscodesign pump ports` says how"
         )
     return rate, (
         f"rate lowered from {requested:g} to {rate:g} Hz: reading the pump once takes {trip}; "

@@ -9,10 +9,11 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any, ClassVar
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState
+from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState, FoundAxis
 from viscodesign.pump.play.guard import Stop
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
@@ -26,14 +27,22 @@ class Pump(ABC):
     are refused until a new command begins.
     """
 
+    reading_share: ClassVar[float] = 0.8
+    """Share of a tick that reading may take; the rest is left for sending and recording."""
+
     def __init__(
         self,
+        board: Any,
+        settings: Any,
         axes: Sequence[int],
         limits: AxisLimits,
         gauges: PressureReadings,
         read_switches: Callable[[], Pressed],
         clock: Clock,
     ) -> None:
+        self.board = board  # a controller
+        self.settings = settings  # the section of its kind in a spec
+        self.identity = ""  # what the board said of itself
         self.axes = tuple(axes)
         self.limits = limits
         self.gauges = gauges
@@ -46,6 +55,18 @@ class Pump(ABC):
         self.read_at = -math.inf  # when, about: between question and answer [s of the clock]
         self.reach = 1
         """Farthest that a target may lie from the one before [steps]: one tick's travel."""
+
+    @abstractmethod
+    def _inspect(self) -> tuple[str, list[FoundAxis]]:
+        """What the board says of itself, and all axes as they are; changes nothing."""
+
+    def connect(self) -> list[FoundAxis]:
+        """Identify the board and all axes; raises `PumpError` where they must not move."""
+        self.identity, found = self._inspect()
+        faults = [fault for axis in found for fault in axis.faults]
+        if faults:
+            raise PumpError("\n".join(["nothing has moved:", *faults]))
+        return found
 
     @abstractmethod
     def arm(self, speed: float = 0.0) -> None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from viscodesign.pump.planning.result import PumpPlan
+from viscodesign.pump.planning.result import Panel, PumpPlan
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import axes_at, head, head_room, picture, shown
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DASHES = ("-", "--", ":", "-.")
-LEFT, BOTTOM, WIDE, TALL, GAP, SQUARE = 0.78, 0.5, 4.0, 1.25, 0.16, 2.9
+LEFT, BOTTOM, WIDE, GAP, SQUARE = 0.78, 0.5, 4.0, 0.16, 2.9
 BETWEEN, RIGHT, WORDS, LEGEND = 0.95, 0.2, 1.2, 0.28
-PANELS = 4 * TALL + 3 * GAP
+PANELS = 5.48
 LEAST_WIDTH = 6.4
 """All in inches: the least width with the tip's paths on the right; else they are below."""
 MOST_ENTRIES = 8
@@ -32,19 +32,8 @@ WANTED: dict[str, Any] = {"lw": 3.2, "alpha": 0.4, "solid_capstyle": "butt"}
 DONE: dict[str, Any] = {"lw": 1.2}
 
 
-class Panel(NamedTuple):
-    """One quantity against time."""
-
-    label: str
-    field: str
-    factor: float
-    marks: tuple[tuple[str, float], ...]  # levels with their names
-    shows: float  # share of a mark that brings it into the picture where a curve comes to it
-    limits: tuple[float, float] = (-np.inf, np.inf)  # beyond which nothing is drawn
-
-
 def draw_plan(plan: PumpPlan, path: Path) -> None:
-    """Four panels against time; beside them the tip's paths."""
+    """Panels against time; beside them the tip's paths."""
     width = look().across(LEFT + WIDE + BETWEEN + SQUARE + RIGHT)
     free = width - LEFT - RIGHT
     if width >= LEAST_WIDTH:
@@ -58,9 +47,10 @@ def draw_plan(plan: PumpPlan, path: Path) -> None:
     top, columns = base + PANELS, min(8, int(free))
     legend = LEGEND * -(-_legend_entries(plan) // columns)
     with picture(path, width, top + legend + head_room(plan.wanted_run, width)) as made:
-        panels = _panels(plan)
+        panels = plan.panels
+        tall = (PANELS + GAP) / len(panels) - GAP
         for k, panel in enumerate(panels):
-            axes = axes_at(made, LEFT, top - (k + 1) * TALL - k * GAP, wide, TALL)
+            axes = axes_at(made, LEFT, top - (k + 1) * tall - k * GAP, wide, tall)
             _draw_panel(axes, plan, panel)
             axes.yaxis.set_label_coords(-0.46 / wide, 0.5)
             axes.tick_params(labelbottom=k == len(panels) - 1)
@@ -76,20 +66,6 @@ def draw_plan(plan: PumpPlan, path: Path) -> None:
 def pump_colours() -> tuple[str, ...]:
     """Colours of inlets; those beyond the fourth take them again, dashed."""
     return look().models[:4]
-
-
-def _panels(plan: PumpPlan) -> tuple[Panel, ...]:
-    low, high = plan.limits["travel_low_counts"], plan.limits["travel_high_counts"]
-    margin = 0.25 * (high - low)
-    flow = 1.2e6 * max(n["no_load_flow_m3_s"] for n in plan.numbers.values())
-    cap, ends = (("cap", plan.limits["cap_pa_gauge"] / 1e3),), (("travel", low), ("travel", high))
-    travel, torques = (low - margin, high + margin), (("a fifth: advice", 20.0), ("stall", 100.0))
-    return (
-        Panel("pressure\n[kPa gauge]", "pressure", 1e-3, cap, np.inf),
-        Panel("servo\n[counts]", "count", 1.0, ends, np.inf, travel),
-        Panel("flow of the\nplunger [mL/s]", "flow", 1e6, (), np.inf, (-flow, flow)),
-        Panel("torque [% of\nits stall]", "stall_share", 100.0, torques, 0.5, (0.0, 160.0)),
-    )
 
 
 def _draw_panel(axes: Axes, plan: PumpPlan, panel: Panel) -> None:

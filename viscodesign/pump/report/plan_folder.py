@@ -15,19 +15,6 @@ from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.findings import documents, json_ready
 from viscodesign.results.provenance import provenance
 
-QUANTITIES = {
-    "pressure_pa": "pressure",
-    "given_m3": "given",
-    "volume_m3": "volume",
-    "flow_m3_s": "flow",
-    "plunger_m": "position",
-    "count": "count",
-    "torque_nm": "torque",
-    "stall_share": "stall_share",
-    "speed_share": "speed_share",
-}
-"""Column's last words: the course's field."""
-
 
 def write_plan(
     plan: PumpPlan,
@@ -59,7 +46,7 @@ def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
     time = plan.wanted.time
     found = {"time_s": time, "run_time_s": time - plan.wanted.lead_s}
     for kind, course in (("wanted", plan.wanted), ("achievable", plan.achievable)):
-        for word, attribute in QUANTITIES.items():
+        for word, attribute in course.columns.items():
             for inlet, column in zip(plan.inlets, getattr(course, attribute).T, strict=True):
                 own = "" if len(plan.inlets) == 1 else f"{inlet}_"
                 found[f"{kind}_{own}{word}"] = column
@@ -80,7 +67,7 @@ def plan_document(plan: PumpPlan) -> dict[str, Any]:
         "status": plan.status,
         "failure": plan.failure,
         "feasible": plan.is_feasible,
-        "servo": plan.device,
+        plan.noun: plan.device,
         "inlets": dict(zip(plan.inlets, plan.axes, strict=True)),
         "lead_s": plan.wanted.lead_s,
         "duration_s": float(plan.wanted.time[-1]),
@@ -91,7 +78,7 @@ def plan_document(plan: PumpPlan) -> dict[str, Any]:
         "achievable": {
             "clipped": plan.clipped,
             "sweeps": plan.sweeps,
-            "unsettled_counts": plan.unsettled_counts,
+            f"unsettled_{plan.unit}": plan.unsettled_steps,
             "tip_deviation_m": plan.deviation_m,
         },
         "accuracy": {

@@ -11,7 +11,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.boards.base import Board
+from viscodesign.pump.boards.controller import Controller
 
 SLOPE = 0.002421 / 1e3  # ratio for a pascal
 OFFSET = 3.478e3  # [Pa]
@@ -65,7 +65,7 @@ class PressureSource(ABC):
 class BoardAnalog(PressureSource):
     """A sensor on an analog input of the board, as precise as the board's converter."""
 
-    def __init__(self, board: Board, channel: int) -> None:
+    def __init__(self, board: Controller, channel: int) -> None:
         if not board.has_pins:
             raise PumpError(
                 f"the board {board.name} has no analog inputs: leave out `pump.sensor`, or use "

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.boards.base import Board
+from viscodesign.pump.boards.controller import Controller
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pump import LimitSwitchSpec, PumpSpec
+from viscodesign.scene.pumps.servo import LimitSwitchSpec, ServoPumpSpec
 
 
 class Switches:
@@ -17,12 +17,12 @@ class Switches:
         self._settings = dict(settings)
 
     @classmethod
-    def of(cls, pump: PumpSpec, servos: Sequence[int]) -> Switches:
+    def of(cls, pump: ServoPumpSpec, servos: Sequence[int]) -> Switches:
         """Those of a spec, for servos in the order of their inlets."""
         pairs = zip(servos, each(pump.limit_switches, len(servos)), strict=True)
         return cls({servo: switches for servo, switches in pairs if switches is not None})
 
-    def read(self, board: Board) -> dict[int, frozenset[str]]:
+    def read(self, board: Controller) -> dict[int, frozenset[str]]:
         """By servo: the ends ('low', 'high') whose switch is pressed, or its wire broken."""
         # Pins are pulled up: an open circuit reads high.
         return {
@@ -35,7 +35,7 @@ class Switches:
         }
 
 
-def _level(board: Board, pin: str) -> bool:
+def _level(board: Controller, pin: str) -> bool:
     level = board.digital(pin)
     if level is None:
         raise PumpError(

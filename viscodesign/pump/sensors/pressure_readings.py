@@ -18,12 +18,17 @@ class PressureReadings:
         sensors: Sequence[Callable[[], float] | None],
         ambient: float,
         names: Sequence[str] = (),
+        exact: Sequence[int] = (),
     ) -> None:
-        """``ambient``: absolute [Pa]; ``names`` of the inlets, for messages."""
+        """``ambient``: absolute [Pa]; ``names`` of the inlets, for messages.
+
+        ``exact``: inlets whose reading at rest is no error, such as what a regulator holds.
+        """
         several = len(sensors) > 1 and len(names) == len(sensors)
         self.prefixes = tuple(f"{name}: " for name in names) if several else ("",) * len(sensors)
         self.sensors = tuple(sensors)
         self.ambient = ambient
+        self.exact = frozenset(exact)
         self.offsets = [0.0 for _ in sensors]  # subtracted from each reading [Pa]
 
     def zero(self) -> list[str]:
@@ -34,7 +39,7 @@ class PressureReadings:
         """
         notes = []
         for k, measured in enumerate(self.read()):
-            if measured is None:
+            if measured is None or k in self.exact:
                 continue
             shows = f"{self.prefixes[k]}{measured / 1e3:+.2f} kPa"
             if abs(measured) <= LARGEST_OFFSET:

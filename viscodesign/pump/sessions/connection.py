@@ -3,45 +3,24 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 
 from viscodesign.errors import PumpError, UsageError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.boards.base import Board
 from viscodesign.pump.bus import ports
 from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
 from viscodesign.pump.bus.clock import Clock, PacedClock, SteppedClock, WallClock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.planning.scene_variants import pump_of
-from viscodesign.pump.sensors.base import BoardAnalog, PressureSource
-from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.phidget import Phidget
+from viscodesign.pump.consent import Confirm, Tell, ignore, require
+from viscodesign.pump.kinds.base import Connection, PumpKind
+from viscodesign.pump.planning.demand_kinds import pump_of
+from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.pump.sessions.open_board import (
-    SimulatedArbotix,
-    board_kind,
-    servo_ids,
-    simulated_line,
-)
-from viscodesign.pump.simulated.bench import AMBIENT, Plant
-from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pump import PumpSpec, SensorSpec
+from viscodesign.pump.sessions.board_names import board_kind, kind_behind
+from viscodesign.pump.simulated.plant import AMBIENT, Plant
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
-from viscodesign.storage.cached_property import cached_property
-
-SCANNED_IDS = range(1, 9)
-"""Servo ids that are tried where no spec names them."""
-
-Tell = Callable[[str], None]
-"""Receives one message that a user should read."""
-Confirm = Callable[[str], bool]
-"""Receives what is about to happen, its last line a question; whether the user agrees."""
-
-
-def ignore(message: str) -> None:
-    """Drop a message."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +28,7 @@ class BoardAddress:
     """Which board, and how to reach it."""
 
     board: str = "simulated"
-    """`simulated`, `dynamixel`, `arbotix` or `arbotix-ros`."""
+    """`simulated`, or a board of the pump's kind, such as `dynamixel`."""
     port: str | None = None
     """Serial port, such as /dev/ttyUSB0; none for a simulated board."""
     baud: int | None = None
@@ -97,12 +76,6 @@ class BoardAddress:
             require(confirm, text)
 
 
-def require(confirm: Confirm, text: str) -> None:
-    """Raise `UsageError` unless the user agrees."""
-    if not confirm(text):
-        raise UsageError("aborted; nothing moved")
-
-
 def _factor(text: str) -> float:
     with contextlib.suppress(ValueError):
         if 0.0 < (factor := float(text)) < float("inf"):
@@ -111,50 +84,6 @@ def _factor(text: str) -> float:
 
 
 SIMULATED = BoardAddress()
-
-
-@dataclass(frozen=True)
-class Connection:
-    """An open board, and what is known of the pump behind it."""
-
-    board: Board
-    log: ByteLog
-    clock: Clock
-    pump: PumpSpec | None
-    ambient: float
-    """Absolute [Pa]."""
-    names: tuple[str, ...]
-    """Of the servos' inlets; empty where no spec names them."""
-
-    @cached_property
-    def servos(self) -> list[int]:
-        """Ids of the spec's servos; without a spec, of all that answer."""
-        if self.pump is not None:
-            return servo_ids(self.pump)
-        return [servo for servo in SCANNED_IDS if self.board.answers(servo)]
-
-    @property
-    def inlets(self) -> tuple[str, ...]:
-        """One name per servo."""
-        alone = len(self.servos) == 1
-        return self.names or (("inlet",) if alone else tuple(f"servo{id}" for id in self.servos))
-
-    @contextlib.contextmanager
-    def gauges(self) -> Iterator[PressureReadings]:
-        """The inlets' pressure sensors, each on the board or on a Phidgets interface kit."""
-        sensors = each(None if self.pump is None else self.pump.sensor, len(self.inlets))
-        with contextlib.ExitStack() as open_sources:
-            reads: list[Callable[[], float] | None] = []
-            for sensor in sensors:
-                source = None if sensor is None else self._source(sensor)
-                if source is not None:
-                    open_sources.callback(source.close)
-                reads.append(None if source is None else source.absolute)
-            yield PressureReadings(reads, self.ambient, self.inlets)
-
-    def _source(self, sensor: SensorSpec) -> PressureSource:
-        on_board = self.board.has_pins if sensor.on == "auto" else sensor.on == "board"
-        return BoardAnalog(self.board, sensor.channel) if on_board else Phidget(sensor.channel)
 
 
 def _serial_line(port: str, baud: int, clock: Clock) -> Line:
@@ -178,47 +107,49 @@ def connected(
     ``plant``: what a simulated pump presses into; ``poses``: its board plays poses by itself.
     Closed on leaving, whatever happens.
     """
-    kind, clock = board_kind(address.board), address.clock()
+    kind, clock = kind_behind(address.board, scene), address.clock()
+    board = kind.simulated_board(poses) if address.simulated else kind.boards()[address.board]
     refuse_port(address)
-    pump, ambient, names = _known(scene, kind.simulated)
-    log, baud = ByteLog(address.log, tell), address.baud or kind.baud
+    pump, ambient, names = _known(kind, scene, address.simulated)
+    log, baud = ByteLog(address.log, tell), address.baud or board.baud
     try:
-        if pump is not None and kind.simulated:
-            line: Line = simulated_line(pump, clock, plant, ambient, poses=poses)
-            kind = SimulatedArbotix if poses else kind
+        if address.simulated:
+            line = kind.simulated_line(pump, clock, plant, ambient, poses=poses)
         else:
             line = _serial_line(str(address.port), baud, clock)
         how = {"board": address.board, "port": address.port, "baud": baud}
-        log.event("opened", **how, simulated=kind.simulated)
-        board = kind(LoggedLine(line, log), [] if pump is None else servo_ids(pump))
-        clock.sleep(kind.boot)
-        board.line.drain()
+        log.event("opened", **how, simulated=board.simulated)
+        axes = () if pump is None else pump.axes(len(names))
+        link = Connection(
+            kind, board(LoggedLine(line, log), axes), log, clock, pump, ambient, names
+        )
+        clock.sleep(board.boot)
+        link.board.line.drain()
         try:
-            yield Connection(board, log, clock, pump, ambient, names)
+            yield link
         finally:
             # A port that is gone has been reported already.
             with contextlib.suppress(PumpError):
-                board.line.close()
+                link.board.line.close()
     finally:
         log.close()
 
 
-def unmonitored_pump(
-    board: Board, pump: PumpSpec, servos: Sequence[int], clock: Clock
-) -> ServoPump:
-    """The pump behind a board that reads neither sensors nor switches."""
-    none = PressureReadings([None] * len(servos), AMBIENT)
-    return ServoPump(board, pump, servos, none, Switches({}), clock)
+def unmonitored_pump(link: Connection) -> Pump:
+    """The pump of a connection, without its sensors and switches."""
+    none = PressureReadings([None] * len(link.axes), link.ambient)
+    return link.kind.connected_pump(link, none, monitored=False)
 
 
-def _known(scene: Scene | None, simulated: bool) -> tuple[PumpSpec | None, float, tuple[str, ...]]:
+def _known(
+    kind: PumpKind, scene: Scene | None, simulated: bool
+) -> tuple[PumpSpec | None, float, tuple[str, ...]]:
     """Pump, ambient pressure and inlets: of a scene, of the simulated board, or of any pump."""
     if scene is not None:
         return pump_of(scene), scene.ambient_pressure, tuple(scene.inputs)
     if not simulated:
         return None, AMBIENT, ()
-    default = {"syringe_diameter": "34.9 mm", "sensor": {"channel": 0}}
-    return PumpSpec.model_validate(default), AMBIENT, ("inlet",)
+    return kind.simulated_pump(), AMBIENT, ("inlet",)
 
 
 def refuse_port(address: BoardAddress) -> None:

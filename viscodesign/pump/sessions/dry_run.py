@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-from collections import Counter
-
-import numpy as np
-
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.ax.protocol.packets import Instruction, shown
-from viscodesign.pump.ax.protocol.transactions import ARBOTIX
-from viscodesign.pump.boards.arbotix import HALT, Arbotix
-from viscodesign.pump.boards.simulated import Simulated
+from viscodesign.pump.bus.byte_log import ByteLog
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.line import RecordingLine
+from viscodesign.pump.consent import ignore
+from viscodesign.pump.kinds.base import Connection, PumpKind
+from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.play.stream_result import OnStop
-from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, ignore, unmonitored_pump
-from viscodesign.pump.sessions.open_board import board_kind, simulated_line
+from viscodesign.pump.poses.upload import Playback
+from viscodesign.pump.sessions.board_names import board_kind, kind_of
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, unmonitored_pump
 from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession
-from viscodesign.pump.sessions.uploading import Playback, UploadSession
-from viscodesign.pump.simulated.bench import Plant
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.pump.sessions.uploading import UploadSession
+from viscodesign.pump.simulated.plant import NoPressure
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -64,29 +60,21 @@ def rehearse(
     return rehearse_upload(UploadSession(scene, tolerance, playback, achievable, progress))
 
 
-class NoPressure(Plant):
-    """Plungers that press into nothing: a closed barrel would load them unlike the actuator."""
-
-    def advance(self, seconds: float, positions: np.ndarray) -> np.ndarray:
-        return np.asarray(np.zeros_like(positions))
-
-
 def rehearse_stream(session: StreamSession) -> Rehearsal:
     """The plan, and the packets that would set something."""
-    line, servos = _simulated_line(session.settings), session.plan.axes
-    pump = unmonitored_pump(Simulated(line, servos), session.settings, servos, line.clock)
+    link, line = _simulated_link(session.kind, session.scene)
+    pump = unmonitored_pump(link)
     stream = session.stream_on(pump, StopRequest(), lambda tick: None)
     pump.connect()
     result = stream.play()
-    setting = (Instruction.WRITE, Instruction.SYNC_WRITE)
-    packets = [data for data in line.sent if data[4] in setting]
+    packets = [data for data in line.sent if link.board.sets(data)]
     lines = [
         HEADING,
         *session.description(),
-        f"would send {len(packets)} packets that write registers; first {SHOWN_PACKETS} and last:",
-        *(f"  {shown(packet)}" for packet in packets[:SHOWN_PACKETS]),
+        f"would send {len(packets)} packets that set something; first {SHOWN_PACKETS} and last:",
+        *(f"  {link.board.shown(packet)}" for packet in packets[:SHOWN_PACKETS]),
         "  ...",
-        f"  {shown(packets[-1])}",
+        f"  {link.board.shown(packets[-1])}",
         f"[dry run] {result_lines(result)[0]}",
     ]
     return Rehearsal("\n".join(lines), tuple(line.sent))
@@ -94,30 +82,27 @@ def rehearse_stream(session: StreamSession) -> Rehearsal:
 
 def rehearse_upload(session: UploadSession) -> Rehearsal:
     """The plan and the packets, those on the way to the start only counted."""
-    line, servos = _simulated_line(session.settings, poses=True), session.lead.axes
-    pump = unmonitored_pump(Arbotix(line, servos), session.settings, servos, line.clock)
-    request = StopRequest()
+    link, line = _simulated_link(kind_of(session.scene), session.scene, poses=True)
+    pump, poses, request = unmonitored_pump(link), session.poses, StopRequest()
 
     def end_after_one_round(elapsed: float) -> None:
-        if session.fit.looped and elapsed > session.fit.duration:
+        if poses.fit.looped and elapsed > poses.fit.duration:
             request.times, request.first = 1, "dry run"
 
     pump.connect()
-    result = session.play_on(pump, request, ignore, end_after_one_round)
+    result = poses.play_on(pump, request, ignore, end_after_one_round)
     if result is not None and result.status == "stopped":
         raise PumpError(f"the simulated pump cannot play this: {result.reason}")
-    own = [data for data in line.sent if data[2:3] == bytes([ARBOTIX]) or data.startswith(HALT)]
-    others = Counter(Instruction(data[4]).name.lower() for data in line.sent if data not in own)
-    lines = [
-        HEADING,
-        *session.description(),
-        "would send to the servos, starting at home: "
-        + ", ".join(f"{number} {kind}s" for kind, number in sorted(others.items())),
-        f"would send to the board, {len(own)} packets:",
-        *(f"  {shown(data)}" for data in own),
-    ]
+    lines = [HEADING, *session.description(), *poses.sent_lines(line.sent)]
     return Rehearsal("\n".join(lines), tuple(line.sent))
 
 
-def _simulated_line(settings: PumpSpec, *, poses: bool = False) -> RecordingLine:
-    return RecordingLine(simulated_line(settings, SteppedClock(), NoPressure(), poses=poses))
+def _simulated_link(
+    kind: PumpKind, scene: Scene, *, poses: bool = False
+) -> tuple[Connection, RecordingLine]:
+    """A connection to a simulated pump that presses into nothing, and all that it sends."""
+    clock, pump, ambient = SteppedClock(), pump_of(scene), scene.ambient_pressure
+    line = RecordingLine(kind.simulated_line(pump, clock, NoPressure(), ambient, poses=poses))
+    names = tuple(scene.inputs)
+    board = kind.simulated_board(poses)(line, pump.axes(len(names)))
+    return Connection(kind, board, ByteLog(None, ignore), clock, pump, ambient, names), line

@@ -11,33 +11,18 @@ from typing import Any
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.ax.hold import stop_all
-from viscodesign.pump.ax.preflight import FoundServo, blocking_faults, identify
-from viscodesign.pump.ax.servo_state import listen
-from viscodesign.pump.play.axis import FinalAxisState
-from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sessions.connection import (
-    SCANNED_IDS,
-    SIMULATED,
-    BoardAddress,
-    Connection,
-    Tell,
-    connected,
-    ignore,
-)
+from viscodesign.pump.consent import Tell, ignore
+from viscodesign.pump.kinds.base import Connection
+from viscodesign.pump.play.axis import FinalAxisState, FoundAxis
+from viscodesign.pump.play.listening import listen
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
 from viscodesign.pump.sessions.record_file import recorded
-from viscodesign.pump.sessions.reports import servo_document
-from viscodesign.scene.pump import PumpSpec
 from viscodesign.scene.scene import Scene
 
 HIGHEST_RATE_HZ = 100.0
-NO_SERVO = (
-    "no servo answers, so nothing could be verified. If the pump moves, switch its power off. "
+NO_REPLY = (
+    "no {noun} answers, so nothing could be verified. If the pump moves, switch its power off. "
     "Is this the right --board and --baud?"
-)
-BUSY_BOARD = (
-    "A move that the PyPose firmware plays cannot be interrupted: the halt acts when it is over, "
-    "up to 32 s later. Until then nothing answers, and only switching the power off stops it."
 )
 
 
@@ -47,9 +32,11 @@ class PumpStatus:
 
     address: BoardAddress
     identity: str
-    servos: tuple[FoundServo, ...]
+    noun: str
+    """What an axis of this pump is called."""
+    axes: tuple[FoundAxis, ...]
     inlets: tuple[str, ...]
-    """One name per servo."""
+    """One name per axis."""
     pressure: tuple[float | None, ...] | None = None
     """Gauge, per inlet [Pa]; None where no spec names the sensors."""
     pressed: tuple[str, ...] = ()
@@ -64,7 +51,7 @@ class PumpStatus:
             "board": self.address.board,
             "simulated": self.address.simulated,
             "identity": self.identity,
-            "servos": [servo_document(servo) for servo in self.servos],
+            f"{self.noun}s": [axis.document for axis in self.axes],
             "inlets": self.inlets,
             **(pins if self.pressure is not None else {}),
             "objections": list(self.objections),
@@ -75,29 +62,27 @@ class PumpStatus:
 def status(
     address: BoardAddress = SIMULATED, scene: Scene | None = None, *, tell: Tell = ignore
 ) -> PumpStatus:
-    """Read the servos that answer, and with a scene its sensors and switches; writes nothing."""
+    """Read the axes that answer, and with a scene its sensors and switches; writes nothing."""
     with connected(address, scene, tell=tell) as link:
-        identity = link.board.identify()
-        servos = tuple(identify(link.board, servo) for servo in link.servos)
+        identity, noun = link.board.identify(), link.kind.noun
+        axes = link.kind.inspect(link)
         if link.pump is None:
-            return PumpStatus(address, identity, servos, link.inlets)
+            return PumpStatus(address, identity, noun, axes, link.inlets)
         with link.gauges() as gauges:
             pressure = gauges.read()
-        objections = [reason for servo in servos for reason in blocking_faults(servo, link.pump)]
-        pressed = _pressed(link, link.pump)
+        objections = tuple(reason for axis in axes for reason in axis.faults)
         return PumpStatus(
-            address, identity, servos, link.inlets, pressure, pressed, tuple(objections)
+            address, identity, noun, axes, link.inlets, pressure, _pressed(link), objections
         )
 
 
-def _pressed(link: Connection, pump: PumpSpec) -> tuple[str, ...]:
+def _pressed(link: Connection) -> tuple[str, ...]:
     """Switches that are pressed; their inlets are named where there are several."""
-    ends = Switches.of(pump, link.servos).read(link.board)
-    names = dict(zip(link.servos, link.inlets, strict=True))
+    ends, names = link.kind.pressed(link), dict(zip(link.axes, link.inlets, strict=True))
     return tuple(
-        f"{names[servo]} {end}" if len(names) > 1 else end
-        for servo in ends
-        for end in sorted(ends[servo])
+        f"{names[axis]} {end}" if len(names) > 1 else end
+        for axis in ends
+        for end in sorted(ends[axis])
     )
 
 
@@ -136,7 +121,7 @@ def record(
 ) -> RecordReport:
     """Record pressure, position, load, voltage and temperature to a CSV file; only reads.
 
-    The columns are those of `stream`. ``scene`` names servos and sensors; without one all servos
+    The columns are those of `stream`. ``scene`` names axes and sensors; without one all axes
     that answer are recorded, and no pressure. ``rate`` [Hz]; ``duration`` [s], by default until
     Ctrl-C or a request to ``stop``. Beside the table stands a JSON document of the same name.
     """
@@ -147,12 +132,14 @@ def record(
         facts = dict(zip(("board", "simulated", "identity"), who, strict=True))
         with (
             link.gauges() as gauges,
-            recorded(path, link.inlets, facts) as file,
+            recorded(path, link.inlets, facts, link.kind.channels) as file,
             stop_on_signals(stop) as request,
         ):
-            read_from = (link.board, link.servos, gauges, link.clock)
+            how: Any = {"rate": rate, "duration": duration}
             try:
-                ticks = listen(*read_from, request, file.add, rate=rate, duration=duration)
+                ticks = listen(
+                    lambda: link.kind.read(link), gauges, link.clock, request, file.add, **how
+                )
             except PumpError as error:
                 file.state("stopped", reason=str(error))
                 raise
@@ -182,16 +169,17 @@ def stop(
     release: bool = False,
     tell: Tell = ignore,
 ) -> list[FinalAxisState]:
-    """Halt the board, then hold every servo that answers (or ``release``: switch torque off).
+    """Halt the board, then hold every axis that answers (or ``release`` it).
 
-    Works in any state and needs no scene. ``ids``: only these servos; by default 1 to 8. Says
-    of each servo whether its state was verified; raises `PumpError` where none answers. A
+    Works in any state and needs no scene. ``ids``: only these axes; by default all that answer.
+    Says of each whether its state was verified; raises `PumpError` where none answers. A
     simulated pump lives only as long as its session: there is nothing to stop.
     """
     if address.simulated:
         return []
     with connected(address, tell=tell) as link:
-        left = stop_all(link.board, list(ids or SCANNED_IDS), link.clock, release=release)
+        left = link.kind.stop(link, ids, release)
         if not left:
-            raise PumpError(NO_SERVO if link.board.streams else f"{NO_SERVO}\n{BUSY_BOARD}")
+            more = "" if link.board.streams else f"\n{link.kind.no_reply}"
+            raise PumpError(NO_REPLY.format(noun=link.kind.noun) + more)
     return left

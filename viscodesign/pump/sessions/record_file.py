@@ -14,23 +14,16 @@ import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.errors import OutputError, UsageError
-from viscodesign.pump.play.axis import AxisState, Sample
+from viscodesign.pump.kinds.base import Channels
+from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.stream_result import RecordingError
 from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
 FLUSH_INTERVAL_S = 1.0
 """Rows reach the disk this long after they were read, at the latest."""
-SERVO_CHANNELS: dict[tuple[str, str], Callable[[AxisState, int], float | None]] = {
-    ("position", "counts"): lambda state, goal: state.position,
-    ("goal", "counts"): lambda state, goal: goal,
-    ("load", "rel"): lambda state, goal: state.load,
-    ("voltage", "v"): lambda state, goal: state.voltage,
-    ("temperature", "degc"): lambda state, goal: state.temperature,
-}
-"""Quantity and unit of each servo's columns, with what gives its value."""
 
 
-def columns(inlets: Sequence[str], more: Sequence[str] = ()) -> list[str]:
+def columns(inlets: Sequence[str], channels: Channels, more: Sequence[str] = ()) -> list[str]:
     """Names of the columns; time and pressures as in `trajectory.csv`."""
 
     def named(quantity: str, inlet: str, unit: str) -> str:
@@ -42,7 +35,7 @@ def columns(inlets: Sequence[str], more: Sequence[str] = ()) -> list[str]:
         "time_s",
         *more,
         *(named(pressure, inlet, "pa") for pressure in pressures for inlet in inlets),
-        *(named(what, inlet, unit) for inlet in inlets for what, unit in SERVO_CHANNELS),
+        *(named(what, inlet, unit) for inlet in inlets for what, unit in channels),
     ]
 
 
@@ -59,6 +52,7 @@ class Record:
         table: FileIO,
         inlets: Sequence[str],
         facts: Mapping[str, Any],
+        channels: Channels,
         more: Mapping[str, Callable[[], float]],
     ) -> None:
         self.path = path
@@ -72,8 +66,8 @@ class Record:
         self._table = table
         self._whole = 0
         """Bytes of whole rows in the file."""
-        self._facts, self._more = facts, more
-        self._columns = columns(inlets, list(more))
+        self._facts, self._channels, self._more = facts, channels, more
+        self._columns = columns(inlets, channels, list(more))
         self._waiting = (",".join(self._columns) + "\n").encode()
         self._flushed = time.monotonic()
         self._errors: list[float] = []
@@ -82,9 +76,9 @@ class Record:
         """One row; ``moment`` is the time of its first column [s]."""
         row: list[float | None] = [moment, *(value() for value in self._more.values())]
         row += [*sample.pressure, *sample.wanted]
-        for servo, state in sample.axes.items():
-            goal = sample.goals.get(servo, state.goal)
-            row += [value(state, goal) for value in SERVO_CHANNELS.values()]
+        for axis, state in sample.axes.items():
+            goal = sample.goals.get(axis, state.goal)
+            row += [value(state, goal) for value in self._channels.values()]
         self._waiting += (",".join(map(_number, row)) + "\n").encode()
         self.rows += 1
         pairs = zip(sample.pressure, sample.wanted, strict=True)
@@ -151,18 +145,20 @@ def recorded(
     path: Path,
     inlets: Sequence[str],
     facts: Mapping[str, Any],
+    channels: Channels,
     more: Mapping[str, Callable[[], float]] | None = None,
 ) -> Iterator[Record]:
     """A record in progress; replaces an earlier one of the same name.
 
-    ``facts`` go into the JSON: board, whether simulated, spec, plan. ``more`` are columns
-    behind the time, each with what gives its value.
+    ``facts`` go into the JSON: board, whether simulated, spec, plan. ``channels``: columns of
+    each axis.
+    ``more`` are columns behind the time, each with what gives its value.
     """
     with write_errors_as_usage(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         table = FileIO(path, "w")
     with contextlib.closing(table):
-        record = Record(path, table, inlets, facts, more or {})
+        record = Record(path, table, inlets, facts, channels, more or {})
         record.state("running")
         record.started = True
         try:

@@ -5,14 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
 from viscodesign.errors import InterruptedRunError, PumpError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.ax.preflight import FoundServo
-from viscodesign.pump.planning.result import PumpCourse
+from viscodesign.pump.play.axis import FoundAxis
 from viscodesign.pump.play.stream_result import StreamResult
-from viscodesign.scene.pump import PumpSpec
 
 STATUS_WORDS = {
     "complete": "played to its end",
@@ -28,65 +24,18 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     return ["  " + "  ".join(f"{cell:<{w}}" for cell, w in line).rstrip() for line in lines]
 
 
-def motion_rows(course: PumpCourse, pump: PumpSpec, counts: np.ndarray) -> list[tuple[str, str]]:
-    """Range of the plungers, in ``counts``, and of the pressures."""
-    volume, pressure = 1e6 * course.volume, course.pressure / 1e3
-    low, high = pump.travel
-    return [
-        (
-            "plunger",
-            f"{counts.min():.0f} to {counts.max():.0f} counts (travel {low} to {high}), "
-            f"{volume.min():.3g} to {volume.max():.3g} mL from home",
-        ),
-        ("pressure", f"{pressure.min():.2f} to {pressure.max():.2f} kPa gauge"),
-    ]
+def axis_rows(axes: Sequence[FoundAxis]) -> list[tuple[str, ...]]:
+    """Axes as a table, its heading first."""
+    return [tuple(axes[0].cells), *(tuple(axis.cells.values()) for axis in axes)]
 
 
-def servo_document(servo: FoundServo) -> dict[str, Any]:
-    """A servo as it was found, under names with units."""
-    return {
-        "id": servo.id,
-        "model": servo.name,
-        "firmware": servo.firmware,
-        "position_counts": servo.state.position,
-        "limits_counts": list(servo.limits),
-        "torque": servo.state.driven,
-        "goal_counts": servo.state.goal,
-        "load_rel": servo.state.load,
-        "voltage_v": servo.state.voltage,
-        "temperature_degc": servo.state.temperature,
-        "complaint": servo.state.complaint,
-    }
-
-
-def servo_rows(servos: Sequence[FoundServo]) -> list[tuple[str, ...]]:
-    """Servos as a table, its heading first."""
-    heading = ("id", "model", "position", "limits", "torque", "load", "voltage", "heat", "state")
-    return [heading, *(_servo_row(servo) for servo in servos)]
-
-
-def _servo_row(servo: FoundServo) -> tuple[str, ...]:
-    state, (low, high) = servo.state, servo.limits
-    return (
-        f"{servo.id}",
-        servo.name,
-        f"{state.position}",
-        "wheel mode" if servo.turns_endlessly else f"{low} to {high}",
-        "on" if state.driven else "off",
-        f"{state.load:+.0%}",
-        f"{state.voltage:.1f} V",
-        f"{state.temperature:.0f} degC",
-        state.complaint or "ok",
-    )
-
-
-def found_lines(identity: str, servos: Sequence[FoundServo]) -> list[str]:
-    """What answered on the bus."""
-    return [f"found {identity}", *aligned(servo_rows(servos))]
+def found_lines(identity: str, axes: Sequence[FoundAxis]) -> list[str]:
+    """What answered, and how it is."""
+    return [f"found {identity}", *aligned(axis_rows(axes))]
 
 
 def result_lines(result: StreamResult) -> list[str]:
-    """How it ended, and how each servo was left."""
+    """How it ended, and how each axis was left."""
     first = STATUS_WORDS[result.status]
     if result.status != "complete":
         first += f": {result.reason}"
@@ -108,6 +57,8 @@ class PlaybackReport:
     """How the pump was left; None where poses were loaded and not played."""
     facts: Mapping[str, Any]
     """What else is known, under names with units."""
+    noun: str
+    """What an axis of this pump is called."""
     kept: str = ""
     """Where the record is, in words."""
 
@@ -130,10 +81,7 @@ class PlaybackReport:
             "reason": result.reason,
             "rule": result.rule,
             "hold_verified": result.verified,
-            "servos": [
-                {"id": one.axis, "verified": one.verified, "state": one.words}
-                for one in result.standing
-            ],
+            f"{self.noun}s": [one.document() for one in result.standing],
             "retreat": result.retreat,
         }
 

@@ -9,32 +9,22 @@ from typing import Any, get_args
 
 from viscodesign.errors import UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
-from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.ax.torque_limit import stalling_pressure, torque_limit
 from viscodesign.pump.bus.byte_log import ByteLog
+from viscodesign.pump.consent import Confirm, Tell, ignore
+from viscodesign.pump.kinds.base import PumpKind
+from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.result import refuse_infeasible
-from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play import link_rate
-from viscodesign.pump.play.path import top_speed
+from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import OnStop, TickReport
-from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sessions import reports
-from viscodesign.pump.sessions.connection import (
-    SIMULATED,
-    BoardAddress,
-    Confirm,
-    Tell,
-    connected,
-    ignore,
-    refuse_port,
-)
-from viscodesign.pump.sessions.open_board import board_kind, boards
+from viscodesign.pump.sessions.board_names import board_kind, boards_of, kind_behind
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected, refuse_port
 from viscodesign.pump.sessions.record_file import Record, recorded
 from viscodesign.pump.sessions.reports import PlaybackReport
-from viscodesign.pump.sessions.required_sensors import with_sensors
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 from viscodesign.storage.atomic_files import write_errors_as_usage
@@ -92,10 +82,13 @@ class StreamSession:
 
         Only what is ``rehearsed`` needs no port.
         """
-        _refuse_options(address, rate, on_stop)
+        self.kind = kind_behind(address.board, scene)
+        _refuse_options(self.kind, address, rate, on_stop)
         if not rehearsed:
             refuse_port(address)
-        self.scene = with_sensors(scene, simulated=address.simulated, without=without_sensor)
+        self.scene = self.kind.with_sensors(
+            scene, simulated=address.simulated, without=without_sensor
+        )
         self.settings = pump_of(self.scene)
         self.address, self.rate, self.on_stop = address, rate, on_stop
         self.plan = plan_pump(self.scene, progress=progress)
@@ -103,26 +96,14 @@ class StreamSession:
 
     def description(self) -> list[str]:
         """The plan, to be read before it is agreed to."""
-        course, pump = self.plan.achievable, self.settings
-        speeds = (0.0, top_speed(self.plan.profile(course)))
-        slow, fast = (torque_limit(pump, speed) for speed in speeds)
-        at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
-        plunger, (_, pressure) = reports.motion_rows(course, pump, course.count)
+        course = self.plan.achievable
         rows = [
             (
                 "plays",
                 f"{self.plan.name}, {float(course.time[-1]) - course.lead_s:.4g} s at "
                 f"{self.rate:g} Hz, after a lead-in of {course.lead_s:.3g} s",
             ),
-            plunger,
-            ("pressure", f"{pressure}; stops above {pump.max_pressure / 1e3:g} kPa"),
-            (
-                "torque",
-                f"up to {course.stall_share.max():.0%} of stall; limited to "
-                f"{slow / 1023:.0%} at rest (holds at most {at_rest:.0f} kPa) and "
-                f"{fast / 1023:.0%} at top speed ({moving:.0f} kPa)",
-            ),
-            ("speed", f"up to {course.speed_share.max():.0%} of the speed left at that torque"),
+            *self.kind.motion_rows(self.plan, self.settings),
             ("on stop", self.on_stop),
         ]
         heading = f"{self.address.label}to be played on the board {self.address.board}"
@@ -142,33 +123,31 @@ class StreamSession:
             folder.mkdir(parents=True, exist_ok=True)
         address = replace(self.address, log=self.address.log or folder / "log.jsonl")
         plant = ActuatorPlant(self.scene) if address.simulated else None
-        calibration = {
-            "home_counts": self.settings.home,
-            "travel_counts": list(self.settings.travel),
-        }
-        facts = {
+        facts: dict[str, Any] = {
             "board": address.board,
             "simulated": address.simulated,
             "name": self.scene.name,
             "spec_sha256": self.plan.spec_sha256,
-            "calibration": calibration,
             "ambient_pressure_pa_abs": self.scene.ambient_pressure,
         }
         tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_COLUMNS)}
         with connected(address, self.scene, plant, tell) as link, link.gauges() as gauges:
-            servos = self.plan.axes
-            switches = Switches.of(self.settings, servos)
-            pump = ServoPump(link.board, self.settings, servos, gauges, switches, link.clock)
+            pump = self.kind.connected_pump(link, gauges)
+            unit, limits = pump.limits.unit, pump.limits
+            calibration = {f"home_{unit}": limits.home, f"travel_{unit}": list(limits.travel)}
+            facts["calibration"] = calibration
             lines = self._connect(pump)
             link.log.event("found", lines=lines, calibration=calibration)
             address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
             with (
                 stop_on_signals(stop) as request,
-                recorded(folder / "record.csv", self.plan.inlets, facts, tip) as record,
+                recorded(
+                    folder / "record.csv", self.plan.inlets, facts, self.kind.channels, tip
+                ) as record,
             ):
                 return self._stream(pump, request, record, link.log, tell, on_tick)
 
-    def stream_on(self, pump: ServoPump, request: StopRequest, on_tick: OnTick) -> Stream:
+    def stream_on(self, pump: Pump, request: StopRequest, on_tick: OnTick) -> Stream:
         """The stream of this session, not begun."""
         course = self.plan.achievable
         return Stream(
@@ -176,40 +155,44 @@ class StreamSession:
             rate=self.rate, lead=course.lead_s, on_stop=self.on_stop,
         )  # fmt: skip
 
-    def _connect(self, pump: ServoPump) -> list[str]:
+    def _connect(self, pump: Pump) -> list[str]:
         """Identify all that is there, moving nothing; what a user should read of it.
 
         The rate is lowered to what the link sustains.
         """
-        servos = pump.connect()
+        found = pump.connect()
         trip = link_rate.measure_round_trip(pump.look, pump.clock)
-        self.rate, lowered = link_rate.sustainable_rate(self.rate, trip)
+        self.rate, lowered = link_rate.sustainable_rate(self.rate, trip, pump.reading_share)
         notes = [*([lowered] if lowered else []), *pump.gauges.zero()]
         notes += [
             f"{name} has no pressure sensor: only the torque limit protects it"
             for name, pressure in zip(self.plan.inlets, pump.look()[1], strict=True)
             if pressure is None
         ]
-        found = reports.found_lines(pump.identity, servos)
-        return [*self.description(), *found, *notes, *self.address.hints]
+        there = reports.found_lines(pump.identity, found)
+        return [*self.description(), *there, *notes, *self.address.hints]
 
     def _stream(
         self,
-        pump: ServoPump,
+        pump: Pump,
         request: StopRequest,
         record: Record,
         log: ByteLog,
         tell: Tell,
         on_tick: OnTick | None,
     ) -> PlaybackReport:
+        unit = pump.limits.unit
+
         def observe(tick: TickReport) -> None:
             sample = tick.sample
             record.add(tick.time, sample)
             log.event(
                 "tick",
                 time_s=tick.time,
-                goals_counts=sample.next_goals,
-                positions_counts={s: state.position for s, state in sample.axes.items()},
+                **{
+                    f"goals_{unit}": sample.next_goals,
+                    f"positions_{unit}": {a: s.position for a, s in sample.axes.items()},
+                },
                 pressure_pa_gauge=sample.pressure,
                 wanted_pa_gauge=sample.wanted,
             )
@@ -236,12 +219,12 @@ class StreamSession:
                 tell("\n".join(reports.result_lines(result)))
             record.state(result.status, **outcome, **facts)
         kept = f"the record so far is in {record.path.parent}"
-        return PlaybackReport(self.scene.name, result, facts, kept)
+        return PlaybackReport(self.scene.name, result, facts, self.kind.noun, kept)
 
 
-def _refuse_options(address: BoardAddress, rate: float, on_stop: str) -> None:
+def _refuse_options(kind: PumpKind, address: BoardAddress, rate: float, on_stop: str) -> None:
     if not board_kind(address.board).streams:
-        able = ", ".join(name for name, kind in boards().items() if kind.streams)
+        able = ", ".join(name for name, board in boards_of(kind).items() if board.streams)
         raise UsageError(
             f"--board {address.board} takes no set-points in real time; those that do: {able}. "
             "`pump upload` gives it a whole profile"

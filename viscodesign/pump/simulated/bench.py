@@ -2,29 +2,17 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 
 import numpy as np
 
 from viscodesign.pump.ax.protocol.packets import BROADCAST, Packet
 from viscodesign.pump.drive import Drive
+from viscodesign.pump.simulated.plant import AMBIENT, Plant
 from viscodesign.pump.simulated.servo import SimulatedServo
 
 STEP = 2.5e-3  # of the servos [s]: a fraction of the time in which one settles at its goal, 16 ms
 STEPS_PER_PLANT = 4
-AMBIENT = 101_325.0  # absolute [Pa]: the standard atmosphere
-
-
-class Plant(ABC):
-    """What P plungers press into."""
-
-    @abstractmethod
-    def advance(self, seconds: float, positions: np.ndarray) -> np.ndarray:
-        """Gauge pressures (P,) [Pa] after a while with the plungers moving to these places.
-
-        ``positions`` (P,): plungers pushed in from home [m]; ``seconds`` 0 asks for the start.
-        """
 
 
 class ClosedGas(Plant):

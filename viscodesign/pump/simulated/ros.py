@@ -10,8 +10,9 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol.packets import BROADCAST, ErrorBits, Instruction, Packet, Parser
 from viscodesign.pump.ax.protocol.transactions import ARBOTIX, ROS_MODEL
 from viscodesign.pump.sensors.base import HIGHEST_RATIO, LOWEST_RATIO, ratio_of
-from viscodesign.pump.simulated.bench import AMBIENT, SimulatedBench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.firmware import Firmware, Work
+from viscodesign.pump.simulated.plant import AMBIENT
 from viscodesign.scene.per_inlet import each
 
 IDENTITY = bytes([ROS_MODEL & 255, ROS_MODEL >> 8, 0, ARBOTIX, 34])  # model, version, id, baud

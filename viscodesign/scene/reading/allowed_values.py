@@ -7,10 +7,9 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from viscodesign.scene.input import INPUT_KINDS
-from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.field_lookup import (
+    FAMILIES,
     alternatives,
     example_of,
     field_at,
@@ -65,8 +64,9 @@ def _kind(annotation: Any) -> str:
     if get_origin(annotation) is Literal:
         return f"one of {', '.join(map(str, get_args(annotation)))}"
     plain = get_origin(annotation) or annotation
-    if isinstance(plain, type) and issubclass(plain, Input):
-        return f"a mapping whose kind is one of {', '.join(INPUT_KINDS)}"
+    for base, family, _ in FAMILIES:
+        if isinstance(plain, type) and issubclass(plain, base):
+            return f"a mapping whose kind is one of {', '.join(family)}"
     if isinstance(plain, type) and issubclass(plain, BaseModel):
         keys = (field.alias or name for name, field in plain.model_fields.items())
         return f"a mapping of {', '.join(keys)}"

@@ -12,6 +12,7 @@ from viscodesign.errors import Fault, described, did_you_mean, not_among
 from viscodesign.scene.cross_checks import cross_check
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.per_inlet import EACH, ONE
+from viscodesign.scene.pump import PUMP_KINDS
 from viscodesign.scene.reading.allowed_values import allowed_at
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.field_lookup import example_of, field_at, keys_beside, quantity_of
@@ -106,14 +107,18 @@ def _key_path(detail: ErrorDetails, document: Document) -> KeyPath:
     """The YAML key: pydantic's location without the tags of its unions."""
     path: KeyPath = ()
     for part in map(str, detail["loc"]):
-        is_tag = (part in INPUT_KINDS and _is_input(path)) or part in (ONE, EACH, OWN, SAME)
+        is_tag = part in (ONE, EACH, OWN, SAME) or part in _kinds_at(path)
         if not is_tag or isinstance(document.given((*path, part)), dict):
             path = (*path, part)
     return path
 
 
-def _is_input(path: KeyPath) -> bool:
-    return path == ("input",) or (len(path) == 2 and path[0] == "inputs")
+def _kinds_at(path: KeyPath) -> Mapping[str, Any]:
+    """Kinds of the section at a key, by name; none where a section has no kinds."""
+    if path == ("pump",):
+        return PUMP_KINDS
+    is_input = path == ("input",) or (len(path) == 2 and path[0] == "inputs")
+    return INPUT_KINDS if is_input else {}
 
 
 def _key_faults(detail: ErrorDetails, document: Document) -> Iterator[KeyFault]:
@@ -141,7 +146,7 @@ def _message(
         known = [word.strip("'\" ") for word in context["expected"].replace(" or ", ",").split(",")]
         return not_among(given, known)
     if kind == "union_tag_invalid":
-        return "kind " + not_among(str(context.get("tag")), INPUT_KINDS)
+        return "kind " + not_among(str(context.get("tag")), _kinds_at(path))
     if kind in _EXPECTED:
         expected = f"expected {_EXPECTED[kind]}, got {described(given)}"
         return expected + _description(path, document)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin
 
@@ -11,11 +12,19 @@ from pydantic.fields import FieldInfo
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.per_inlet import is_by_inlet
+from viscodesign.scene.pump import DEFAULT_KIND, PUMP_KINDS
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.several import SameInput
 from viscodesign.scene.spec_part import KeyPath
 from viscodesign.units import QuantityKind
+
+FAMILIES: tuple[tuple[type[BaseModel], Mapping[str, type[BaseModel]], str | None], ...] = (
+    (Input, INPUT_KINDS, None),
+    (PumpSpec, PUMP_KINDS, DEFAULT_KIND),
+)
+"""Sections that come in kinds: their base, the kinds by name, and the one that is not named."""
 
 
 def field_at(path: KeyPath, document: Document) -> FieldInfo | None:
@@ -60,15 +69,16 @@ def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
 
 
 def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
-    """The model of an annotation; of the input kinds, the given one."""
+    """The model of an annotation; of a family of kinds, the given one."""
     kinds = [a for a in alternatives(annotation) if isinstance(a, type)]
     models = [a for a in kinds if issubclass(a, BaseModel)]
     if isinstance(given, dict) and "as" in given and SameInput in models:
         return SameInput
     models = [model for model in models if model is not SameInput]
-    if models and all(issubclass(model, Input) for model in models):
-        kind = given.get("kind") if isinstance(given, dict) else None
-        return INPUT_KINDS.get(kind) if isinstance(kind, str) else None
+    for base, family, default in FAMILIES:
+        if models and all(issubclass(model, base) for model in models):
+            kind = given.get("kind", default) if isinstance(given, dict) else None
+            return family.get(kind) if isinstance(kind, str) else None
     if len(kinds) < len(alternatives(annotation)) and is_by_inlet(given):
         return None
     return models[0] if len(models) == 1 else None

@@ -9,7 +9,7 @@ from tests.rig.bus import BusAdapter
 from viscodesign.pump.ax.hold import stop_all
 from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.boards.arbotix import Arbotix
-from viscodesign.pump.sessions.open_board import boards
+from viscodesign.pump.sessions.board_names import boards
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.pose_engine import LOAD_POSE, LOAD_SEQ, LOOP, SIZE_POSE

@@ -16,8 +16,9 @@ from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
-from viscodesign.pump.simulated.bench import Plant, SimulatedBench
+from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
+from viscodesign.pump.simulated.plant import Plant
 from viscodesign.pump.simulated.ros import SWITCH_DISTANCE, Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
 

@@ -14,7 +14,7 @@ from viscodesign.pump.ax.servo_pump import SPEED, speed_register
 from viscodesign.pump.ax.torque_limit import free_speed, stalling_pressure, torque_limit
 from viscodesign.pump.boards.base import Goal
 from viscodesign.pump.play.guard import Stop
-from viscodesign.scene.pump import PumpSpec as Settings
+from viscodesign.scene.pumps.servo import ServoPumpSpec as Settings
 
 
 def servo_of(rig: Rig):  # type: ignore[no-untyped-def]

@@ -7,7 +7,8 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.planning.barrel import Barrel, FeedLine, feed_line_at
+from viscodesign.pump.planning.feed_line import FeedLine, feed_line_at
+from viscodesign.pump.plunger.barrel import Barrel
 
 AMBIENT = 101325.0
 

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign.pump.planning.barrel import FeedLine
-from viscodesign.pump.planning.demand import PumpDemand
-from viscodesign.pump.planning.limits import LIMITS, infeasible, verdicts
+from viscodesign.pump.kinds.servo import ServoDemand
+from viscodesign.pump.planning.feed_line import FeedLine
+from viscodesign.pump.planning.limits import infeasible, verdicts
 from viscodesign.pump.planning.limits import verdict as held_against
 from viscodesign.pump.planning.result import PumpVerdict
 
 AMBIENT = 101325.0
 
 
-def demand(pressure: list[float], *words: str, seconds: float = 1.0) -> PumpDemand:
+def demand(pressure: list[float], *words: str, seconds: float = 1.0) -> ServoDemand:
     """A pump on nothing but its own barrel: what it asks is in closed form."""
     own = ", ".join(
         (
@@ -31,7 +31,7 @@ def demand(pressure: list[float], *words: str, seconds: float = 1.0) -> PumpDema
     assert scene.pump is not None
     values = np.array(pressure)
     time = seconds * np.arange(len(values))
-    return PumpDemand(scene, scene.pump, "inlet", FeedLine(), time, 0.0, values, 0 * values)
+    return ServoDemand(scene, scene.pump, "inlet", FeedLine(), time, 0.0, values, 0 * values)
 
 
 def verdict(name: str, *given: object, **more: float) -> PumpVerdict:
@@ -136,7 +136,7 @@ def test_counts_may_decrease_as_the_plunger_goes_in() -> None:
 
 def test_every_limit_has_a_name_and_a_sentence() -> None:
     found = verdicts(demand([0, 10e3, 0]))
-    assert [v.name for v in found] == list(LIMITS)
+    assert [v.name for v in found] == list(ServoDemand.limits)
     assert all(v.message and np.isfinite(v.ratio) for v in found)
     assert not infeasible(demand([0, 10e3, 0]))
 

@@ -9,7 +9,8 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign.errors import SpecError
-from viscodesign.pump.planning.scene_variants import jumps, planned, pump_of, ramped, scaled
+from viscodesign.pump.planning.demand_kinds import pump_of
+from viscodesign.pump.planning.scene_variants import jumps, planned, ramped, scaled
 from viscodesign.scene.scene import Scene
 
 KINDS = (

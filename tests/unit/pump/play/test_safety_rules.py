@@ -26,9 +26,9 @@ from viscodesign.pump.play.safety_rules import (
     retreat_rules,
     stream_rules,
 )
-from viscodesign.scene.pump import PumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
-LIMITS = axis_limits(PumpSpec(syringe_diameter=0.0349))
+LIMITS = axis_limits(ServoPumpSpec(syringe_diameter=0.0349))
 
 
 def first_stop(guard: Guard, samples: Sequence[Sample]) -> int | None:

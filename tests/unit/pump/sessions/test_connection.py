@@ -13,8 +13,8 @@ from tests.scenes import leg
 from viscodesign.errors import PumpError, SpecError, UsageError
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus.clock import WallClock
+from viscodesign.pump.sessions.board_names import boards
 from viscodesign.pump.sessions.connection import BoardAddress, connected
-from viscodesign.pump.sessions.open_board import boards
 
 SCENE = leg("pump.sensor=null", config="leg_16_pump")
 

@@ -7,7 +7,8 @@ import pytest
 
 from tests.pumps import pump
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.simulated.bench import AMBIENT, ClosedGas
+from viscodesign.pump.simulated.bench import ClosedGas
+from viscodesign.pump.simulated.plant import AMBIENT
 
 
 def test_half_the_volume_is_twice_the_pressure() -> None:

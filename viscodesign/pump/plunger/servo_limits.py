@@ -2,48 +2,32 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.limits import Assessment, jump_words
 from viscodesign.pump.planning.result import Severity
-from viscodesign.pump.planning.scene_variants import jumps
 from viscodesign.pump.servo_motor import SPEED_UNIT, STEADY_SHARE
+
+if TYPE_CHECKING:
+    from viscodesign.pump.plunger.plunger_demand import PlungerDemand
 
 
 @dataclass(frozen=True)
-class LimitMargins:
-    """Where limits are drawn that no data sheet draws."""
+class ServoMargins:
+    """Where limits of a servo are drawn that no data sheet draws."""
 
     stall_share: float = 0.8  # of the stall torque: near it a servo creeps, heats, switches off
-    sensor_floor: float = 20e3  # the Phidgets 1140 reads no lower [Pa abs]
-    sensor_accuracy: float = 6e3  # swing that its 1.5 % of full scale, 5.7 kPa, would hide [Pa]
-    sensor_step: float = 1.61e3  # its reading at 8 bit, as the firmware for ROS takes it [Pa]
-    fewest_counts: float = 5.0  # smallest motion, beside what the gear loses
-    fine_steps: float = 20.0  # counts per swing of pressure, below which it is coarse
     short_life: float = 360.0  # battery life that is worth a word [s]
     coarse_speed: float = 5.0  # speed register below which even the fastest move goes in steps
-    flat: float = 1.0  # swing of pressure below which nothing is asked [Pa]
 
 
-MARGINS = LimitMargins()
+MARGINS = ServoMargins()
 
 
-class Assessment(NamedTuple):
-    """How a demand compares with one limit."""
-
-    severity: Severity  # where the ratio is above 1
-    wanted: float  # at the worst time, in the unit
-    allowed: float
-    unit: str
-    ratio: float  # how much of what is allowed is asked
-    when: int  # index of the worst time
-    message: str
-
-
-def stall(demand: PumpDemand) -> Assessment:
+def stall(demand: PlungerDemand) -> Assessment:
     """Torque against the servo's stall at the supply voltage."""
     drive, (torque, when) = demand.drive, _worst_torque(demand)
     allowed = MARGINS.stall_share * drive.stall_torque
@@ -57,7 +41,7 @@ def stall(demand: PumpDemand) -> Assessment:
     return Assessment("infeasible", torque, allowed, "N m", torque / allowed, when, message)
 
 
-def one_fifth(demand: PumpDemand) -> Assessment:
+def one_fifth(demand: PlungerDemand) -> Assessment:
     """Torque against the manufacturer's advice."""
     allowed = STEADY_SHARE * demand.drive.stall_torque
     torque, when = _worst_torque(demand)
@@ -69,7 +53,7 @@ def one_fifth(demand: PumpDemand) -> Assessment:
     return Assessment("advice", torque, allowed, "N m", torque / allowed, when, message)
 
 
-def _worst_torque(demand: PumpDemand) -> tuple[float, int]:
+def _worst_torque(demand: PlungerDemand) -> tuple[float, int]:
     """The largest torque in size, moving or holding, and the index of its time."""
     size = np.abs(demand.end_torques)
     when = int(np.argmax(np.max(size, axis=0)))
@@ -77,7 +61,7 @@ def _worst_torque(demand: PumpDemand) -> tuple[float, int]:
     return float(size[end, when]), when + end
 
 
-def speed(demand: PumpDemand) -> Assessment:
+def speed(demand: PlungerDemand) -> Assessment:
     """Speed of the plunger against what the torque at its own pressure leaves."""
     when = int(np.argmax(demand.speed_share))
     ratio, wanted = float(demand.speed_share[when]), abs(float(demand.velocity[when]))
@@ -87,14 +71,11 @@ def speed(demand: PumpDemand) -> Assessment:
         f"({1e6 * demand.drive.area * wanted:.3g} mL/s), where "
         f"{demand.pressure[when] / 1e3:.3g} kPa gauge leaves the servo {1e3 * allowed:.3g} mm/s"
     )
-    begin, end = demand.time[when : when + 2] - demand.lead_s
-    if ratio > 1.0 and any(begin - 1e-9 <= t <= end + 1e-9 for t in jumps(demand.scene)):
-        lasting = 1e3 * float(end - begin)
-        message += f"; the wanted pressure jumps there, here taken to last {lasting:.3g} ms"
+    message += jump_words(demand, when) if ratio > 1.0 else ""
     return Assessment("infeasible", wanted, allowed, "m/s", ratio, when, message)
 
 
-def cap_torque(demand: PumpDemand) -> Assessment:
+def cap_torque(demand: PlungerDemand) -> Assessment:
     """The software's cap itself against the servo's stall: whether it ever acts."""
     drive, pressure = demand.drive, demand.pump.max_pressure
     torque, allowed = drive.torque(pressure, 1.0), MARGINS.stall_share * drive.stall_torque
@@ -117,7 +98,7 @@ def cap_torque(demand: PumpDemand) -> Assessment:
     return Assessment("advice", torque, allowed, "N m", torque / allowed, 0, message)
 
 
-def speed_register(demand: PumpDemand) -> Assessment:
+def speed_register(demand: PlungerDemand) -> Assessment:
     """Fastest move against the unit of the speed register."""
     drive, unit = demand.drive, SPEED_UNIT * demand.drive.radius
     when = int(np.argmax(np.abs(demand.velocity)))
@@ -131,7 +112,7 @@ def speed_register(demand: PumpDemand) -> Assessment:
     return Assessment("advice", fastest, allowed, "m/s", ratio, when, message)
 
 
-def battery(demand: PumpDemand) -> Assessment:
+def battery(demand: PlungerDemand) -> Assessment:
     """Mean current against the battery, for this pump alone."""
     current, mean = demand.drive.current(demand.torque), demand.mean_current
     life, duration = demand.drive.battery_life(mean), float(np.ptp(demand.time))
@@ -146,7 +127,7 @@ def battery(demand: PumpDemand) -> Assessment:
     return Assessment(severity, life, shortest, "s", shortest / life, when, message)
 
 
-def voltage(demand: PumpDemand) -> Assessment:
+def voltage(demand: PlungerDemand) -> Assessment:
     """The supply against what the servo is made for."""
     servo, given = demand.drive.servo, demand.pump.supply_voltage
     low = given < servo.lowest_voltage

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from viscodesign.errors import UsageError
-from viscodesign.pump.planning.scene_variants import pump_of
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pump import SensorSpec
+from viscodesign.scene.pumps.base import SensorSpec
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
@@ -20,7 +19,8 @@ def with_sensors(scene: Scene, *, simulated: bool, without: bool) -> Scene:
     still read; where all have one, none is. Raises `UsageError` where a real board would move
     a plunger whose pressure is not monitored.
     """
-    inlets, pump = tuple(scene.inputs), pump_of(scene)
+    inlets, pump = tuple(scene.inputs), scene.pump
+    assert pump is not None, "sensors belong to a pump"
     sensors = each(pump.sensor, len(inlets))
     blind = [name for name, sensor in zip(inlets, sensors, strict=True) if sensor is None]
     if (0 < len(blind) < len(inlets)) if without else not blind:

@@ -1,0 +1,259 @@
+"""`kind: regulator`: an electro-pneumatic regulator, which is told a pressure and keeps it."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import ClassVar
+
+from viscodesign.errors import PumpError
+from viscodesign.pump.boards.controller import Controller
+from viscodesign.pump.boards.line_regulator import LineRegulator, SimulatedLineRegulator
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.bus.line import Line
+from viscodesign.pump.kinds.base import Channels, Connection, PumpKind
+from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.result import PumpPlan
+from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState, FoundAxis
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.verified import until_verified
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.simulated.device import DirectLine
+from viscodesign.pump.simulated.plant import AMBIENT, Plant
+from viscodesign.pump.simulated.regulator import SimulatedRegulator
+from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT, RegulatorSpec
+from viscodesign.scene.scene import Scene
+
+NOUN = "regulator"
+AXIS = 1  # the only one: its line is from one device to one computer
+APPROACH_TIME = 20.0  # from 0 to full scale on the way to a start or back [s]
+
+
+def axis_limits(pump: RegulatorSpec) -> AxisLimits:
+    """What the regulator of a spec can do; its highest target is the cap."""
+    top, rest = pump.rate_limit / pump.step, pump.error * HIGHEST_SET_POINT
+    return AxisLimits(
+        step=pump.step,
+        noun=NOUN,
+        unit="steps",
+        travel=(0, int(min(pump.full_scale, pump.max_pressure) / pump.step + 1e-9)),
+        home=0,
+        retreat_sign=-1,
+        max_pressure=pump.max_pressure,
+        top_speed=top,
+        slowest_speed=0.0,
+        lead_distance=pump.response_time * top,
+        largest_lead=0.0,  # it corrects its own error
+        approach_speed=HIGHEST_SET_POINT / APPROACH_TIME,
+        settle_speed=HIGHEST_SET_POINT / APPROACH_TIME,
+        following_error=pump.following_error * HIGHEST_SET_POINT,
+        weakness="its supply pressure is too low, or something leaks behind it",
+        dead_band=rest,
+        settled_error=rest,
+        travel_tolerance=HIGHEST_SET_POINT,  # what is measured is judged by the cap
+        lowest_voltage=0.0,
+        highest_temperature=float("inf"),
+    )
+
+
+def read_state(board: LineRegulator) -> AxisState:
+    """Outlet and set-point now; of its supply it says nothing."""
+    output, goal = board.outlet(), board.set_point()
+    return AxisState(True, goal, output, load=None, voltage=None, temperature=None)
+
+
+def found_regulator(board: LineRegulator, pump: RegulatorSpec | None) -> FoundAxis:
+    """It as it is; in steps where no spec names its full scale."""
+    state = read_state(board)
+    pressures = [None if pump is None else n * pump.step for n in (state.goal, state.position)]
+    words = [
+        f"{n} of {HIGHEST_SET_POINT}" if p is None else f"{p / 1e3:.2f} kPa gauge"
+        for n, p in zip((state.goal, state.position), pressures, strict=True)
+    ]
+    faults = []
+    if pump is not None and state.position * pump.step > pump.max_pressure:
+        faults = [
+            f"regulator {AXIS} is at {words[1]}, above pump.max_pressure, "
+            f"{pump.max_pressure / 1e3:g} kPa; vent it with `pump stop --release`"
+        ]
+    return FoundAxis(
+        AXIS,
+        {"id": f"{AXIS}", "set-point": words[0], "outlet": words[1]},
+        {"id": AXIS, "set_point_steps": state.goal, "outlet_steps": state.position},
+        tuple(faults),
+    )
+
+
+class RegulatorPump(Pump):
+    """One regulator behind the contract of a pump."""
+
+    reading_share = 0.5  # sending takes about as long as reading
+    board: LineRegulator
+
+    def _inspect(self) -> tuple[str, list[FoundAxis]]:
+        identity, found = self.board.identify(), found_regulator(self.board, self.settings)
+        self.positions = {AXIS: self.board.output}
+        return identity, [found]
+
+    def arm(self, speed: float = 0.0) -> None:
+        """Let it hold the pressure that it has."""
+        if speed > self.limits.top_speed * (1 + 1e-9):
+            raise PumpError(
+                f"{speed:.0f} steps/s requested; pump.rate_limit allows "
+                f"{self.limits.top_speed:.0f}: see `pump plan`"
+            )
+        low, high = self.limits.travel
+        self.goals = {AXIS: min(max(self.board.outlet(), low), high)}
+        self.armed = True
+        self.board.set(self.goals[AXIS])
+
+    def _read(self) -> Mapping[int, AxisState]:
+        before = self.clock.now()
+        state = read_state(self.board)
+        self.read_at = (before + self.clock.now()) / 2
+        self.positions = {AXIS: state.position}
+        return {AXIS: state}
+
+    def _send(
+        self,
+        goals: Mapping[int, int],
+        speeds: Mapping[int, float],
+        paces: Mapping[int, float] | None,
+    ) -> None:
+        self.board.set(goals[AXIS])
+
+    def hold(self, *, in_place: bool = True) -> list[FinalAxisState]:
+        if not self.armed:
+            return [FinalAxisState(AXIS, True, "untouched: no set-point was sent", NOUN)]
+        if in_place:
+            with contextlib.suppress(PumpError):
+                self.positions[AXIS] = self.board.outlet()
+            # Never higher than before: what else presses at its outlet is not its set-point.
+            self.goals[AXIS] = min(self.positions[AXIS], self.goals[AXIS])
+        return hold(self.board, self.clock, self.goals[AXIS])
+
+    def release(self) -> list[FinalAxisState]:
+        self.armed = False
+        return hold(self.board, self.clock, 0)
+
+
+def hold(board: LineRegulator, clock: Clock, goal: int) -> list[FinalAxisState]:
+    """Send a set-point [steps], and read back that it is held."""
+
+    def attempt(axis: int) -> FinalAxisState:
+        try:
+            board.set(goal)
+            held = board.set_point()
+        except PumpError as error:
+            return FinalAxisState(axis, False, f"no hold could be verified: {error}", NOUN)
+        words = f"was sent set-point {goal}, but holds {held}"
+        if held == goal:
+            words = f"holds {goal} of {HIGHEST_SET_POINT} steps, verified"
+        if held == goal == 0:
+            words = "set to 0 kPa: it vents, verified"
+        return FinalAxisState(axis, held == goal, words, NOUN)
+
+    return until_verified([AXIS], clock, attempt)
+
+
+class RegulatorDemand(PumpDemand):
+    """What a plan asks of a regulator: the pressures themselves."""
+
+    name: ClassVar[str] = "regulator"
+
+    @property
+    def axis(self) -> AxisLimits:
+        return axis_limits(self.pump)
+
+    @property
+    def device(self) -> str:
+        return f"a regulator of {self.pump.full_scale / 1e3:g} kPa full scale"
+
+    @classmethod
+    def faults(cls, scene: Scene) -> Iterator[tuple[str, str]]:
+        if len(scene.inputs) > 1:
+            yield (
+                "pump.kind",
+                f"a regulator drives one inlet, and this scene has {len(scene.inputs)}: its line "
+                "is from one device to one computer",
+            )
+        if not scene.fluid.is_gas:
+            yield "fluid", f"a regulator moves a gas; {scene.fluid.name} takes pump.kind: servo"
+
+
+class RegulatorKind(PumpKind):
+    """A regulator on a serial line of its own."""
+
+    name = "regulator"
+    noun = NOUN
+    channels: ClassVar[Channels] = {
+        ("outlet", "steps"): lambda state, goal: state.position,
+        ("set_point", "steps"): lambda state, goal: goal,
+    }
+    not_calibrated = (
+        "a regulator has nothing to calibrate here: its zero and span are set at the device, and "
+        "pump.full_scale states its range"
+    )
+
+    def boards(self) -> dict[str, type[Controller]]:
+        return {LineRegulator.name: LineRegulator}
+
+    def simulated_board(self, poses: bool) -> type[Controller]:
+        return SimulatedLineRegulator
+
+    def simulated_line(
+        self,
+        pump: RegulatorSpec,
+        clock: Clock,
+        plant: Plant | None = None,
+        ambient: float = AMBIENT,
+        *,
+        poses: bool = False,
+    ) -> Line:
+        device = SimulatedRegulator(pump.full_scale, HIGHEST_SET_POINT, pump.response_time, plant)
+        return DirectLine(device, clock)
+
+    def simulated_pump(self) -> RegulatorSpec:
+        return RegulatorSpec.model_validate({"full_scale": "100 kPa"})
+
+    def own_gauge(self, link: Connection, axis: int) -> Callable[[], float] | None:
+        """Its own reading of a moment ago: every look at it begins with one."""
+        if link.pump is None:
+            return None
+        return lambda: float(link.ambient + link.board.output * link.pump.step)
+
+    def answering(self, board: LineRegulator) -> list[int]:
+        return [AXIS]
+
+    def inspect(self, link: Connection) -> tuple[FoundAxis, ...]:
+        return (found_regulator(link.board, link.pump),)
+
+    def read(self, link: Connection) -> dict[int, AxisState]:
+        return {AXIS: read_state(link.board)}
+
+    def connected_pump(
+        self, link: Connection, gauges: PressureReadings, *, monitored: bool = True
+    ) -> RegulatorPump:
+        limits = axis_limits(link.pump)
+        return RegulatorPump(link.board, link.pump, (AXIS,), limits, gauges, dict, link.clock)
+
+    def motion_rows(self, plan: PumpPlan, pump: RegulatorSpec) -> list[tuple[str, str]]:
+        course, most = plan.achievable, axis_limits(pump).travel[1]
+        pressure = course.pressure / 1e3
+        fastest = plan.numbers[plan.inlets[0]]["fastest_change_pa_s"] / 1e3
+        return [
+            ("set-point", f"{course.steps.min():.0f} to {course.steps.max():.0f} of {most} steps"),
+            (
+                "pressure",
+                f"{pressure.min():.2f} to {pressure.max():.2f} kPa gauge; stops above "
+                f"{pump.max_pressure / 1e3:g} kPa",
+            ),
+            ("change", f"up to {fastest:.3g} kPa/s; {pump.rate_limit / 1e3:g} are allowed"),
+        ]
+
+    def stop(self, link: Connection, ids: Sequence[int], release: bool) -> list[FinalAxisState]:
+        try:
+            goal = 0 if release else min(link.board.outlet(), link.board.set_point())
+        except PumpError:
+            return []
+        return hold(link.board, link.clock, goal)

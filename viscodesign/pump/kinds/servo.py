@@ -1,0 +1,165 @@
+"""`kind: servo`: a syringe whose plunger a Dynamixel AX servo moves by rack and pinion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import ClassVar
+
+from viscodesign.plugins import members
+from viscodesign.pump.ax.hold import NOUN, stop_all
+from viscodesign.pump.ax.preflight import identify
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.servo_pump import ServoPump
+from viscodesign.pump.ax.servo_state import ServoState, read_servo
+from viscodesign.pump.ax.torque_limit import stalling_pressure, torque_limit
+from viscodesign.pump.boards.base import Board
+from viscodesign.pump.boards.simulated import Simulated, SimulatedArbotix
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.bus.line import Line
+from viscodesign.pump.drive import Drive
+from viscodesign.pump.kinds.base import (
+    Calibration,
+    CalibrationRequest,
+    Channels,
+    Connection,
+    PumpKind,
+)
+from viscodesign.pump.kinds.servo_calibration import calibrate, calibration_steps
+from viscodesign.pump.planning.result import PumpPlan
+from viscodesign.pump.play.axis import FinalAxisState, FoundAxis
+from viscodesign.pump.play.path import top_speed
+from viscodesign.pump.play.pump import Pressed
+from viscodesign.pump.plunger.plunger_course import PlungerCourse, range_rows
+from viscodesign.pump.plunger.plunger_demand import PlungerDemand
+from viscodesign.pump.poses.upload import PoseUpload
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.sensors.required_sensors import with_sensors
+from viscodesign.pump.servo_motor import SERVOS
+from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
+from viscodesign.pump.simulated.device import DirectLine
+from viscodesign.pump.simulated.plant import AMBIENT, Plant
+from viscodesign.pump.simulated.pypose import PyPose
+from viscodesign.pump.simulated.ros import Pins, Ros
+from viscodesign.pump.simulated.servo import SimulatedServo
+from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.scene.scene import Scene
+
+SCANNED_IDS = range(1, 9)
+"""Servo ids that are tried where no spec names them."""
+HIGHEST_REPORTED_V = 25.5
+"""What the servo's one byte of voltage can say [V]."""
+
+
+class ServoDemand(PlungerDemand):
+    """What a plan asks of a servo and its plunger."""
+
+    name: ClassVar[str] = "servo"
+
+
+class ServoKind(PumpKind):
+    """A syringe with a servo, on a bus of such servos."""
+
+    name = "servo"
+    order: ClassVar[int] = 0
+    noun = NOUN
+    nouns = "servos"
+    channels: ClassVar[Channels] = {
+        ("position", "counts"): lambda state, goal: state.position,
+        ("goal", "counts"): lambda state, goal: goal,
+        ("load", "rel"): lambda state, goal: state.load,
+        ("voltage", "v"): lambda state, goal: state.voltage,
+        ("temperature", "degc"): lambda state, goal: state.temperature,
+    }
+    poses = PoseUpload
+    no_reply = (
+        "A move that the PyPose firmware plays cannot be interrupted: the halt acts when it is "
+        "over, up to 32 s later. Until then nothing answers, and only switching the power off "
+        "stops it."
+    )
+
+    def boards(self) -> Mapping[str, type[Board]]:
+        found = members("viscodesign.pump.boards", Board)  # type: ignore[type-abstract]
+        return {name: board for name, board in found.items() if not board.simulated}
+
+    def simulated_board(self, poses: bool) -> type[Board]:
+        return SimulatedArbotix if poses else Simulated
+
+    def simulated_line(
+        self,
+        pump: ServoPumpSpec,
+        clock: Clock,
+        plant: Plant | None = None,
+        ambient: float = AMBIENT,
+        *,
+        poses: bool = False,
+    ) -> Line:
+        """A line into a simulated ArbotiX: with the firmware for ROS, or with PyPose's."""
+        bench = simulated_bench(pump, plant, ambient)
+        return DirectLine(PyPose(bench) if poses else Ros(bench, Pins(bench, ambient)), clock)
+
+    def simulated_pump(self) -> ServoPumpSpec:
+        given = {"syringe_diameter": "34.9 mm", "sensor": {"channel": 0}}
+        return ServoPumpSpec.model_validate(given)
+
+    def with_sensors(self, scene: Scene, *, simulated: bool, without: bool) -> Scene:
+        return with_sensors(scene, simulated=simulated, without=without)
+
+    def answering(self, board: Board) -> list[int]:
+        return [servo for servo in SCANNED_IDS if board.answers(servo)]
+
+    def inspect(self, link: Connection) -> tuple[FoundAxis, ...]:
+        return tuple(identify(link.board, servo).axis(link.pump) for servo in link.axes)
+
+    def pressed(self, link: Connection) -> Pressed:
+        return Switches.of(link.pump, link.axes).read(link.board)
+
+    def read(self, link: Connection) -> dict[int, ServoState]:
+        return {servo: read_servo(link.board, servo) for servo in link.axes}
+
+    def connected_pump(
+        self, link: Connection, gauges: PressureReadings, *, monitored: bool = True
+    ) -> ServoPump:
+        switches = Switches.of(link.pump, link.axes) if monitored else Switches({})
+        return ServoPump(link.board, link.pump, link.axes, gauges, switches, link.clock)
+
+    def motion_rows(self, plan: PumpPlan, pump: ServoPumpSpec) -> list[tuple[str, str]]:
+        course = plan.achievable
+        assert isinstance(course, PlungerCourse), "planned as a plunger"
+        slow, fast = (torque_limit(pump, speed) for speed in (0.0, top_speed(plan.profile(course))))
+        at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
+        plunger, (_, pressure) = range_rows(course, pump, course.count)
+        return [
+            plunger,
+            ("pressure", f"{pressure}; stops above {pump.max_pressure / 1e3:g} kPa"),
+            (
+                "torque",
+                f"up to {course.stall_share.max():.0%} of stall; limited to "
+                f"{slow / registers.FULL:.0%} at rest (holds at most {at_rest:.0f} kPa) and "
+                f"{fast / registers.FULL:.0%} at top speed ({moving:.0f} kPa)",
+            ),
+            ("speed", f"up to {course.speed_share.max():.0%} of the speed left at that torque"),
+        ]
+
+    def stop(self, link: Connection, ids: Sequence[int], release: bool) -> list[FinalAxisState]:
+        return stop_all(link.board, list(ids or SCANNED_IDS), link.clock, release=release)
+
+    def calibrate(self, link: Connection, request: CalibrationRequest) -> Calibration:
+        return calibrate(link, request)
+
+    def calibration_steps(self, pump: ServoPumpSpec, request: CalibrationRequest) -> list[str]:
+        return calibration_steps(pump, request)
+
+
+def simulated_bench(
+    pump: ServoPumpSpec, plant: Plant | None = None, ambient: float = AMBIENT
+) -> SimulatedBench:
+    """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
+    model, ids = SERVOS[pump.servo].model, pump.axes(1)
+    drives = [Drive(pump) for _ in ids]
+    servos = [SimulatedServo(servo, model, pump.home) for servo in ids]
+    for servo in servos:
+        servo.supply(min(pump.supply_voltage, HIGHEST_REPORTED_V))
+        servo.set(registers.CW_LIMIT, pump.travel[0])
+        servo.set(registers.CCW_LIMIT, pump.travel[1])
+    return SimulatedBench(servos, drives, plant or ClosedGas(drives, ambient))

@@ -1,0 +1,126 @@
+"""Home and the ends of travel: found with limit switches or by hand, and kept in the servo."""
+
+from __future__ import annotations
+
+from viscodesign.errors import PumpError, UsageError
+from viscodesign.interrupt import stop_on_signals
+from viscodesign.pump.ax.hold import release
+from viscodesign.pump.ax.homing import find_travel
+from viscodesign.pump.ax.preflight import RegisterChange, changes, identify
+from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.servo_pump import ServoPump
+from viscodesign.pump.ax.servo_state import read_register
+from viscodesign.pump.consent import Confirm, ShowPosition, require
+from viscodesign.pump.kinds.base import Calibration, CalibrationRequest, Connection
+from viscodesign.pump.sensors.limit_switches import Switches
+from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.scene.pumps.servo import MAX_SERVO_COUNTS, ServoPumpSpec
+from viscodesign.scene.spec_part import copied
+
+HIGHEST_ID = 252
+"""253 is the ArbotiX itself."""
+
+
+def calibrate(link: Connection, request: CalibrationRequest) -> Calibration:
+    """Find home and travel, and set the servo's own angle limits to the travel.
+
+    With the scene's limit switches, slowly and at low torque; without them by hand, with the
+    torque off. Writes only what differs, each after the user agreed.
+    """
+    pump, confirm = link.pump, request.confirm
+    if request.rename is not None:
+        _rename(link, *request.rename, confirm)
+    request.tell(f"found {link.board.identify()}")
+    if request.keep:
+        found = Calibration(pump.home, pump.travel)
+    elif len(link.axes) > 1:
+        raise UsageError(
+            "all servos of a spec share home and travel; calibrate each with a spec that has "
+            "its servo_id alone, then this one with --keep"
+        )
+    elif pump.limit_switches is None:
+        found = _by_hand(link, pump, request.by_hand, request.vented or confirm)
+    else:
+        found = _against_switches(link, pump, confirm)
+    for servo in link.axes:
+        different = changes(identify(link.board, servo), found.travel)
+        for change in different:
+            _write(link, change, confirm)
+        if not different:
+            request.tell(f"servo {servo} is up to date; nothing is written")
+    return found
+
+
+def calibration_steps(pump: ServoPumpSpec, request: CalibrationRequest) -> list[str]:
+    """What `calibrate` would do."""
+    how = "switch the torque off, and ask you to move the plunger by hand"
+    if pump.limit_switches is not None:
+        how = "move the plunger slowly against both limit switches"
+    old, new = request.rename or ("", "")
+    return [
+        *([f"change a servo's id from {old} to {new}"] if request.rename else []),
+        "take home and travel from the spec" if request.keep else how,
+        "write angle limits to the EEPROM where they differ, asking before each",
+    ]
+
+
+def _rename(link: Connection, old: int, new: int, confirm: Confirm) -> None:
+    if not 0 <= new <= HIGHEST_ID:
+        raise UsageError(f"--rename: ids go from 0 to {HIGHEST_ID}; got {new}")
+    if link.board.answers(new):
+        raise PumpError(f"a servo with id {new} exists already; two would answer at once")
+    _write(link, RegisterChange(old, registers.ID, old, new), confirm)
+
+
+def _write(link: Connection, change: RegisterChange, confirm: Confirm) -> None:
+    require(confirm, f"EEPROM of {change}\nWrite it?")
+    change.write(link.board)
+
+
+def _against_switches(link: Connection, pump: ServoPumpSpec, confirm: Confirm) -> Calibration:
+    require(
+        confirm,
+        "the plunger moves slowly to both ends, until their switches are pressed; vent it "
+        "first\nMove the plunger?",
+    )
+    free = copied(pump, {"travel": (0, MAX_SERVO_COUNTS)})
+    switches, no_sensor = Switches.of(pump, link.axes), PressureReadings([None], 0.0)
+    moved = ServoPump(link.board, free, link.axes, no_sensor, switches, link.clock)
+    with stop_on_signals() as request:
+        low, high = find_travel(moved, lambda: request.asked)
+    return Calibration(low if pump.push == "up" else high, (low, high))
+
+
+def _by_hand(
+    link: Connection, pump: ServoPumpSpec, by_hand: ShowPosition | None, vented: Confirm
+) -> Calibration:
+    if by_hand is None:
+        raise UsageError(
+            "the plunger has to be moved by hand: pass `by_hand`, or keep the home and travel of "
+            "the spec"
+        )
+    require(
+        vented,
+        "the torque goes off; pressure in the syringe would push the plunger: vent it first\n"
+        "Is it vented?",
+    )
+    (servo,) = link.axes
+    (left,) = release(link.board, [servo], link.clock)
+    if not left.verified:
+        raise PumpError(str(left))
+    outer, inner, home = (
+        by_hand(
+            f"servo {servo}: move the plunger {place}, then press Enter",
+            lambda: read_register(link.board, servo, registers.PRESENT_POSITION),
+        )
+        for place in ("out as far as it may go", "in as far as it may go", "to its home")
+    )
+    low, high = sorted((outer, inner))
+    if (inner > outer) != (pump.push == "up"):
+        raise PumpError(
+            f"counts went from {outer} to {inner} as the plunger was pushed in, but the spec says "
+            f"pump.push: {pump.push}; correct it and calibrate again"
+        )
+    if not low <= home <= high or low == high:
+        raise PumpError(f"home {home} is not between the ends, {low} and {high}; try again")
+    return Calibration(home, (low, high))

@@ -1,0 +1,28 @@
+"""Trying for a verified end of a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.play.axis import FinalAxisState
+
+RETRY_PAUSE_S = 0.02  # between tries [s]
+HOLD_TIMEOUT_S = 1.0  # to try for a verified hold [s]
+
+
+def until_verified(
+    axes: Sequence[int], clock: Clock, attempt: Callable[[int], FinalAxisState]
+) -> list[FinalAxisState]:
+    """Try each axis in turns until it is verified or the time is over; at least once."""
+    deadline = clock.now() + HOLD_TIMEOUT_S
+    left: dict[int, FinalAxisState] = {}
+    waiting = list(axes)
+    while waiting:
+        left |= {axis: attempt(axis) for axis in waiting}
+        waiting = [axis for axis in waiting if not left[axis].verified]
+        if clock.now() >= deadline:
+            break
+        if waiting:
+            clock.sleep(RETRY_PAUSE_S)
+    return [left[axis] for axis in axes]

@@ -1,0 +1,70 @@
+"""Kinds of pump and boards by name."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from viscodesign.errors import UsageError
+from viscodesign.plugins import members
+from viscodesign.pump.boards.controller import Controller
+from viscodesign.pump.kinds.base import PumpKind
+from viscodesign.pump.planning.demand_kinds import pump_of
+from viscodesign.scene.pump import DEFAULT_KIND
+from viscodesign.scene.scene import Scene
+
+SIMULATED_BOARD = "simulated"
+"""Stands for the simulated board of any kind."""
+
+
+def pump_kinds() -> dict[str, PumpKind]:
+    """Kinds of pump by the word after `pump.kind`."""
+    found = members("viscodesign.pump.kinds", PumpKind)  # type: ignore[type-abstract]
+    return {name: kind() for name, kind in found.items()}
+
+
+def kind_of(scene: Scene) -> PumpKind:
+    """The kind of a scene's pump; `SpecError` where it has none."""
+    return pump_kinds()[pump_of(scene).name]
+
+
+def boards_of(kind: PumpKind) -> dict[str, type[Controller]]:
+    """Boards of one kind of pump by the word after `--board`."""
+    return {**kind.boards(), SIMULATED_BOARD: kind.simulated_board(poses=False)}
+
+
+def boards() -> dict[str, type[Controller]]:
+    """All boards by the word after `--board`; the simulated one is that of the default kind."""
+    kinds = pump_kinds()
+    rest = (boards_of(kind) for name, kind in kinds.items() if name != DEFAULT_KIND)
+    every = {name: board for found in rest for name, board in found.items()}
+    return every | boards_of(kinds[DEFAULT_KIND])
+
+
+def board_kind(name: str) -> type[Controller]:
+    """The board with a name."""
+    every = boards()
+    if name not in every:
+        close = get_close_matches(name, every, n=1)
+        meant = f"; did you mean {close[0]!r}?" if close else ""
+        raise UsageError(
+            f"--board {name}: no such board{meant or '.'} There are: {', '.join(every)}"
+        )
+    return every[name]
+
+
+def kind_behind(name: str, scene: Scene | None) -> PumpKind:
+    """The kind of pump behind a board: the scene's, or without one whichever the board drives.
+
+    Raises `UsageError` where the board does not drive the scene's.
+    """
+    board_kind(name)
+    if scene is None:
+        return next(kind for kind in pump_kinds().values() if name in boards_of(kind))
+    kind = kind_of(scene)
+    if name not in boards_of(kind):
+        able = " or ".join(boards_of(kind))
+        raise UsageError(
+            f"--board {name} does not drive a pump of kind {kind.name}, as the spec has it "
+            f"(pump.kind); use --board {able}"
+        )
+    return kind
