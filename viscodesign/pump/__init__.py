@@ -6,7 +6,8 @@
     at = pump.BoardAddress("dynamixel", "/dev/ttyUSB0")
     report = pump.stream(scene, "runs/leg", at, confirm=lambda text: True)
 
-`plan` turns a scene's pressures into plunger motion; `stream` and `upload` play it, `rehearse`
+`plan` turns a scene's pressures into the motion of its pump, of whatever kind; `stream` and
+`upload` play it, `rehearse`
 says what they would send; `record`, `status`, `ports` only read; `calibrate` finds home and
 travel; `stop` holds whatever moves. Nothing here prints.
 """
