@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from viscodesign.errors import PumpError
@@ -16,7 +16,7 @@ from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.drive import COUNTS_PER_TURN, Drive
 from viscodesign.pump.play.axis import AxisLimits, FinalAxisState, FoundAxis
-from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.pump import Pump, Speeds, Steps
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.scene.pumps.servo import ServoPumpSpec
@@ -115,18 +115,11 @@ class ServoPump(Pump):
             )
         return state.goal
 
-    def _send(
-        self,
-        goals: Mapping[int, int],
-        speeds: Mapping[int, float],
-        paces: Mapping[int, float] | None,
-    ) -> None:
+    def _send(self, goals: Steps, speeds: Speeds, paces: Speeds | None) -> None:
         needed = {servo: torque_limit(self.settings, pace) for servo, pace in (paces or {}).items()}
         self._move(goals, {s: speed_register(speed) for s, speed in speeds.items()}, needed)
 
-    def _move(
-        self, goals: Mapping[int, int], speeds: Mapping[int, int], needed: Mapping[int, int]
-    ) -> bool:
+    def _move(self, goals: Steps, speeds: Steps, needed: Steps) -> bool:
         """Send goals, speed registers, and torque limits that change; whether some do.
 
         A servo that shut itself off, or that may be about to, keeps what it has.
@@ -169,7 +162,7 @@ class ServoPump(Pump):
             return [replace(one, verified=False, words=f"{one.words}, but {error}") for one in left]
         return self._hold(self.goals)
 
-    def _hold(self, goals: Mapping[int, int] | None) -> list[FinalAxisState]:
+    def _hold(self, goals: Steps | None) -> list[FinalAxisState]:
         return hold(self.board, self.axes, self.clock, positions=self.positions, goals=goals)
 
     def _lower_limits(self) -> None:

@@ -15,7 +15,7 @@ from viscodesign.pump.kinds.base import Channels, Connection, PumpKind
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState, FoundAxis
-from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.pump import Pump, Speeds, Steps
 from viscodesign.pump.play.verified import until_verified
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.device import DirectLine
@@ -65,10 +65,9 @@ def read_state(board: LineRegulator) -> AxisState:
 def found_regulator(board: LineRegulator, pump: RegulatorSpec | None) -> FoundAxis:
     """It as it is; in steps where no spec names its full scale."""
     state = read_state(board)
-    pressures = [None if pump is None else n * pump.step for n in (state.goal, state.position)]
     words = [
-        f"{n} of {HIGHEST_SET_POINT}" if p is None else f"{p / 1e3:.2f} kPa gauge"
-        for n, p in zip((state.goal, state.position), pressures, strict=True)
+        f"{n} of {HIGHEST_SET_POINT}" if pump is None else f"{n * pump.step / 1e3:.2f} kPa gauge"
+        for n in (state.goal, state.position)
     ]
     faults = []
     if pump is not None and state.position * pump.step > pump.max_pressure:
@@ -114,12 +113,7 @@ class RegulatorPump(Pump):
         self.positions = {AXIS: state.position}
         return {AXIS: state}
 
-    def _send(
-        self,
-        goals: Mapping[int, int],
-        speeds: Mapping[int, float],
-        paces: Mapping[int, float] | None,
-    ) -> None:
+    def _send(self, goals: Steps, speeds: Speeds, paces: Speeds | None) -> None:
         self.board.set(goals[AXIS])
 
     def hold(self, *, in_place: bool = True) -> list[FinalAxisState]:
@@ -239,16 +233,12 @@ class RegulatorKind(PumpKind):
 
     def motion_rows(self, plan: PumpPlan, pump: RegulatorSpec) -> list[tuple[str, str]]:
         course, most = plan.achievable, axis_limits(pump).travel[1]
-        pressure = course.pressure / 1e3
-        fastest = plan.numbers[plan.inlets[0]]["fastest_change_pa_s"] / 1e3
+        low, high = course.pressure.min() / 1e3, course.pressure.max() / 1e3
+        fastest, cap = plan.numbers[plan.inlets[0]]["fastest_change_pa_s"], pump.max_pressure / 1e3
         return [
             ("set-point", f"{course.steps.min():.0f} to {course.steps.max():.0f} of {most} steps"),
-            (
-                "pressure",
-                f"{pressure.min():.2f} to {pressure.max():.2f} kPa gauge; stops above "
-                f"{pump.max_pressure / 1e3:g} kPa",
-            ),
-            ("change", f"up to {fastest:.3g} kPa/s; {pump.rate_limit / 1e3:g} are allowed"),
+            ("pressure", f"{low:.2f} to {high:.2f} kPa gauge; stops above {cap:g} kPa"),
+            ("change", f"up to {fastest / 1e3:.3g} of {pump.rate_limit / 1e3:g} kPa/s"),
         ]
 
     def stop(self, link: Connection, ids: Sequence[int], release: bool) -> list[FinalAxisState]:

@@ -19,6 +19,9 @@ from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 Pressed = dict[int, frozenset[str]]  # ends whose switch is pressed, by axis
 
+Steps = Mapping[int, int]  # targets by axis [steps]
+Speeds = Mapping[int, float]  # by axis [steps/s]
+
 
 class Pump(ABC):
     """Axes that move together; all that moves them goes through here.
@@ -81,12 +84,7 @@ class Pump(ABC):
         """The state of each axis now; brings `positions` and `read_at` up to date."""
 
     @abstractmethod
-    def _send(
-        self,
-        goals: Mapping[int, int],
-        speeds: Mapping[int, float],
-        paces: Mapping[int, float] | None,
-    ) -> None:
+    def _send(self, goals: Steps, speeds: Speeds, paces: Speeds | None) -> None:
         """Send checked targets; arguments as for `set_goals`."""
 
     @abstractmethod
@@ -105,12 +103,7 @@ class Pump(ABC):
         states = self._read()
         return states, self.gauges.read(), self.read_switches()
 
-    def set_goals(
-        self,
-        goals: Mapping[int, int],
-        speeds: Mapping[int, float],
-        paces: Mapping[int, float] | None = None,
-    ) -> None:
+    def set_goals(self, goals: Steps, speeds: Speeds, paces: Speeds | None = None) -> None:
         """Send the next targets [steps], one transaction for all where the family can.
 
         ``speeds``: of each axis [steps/s]. ``paces``: what the plan asks of each about now
@@ -120,7 +113,7 @@ class Pump(ABC):
         self._send(goals, speeds, paces)
         self.goals |= goals
 
-    def allowed(self, goals: Mapping[int, int]) -> dict[int, int]:
+    def allowed(self, goals: Steps) -> dict[int, int]:
         """The same targets within travel; after an alarm, what would not draw back stays.
 
         So one plunger that is drawn out beyond home keeps no other from being drawn back to it.
@@ -131,7 +124,7 @@ class Pump(ABC):
         kept = self.goals
         return {s: g if self._draws_back(g - kept[s]) else kept[s] for s, g in goals.items()}
 
-    def _refuse(self, goals: Mapping[int, int]) -> None:
+    def _refuse(self, goals: Steps) -> None:
         low, high = self.limits.travel
         if not self.armed:
             raise PumpError("the pump is not armed; nothing is sent")
