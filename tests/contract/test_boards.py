@@ -19,7 +19,8 @@ from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, Packet
 from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.boards.base import Board, Goal
-from viscodesign.pump.sessions.board_names import boards
+from viscodesign.pump.kinds.servo import ServoKind
+from viscodesign.pump.sessions.board_names import boards_of
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import Device, DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
@@ -31,9 +32,10 @@ DEVICES: dict[str, Callable[[SimulatedBench], Device]] = {
     "arbotix-ros": Ros,
     "simulated": Ros,
 }
-BOARDS = sorted(boards())
-STREAMING = sorted(name for name, kind in boards().items() if kind.streams)
-WITH_PINS = sorted(name for name, kind in boards().items() if kind.has_pins)
+BOARD_KINDS: dict[str, type[Board]] = boards_of(ServoKind())  # type: ignore[assignment]
+BOARDS = sorted(BOARD_KINDS)
+STREAMING = sorted(name for name, kind in BOARD_KINDS.items() if kind.streams)
+WITH_PINS = sorted(name for name, kind in BOARD_KINDS.items() if kind.has_pins)
 
 # Registers whose values are known, no two of a length alike.
 TRUTH: list[tuple[Register, int]] = [
@@ -50,7 +52,7 @@ TRUTH: list[tuple[Register, int]] = [
 
 def connected(name: str, pump: SimulatedBench, trouble: Sequence[Fault] = ()) -> Board:
     device = Faulty(DEVICES[name](pump), trouble)
-    return boards()[name](DirectLine(device, stepped()), [1, 2])
+    return BOARD_KINDS[name](DirectLine(device, stepped()), [1, 2])
 
 
 def wait(board: Board, seconds: float) -> None:
@@ -60,7 +62,7 @@ def wait(board: Board, seconds: float) -> None:
 
 @pytest.mark.parametrize("name", BOARDS)
 def test_it_says_what_it_is(name: str) -> None:
-    kind = boards()[name]
+    kind = BOARD_KINDS[name]
     assert kind.name == name
     assert kind.__doc__
     assert kind.baud in (38_400, 115_200, 1_000_000)
@@ -74,7 +76,7 @@ def test_it_says_what_it_is(name: str) -> None:
 def test_it_knows_what_it_is_not(name: str, other: str) -> None:
     if DEVICES[name] is DEVICES[other]:
         return
-    board = boards()[name](DirectLine(DEVICES[other](bench(1, 2)), stepped()), [1, 2])
+    board = BOARD_KINDS[name](DirectLine(DEVICES[other](bench(1, 2)), stepped()), [1, 2])
     with pytest.raises(PumpError, match=other):
         board.identify()
 
@@ -180,7 +182,7 @@ def test_pins_are_read_or_none(name: str) -> None:
     pump = bench(1, limit_switches={"low": "D1", "high": "D2"})
     board = connected(name, pump)
     read = board.analog(0), board.digital("D1")
-    if not boards()[name].has_pins:
+    if not BOARD_KINDS[name].has_pins:
         assert read == (None, None)
         return
     assert read[0] == pytest.approx((101.325 - 3.478) * 0.002421, abs=1 / 256)
@@ -215,7 +217,7 @@ def test_each_plunger_has_its_own_sensor_and_switches(name: str) -> None:
 def test_a_board_that_was_reset_reports_a_broken_wire_again(name: str) -> None:
     pump = bench(1, limit_switches={"low": "D1", "high": "D2"})
     device = Ros(pump)
-    board = boards()[name](DirectLine(device, stepped()), [1])
+    board = BOARD_KINDS[name](DirectLine(device, stepped()), [1])
     assert board.digital("D1") is False
     device.reset(board.line.clock.now())
     wait(board, 1.0)

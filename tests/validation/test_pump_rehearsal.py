@@ -140,7 +140,7 @@ def test_the_sensor_reads_the_planned_pressure_within_its_steps_and_a_tick(
 def test_the_plunger_follows_the_plan(rehearsal: Rehearsal) -> None:
     course = rehearsal.plan.achievable
     wanted = np.interp(rehearsal.time, course.time - course.lead_s, course.count[:, 0])
-    apart = rehearsal.steps - wanted
+    apart = rehearsal.counts - wanted
     # The servo's controller alone would lag by up to 27 counts.
     assert float(np.sqrt(np.mean(apart**2))) < 3.0
     assert np.abs(apart).max() < 10.0
