@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from viscodesign.comparison.coefficient_bands import band_along
 from viscodesign.comparison.interpolation import (
     SAME_TIME_SHARE,
     has_times,
@@ -45,6 +46,7 @@ def tip_difference_of(first: ComparedMotion, other: ComparedMotion) -> TipDiffer
         is_part=any(abs(gap) > near for pair in ends for gap in pair),
         phase=phase,
         shift=time_shift(first, other) if phase is None else None,
+        band=band_along(first, other, time, apart),
     )
 
 

@@ -105,6 +105,7 @@ def motion_of(run: Trajectory, origin: Origin, source: str) -> ComparedMotion:
         stated_error_m=stated,
         error_words=run.accuracy.method if stated is None else run.error_qualifier,
         period=run.period,
+        band=run.uncertainty,
     )
 
 

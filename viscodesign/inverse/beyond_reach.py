@@ -39,7 +39,7 @@ def beyond_reach(
     beyond = float(far.max()) - longest
     if beyond <= max(tolerance, SLACK * length):
         return None
-    x, z = 1e3 * wanted.points[int(far.argmax())]
+    x, z = np.round(1e3 * wanted.points[int(far.argmax())], 6) + 0.0
     return (
         f"out of reach: ({x:.4g}, {z:.4g}) mm is {1e3 * far.max():.4g} mm from the clamp, and at "
         f"{1e-3 * level:.3g} kPa the actuator is {1e3 * longest:.4g} mm long; it is "

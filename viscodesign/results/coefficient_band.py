@@ -113,3 +113,11 @@ class CoefficientBand:
             "wall_s": self.wall_s,
         }
         return dict(json_ready(document))
+
+
+def ellipses_about(
+    tip: np.ndarray, band: CoefficientBand, most: int, points: int = 48
+) -> np.ndarray:
+    """(n, points, 2) The 95 % ellipses about a tip (T, 2) [m], at as many as ``most`` times."""
+    rows = np.unique(np.linspace(0, len(band.time) - 1, most).round().astype(int))
+    return np.array([tip[row] + band.ellipse(row, points) for row in rows])

@@ -11,6 +11,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.lazy_names import module_above
+from viscodesign.results.coefficient_band import CoefficientBand
 from viscodesign.results.findings import json_ready
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.trajectory import Status
@@ -32,6 +33,7 @@ DIFFERENCE_COLUMNS = (
     *("from_s", "to_s", "rms_m", "max_m", "max_time_s", "interpolation_m", "verdict"),
     *("shift_s", "shifted_rms_m"),
     *("phase_rms_m", "phase_max_m", "phase_shift_s", "phase_shifted_rms_m"),
+    *("band_95_m", "within_band"),
 )
 
 
@@ -60,6 +62,8 @@ class ComparedMotion:
     """[s]; None where the motion is not cyclic, or it is not known."""
     note: str = ""
     """What was left out of its file."""
+    band: CoefficientBand | None = None
+    """What the coefficients of its spec leave open; None where the spec does not say."""
 
     @property
     def title(self) -> str:
@@ -75,6 +79,13 @@ class ComparedMotion:
             return self.error_words or "not stated"
         size = f"{1e3 * self.stated_error_m:.2g} mm"
         return f"{size}, {self.error_words}" if self.error_words else size
+
+    @property
+    def band_text(self) -> str:
+        """What its coefficients leave open, in words."""
+        if self.band is None:
+            return "not stated"
+        return f"+-{1e3 * self.band.half_width_m:.3g} mm (95 %)"
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +150,9 @@ class TipDifference:
     """Where both are cyclic and have a whole period."""
     shift: TimeShift | None = None
     """Shift in time between motions that are not cyclic."""
+    band: np.ndarray | None = None
+    """(n,) Half of the 95 % interval of the distance by the coefficients [m]; None where no spec
+    says how well they are known, or they move both motions."""
 
     @property
     def max_m(self) -> float:
@@ -163,6 +177,30 @@ class TipDifference:
         if self.numerical_m is None:
             return "unknown"
         return "differ" if self.max_m > self.numerical_m else "within errors"
+
+    @property
+    def band_m(self) -> float | None:
+        """The band where the distance is largest [m]; None without one."""
+        return None if self.band is None else float(self.band[int(self.distance.argmax())])
+
+    @property
+    def within_band(self) -> float | None:
+        """Share of the times at which the band holds the distance [1]; None without one."""
+        if self.band is None:
+            return None
+        return float(np.mean(self.distance <= self.band + (self.numerical_m or 0.0)))
+
+    @property
+    def band_sentence(self) -> str:
+        """What the coefficients leave open of the distance; empty where that is not known."""
+        if self.band is None:
+            return ""
+        widest = float(self.band.max())
+        return (
+            f"by the coefficients it may be +-{_mm(widest)} (95 %, at "
+            f"{self.time[int(self.band.argmax())]:.4g} s) and +-{_mm(self.band_m or 0.0)} where it "
+            f"is largest: the band holds it at {100 * (self.within_band or 0.0):.0f} % of the times"
+        )
 
     @property
     def sentence(self) -> str:
@@ -209,7 +247,7 @@ class TipDifference:
     @property
     def sentences(self) -> list[str]:
         """All that is to say of the two."""
-        said = (self.sentence, self.shift_sentence, self.phase_sentence)
+        said = (self.sentence, self.band_sentence, self.shift_sentence, self.phase_sentence)
         return [text for text in said if text]
 
     @property
@@ -248,6 +286,8 @@ class TipDifference:
             "phase_max_m": None if phase is None else phase.max_m,
             "phase_shift_s": None if phase is None else phase.shift_s,
             "phase_shifted_rms_m": None if phase is None else phase.shifted_rms_m,
+            "band_95_m": self.band_m,
+            "within_band": self.within_band,
         }
 
 
@@ -274,7 +314,8 @@ class Comparison:
     def columns(self) -> list[str]:
         """Names of the columns of `compare.csv`."""
         known = ("label", "origin", "source", "status", "rows", "end_s", "period_s")
-        return [*known, "stated_error_m", *METRIC_NAMES, *DIFFERENCE_COLUMNS, "failure"]
+        errors = ("stated_error_m", "coefficients_95_m")
+        return [*known, *errors, *METRIC_NAMES, *DIFFERENCE_COLUMNS, "failure"]
 
     def rows(self) -> list[list[Any]]:
         """Rows of `compare.csv`, one a motion; the first has no difference."""
@@ -288,7 +329,8 @@ class Comparison:
         stated = math.nan if motion.stated_error_m is None else motion.stated_error_m
         period = math.nan if motion.period is None else motion.period
         known = [motion.label, motion.origin, motion.source, motion.status]
-        numbers = [len(motion.time), float(motion.time[-1]), period, stated]
+        band = math.nan if motion.band is None else motion.band.half_width_m
+        numbers = [len(motion.time), float(motion.time[-1]), period, stated, band]
         own = [math.nan if v is None else v for v in difference.values()]
         own[DIFFERENCE_COLUMNS.index("verdict")] = difference["verdict"] or ""
         metrics = [motion.metrics[name] for name in METRIC_NAMES]
@@ -319,6 +361,8 @@ class Comparison:
                     "period_s": m.period,
                     "stated_error_m": m.stated_error_m,
                     "error": m.error_text,
+                    "coefficients_95_m": m.band and m.band.half_width_m,
+                    "coefficients": m.band_text,
                     "metrics": dict(m.metrics),
                 }
                 for m in self.motions

@@ -35,6 +35,8 @@ def _side_by_side(motions: Sequence[ComparedMotion]) -> Iterator[tuple[str, ...]
     yield "", *(motion.label for motion in motions)
     yield "status", *(_status(motion) for motion in motions)
     yield "stated error", *(motion.error_text for motion in motions)
+    if any(motion.band is not None for motion in motions):
+        yield "by coefficients", *(motion.band_text for motion in motions)
     for name in METRIC_NAMES:
         values = [motion.metrics[name] for motion in motions]
         if not all(math.isnan(value) for value in values):

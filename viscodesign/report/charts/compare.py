@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.charts.coefficient_band import corners_about, draw_ellipses
 from viscodesign.report.charts.tip_path import travelled
 from viscodesign.report.layout.downsampling import envelope, stretches
 from viscodesign.report.layout.look import look
@@ -56,7 +57,7 @@ def draw_comparison(found: Comparison, path: Target) -> None:
                 size=8, color=look().warning, weight="bold",
             )  # fmt: skip
         paths = axes_at(made, *frame.paths)
-        draw_paths(paths, found.motions)
+        draw_paths(paths, found.motions, _drawn_bands(paths, found))
         handles, labels = paths.get_legend_handles_labels()
         made.legend(
             handles, labels, loc="upper left", ncols=frame.key_columns, borderaxespad=0,
@@ -111,9 +112,21 @@ def _title(found: Comparison) -> str:
     return f"{len(found.differences)} motions differ from {first} by up to {size} ({label})"
 
 
-def draw_paths(axes: Axes, motions: Sequence[TipMotion]) -> None:
-    """Paths [mm] at one scale, z downwards; a dot where each starts, an arrow for its sense."""
-    half = frame_about(axes, np.concatenate([1e3 * motion.tip for motion in motions]))
+def _drawn_bands(axes: Axes, found: Comparison) -> np.ndarray:
+    """Draw what the coefficients leave open; returns corners (n, 2) about it [mm]."""
+    for motion in found.motions:
+        if motion.band is not None:
+            draw_ellipses(axes, motion.tip, motion.band)
+    return np.concatenate([corners_about(motion.tip, motion.band) for motion in found.motions])
+
+
+def draw_paths(axes: Axes, motions: Sequence[TipMotion], around: np.ndarray | None = None) -> None:
+    """Paths [mm] at one scale, z downwards; a dot where each starts, an arrow for its sense.
+
+    ``around``: corners (n, 2) [mm] that the frame holds, too.
+    """
+    corners = [] if around is None else [around]
+    half = frame_about(axes, np.concatenate([*corners, *(1e3 * m.tip for m in motions)]))
     for k, motion in enumerate(motions):
         style = line_style(k)
         lines: dict[str, Any] = {"color": style.colour, "lw": 1.6, "zorder": 4}
@@ -156,6 +169,11 @@ def _draw_over_time(axes: Axes, differences: tuple[TipDifference, ...]) -> None:
     for k, found in enumerate(differences, start=1):
         time, distance = envelope(found.time, 1e3 * found.distance[:, None])
         _draw_distance(axes, time, distance[:, 0], k)
+        if found.band is not None:
+            label = "95 % by the coefficients"
+            colour = line_style(k).colour
+            axes.plot(found.time, 1e3 * found.band, color=colour, lw=0.9, ls=":", label=label)
+            axes.legend(loc="upper right", fontsize=7.5)
     axes.set(xlabel=channel("time").label, ylabel="distance, same time [mm]")
     _frame(axes)
     known = [d.numerical_m for d in differences if d.numerical_m is not None]

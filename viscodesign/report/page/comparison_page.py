@@ -9,6 +9,7 @@ import numpy as np
 
 from viscodesign.report.page.packed_arrays import packed
 from viscodesign.report.page.self_contained import self_contained, write_html
+from viscodesign.results.coefficient_band import ellipses_about
 from viscodesign.results.run_comparison import ComparedMotion, Comparison, TipDifference
 
 TEMPLATE = "compare.html"
@@ -16,6 +17,7 @@ SCRIPTS = ("data.js", "svg.js", "charts.js", "tip_path.js", "tables.js", "compar
 """In the order in which they run; those before the last only define functions."""
 MOST_ROWS = 1500
 """Rows of a curve on the page; of more, some at equal distances."""
+MOST_ELLIPSES, ELLIPSE_POINTS = 200, 24
 
 
 def write_comparison_page(found: Comparison, file: str | Path) -> Path:
@@ -42,7 +44,16 @@ def _curve(motion: ComparedMotion) -> dict[str, Any]:
         "title": motion.title,
         "time": packed(motion.time[rows], "f8"),
         "tip": packed(motion.tip[rows], "f8"),
+        "band": _band(motion),
     }
+
+
+def _band(motion: ComparedMotion) -> dict[str, Any] | None:
+    """Ellipses, all points of one after the other, and how many points one has."""
+    if motion.band is None:
+        return None
+    around = ellipses_about(motion.tip, motion.band, MOST_ELLIPSES, ELLIPSE_POINTS)
+    return {"corners": packed(around.reshape(-1, 2), "f8"), "points": ELLIPSE_POINTS}
 
 
 def _distances(difference: TipDifference) -> dict[str, Any]:
@@ -52,6 +63,7 @@ def _distances(difference: TipDifference) -> dict[str, Any]:
         "time": packed(difference.time[rows], "f8"),
         "distance": packed(difference.distance[rows], "f8"),
         "numerical_m": difference.numerical_m,
+        "band": None if difference.band is None else packed(difference.band[rows], "f8"),
         "phase": None if phase is None else packed(phase.phase, "f8"),
         "phase_distance": None if phase is None else packed(phase.distance, "f8"),
     }

@@ -7,12 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 from tests.trajectories import made_run
 from viscodesign import compare
 from viscodesign.report.charts.compare import draw_comparison
 from viscodesign.report.charts.paper_figure import draw_figure
+from viscodesign.results.coefficient_band import CoefficientBand, UncertainNumber
 from viscodesign.results.paper_figure import FigurePanel, PaperCheck, PaperFigure
 from viscodesign.results.trajectory import Accuracy
 
@@ -35,6 +37,22 @@ def test_paths_distances_and_what_failed(figures: list[Figure], tmp_path: Path) 
     assert len(phases.lines) == 1
     assert any("bent (failed at 3 s): no step" in text.get_text() for text in figures[0].texts)
     assert (tmp_path / "compare.svg").stat().st_size > 10_000
+
+
+def test_bands_of_the_coefficients_are_drawn_about_paths_and_beside_distances(
+    figures: list[Figure], tmp_path: Path
+) -> None:
+    run = made_run(bending=0.8)
+    rows = np.tile([4e-6, 1e-6, 0.0], (len(run.time), 1))
+    known = UncertainNumber("fluid.viscosity", 1.0, "Pa*s", 0.1, False, 1.0)
+    found = compare(made_run(), replace(run, uncertainty=CoefficientBand(rows, run.time, (known,))))
+    draw_comparison(found, tmp_path / "compare.png")
+    paths, times = figures[0].axes
+    (ellipses,) = (own for own in paths.collections if isinstance(own, PolyCollection))
+    first = ellipses.get_paths()[0].vertices - 1e3 * run.tip[0, :2]
+    assert np.abs(first).max(axis=0) == pytest.approx((1.96 * 2, 1.96 * 1), rel=1e-3)
+    own = next(line for line in times.lines if line.get_label() == "95 % by the coefficients")
+    np.testing.assert_allclose(own.get_ydata(), 1e3 * found.differences[0].band)
 
 
 @pytest.mark.parametrize(("stated", "at"), [(1e-3, "bottom"), (1e-1, "top")])

@@ -11,6 +11,7 @@ import numpy as np
 from tests.trajectories import made_run
 from viscodesign import Comparison, compare
 from viscodesign.report.page.comparison_page import comparison_data, write_comparison_page
+from viscodesign.results.coefficient_band import CoefficientBand, UncertainNumber
 
 EVIL = "</script><b onclick=x>leg</b>"
 POINTS = """() => [...document.querySelectorAll("#paths path.curve")].map((path) => {
@@ -53,5 +54,27 @@ def test_what_is_drawn_and_said(browser: Any, tmp_path: Path) -> None:
     assert found.differences[0].sentence in page.inner_text("#differences")
     assert "failed at 3 s" in page.inner_text("#banners")
     assert page.query_selector("b") is None
+    assert messages == []
+    page.close()
+
+
+def test_the_band_of_coefficients_is_drawn_and_told(browser: Any, tmp_path: Path) -> None:
+    run = made_run(bending=0.8)
+    rows = np.tile([4e-6, 1e-6, 0.0], (len(run.time), 1))
+    known = UncertainNumber("fluid.viscosity", 1.0, "Pa*s", 0.1, False, 1.0)
+    found = compare(made_run(), replace(run, uncertainty=CoefficientBand(rows, run.time, (known,))))
+    page, messages = browser.new_page(), []
+    page.on("pageerror", lambda error: messages.append(str(error)))
+    page.goto(write_comparison_page(found, tmp_path / "compare.html").as_uri())
+    box = page.evaluate("""() => {
+      const band = document.querySelector("#paths path.band"), box = band.getBBox();
+      const [x0, x1] = band.ownerSVGElement.dataset.domain.split(" ").map(Number);
+      const [p0, p1] = band.ownerSVGElement.dataset.range.split(" ").map(Number);
+      return box.width * (x1 - x0) / (p1 - p0);
+    }""")
+    expected = 1e3 * (np.ptp(run.tip[:, 0]) + 2 * 1.96 * 2e-3)
+    assert abs(box - expected) < 0.02 * expected
+    assert found.differences[0].band_sentence in page.inner_text("#differences")
+    assert "+-3.92 mm (95 %)" in page.inner_text("#metrics")
     assert messages == []
     page.close()

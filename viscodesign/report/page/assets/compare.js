@@ -17,9 +17,13 @@ function readComparison() {
     const tip = unpacked(motion.tip);
     Object.assign(motion, motionStyle(k), { time: unpacked(motion.time).values,
       x: column(tip, 0).map((v) => 1e3 * v), z: column(tip, 1).map((v) => 1e3 * v) });
+    if (motion.band) {
+      const corners = unpacked(motion.band.corners);
+      Object.assign(motion.band, { x: column(corners, 0).map((v) => 1e3 * v), z: column(corners, 1).map((v) => 1e3 * v) });
+    }
   });
   found.differences.forEach((difference, k) => {
-    const names = ["time", "distance", "phase", "phase_distance"].filter((name) => difference[name]);
+    const names = ["time", "distance", "band", "phase", "phase_distance"].filter((name) => difference[name]);
     for (const name of names) difference[name] = unpacked(difference[name]).values;
     Object.assign(difference, motionStyle(k + 1), { title: found.motions[k + 1].title });
   });
@@ -50,6 +54,7 @@ function showComparedMetrics(found) {
     ["status", ...found.motions.map((m) => m.status)],
     ["stated error", ...found.motions.map((m) => m.error)],
   ];
+  if (found.motions.some((m) => m.band)) rows.push(["by coefficients", ...found.motions.map((m) => m.coefficients)]);
   for (const name of Object.keys(found.motions[0].metrics)) {
     const words = name.split("_"), [unit, factor] = METRIC_UNITS[words[words.length - 1]] || ["", 1];
     const values = found.motions.map((m) => m.metrics[name]);
@@ -67,13 +72,23 @@ function makePaths(found) {
   return { svg, height: PATHS_HEIGHT };
 }
 
+// The union of a band's ellipses: one path, so that where they overlap it is no darker.
+function bandOf(view, motion) {
+  const { x, z, points } = motion.band, parts = [];
+  for (let k = 0; k < x.length; k += points) {
+    parts.push(`${pathThrough([...x.slice(k, k + points)].map(view.px), [...z.slice(k, k + points)].map(view.py))}Z`);
+  }
+  return drawn("path", { class: "band", fill: motion.colour, "fill-opacity": 0.16, "data-name": motion.title, d: parts.join("") });
+}
+
 function layoutPaths(view, found, width) {
-  const limits = scaleTip(view, width, found.motions.flatMap((m) => [...m.x]), found.motions.flatMap((m) => [...m.z]));
+  const all = (name) => found.motions.flatMap((m) => [...m[name], ...(m.band ? m.band[name] : [])]);
+  const limits = scaleTip(view, width, all("x"), all("z")), banded = found.motions.filter((m) => m.band);
   const paths = found.motions.map((motion) => drawn("path", { class: "curve", stroke: motion.colour, "stroke-width": 1.8,
     "data-name": motion.title, ...(motion.dashed ? { "stroke-dasharray": "6 3" } : {}),
     d: pathThrough(motion.x.map(view.px), motion.z.map(view.py)) }));
   view.dots = found.motions.map((motion) => drawn("circle", { class: "dot", r: 4.5, fill: motion.colour }));
-  view.svg.replaceChildren(tipAxes(view, limits), ...paths, ...view.dots);
+  view.svg.replaceChildren(tipAxes(view, limits), ...banded.map((m) => bandOf(view, m)), ...paths, ...view.dots);
 }
 
 // Index of the row nearest to a time; -1 outside of the motion.
@@ -91,6 +106,8 @@ function rowAt(time, at) {
 function distancePanels(found, seekTime) {
   const host = byId("charts"), curves = found.differences.map((d) => ({ name: d.title, colour: d.colour, dashed: d.dashed,
     time: d.time, values: d.distance.map((v) => 1e3 * v) }));
+  for (const d of found.differences.filter((own) => own.band)) curves.push({ name: `${d.title}: 95 % by the coefficients`,
+    colour: d.colour, dashed: true, time: d.time, values: d.band.map((v) => 1e3 * v) });
   const known = found.differences.map((d) => d.numerical_m).filter((v) => v !== null);
   const note = known.length ? `Numerical errors explain up to ${millimetres(Math.max(...known))} of it.` : "Errors are not stated of all motions.";
   const ends = extremes(found.differences.flatMap((d) => [d.time[0], d.time[d.time.length - 1]]));
