@@ -51,5 +51,9 @@ def _facts(scene: SeveralScene, name: str) -> list[str]:
     for inlet, source in scene.sources_of(name).items():
         others = [other for other in scene.fed_by(source) if other != name]
         also = f", which also feeds {', '.join(others)}" if others else ""
-        facts.append(f"{inlet} is fed by {source}{also}: a given pressure, whatever flows")
+        given = "a given pressure, whatever flows"
+        if not scene.sources[source].gives_pressure:
+            part = f"of which each of the {len(others) + 1} has an even part: they are equal"
+            given = f"a syringe, {part}" if others else "a syringe"
+        facts.append(f"{inlet} is fed by {source}{also}: {given}")
     return facts

@@ -70,6 +70,11 @@ def _lines(found: SeveralRuns, folder: Path) -> list[str]:
         own = folder / name
         files = sorted(own.iterdir()) if own.is_dir() else []
         lines += [f"{name}, fed by {source}", *summary_lines(run, own, files), ""]
+    for source, told in found.supplies().items():
+        lines.append(
+            f"{source} feeds {', '.join(told['feeds'])}: {1e6 * told['volume_swing_m3']:.3g} mL of "
+            f"fluid at ambient density, up to {1e6 * told['largest_flow_m3_s']:.3g} mL/s"
+        )
     return [*lines, f"{folder}: a folder for each, and trajectory.csv of all"]
 
 

@@ -79,6 +79,38 @@ class SeveralRuns:
             columns.append(filled)
         return names, np.column_stack(columns)
 
+    def supply(self, source: str) -> tuple[np.ndarray, np.ndarray]:
+        """What an input has delivered to all actuators that it feeds, over time.
+
+        Times (T,) [s] that all of them have reached, and the volume (T,) at ambient density
+        since all was filled at the baseline pressure, unloaded [m3].
+        """
+        parts = [
+            (run.time, run.inflow[inlet])
+            for name, run in self.runs.items()
+            for inlet, own in self.sources[name].items()
+            if own == source
+        ]
+        both = min((len(time) for time, _ in parts), default=0)
+        time = parts[0][0][:both] if parts else np.zeros(0)
+        return np.asarray(time), np.sum([volume[:both] for _, volume in parts], axis=0)
+
+    def supplies(self) -> dict[str, dict[str, Any]]:
+        """What every input feeds, and the volume and the flow that it takes for that."""
+        found: dict[str, dict[str, Any]] = {}
+        for source in dict.fromkeys(s for own in self.sources.values() for s in own.values()):
+            fed = [name for name in self.runs if source in self.sources[name].values()]
+            if not fed:
+                continue
+            time, volume = self.supply(source)
+            flow = np.gradient(volume, time) if len(time) > 1 else np.zeros(1)
+            found[source] = {
+                "feeds": fed,
+                "volume_swing_m3": float(np.ptp(volume)) if len(volume) else 0.0,
+                "largest_flow_m3_s": float(np.abs(flow).max()),
+            }
+        return found
+
     def frame(self) -> pd.DataFrame:
         """The same as a table."""
         import pandas as pd
@@ -103,6 +135,7 @@ class SeveralRuns:
                 }
                 for name, run in self.runs.items()
             },
+            "sources": self.supplies(),
             "failures": dict(self.failures),
             "interrupted": list(self.interrupted),
         }

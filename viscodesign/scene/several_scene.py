@@ -1,10 +1,12 @@
-"""A spec of several actuators that share nothing but inputs of given pressure.
+"""A spec of several actuators, each of which is a scene of its own.
 
-Each is a scene of its own then: what happens in one changes nothing in the others.
+Inputs of given pressure couple nothing. A syringe that equal actuators share gives each of them an
+even part, since all of them move alike.
 """
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterator, Mapping
 from typing import Any, Literal
 
@@ -19,6 +21,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from viscodesign.errors import did_you_mean
+from viscodesign.scene.bellows import Bellows, snaps
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fed_actuator import FedActuator, inherited
 from viscodesign.scene.fluid import Fluid
@@ -181,16 +184,40 @@ class SeveralScene(SpecPart):
                 )
 
     def _shared_plungers(self) -> Iterator[KeyFault]:
-        """A plunger whose volume several actuators share couples them."""
+        """A plunger couples the actuators that share its volume, unless these all move alike."""
         for name, source in self.sources.items():
             fed = self.fed_by(name)
-            if not source.gives_pressure and len(fed) > 1:
+            if source.gives_pressure or len(fed) < 2:
+                continue
+            shared, listed = source.shared_by(len(fed)), ", ".join(fed)
+            advice = (
+                "Give the pressure instead, such as a recorded one (kind: table), or each actuator "
+                "a syringe of its own"
+            )
+            if shared is None or len({self._digest(own) for own in fed}) > 1:
                 yield KeyFault(
                     ("inputs", name),
-                    f"a syringe that feeds {', '.join(fed)} would make one coupled system of them, "
-                    "which is not supported yet. Give the pressure instead, such as a recorded one "
-                    "(kind: table), or each actuator a syringe of its own",
+                    f"it feeds {listed}, which differ: its volume would couple them to one system, "
+                    f"which is not supported yet. {advice}",
                 )
+            elif any(snaps(self._bellows(own)) for own in fed):
+                yield KeyFault(
+                    ("inputs", name),
+                    f"it feeds {listed}, whose bellows snap through, one actuator before another: "
+                    f"its volume would couple them to one system. {advice}",
+                )
+
+    def _digest(self, name: str) -> bytes:
+        """Equal for actuators that are equal in all but their names."""
+        parts = {key: getattr(unlike(self.actuators)[name], key) for key in OF_DESIGN.values()}
+        loads = inherited(name, self.actuators, "loads")
+        whole = (parts, loads, sorted(self.sources_of(name).items()))
+        return hashlib.sha256(repr(whole).encode()).digest()
+
+    def _bellows(self, name: str) -> Bellows:
+        found = unlike(self.actuators)[name].bellows
+        assert found is not None  # of an actuator that is not like another one
+        return found
 
     def _scene_faults(self) -> Iterator[KeyFault]:
         told: set[KeyFault] = set()
@@ -246,10 +273,15 @@ class SeveralScene(SpecPart):
         """Each actuator by itself."""
         return {name: self._scene(name) for name in self.actuators}
 
+    def _share(self, name: str) -> Input:
+        """What one actuator has of an input."""
+        source = self.sources[name]
+        return source.shared_by(len(self.fed_by(name))) or source
+
     def _scene(self, name: str) -> Scene:
         design, own = unlike(self.actuators)[name], self.sources_of(name)
         loads = inherited(name, self.actuators, "loads")
-        inputs = {inlet: self.sources[source] for inlet, source in own.items()}
+        inputs = {inlet: self._share(source) for inlet, source in own.items()}
         driven = {"inputs": inputs} if tuple(own) != (INLET,) else {"input": inputs[INLET]}
         return Scene.model_validate(
             {

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+import yaml
 
 from tests.scenes import SEVERAL_SPECS
 from viscodesign import (
@@ -64,6 +65,34 @@ def test_columns_have_the_names_of_their_actuators(runs: SeveralRuns) -> None:
     assert list(frame.columns[:3]) == ["time_s", "left.tip_x_m", "left.tip_z_m"]
     assert {"right.inlet_pressure_pa", "middle.pressure_R1_pa"} <= {*frame.columns}
     assert frame["middle.tip_x_m"].to_numpy() == pytest.approx(runs["middle"].tip[:, 0], abs=0)
+
+
+def test_equal_legs_on_one_syringe_take_up_what_it_gives() -> None:
+    plunger = {"kind": "syringe", "diameter": "20 mm", "start": "50 mm",
+               "rows": [[0, 0], [1, "5 mm"]]}  # fmt: skip
+    keys = ("actuators", "fluid", "temperature", "gauge_pressure", "effects", "loads")
+    text = yaml.safe_load(SEVERAL_SPECS[0].read_text())
+    own = {key: text[key] for key in keys}
+    own["actuators"]["middle"] = {"like": "left"}
+    scene = load_several(
+        {**own, **SHORT, "name": "on one syringe", "inputs": {"A": plunger}, "fluid": "water"}
+    )
+    assert "each of the 3 has an even part" in check_several(scene)["left"].facts[0]
+    found = simulate_several(scene, verify=False)
+    assert found.equal_to == {"right": "left", "middle": "left"}
+    _, volume = found.supply("A")
+    pushed = np.pi * 0.02**2 / 4 * 5e-3
+    # Water yields little: nearly all that the plunger pushes out enters the legs.
+    assert np.ptp(volume) == pytest.approx(pushed, rel=1e-2)
+    told = found.summary()["sources"]["A"]
+    assert told["feeds"] == ["left", "right", "middle"]
+    assert told["largest_flow_m3_s"] == pytest.approx(pushed, rel=0.1)
+
+
+def test_a_source_supplies_all_that_it_feeds(runs: SeveralRuns) -> None:
+    _, volume = runs.supply("A")
+    assert volume == pytest.approx(2 * runs["left"].inflow["inlet"], rel=1e-12)
+    assert set(runs.supplies()) == {"A", "B"}
 
 
 def test_files_of_each_and_of_all(runs: SeveralRuns, tmp_path: Path) -> None:

@@ -116,13 +116,40 @@ def test_an_actuator_named_twice() -> None:
 SYRINGE = {"kind": "syringe", "diameter": "20 mm", "start": "50 mm", "rows": [[0, 0], [2, 5e-3]]}
 
 
-def test_a_syringe_that_several_share_is_refused_and_one_of_a_single_one_is_not() -> None:
-    with pytest.raises(SpecError, match=r"inputs\.A: a syringe that feeds left, right would make"):
-        legs("{like: left}", inputs={"A": SYRINGE})
+def test_a_syringe_that_unequal_ones_share_is_refused_and_one_of_a_single_one_is_not() -> None:
+    heavy = "{like: left, loads: {payload: 1 g}}"
+    with pytest.raises(SpecError, match=r"inputs\.A: it feeds left, right, which differ"):
+        legs(heavy, inputs={"A": SYRINGE})
     scene = legs("{like: left, source: B}", inputs={"A": SYRINGE, "B": spec()["inputs"]["A"]})
     assert not scene.scenes["left"].input.gives_pressure  # type: ignore[union-attr]
     with pytest.raises(SpecError, match=r"inputs\.B\.delay: 'A' is of the kind syringe"):
         legs("{like: left, source: B}", inputs={"A": SYRINGE, "B": {"as": "A", "delay": 1}})
+
+
+def test_equal_ones_have_an_even_part_of_a_syringe() -> None:
+    whole = INPUT_KINDS["syringe"].model_validate({**SYRINGE, "dead_volume": 1e-6, "cushion": 1e-7})
+    part = whole.shared_by(3)
+    assert part is not None
+    time = np.linspace(0, 2, 5)
+    assert 3 * part.values(time) == pytest.approx(whole.values(time), rel=1e-12)
+    volumes = [own.full_volume for own in (part, whole)]  # type: ignore[attr-defined]
+    assert 3 * volumes[0] == pytest.approx(volumes[1], rel=1e-12)
+    scene = legs("{like: left}", "{like: left}", inputs={"A": SYRINGE})
+    assert scene.scenes["middle"].input == INPUT_KINDS["syringe"].model_validate(SYRINGE).shared_by(
+        3
+    )
+
+
+SNAP = {"rows": [[-20e3, -5e-5, -0.1, -5e-4], [0, 0, 0, 0], [6e3, 4e-5, 0.1, 4e-4],
+                 [4e3, 8e-5, 0.2, 8e-4], [30e3, 2e-4, 0.4, 2e-3]]}  # fmt: skip
+
+
+def test_a_syringe_cannot_be_shared_where_bellows_snap() -> None:
+    own = spec(inputs={"A": SYRINGE})
+    own["actuators"] = {"left": own["actuators"]["left"], "right": {"like": "left"}}
+    own["actuators"]["left"]["bellows"]["curve"] = SNAP
+    with pytest.raises(SpecError, match="whose bellows snap through, one actuator before another"):
+        load_several(own)
 
 
 def test_single_specs_and_others_are_told_apart() -> None:

@@ -114,6 +114,13 @@ class Input(SpecPart):
         del delay
         return None
 
+    def shared_by(self, count: int) -> Input | None:
+        """What each of ``count`` equal actuators has of it, of which all move alike.
+
+        All of a pressure; None where it cannot be shared out.
+        """
+        return self if self.gives_pressure or count == 1 else None
+
     def moves_within(self, duration: float) -> bool:
         """Whether its value changes in a run, or at its start."""
         low, high = self.extremes(duration)

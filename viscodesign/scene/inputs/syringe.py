@@ -71,6 +71,11 @@ class SyringeInput(PiecewiseLinear, FromFile):
                 yield KeyFault((key,), message + f"{1e3 * self.start:g} mm")
                 return
 
+    def shared_by(self, count: int) -> SyringeInput:
+        """A barrel of an even part of its section, dead volume and cushion, pushed as far."""
+        part = {"dead_volume": self.dead_volume / count, "cushion": self.cushion / count}
+        return self.model_copy(update={"diameter": self.diameter / math.sqrt(count), **part})
+
     @property
     def area(self) -> float:
         """Cross-sectional area of the barrel [m2]."""
