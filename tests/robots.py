@@ -36,5 +36,13 @@ def mirrored() -> RobotScene:
         "tubes": [{"from": a, "to": b} for a, b in itertools.pairwise(chain)],
     }
     for name, leg in data["robot"]["legs"].items():
-        data["robot"]["legs"][name] = {**leg, "x": f"{-float(leg['x'].split()[0])} mm"}
+        data["robot"]["legs"][name] = {
+            **leg,
+            **_mirrored(leg, "x", "mm"),
+            **_mirrored(leg, "lean", "deg"),
+        }
     return load_robot(data)
+
+
+def _mirrored(leg: dict[str, str], key: str, unit: str) -> dict[str, str]:
+    return {key: f"{-float(leg[key].split()[0])} {unit}"}

@@ -10,8 +10,8 @@ designs in one table, `sensitivity` tells how far each number moves the tip, `de
 numbers and the graph that make the tip follow a path, `reach` tells where it can be, `fit` finds
 numbers by measurements, `compare` puts motions beside each other, `accuracy` measures what accuracy
 costs in time, `plan` turns its pressures into a pump's motion. `load_robot` reads a robot on such
-actuators, `stand` tells how it stands. `load_several`, `check_several`, `classify_several` and
-`simulate_several` take specs of several actuators. Nothing here prints.
+actuators, `stand` and `walk` tell how it stands and walks. `load_several`, `check_several`,
+`classify_several` and `simulate_several` take specs of several actuators. Nothing here prints.
 """
 
 from __future__ import annotations
@@ -66,7 +66,9 @@ if TYPE_CHECKING:
     from viscodesign.results.sweep_table import Sweep as Sweep
     from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
     from viscodesign.results.trajectory import Trajectory as Trajectory
+    from viscodesign.results.walk_study import WalkStudy as WalkStudy
     from viscodesign.robot.stand import stand as stand
+    from viscodesign.robot.walk import walk as walk
     from viscodesign.scene.robot_scene import RobotScene as RobotScene
     from viscodesign.scene.scene import Scene as Scene
     from viscodesign.scene.several_scene import SeveralScene as SeveralScene
@@ -95,6 +97,7 @@ _HOMES = {
     "Sweep": ".results.sweep_table",
     "Trajectory": ".results.trajectory",
     "ViscodesignError": ".errors",
+    "WalkStudy": ".results.walk_study",
     "accuracy": ".studies.accuracy",
     "SeveralRuns": ".results.several_runs",
     "SeveralScene": ".scene.several_scene",
@@ -115,6 +118,7 @@ _HOMES = {
     "sensitivity": ".exploration.sensitivity",
     "simulate": ".exploration.simulate",
     "stand": ".robot.stand",
+    "walk": ".robot.walk",
     "sweep": ".exploration.sweep",
 }
 """Where each name is imported from when it is first asked for: `--help` needs none of them."""

@@ -46,7 +46,7 @@ Example:
   viscodesign simulate leg.yaml -o runs/leg"""
 COMMANDS = (
     *("init", "check", "classify", "simulate", "report", "accuracy", "sweep", "sensitivity"),
-    *("design", "reach", "fit", "compare", "stand", "cite", "effects", "schema"),
+    *("design", "reach", "fit", "compare", "stand", "walk", "cite", "effects", "schema"),
 )
 """In the order of `--help`; every module has a `command` and an `EXAMPLE`."""
 PUMP = "pump"

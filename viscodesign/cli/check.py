@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Specs
 from viscodesign.cli.output import json_text, write_text
-from viscodesign.cli.specs import SpecResult, read_scenes, run_specs
+from viscodesign.cli.specs import SpecResult, read_any, run_specs
 
 if TYPE_CHECKING:
-    from viscodesign import Check
+    from viscodesign import Check, RobotScene
 
 EXAMPLE = """\b
 Examples:
@@ -35,10 +35,12 @@ def command(
     """
 
     def run(spec: Path) -> SpecResult:
-        from viscodesign import check
+        from viscodesign import RobotScene, check
         from viscodesign.scene.several_scene import SeveralScene
 
-        scene = read_scenes(spec, overrides)
+        scene = read_any(spec, overrides)
+        if isinstance(scene, RobotScene):
+            return _robot_result(scene, silent=json or quiet)
         if isinstance(scene, SeveralScene):
             from viscodesign.cli.several import checked_several
 
@@ -55,6 +57,20 @@ def command(
             write_text(output / "check.json", json_text(document) + "\n", overwrite=True)
 
     run_specs(specs, run, json=json, quiet=quiet, debug=_debug, keep=keep)
+
+
+def _robot_result(scene: RobotScene, *, silent: bool) -> SpecResult:
+    """Every design of a robot, one after the other."""
+    from viscodesign.robot.robot_check import check_robot
+
+    found = check_robot(scene)
+    head = f"{found.name}: {found.legs} legs, {found.weight_n:.4g} N"
+    lines = [head, *(line for own in found.designs.items() for line in _design_lines(*own))]
+    return SpecResult(found.document(), [] if silent else lines)
+
+
+def _design_lines(name: str, found: Check) -> list[str]:
+    return ["", f"actuator {name}, by itself", *check_lines(found)]
 
 
 def check_lines(found: Check) -> list[str]:

@@ -52,14 +52,23 @@ def command(
     Prints timescales, ratios and quadrant of each spec; solves nothing. With -o also writes
     DIR/classification.json. --set applies to every spec.
     """
+    from viscodesign import RobotScene
     from viscodesign.checks.check_several import classified
     from viscodesign.cli.output import json_text, say, write_text
-    from viscodesign.cli.specs import read_scenes
+    from viscodesign.cli.specs import read_any
     from viscodesign.results.findings import classification_document
     from viscodesign.results.provenance import provenance
 
     picture, pictures = _picture(plot), picture_options("png", style, width)
-    found = [one for spec in specs for one in classified(read_scenes(spec, overrides))]
+    found: list[Classification] = []
+    for spec in specs:
+        scene = read_any(spec, overrides)
+        if isinstance(scene, RobotScene):
+            from viscodesign.robot.robot_check import classify_robot
+
+            found += classify_robot(scene)
+        else:
+            found += classified(scene)
     documents = [classification_document(c) for c in found]
     document = json_text({"specs": documents, "provenance": provenance()})
     if output is not None:

@@ -24,7 +24,7 @@ from viscodesign.cli.options import (
     Specs,
 )
 from viscodesign.cli.output import complain
-from viscodesign.cli.specs import SpecResult, read_scenes, run_specs
+from viscodesign.cli.specs import SpecResult, read_any, run_specs
 from viscodesign.errors import InterruptedRunError, RunFailedError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.picture_options import PictureOptions, picture_options
@@ -32,6 +32,7 @@ from viscodesign.report.picture_options import PictureOptions, picture_options
 if TYPE_CHECKING:
     from viscodesign.report.run_folder import WrittenRun
     from viscodesign.results.trajectory import Trajectory
+    from viscodesign.scene.robot_scene import RobotScene
     from viscodesign.scene.scene import Scene
 
 EXAMPLE = """\b
@@ -98,10 +99,13 @@ def command(
     taken: set[Path] = set()
 
     def run(spec: Path) -> SpecResult:
+        from viscodesign import RobotScene
         from viscodesign.cli.run_folders import folder_for
         from viscodesign.scene.several_scene import SeveralScene
 
-        began, scene = next(begun), read_scenes(spec, overrides)
+        began, scene = next(begun), read_any(spec, overrides)
+        if isinstance(scene, RobotScene):
+            return _walked(scene, _own_output(scene, output, len(specs)), options)
         folder, remark = folder_for(scene, output, taken if len(specs) > 1 else None)
         taken.add(folder)
         if remark and not quiet:
@@ -139,6 +143,29 @@ class Beginnings:
     def __next__(self) -> float:
         began, self._first = self._first, None
         return clock.perf_counter() if began is None else began
+
+
+def _walked(scene: RobotScene, output: Path | None, options: RunOptions) -> SpecResult:
+    """The motion of a robot is its gait: the same as `walk`."""
+    from viscodesign.cli.walk import no_speed, walked
+
+    study, files, lines = walked(
+        scene,
+        output,
+        plots=options.plots,
+        picture_format=options.picture_format,
+        force=options.force,
+        quiet=options.quiet,
+    )
+    document = {**study.document(), "files": [str(file) for file in files]}
+    return SpecResult(document, lines, no_speed(study))
+
+
+def _own_output(scene: RobotScene, output: Path | None, specs: int) -> Path | None:
+    """The folder given by -o, or one of its own in it where there are many specs."""
+    from viscodesign.cli.run_folders import folder_name
+
+    return output if output is None or specs == 1 else output / folder_name(scene.name)
 
 
 def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) -> SpecResult:

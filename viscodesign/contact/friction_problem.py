@@ -17,12 +17,13 @@ and dry friction in finite freedom dynamics, 1988.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from enum import IntEnum
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.storage.cached_property import cached_property
 
 
 class ContactState(IntEnum):
@@ -35,15 +36,18 @@ class ContactState(IntEnum):
     BACKWARD = 3
 
 
-OPEN, STICK, FORWARD, BACKWARD = ContactState
-DIRECTION = np.array([0.0, 0.0, 1.0, -1.0])
+OPEN, STICK, FORWARD, BACKWARD = map(int, ContactState)
+EVERY = (OPEN, STICK, FORWARD, BACKWARD)
+DIRECTION = (0.0, 0.0, 1.0, -1.0)
 """Sign of the slip in each state; 0 where there is none to speak of."""
 MAX_PIVOTS = 30
-MAX_SWEEPS = 300
+MAX_SWEEPS = 40
 MAX_CONTACTS_TRIED = 7
 """Contacts of which all states are tried: 4 states each."""
 VIOLATION_REL_TOL = 1e-10
 """Of a condition, relative to the largest number of its kind."""
+
+States = tuple[int, ...]
 
 
 class ContactError(ArithmeticError):
@@ -60,107 +64,140 @@ class FrictionProblem:
 
     compliance: np.ndarray
     free: np.ndarray
-    friction: np.ndarray
+    friction: Sequence[float]
 
     @property
     def count(self) -> int:
         """Number of contacts."""
         return len(self.friction)
 
-    def solve(self, guess: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
+    def solve(self, guess: Sequence[int] | None = None) -> tuple[np.ndarray, States]:
         """Forces (2c,), normal then tangential, and states (c,).
 
         ``guess``: states from which to begin. Raises `ContactError`.
         """
         for states in self._candidates(guess):
             forces = self.forces(states)
-            if forces is not None and not self.violated(states, forces).any():
+            if forces is not None and self._better(states, forces) == states:
                 return forces, states
         raise ContactError("no contact states satisfy Signorini's and Coulomb's conditions")
 
-    def _candidates(self, guess: np.ndarray | None) -> Iterator[np.ndarray]:
+    def _candidates(self, guess: Sequence[int] | None) -> Iterator[States]:
         """States that may be the solution, the likeliest first."""
-        start = np.full(self.count, OPEN) if guess is None else np.asarray(guess)
-        yield from self._pivoted(start)
+        start = (OPEN,) * self.count if guess is None else tuple(map(int, guess))
+        yield from self._pivoted(start, one_by_one=False)
+        yield from self._pivoted(start, one_by_one=True)
         swept = self._swept()
         yield swept
-        yield from self._pivoted(swept)
+        yield from self._pivoted(swept, one_by_one=True)
         if self.count <= MAX_CONTACTS_TRIED:
-            for states in itertools.product(ContactState, repeat=self.count):
-                yield np.array(states)
+            yield from itertools.product(EVERY, repeat=self.count)
 
-    def forces(self, states: np.ndarray) -> np.ndarray | None:
-        """Forces for given states; None where they are not determined."""
-        c, closed = self.count, np.flatnonzero(states != OPEN)
-        stuck = np.flatnonzero(states == STICK)
-        found = np.zeros(2 * c)
-        rows = np.concatenate([closed, c + stuck])
-        if not len(rows):
-            return found
-        ratio = -DIRECTION[states] * self.friction
-        columns = self.compliance[:, closed] + self.compliance[:, c + closed] * ratio[closed]
-        matrix = np.concatenate([columns[rows], self.compliance[np.ix_(rows, c + stuck)]], axis=1)
+    def forces(self, states: States) -> np.ndarray | None:
+        """Forces (2c,) for given states; None where they are not determined.
+
+        A row each: the gap of a closed contact is zero, or its normal force; the slip of one that
+        sticks, or what friction leaves of Coulomb's law.
+        """
+        c, matrix, right = self.count, np.eye(2 * self.count), np.zeros(2 * self.count)
+        rows = [k for k in range(c) if states[k] != OPEN]
+        rows += [c + k for k in range(c) if states[k] == STICK]
+        matrix[rows], right[rows] = self._scaled[rows], self._scaled_free[rows]
+        for k in range(c):
+            if states[k] > STICK:
+                matrix[c + k, k] = DIRECTION[states[k]] * self.friction[k]
         try:
-            values = np.linalg.solve(matrix, -self.free[rows])
+            return np.linalg.solve(matrix, right)
         except np.linalg.LinAlgError:
             return None
-        found[closed] = values[: len(closed)]
-        found[c:] = ratio * found[:c]
-        found[c + stuck] = values[len(closed) :]
-        return found
 
-    def violated(self, states: np.ndarray, forces: np.ndarray) -> np.ndarray:
-        """Contacts (c,) whose state the forces contradict."""
-        return np.asarray(self._better(states, forces) != states)
+    @cached_property
+    def _size(self) -> float:
+        """Of the compliance."""
+        return float(np.mean(np.abs(np.diag(self.compliance)))) or 1.0
 
-    def _pivoted(self, states: np.ndarray) -> Iterator[np.ndarray]:
+    @cached_property
+    def _scaled(self) -> np.ndarray:
+        return self.compliance / self._size
+
+    @cached_property
+    def _scaled_free(self) -> np.ndarray:
+        return -self.free / self._size
+
+    @cached_property
+    def _shortest(self) -> float:
+        """Motion that counts as none."""
+        return VIOLATION_REL_TOL * (float(np.max(np.abs(self.free))) or 1.0)
+
+    def _pivoted(self, states: States, *, one_by_one: bool) -> Iterator[States]:
         """States that are corrected until they hold, or come round again."""
-        seen = set()
-        for _ in range(MAX_PIVOTS):
-            if states.tobytes() in seen:
-                return
-            seen.add(states.tobytes())
+        seen: set[States] = set()
+        while states not in seen and len(seen) < MAX_PIVOTS:
+            seen.add(states)
             yield states
             forces = self.forces(states)
             if forces is None:
                 return
-            states = self._better(states, forces)
+            better = self._better(states, forces)
+            states = _first_change(states, better) if one_by_one else better
 
-    def _better(self, states: np.ndarray, forces: np.ndarray) -> np.ndarray:
+    def _better(self, states: States, forces: np.ndarray) -> States:
         """The states that forces call for; the same where they are as they should be."""
-        c = self.count
-        motion = self.compliance @ forces + self.free
-        normal, along, gap, slip = forces[:c], forces[c:], motion[:c], motion[c:]
-        least = VIOLATION_REL_TOL * (np.max(np.abs(forces)) or 1.0)
-        shortest = VIOLATION_REL_TOL * (np.max(np.abs(self.free)) or 1.0)
-        found = states.copy()
-        found[(states == OPEN) & (gap < -shortest)] = STICK
-        excess = np.abs(along) - self.friction * normal > least
-        slides = (states == STICK) & excess
-        found[slides] = np.where(along > 0, BACKWARD, FORWARD)[slides]
-        found[(DIRECTION[states] * slip < -shortest) & (states > STICK)] = STICK
-        found[(states != OPEN) & (normal < -least)] = OPEN
-        return found
+        c, motion = self.count, (self.compliance @ forces + self.free).tolist()
+        along = forces.tolist()
+        least = VIOLATION_REL_TOL * (max(map(abs, along)) or 1.0)
+        return tuple(
+            self._better_one(k, states[k], along[k], along[c + k], motion[k], motion[c + k], least)
+            for k in range(c)
+        )
 
-    def _swept(self) -> np.ndarray:
+    def _better_one(
+        self,
+        k: int,
+        state: int,
+        normal: float,
+        along: float,
+        gap: float,
+        slip: float,
+        least: float,
+    ) -> int:
+        if state == OPEN:
+            return STICK if gap < -self._shortest else OPEN
+        if normal < -least:
+            return OPEN
+        if state == STICK:
+            if abs(along) - self.friction[k] * normal <= least:
+                return STICK
+            return BACKWARD if along > 0 else FORWARD
+        return STICK if DIRECTION[state] * slip < -self._shortest else state
+
+    def _swept(self) -> States:
         """States after Gauss-Seidel sweeps over the contacts, each solved exactly by itself."""
-        forces, states = np.zeros(2 * self.count), np.zeros(self.count, dtype=int)
+        forces, states = np.zeros(2 * self.count), [OPEN] * self.count
         for _ in range(MAX_SWEEPS):
             before = forces.copy()
             for k in range(self.count):
                 self._sweep_one(k, forces, states)
             if np.max(np.abs(forces - before)) <= VIOLATION_REL_TOL * np.max(np.abs(forces)):
                 break
-        return states
+        return tuple(states)
 
-    def _sweep_one(self, k: int, forces: np.ndarray, states: np.ndarray) -> None:
+    def _sweep_one(self, k: int, forces: np.ndarray, states: list[int]) -> None:
         """Solve one contact with the forces of the others as they are."""
         own = [k, self.count + k]
         block = self.compliance[np.ix_(own, own)]
         rest = self.compliance[own] @ forces - block @ forces[own] + self.free[own]
-        single = FrictionProblem(block, rest, self.friction[[k]])
-        for state in ContactState:
-            found = single.forces(np.array([state]))
-            if found is not None and not single.violated(np.array([state]), found).any():
+        single = FrictionProblem(block, rest, (self.friction[k],))
+        for state in EVERY:
+            found = single.forces((state,))
+            if found is not None and single._better((state,), found) == (state,):
                 forces[own], states[k] = found, state
                 return
+
+
+def _first_change(states: States, better: States) -> States:
+    """The states with the first of the changes alone."""
+    for k, (own, other) in enumerate(zip(states, better, strict=True)):
+        if own != other:
+            return (*states[:k], other, *states[k + 1 :])
+    return states

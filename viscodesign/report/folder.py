@@ -106,6 +106,8 @@ REACH_FILES = FileSet("reach.csv", "reach.json", "reach.png")
 SEVERAL_PICTURE = "tips.png"
 """Drawn of several actuators."""
 STAND_FILES = FileSet("stand.csv", "stand.json", "stand.png")
+WALK_TABLE, WALK_PICTURE = "walk.csv", "walk.png"
+"""Of a gait, beside its summary and its spec."""
 REACH_INPUT = "input.csv"
 """The input that brings a tip to a point."""
 DESIGN_ALTERNATIVES = "alternatives"
@@ -119,7 +121,10 @@ SWEEP_ROWS = "sweep.rows.jsonl"
 OUR_FILES = {
     *RUN_TABLES,
     BAND_TABLE,
-    *in_every_format([*RUN_PICTURES, EFFECTS_PICTURE, *(own.picture for own in FILE_SETS)]),
+    WALK_TABLE,
+    *in_every_format(
+        [*RUN_PICTURES, EFFECTS_PICTURE, WALK_PICTURE, *(own.picture for own in FILE_SETS)]
+    ),
     SUMMARY,
     PAGE,
     SWEEP_ROWS,

@@ -11,7 +11,15 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.taped_function import TapedFunction, TapeWithPatterns
 from viscodesign.robot.leg_design import LegDesign
 from viscodesign.robot.leg_network import contents, inflows, section_pressures
-from viscodesign.robot.leg_pose import BODY, FOOT, MOUNT, Mount, foot_below, tip_seen_from_leg
+from viscodesign.robot.leg_pose import (
+    BODY,
+    FOOT,
+    MOUNT,
+    Mount,
+    foot_below,
+    points_of_leg,
+    tip_seen_from_leg,
+)
 from viscodesign.robot.leg_rod import POINTS, RodLoad, RodSection, RodShooting, ShotRod
 
 SX = ca.SX
@@ -91,6 +99,12 @@ class LegEquations:
         work = ca.vertcat(x, z, tip_moment)
         return ca.jtimes(self.seen, self.symbols.place, work, True)
 
+    def axis(self) -> SX:
+        """x and z of the ends of all sections over the ground's axes (2, S + 1) [m]."""
+        nodes = ca.horzcat(*(node[:2] for node in self.rod.nodes))
+        own = self.symbols
+        return points_of_leg(own.place[:BODY], nodes, Mount.of(own.mount))
+
     def after(self) -> list[SX]:
         """Strains at the points, and the flows into the nodes and out of the source."""
         own = self.symbols
@@ -130,6 +144,8 @@ class LegFunctions:
     """Tip (3,), contents and strains of a leg by load, pressures, strains before and step."""
     foot: TapedFunction
     """Foot by body, tip and mount."""
+    axis: TapedFunction
+    """x and z of the ends of all sections, in turn."""
 
     @property
     def unknowns(self) -> int:
@@ -152,15 +168,20 @@ def leg_functions(design: LegDesign) -> LegFunctions:
     strains = ca.vertcat(*rod.curvatures, *rod.stretches)
     rod_arguments = [own.load, own.pressures, own.strains_before, own.step]
     by_load = ca.densify(ca.jacobian(tip, own.load))
-    body, seen, mount = SX.sym("body", BODY), SX.sym("tip", 3), SX.sym("mount", MOUNT)
     return LegFunctions(
         design,
         _taped("linearised", own.listed(), [residual, reaction, *derivatives]),
         _taped("plain", own.listed(), [residual, reaction]),
         _taped("after", own.listed(), equations.after()),
         _taped("hanging", rod_arguments, [tip, by_load, held, strains]),
-        _taped("foot", [body, seen, mount], [foot_below(body, seen, Mount.of(mount))]),
+        _foot_function(),
+        _taped("axis", own.listed(), [equations.axis()]),
     )
+
+
+def _foot_function() -> TapedFunction:
+    body, seen, mount = SX.sym("body", BODY), SX.sym("tip", 3), SX.sym("mount", MOUNT)
+    return _taped("foot", [body, seen, mount], [foot_below(body, seen, Mount.of(mount))])
 
 
 def _taped(name: str, arguments: list[SX], results: list[SX]) -> TapedFunction:

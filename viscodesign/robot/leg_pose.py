@@ -62,6 +62,17 @@ def foot_below(body: SX, tip: SX, mount: Mount) -> SX:
     return ca.vertcat(x + place[0], z + place[2], pitch + tip[2] * ca.cos(mount.tilt))
 
 
+def points_of_leg(body: SX, nodes: SX, mount: Mount) -> SX:
+    """x and z over the ground's axes (2, n) of points (2, n) in the frame of a leg."""
+    x, z, pitch, roll = ca.vertsplit(body)
+    hip = _turned(mount.hip, pitch, roll)
+    across, along = (_turned(axis, pitch, roll) for axis in mount.axes())
+    kept = [0, 2]
+    return ca.repmat(ca.vertcat(x, z) + hip[kept], 1, nodes.shape[1]) + (
+        ca.horzcat(across[kept], along[kept]) @ nodes
+    )
+
+
 def _turned(vector: SX, pitch: SX, roll: SX) -> SX:
     """A vector of the body along the ground's axes: rolled about x, then pitched about y."""
     y = vector[1] * ca.cos(roll) - vector[2] * ca.sin(roll)

@@ -57,6 +57,8 @@ class ShotRod:
     """At the points of all sections, (POINTS,) each [1/m]."""
     stretches: list[SX]
     """Likewise, beyond 1."""
+    nodes: list[SX]
+    """x, z and angle at the ends of all sections, clamp first (3,) each."""
 
 
 class RodShooting:
@@ -68,9 +70,10 @@ class RodShooting:
 
     def shoot(self, sections: list[RodSection]) -> ShotRod:
         """The rod with these sections, clamp first."""
-        rod = ShotRod(SX.zeros(3), [], [], [], [])
+        rod = ShotRod(SX.zeros(3), [], [], [], [], [SX.zeros(3)])
         for section in sections:
             rod.tip = self._section(rod.tip, section, rod)
+            rod.nodes.append(rod.tip)
         return rod
 
     def _section(self, start: SX, section: RodSection, rod: ShotRod) -> SX:

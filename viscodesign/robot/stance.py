@@ -8,9 +8,11 @@ import numpy as np
 from scipy.linalg import null_space
 
 from viscodesign.contact.friction_problem import (
+    OPEN,
+    STICK,
     ContactError,
-    ContactState,
     FrictionProblem,
+    States,
 )
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
@@ -48,7 +50,7 @@ class Stance:
     place: np.ndarray
     legs: tuple[LegStates, ...]
     contact_forces: np.ndarray
-    contact_states: np.ndarray
+    contact_states: States
     sway_stiffness: float
     """Smallest eigenvalue of the stiffness with the feet where they are [N/m]; rotations count
     by the length of a leg."""
@@ -112,7 +114,7 @@ class _StanceSolver:
         self.model = model
         self.start, self.legs = set_down(model, pressures)
         self.place = self.start
-        self.states = np.full(model.count, ContactState.STICK)
+        self.states: States = (STICK,) * model.count
         self.sources = [pressures[group.sources][:, None] for group in model.groups]
         self.lengths = np.ones(model.size)
         self.lengths[[2, 3, *range(BODY + 2, model.size, FOOT)]] = _leg_length(model)
@@ -140,7 +142,7 @@ class _StanceSolver:
         solved = np.linalg.solve(matrix, np.column_stack([model.weights - force, rows.T]))
         free = rows @ solved[:, 0] + rows @ (self.place - self.start)
         free[: model.count] = rows[: model.count] @ solved[:, 0] + model.gaps(self.place)
-        friction = np.full(model.count, model.feet.friction)
+        friction = (model.feet.friction,) * model.count
         try:
             problem = FrictionProblem(rows @ solved[:, 1:], free, friction)
             forces, self.states = problem.solve(self.states)
@@ -170,7 +172,7 @@ class _StanceSolver:
     def _sway_stiffness(self, stiffness: np.ndarray) -> float:
         """Smallest eigenvalue of the stiffness where contacts stay as they are [N/m]."""
         count, states = self.model.count, self.states
-        held = np.concatenate([states != ContactState.OPEN, states == ContactState.STICK])
+        held = [state != OPEN for state in states] + [state == STICK for state in states]
         free = null_space(self.model.contact_rows[held] / self.lengths)
         scaled = stiffness / np.outer(self.lengths, self.lengths)
         symmetric = free.T @ (scaled + scaled.T) @ free / 2

@@ -14,11 +14,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.contact.friction_problem import ContactError, FrictionProblem
+from viscodesign.contact.friction_problem import ContactError, FrictionProblem, States
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.robot.leg_equations import LOAD
-from viscodesign.robot.robot_model import LegStates, LinearisedLegs, RobotModel, linearised
+from viscodesign.robot.robot_model import (
+    LegGroup,
+    LegStates,
+    LinearisedLegs,
+    RobotModel,
+    linearised,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +39,7 @@ class RobotState:
     """By group."""
     contact_forces: np.ndarray
     """Normal, then tangential (2c,) [N]."""
-    contact_states: np.ndarray
+    contact_states: States
     drawn: np.ndarray
     """Out of each source since the start, as volume at ambient density [m3]."""
 
@@ -79,7 +85,7 @@ class StepSolver:
             ]
             legs = tuple(_moved(own, step) for own, step in zip(legs, steps, strict=True))
             if self._is_done(change, steps):
-                return self._after(now, begun, place, legs, pressures, forces, states)
+                return self._after(now, begun, place, legs, sources, forces, states)
         raise SolveError(
             "the step does not converge",
             quantity="place",
@@ -88,13 +94,37 @@ class StepSolver:
             remedy="Legs may be near buckling; lower the payload or the gauge pressure",
         )
 
+    def gas_imbalance(self, now: RobotState, after: RobotState, sources: np.ndarray) -> float:
+        """Largest part of a node's content in excess of what a step leaves there [1]."""
+        worst = 0.0
+        for group, own, before in zip(self.groups, after.legs, now.legs, strict=True):
+            begun = replace(own, strains=before.strains, content=self._begun(before).content)
+            arguments = self._arguments(group, after.place, begun, sources)
+            residual, _ = group.functions.plain.rows(arguments, len(group.legs))
+            design = group.functions.design
+            excess = residual[:, LOAD : LOAD + design.bellows] * design.bellow.rest_volume
+            held = own.content[:, : design.bellows]
+            worst = max(worst, float(np.max(np.abs(excess / held))))
+        return worst
+
+    def _arguments(
+        self, group: LegGroup, place: np.ndarray, legs: LegStates, sources: np.ndarray
+    ) -> list[np.ndarray]:
+        """Of the functions of a group, with strains and contents as the step begins."""
+        numbers = np.tile(self._numbers, (len(group.legs), 1))
+        own = sources[group.sources][:, None]
+        return [
+            *(place[group.places], legs.load, legs.pressure, group.mounts),
+            *(legs.strains, legs.content, own, numbers),
+        ]
+
     def _begun(self, legs: LegStates) -> LegStates:
         """Legs with what flows in by the rates at the step's beginning."""
         early = (1 - IMPLICITNESS) * self.step * legs.inflow[:, :-1]
         return replace(legs, content=legs.content + early)
 
     @property
-    def groups(self) -> Sequence:  # type: ignore[type-arg]
+    def groups(self) -> tuple[LegGroup, ...]:
         """Groups of legs."""
         return self.model.groups
 
@@ -103,8 +133,8 @@ class StepSolver:
         now: RobotState,
         place: np.ndarray,
         around: Sequence[LinearisedLegs],
-        guess: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        guess: States,
+    ) -> tuple[np.ndarray, np.ndarray, States]:
         """Newton's step of the place, with the contact forces and states that go with it."""
         model, rows = self.model, self.model.contact_rows
         force, stiffness = model.assembled(around)
@@ -115,7 +145,7 @@ class StepSolver:
         free = rows @ solved[:, 0]
         free[: model.count] += model.gaps(place)
         free[model.count :] += rows[model.count :] @ moved
-        friction = np.full(model.count, model.feet.friction)
+        friction = (model.feet.friction,) * model.count
         try:
             forces, states = FrictionProblem(rows @ solved[:, 1:], free, friction).solve(guess)
         except ContactError as error:
@@ -136,19 +166,15 @@ class StepSolver:
         begun: Sequence[LegStates],
         place: np.ndarray,
         legs: Sequence[LegStates],
-        sources: Sequence[np.ndarray],
+        sources: np.ndarray,
         forces: np.ndarray,
-        states: np.ndarray,
+        states: States,
     ) -> RobotState:
         """The state at the end of the step: contents are what was there and what flowed in."""
         drawn, after = now.drawn.copy(), []
-        for group, own, before, source in zip(self.groups, legs, begun, sources, strict=True):
-            count = len(group.legs)
-            strains, inflow = group.functions.after.rows(
-                [place[group.places], own.load, own.pressure, group.mounts, before.strains,
-                 before.content, source, np.tile(self._numbers, (count, 1))],
-                count,
-            )  # fmt: skip
+        for group, own, before in zip(self.groups, legs, begun, strict=True):
+            arguments = self._arguments(group, place, own, sources)
+            strains, inflow = group.functions.after.rows(arguments, len(group.legs))
             content = before.content + IMPLICITNESS * self.step * inflow[:, :-1]
             after.append(LegStates(own.load, own.pressure, strains, content, inflow))
             mean = IMPLICITNESS * inflow + (1 - IMPLICITNESS) * before.inflow

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
-from viscodesign.units import Angle, Fraction, Length, Mass, Time
+from viscodesign.units import Angle, Fraction, Length, Mass, Time, Volume
 
 STEEPEST = math.radians(45)
 """To which a leg may be turned: the equations hold for feet below their hips."""
@@ -83,6 +83,15 @@ class RobotGround(SpecPart):
     )
 
 
+class RobotPump(SpecPart):
+    """What each of the robot's pumps can do, to be told whether a gait asks for more."""
+
+    volume: Volume = Field(gt=0, description="Volume of its barrel", examples=["100 mL"])
+    stroke_time: Time | None = Field(
+        None, gt=0, description="Shortest time of a whole stroke", examples=["0.7 s"]
+    )
+
+
 def _named(legs: dict[str, RobotLeg]) -> dict[str, RobotLeg]:
     if not legs:
         raise invalid("empty; a robot needs legs")
@@ -114,6 +123,7 @@ class Robot(SpecPart):
         description="Sections, 1 at the hip, that pillars keep from bending and stretching",
     )
     ground: RobotGround = Field(default_factory=RobotGround, description="The ground")
+    pump: RobotPump | None = Field(None, description="What each of its pumps can do")
     hip_height: Length | None = Field(
         None,
         gt=0,

@@ -16,6 +16,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from viscodesign.errors import did_you_mean
+from viscodesign.scene.common_period import common_period, no_period
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
@@ -182,6 +183,14 @@ class RobotScene(SpecPart):
         """An actuator by itself, hanging at the baseline pressure."""
         return self._leg_scene(unlike(self.actuators)[actuator])
 
+    def single_scene(self, actuator: str, source: str) -> Scene:
+        """An actuator by itself with one of the sources, hanging, named after both of them."""
+        given = self.inputs[source]
+        own = self.inputs[given.source] if isinstance(given, SameInput) else given
+        return self.leg_scene(actuator).model_copy(
+            update={"name": f"{self.name}.{actuator}", "input": own, "run": self.run}
+        )
+
     @cached_property
     def sources(self) -> Mapping[str, Input | LaterInput]:
         """What feeds the legs, by name."""
@@ -190,6 +199,20 @@ class RobotScene(SpecPart):
             if isinstance(given, SameInput)
             else given
             for name, given in self.inputs.items()
+        }
+
+    @property
+    def period(self) -> float | None:
+        """Time after which all sources repeat together [s]; None where they do not."""
+        return common_period(self._own_inputs().values())
+
+    def no_period(self) -> str:
+        """Why the sources have no period in common; empty where they have one."""
+        return no_period(self._own_inputs())
+
+    def _own_inputs(self) -> dict[str, Input]:
+        return {
+            name: given for name, given in self.inputs.items() if not isinstance(given, SameInput)
         }
 
     @cached_property

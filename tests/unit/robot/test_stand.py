@@ -17,7 +17,11 @@ from viscodesign.robot.stance import stance
 
 EI, EA = 1.8e6 * 0.02 * 0.03**3 / 12 * 0.55, 1.8e6 * 0.03 * 0.02 * 0.53
 SECTION = 0.109 / 8
-UPRIGHT = [f"robot.legs.{name}.splay=0" for name in ("LF", "RF", "LM", "RM", "LR", "RR")]
+UPRIGHT = [
+    f"robot.legs.{name}.{key}=0"
+    for name in ("LF", "RF", "LM", "RM", "LR", "RR")
+    for key in ("splay", "lean")
+]
 
 
 @pytest.fixture(scope="module")

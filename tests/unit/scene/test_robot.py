@@ -69,7 +69,7 @@ def test_each_fault_is_told_at_its_line(old: str, new: str, message: str) -> Non
 
 
 def test_feet_inside_the_ground_are_told_with_the_height_that_they_need() -> None:
-    with pytest.raises(SpecError, match=r"robot.hip_height: 100 mm puts the feet 35.7 mm into"):
+    with pytest.raises(SpecError, match=r"robot.hip_height: 100 mm puts the feet 35.6 mm into"):
         build_robot(hexapod("robot.hip_height=100 mm"))
     build_robot(hexapod("robot.hip_height=140 mm"))
 

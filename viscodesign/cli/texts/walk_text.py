@@ -1,0 +1,68 @@
+"""A gait as lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from viscodesign.cli.texts.accuracy_text import seconds
+from viscodesign.cli.texts.check_text import notice_lines
+from viscodesign.cli.texts.layout import number, table
+from viscodesign.results.walk_study import WalkStudy
+
+
+def walk_lines(study: WalkStudy, folder: Path, files: Sequence[Path]) -> list[str]:
+    """Advance, step, pumps, feet, balances, warnings, files."""
+    motion = study.motion
+    warnings = notice_lines(study.warnings)
+    return [
+        f"{study.name}: {len(motion.advances)} cycles of {number(motion.period, 's')}",
+        *table(list(_facts(study))),
+        "",
+        *table(list(_feet(study))),
+        "",
+        *(["warnings", *warnings, ""] if warnings else []),
+        *table([("files", f"{folder}: {', '.join(file.name for file in files)}")]),
+    ]
+
+
+def _facts(study: WalkStudy) -> Iterator[tuple[str, str]]:
+    if not study.refusal:
+        advance, speed = study.advance_per_cycle_m, study.speed_body_lengths_per_s
+        way = "forward" if advance > 0 else "backward"
+        yield "advance", f"{number(1e3 * abs(advance), 'mm')} a cycle, {way}"
+        yield "speed", f"{number(speed)} body lengths a second"
+    change, cycle = (number(1e2 * v, "%") for v in (study.step_halving_change, study.cycle_change))
+    step = number(1e3 * study.steps_s[-1], "ms")
+    yield "step", f"{step}; halving it moved the advance by {change}, the last cycle by {cycle}"
+    for name, pump in study.pumps.items():
+        asked = f"{number(1e6 * pump.volume_m3, 'mL')}, {number(1e6 * pump.flow_m3_s, 'mL/s')}"
+        told = {True: "; the pump can", False: "; more than the pump can", None: ""}
+        yield f"pump {name}", asked + told[pump.is_feasible]
+    found = study.invariants
+    yield (
+        "contact",
+        f"penetration {number(1e6 * found.worst_penetration_m, 'um')}, "
+        f"friction's work {number(1e3 * found.friction_work_j, 'mJ')}",
+    )
+    yield (
+        "balances",
+        f"forces {number(found.force_imbalance_rel)} of the weight, "
+        f"gas {number(found.gas_mass_imbalance_rel)} of the contents",
+    )
+    speedup = study.motion.time[-1] / study.solve_cpu_s
+    words = f"the last solution {number(speedup)} times as fast as the robot (processor time)"
+    yield "time", f"{seconds(study.total_s)}; {words}"
+
+
+def _feet(study: WalkStudy) -> Iterator[tuple[str, ...]]:
+    yield ("foot", "lift", "on the ground", "sliding", "normal force", "friction")
+    for name, foot in study.feet.items():
+        yield (
+            name,
+            number(1e3 * foot.lift_m, "mm"),
+            number(1e2 * foot.stance_share, "%"),
+            number(1e2 * foot.slide_share, "%"),
+            f"up to {number(foot.peak_normal_n, 'N')}",
+            f"up to {number(foot.peak_friction_n, 'N')}",
+        )

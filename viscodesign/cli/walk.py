@@ -1,0 +1,119 @@
+"""`viscodesign walk`: the gait of a robot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from viscodesign.cli.options import (
+    Debug,
+    Force,
+    Json,
+    NoPlots,
+    Overrides,
+    PictureFormat,
+    Quiet,
+    RunFolder,
+    Spec,
+)
+from viscodesign.errors import ViscodesignError
+
+if TYPE_CHECKING:
+    from viscodesign.report.folder import Format
+    from viscodesign.results.walk_study import WalkStudy
+    from viscodesign.scene.robot_scene import RobotScene
+
+EXAMPLE = """\b
+Examples:
+  viscodesign walk hexapod.yaml
+  viscodesign walk hexapod.yaml --film walk.webp
+  viscodesign walk hexapod.yaml --set inputs.A.frequency=0.8Hz \\
+    --set inputs.B.delay=0.625s"""
+
+
+class NoSpeedError(ViscodesignError):
+    """The speed depends on the step; the motion is on disk."""
+
+    exit_code = 3
+    kind = "solve"
+
+
+def command(
+    spec: Spec,
+    overrides: Overrides = None,
+    film: Annotated[
+        Path | None,
+        typer.Option("--film", metavar="FILE", help="Also a film: .gif, .webp or .mp4."),
+    ] = None,
+    output: RunFolder = None,
+    no_plots: NoPlots = False,
+    picture_format: PictureFormat = "png",
+    force: Force = False,
+    json: Json = False,
+    quiet: Quiet = False,
+    _debug: Debug = False,
+) -> None:
+    """Tell how a robot walks under its inputs.
+
+    Body, feet, contact forces, advance per cycle, speed, and what the pumps have to do;
+    writes walk.csv, summary.json, spec.yaml and walk.png. Where the advance depends on
+    the step of the solution, no speed is stated, and it exits with 3.
+    """
+    from viscodesign.cli.specs import read_robot
+
+    study, files, lines = walked(
+        read_robot(spec, overrides),
+        output,
+        plots=not no_plots,
+        picture_format=picture_format,
+        force=force,
+        quiet=quiet,
+        film=film,
+    )
+    from viscodesign.cli.output import say_result
+
+    say_result(study.document(), files, lines, json, quiet)
+    if (error := no_speed(study)) is not None:
+        raise error
+
+
+def walked(
+    scene: RobotScene,
+    output: Path | None,
+    *,
+    plots: bool,
+    picture_format: Format,
+    force: bool,
+    quiet: bool,
+    film: Path | None = None,
+) -> tuple[WalkStudy, list[Path], list[str]]:
+    """The gait of a robot, the files that it is written to, and its lines of text."""
+    from viscodesign import walk as study_of
+    from viscodesign.cli.progress import progress
+    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.texts.walk_text import walk_lines
+    from viscodesign.report.film.film_plan import FilmOptions
+    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.walk_folder import write_walk
+
+    if film is not None:
+        FilmOptions().checked(film)
+    folder = output if output is not None else Path("runs") / folder_name(scene.name)
+    prepare_folder(folder, force=force)
+    with progress(quiet, "halving the step", "walking") as advance:
+        study = study_of(scene, progress=advance)
+    files = write_walk(study, folder, plots=plots, force=force, picture_format=picture_format)
+    if film is not None:
+        from viscodesign.report.film.walk_film import write_walk_film
+
+        files.append(write_walk_film(study, film))
+    return study, files, walk_lines(study, folder, files)
+
+
+def no_speed(study: WalkStudy) -> NoSpeedError | None:
+    """Why no speed is stated, as an error to be raised when the files are written."""
+    if not study.refusal:
+        return None
+    return NoSpeedError(f"{study.name}: no speed is stated: {study.refusal}")

@@ -1,0 +1,105 @@
+"""`walk.png`: the body's way, what the feet do and bear, and the pumps, over the last cycles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import matplotlib as mpl
+import numpy as np
+
+from viscodesign.report.layout.style import (
+    ACCENT,
+    GREY,
+    INK,
+    TITLE_ROOM,
+    Target,
+    axes_at,
+    picture,
+    shown,
+)
+from viscodesign.results.robot_motion import RobotMotion
+from viscodesign.results.walk_study import WalkStudy
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+LEFT, BOTTOM, WIDTH, PANEL, GAP, RIGHT = 0.8, 0.55, 6.4, 1.15, 0.16, 1.0
+"""In inches."""
+SHOWN_CYCLES = 2
+STYLES = ("-", "--", ":", "-.")
+"""Of the sources' lines."""
+
+
+def leg_colours(motion: RobotMotion) -> dict[str, tuple[float, ...]]:
+    """A colour for each leg."""
+    scale = mpl.colormaps["viridis"]
+    steps = np.linspace(0.0, 0.9, len(motion.legs))
+    return {name: scale(step) for name, step in zip(motion.legs, steps, strict=True)}
+
+
+def draw_walk(study: WalkStudy, path: Target) -> None:
+    """Panels one above the other, with a common time."""
+    panels: tuple[Callable[[Axes, RobotMotion, slice], None], ...] = (
+        *(_advance, _gaps, _normal_forces, _friction, _pumps),
+    )
+    height = BOTTOM + len(panels) * (PANEL + GAP) + TITLE_ROOM
+    with picture(path, LEFT + WIDTH + RIGHT, height) as made:
+        motion = study.motion
+        rows = _last_cycles(motion)
+        for k, draw in enumerate(panels):
+            bottom = BOTTOM + (len(panels) - 1 - k) * (PANEL + GAP)
+            axes = axes_at(made, LEFT, bottom, WIDTH, PANEL)
+            draw(axes, motion, rows)
+            axes.set_xlim(motion.time[rows][0], motion.time[rows][-1])
+            axes.tick_params(labelbottom=k == len(panels) - 1)
+        axes.set_xlabel("time [s]")
+        made.text(LEFT / (LEFT + WIDTH + RIGHT), (height - 0.21) / height,
+                  f"{shown(study.name, 40)}: {_words(study)}", size=10)  # fmt: skip
+
+
+def _words(study: WalkStudy) -> str:
+    if study.refusal:
+        return "no speed is stated"
+    advance = f"{1e3 * study.advance_per_cycle_m:.3g} mm a cycle"
+    return f"{advance}, {study.speed_body_lengths_per_s:.2g} body lengths a second"
+
+
+def _last_cycles(motion: RobotMotion) -> slice:
+    shown_steps = SHOWN_CYCLES * motion.steps_per_cycle
+    return slice(max(len(motion.time) - 1 - shown_steps, 0), None)
+
+
+def _advance(axes: Axes, motion: RobotMotion, rows: slice) -> None:
+    axes.plot(motion.time[rows], 1e3 * motion.body[rows, 0], color=INK, lw=1.5)
+    axes.set_ylabel("body x [mm]")
+
+
+def _gaps(axes: Axes, motion: RobotMotion, rows: slice) -> None:
+    _by_leg(axes, motion, rows, 1e3 * motion.feet[:, :, 1])
+    axes.set_ylabel("lift [mm]")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+
+
+def _normal_forces(axes: Axes, motion: RobotMotion, rows: slice) -> None:
+    _by_leg(axes, motion, rows, motion.normal)
+    axes.set_ylabel("normal [N]")
+
+
+def _friction(axes: Axes, motion: RobotMotion, rows: slice) -> None:
+    _by_leg(axes, motion, rows, motion.friction)
+    axes.axhline(0.0, color=GREY, lw=0.8)
+    axes.set_ylabel("friction [N]")
+
+
+def _by_leg(axes: Axes, motion: RobotMotion, rows: slice, values: np.ndarray) -> None:
+    for k, (name, colour) in enumerate(leg_colours(motion).items()):
+        axes.plot(motion.time[rows], values[rows, k], color=colour, lw=1.1, label=shown(name, 10))
+
+
+def _pumps(axes: Axes, motion: RobotMotion, rows: slice) -> None:
+    for k, name in enumerate(motion.sources):
+        style, volume = STYLES[k % len(STYLES)], 1e6 * motion.barrel[rows, k]
+        axes.plot(motion.time[rows], volume, color=ACCENT, ls=style, label=shown(name, 10))
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    axes.set_ylabel("barrel [mL]")

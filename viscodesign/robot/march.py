@@ -1,0 +1,150 @@
+"""A robot's motion by equal steps, recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.results.robot_motion import RobotMotion
+from viscodesign.robot.leg_network import barrel_volume
+from viscodesign.robot.leg_pose import BODY, FOOT
+from viscodesign.robot.robot_model import RobotModel
+from viscodesign.robot.time_step import RobotState, StepSolver
+
+FROZEN = 1e12
+"""Damping time over the step by which a leg keeps its strains."""
+Progress = Callable[[float], None]
+"""Told the fraction done."""
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """A motion, and what its solution left."""
+
+    motion: RobotMotion
+    velocities: np.ndarray
+    """(T, size)"""
+    states: tuple[RobotState, ...]
+    """At the recorded rows."""
+    gas_imbalance: float
+    """Largest part of a bellow's content that its pressure does not account for."""
+
+
+@dataclass(frozen=True)
+class StepPlan:
+    """How a motion is cut into steps."""
+
+    period: float
+    per_cycle: int
+    cycles: int
+    every: int
+    """Steps from one recorded row to the next."""
+
+    @property
+    def count(self) -> int:
+        """Steps of the whole motion."""
+        return self.per_cycle * self.cycles
+
+    def times(self) -> np.ndarray:
+        """Of all steps, the start first (T,) [s]."""
+        return self.period / self.per_cycle * np.arange(self.count + 1)
+
+
+def march(
+    model: RobotModel,
+    start: RobotState,
+    pressures: Callable[[np.ndarray], np.ndarray],
+    plan: StepPlan,
+    progress: Progress | None = None,
+) -> Recording:
+    """The motion from a state; ``pressures`` of the sources at times (T,): gauge (T, S) [Pa].
+
+    Raises `SolveError`.
+    """
+    times = plan.times()
+    sources = pressures(times)
+    solver = StepSolver(model, plan.period / plan.per_cycle)
+    table = _Table(model, len(times))
+    states, worst, now = [start], 0.0, start
+    table.put(0, start)
+    for k in range(1, len(times)):
+        after = solver.advance(now, sources[k])
+        table.put(k, after)
+        if k % plan.every == 0:
+            states.append(after)
+            worst = max(worst, solver.gas_imbalance(now, after, sources[k]))
+            if progress is not None:
+                progress(k / plan.count)
+        now = after
+    motion = _motion(model, table, times, sources, states, plan)
+    return Recording(motion, table.velocity, tuple(states), worst)
+
+
+class _Table:
+    """Numbers of all steps."""
+
+    def __init__(self, model: RobotModel, count: int) -> None:
+        self.place = np.zeros((count, model.size))
+        self.velocity = np.zeros((count, model.size))
+        self.forces = np.zeros((count, 2 * model.count))
+        self.drawn = np.zeros((count, len(model.source_names)))
+
+    def put(self, k: int, state: RobotState) -> None:
+        """Write the numbers of a step."""
+        self.place[k], self.velocity[k] = state.place, state.velocity
+        self.forces[k], self.drawn[k] = state.contact_forces, state.drawn
+
+
+def _motion(
+    model: RobotModel,
+    table: _Table,
+    times: np.ndarray,
+    sources: np.ndarray,
+    states: list[RobotState],
+    plan: StepPlan,
+) -> RobotMotion:
+    count, place = model.count, table.place
+    feet = place[:, BODY:].reshape(len(times), count, FOOT).copy()
+    feet[:, :, 1] = -feet[:, :, 1] - model.feet.radius
+    slip_rows = model.contact_rows[count:]
+    heights = np.array([float(np.mean(model.hip_heights(row))) for row in place])
+    body = np.column_stack([place[:, 0], heights, place[:, 2], place[:, 3]])
+    body[:, 0] -= body[0, 0]
+    fluid = model.groups[0].functions.design.fluid
+    left = np.max(table.drawn, axis=0) - table.drawn
+    return RobotMotion(
+        legs=model.leg_names,
+        sources=model.source_names,
+        foot_radius=model.feet.radius,
+        period=plan.period,
+        time=times,
+        body=body,
+        feet=feet,
+        normal=table.forces[:, :count],
+        friction=table.forces[:, count:],
+        slip=np.vstack([np.zeros(count), np.diff(place, axis=0) @ slip_rows.T]),
+        pressure=sources,
+        delivered=table.drawn,
+        barrel=barrel_volume(fluid, left, sources),
+        rows=np.arange(0, len(times), plan.every),
+        axes=np.array([_axes(model, state) for state in states]),
+    )
+
+
+def _axes(model: RobotModel, state: RobotState) -> np.ndarray:
+    """x and height of the ends of all sections of every leg (L, n, 2) [m]."""
+    longest = max(len(group.functions.design.free_sections) for group in model.groups)
+    found = np.full((model.count, longest + 1, 2), np.nan)
+    for group, legs in zip(model.groups, state.legs, strict=True):
+        rows = len(group.legs)
+        kept = [legs.content, np.zeros((rows, 1)), np.tile([0.0, FROZEN], (rows, 1))]
+        (points,) = group.functions.axis.rows(
+            [state.place[group.places], legs.load, legs.pressure, group.mounts, legs.strains,
+             *kept],
+            rows,
+        )  # fmt: skip
+        own = points.reshape(rows, -1, 2) * [1.0, -1.0]
+        found[group.legs, : own.shape[1]] = own
+    return found

@@ -1,0 +1,247 @@
+"""The gait of a robot: `walk`."""
+
+from __future__ import annotations
+
+import math
+import time as clock
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from viscodesign.contact.friction_problem import OPEN
+from viscodesign.errors import Fault, SpecError
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.results.walk_study import WalkStudy
+from viscodesign.robot.build_robot import build_robot, start_pressures
+from viscodesign.robot.gait_numbers import foot_uses, invariants, pump_uses
+from viscodesign.robot.gait_warnings import gait_warnings
+from viscodesign.robot.leg_pose import BODY, FOOT
+from viscodesign.robot.march import Progress, Recording, StepPlan, march
+from viscodesign.robot.robot_model import RobotModel
+from viscodesign.robot.stance import UnstableStanceError, set_down, stance
+from viscodesign.robot.time_step import RobotState
+from viscodesign.scene.reading.write import part_yaml
+from viscodesign.scene.robot_scene import RobotScene
+
+LEAST_CYCLES = 2
+"""Whose advances are compared."""
+
+
+@dataclass(frozen=True)
+class StepRule:
+    """How small steps are, and when a speed is stated."""
+
+    per_cycle: int = 250
+    """Steps of a cycle at first."""
+    most_halvings: int = 4
+    largest_change: float = 0.03
+    """Of the advance per cycle, by halving the step and from cycle to cycle, for a stated speed."""
+    damping_ratio: float = 3.0
+    """Damping time over that of the steps themselves, half of a step, for a stated speed."""
+    least_advance: float = 1e-4
+    """Advance per cycle below which a robot marks time, over the length of its body."""
+
+
+STEPS = StepRule()
+
+
+def walk(
+    scene: RobotScene, *, steps_per_cycle: int | None = None, progress: Progress | None = None
+) -> WalkStudy:
+    """The gait of a robot under its inputs.
+
+    The step is halved until the advance per cycle changes by less than the scene's accuracy;
+    where it still changes by 3 % or more, from step to step or from cycle to cycle, no speed is
+    stated, and the study says why. ``steps_per_cycle``: steps of a cycle at first; ``progress``
+    is told the fraction done of each solution.
+
+    Raises `SpecError` for inputs without a common period and runs of less than two cycles,
+    `SolveError` where the robot does not stand at the start or a step does not converge.
+    """
+    began = clock.perf_counter()
+    model = build_robot(scene)
+    gait = _Gait(scene, model, steps_per_cycle or STEPS.per_cycle)
+    levels = gait.refined(progress)
+    return _study(scene, model, levels, clock.perf_counter() - began)
+
+
+@dataclass(frozen=True, eq=False)
+class _Level:
+    """A solution with one step."""
+
+    recording: Recording
+    solve_cpu_s: float
+
+    @property
+    def advance(self) -> float:
+        """In the last cycle [m]."""
+        return float(self.recording.motion.advances[-1])
+
+
+class _Gait:
+    """Solutions of one gait with smaller and smaller steps."""
+
+    def __init__(self, scene: RobotScene, model: RobotModel, per_cycle: int) -> None:
+        self.scene, self.model, self.per_cycle = scene, model, per_cycle
+        self.period = _period(scene)
+        self.cycles = _cycles(scene, self.period)
+        self.start = start_state(scene, model)
+
+    def refined(self, progress: Progress | None) -> list[_Level]:
+        """Solutions until halving the step hardly moves the advance."""
+        levels = [self._solved(self.per_cycle, progress)]
+        for k in range(1, STEPS.most_halvings + 1):
+            levels.append(self._solved(self.per_cycle << k, progress))
+            change = step_change(levels, self.scene.robot.body_length)
+            is_damped = _is_resolved(self.model, levels[-1])
+            if change <= self.scene.accuracy and is_damped:
+                break
+            if not is_damped and self.model.damping_time == 0.0 and k > 1:
+                break  # no step is small enough
+        return levels
+
+    def _solved(self, per_cycle: int, progress: Progress | None) -> _Level:
+        plan = StepPlan(self.period, per_cycle, self.cycles, self._every(per_cycle))
+        if plan.count > self.scene.run.max_steps:
+            raise _fault(
+                self.scene,
+                "run.max_steps",
+                f"the gait needs {plan.count} steps; at most {self.scene.run.max_steps} are "
+                "allowed. Use a shorter run.duration",
+            )
+        began = clock.process_time()
+        pressures = _pressures(self.scene)
+        recording = march(self.model, self.start, pressures, plan, progress)
+        return _Level(recording, clock.process_time() - began)
+
+    def _every(self, per_cycle: int) -> int:
+        """Steps of an output interval."""
+        steps = self.scene.run.output_interval * per_cycle / self.period
+        return max(1, round(steps))
+
+
+def step_change(levels: Sequence[_Level], body_length: float) -> float:
+    """Change of the advance per cycle by the last halving of the step, relative to it."""
+    before, last = levels[-2].advance, levels[-1].advance
+    return relative_change(before, last, body_length)
+
+
+def relative_change(before: float, after: float, body_length: float) -> float:
+    """Of an advance, relative to it; of a robot that marks time, to the least that counts."""
+    return abs(after - before) / max(abs(after), STEPS.least_advance * body_length)
+
+
+def start_state(scene: RobotScene, model: RobotModel) -> RobotState:
+    """A robot that stands, or that is held above the ground and let go."""
+    pressures, sources = start_pressures(scene), len(model.source_names)
+    if scene.robot.hip_height is not None:
+        place, legs = set_down(model, pressures)
+        lift = scene.robot.hip_height - float(np.mean(model.hip_heights(place)))
+        place[[1, *range(BODY + 1, model.size, FOOT)]] -= lift
+        still, contacts = np.zeros(model.size), np.zeros(2 * model.count)
+        states = (OPEN,) * model.count
+        return RobotState(0.0, place, still, legs, contacts, states, np.zeros(sources))
+    try:
+        found = stance(model, pressures)
+    except UnstableStanceError:
+        raise _sway(scene, model) from None
+    if not found.is_stable:
+        raise _sway(scene, model)
+    return found.state(sources)
+
+
+def _sway(scene: RobotScene, model: RobotModel) -> UnstableStanceError:
+    return UnstableStanceError(
+        f"{scene.name}: the robot sways on its legs at the start, under its weight of "
+        f"{model.weight:.4g} N",
+        quantity="place",
+        where="stance",
+        time_s=0.0,
+        remedy="`viscodesign stand` tells what they bear",
+    )
+
+
+def _pressures(scene: RobotScene) -> Callable[[np.ndarray], np.ndarray]:
+    def at(times: np.ndarray) -> np.ndarray:
+        values = [source.values(times) for source in scene.sources.values()]
+        return scene.gauge_pressure + np.column_stack(values)
+
+    return at
+
+
+def _period(scene: RobotScene) -> float:
+    if scene.period is None:
+        problem = scene.no_period().replace("run.start: equilibrium", "`viscodesign stand`")
+        raise _fault(scene, "inputs", f"a gait needs inputs that repeat; {problem}")
+    return scene.period
+
+
+def _cycles(scene: RobotScene, period: float) -> int:
+    cycles = math.floor(scene.run.duration / period * (1 + 1e-12))
+    if cycles < LEAST_CYCLES:
+        raise _fault(
+            scene,
+            "run.duration",
+            f"{scene.run.duration:g} s is less than {LEAST_CYCLES} cycles of {period:g} s, whose "
+            f"advances are compared; use at least {LEAST_CYCLES * period:g} s",
+        )
+    return cycles
+
+
+def _fault(scene: RobotScene, key: str, message: str) -> SpecError:
+    return SpecError([Fault(message, key, scene.source.file)])
+
+
+def _is_resolved(model: RobotModel, level: _Level) -> bool:
+    """Whether the legs' damping is that of the spec, not that of the steps."""
+    return model.damping_time >= STEPS.damping_ratio * level.recording.motion.step / 2
+
+
+def _study(
+    scene: RobotScene, model: RobotModel, levels: Sequence[_Level], total_s: float
+) -> WalkStudy:
+    last = levels[-1]
+    motion, length = last.recording.motion, scene.robot.body_length
+    before, after = motion.advances[-2:]
+    study = WalkStudy(
+        name=scene.name,
+        body_length_m=length,
+        motion=motion,
+        steps_s=tuple(level.recording.motion.step for level in levels),
+        advances_by_step_m=tuple(level.advance for level in levels),
+        step_halving_change=step_change(levels, length),
+        cycle_change=relative_change(float(before), float(after), length),
+        refusal="",
+        feet=foot_uses(motion),
+        pumps=pump_uses(motion, scene.robot.pump),
+        invariants=invariants(model, last.recording),
+        warnings=tuple(gait_warnings(model, last.recording)),
+        spec_text=part_yaml(scene),
+        solve_cpu_s=last.solve_cpu_s,
+        total_s=total_s,
+    )
+    return replace(study, refusal=_refusal(study, is_damped=_is_resolved(model, last)))
+
+
+def _refusal(study: WalkStudy, *, is_damped: bool) -> str:
+    """Why no speed is stated; empty where nothing speaks against it."""
+    found = ", ".join(f"{1e3 * advance:.4g}" for advance in study.advances_by_step_m)
+    steps = ", ".join(f"{1e3 * step:.3g}" for step in study.steps_s)
+    told = f"with steps of {steps} ms the last cycle advances by {found} mm"
+    if not is_damped:
+        return (
+            f"the steps damp the legs more than robot.damping_time does: {told}. State the "
+            "damping of the legs, on which the speed depends"
+        )
+    if study.step_halving_change >= STEPS.largest_change:
+        return (
+            f"the advance per cycle changes by {study.step_halving_change:.2g} of it when the "
+            f"step is halved: {told}. More damping (robot.damping_time) makes it converge"
+        )
+    if study.cycle_change >= STEPS.largest_change:
+        return (
+            f"the gait is not periodic yet: its last cycle differs by {study.cycle_change:.2g} "
+            "from the one before. Use a longer run.duration"
+        )
+    return ""
