@@ -153,7 +153,7 @@ def _walked(scene: RobotScene, output: Path | None, options: RunOptions) -> Spec
         scene,
         output,
         plots=options.plots,
-        picture_format=options.picture_format,
+        pictures=options.pictures,
         force=options.force,
         quiet=options.quiet,
     )

@@ -14,14 +14,16 @@ from viscodesign.cli.options import (
     NoPlots,
     Overrides,
     PictureFormat,
+    PictureStyle,
+    PictureWidth,
     Quiet,
     RunFolder,
     Spec,
 )
 from viscodesign.errors import ViscodesignError
+from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
-    from viscodesign.report.folder import Format
     from viscodesign.results.walk_study import WalkStudy
     from viscodesign.scene.robot_scene import RobotScene
 
@@ -50,6 +52,8 @@ def command(
     output: RunFolder = None,
     no_plots: NoPlots = False,
     picture_format: PictureFormat = "png",
+    style: PictureStyle = "plain",
+    width: PictureWidth = None,
     force: Force = False,
     json: Json = False,
     quiet: Quiet = False,
@@ -61,13 +65,14 @@ def command(
     writes walk.csv, summary.json, spec.yaml and walk.png. Where the advance depends on
     the step of the solution, no speed is stated, and it exits with 3.
     """
+    pictures = picture_options(picture_format, style, width)
     from viscodesign.cli.specs import read_robot
 
     study, files, lines = walked(
         read_robot(spec, overrides),
         output,
         plots=not no_plots,
-        picture_format=picture_format,
+        pictures=pictures,
         force=force,
         quiet=quiet,
         film=film,
@@ -84,7 +89,7 @@ def walked(
     output: Path | None,
     *,
     plots: bool,
-    picture_format: Format,
+    pictures: PictureOptions,
     force: bool,
     quiet: bool,
     film: Path | None = None,
@@ -104,7 +109,7 @@ def walked(
     prepare_folder(folder, force=force)
     with progress(quiet, "halving the step", "walking") as advance:
         study = study_of(scene, progress=advance)
-    files = write_walk(study, folder, plots=plots, force=force, picture_format=picture_format)
+    files = write_walk(study, folder, plots=plots, force=force, pictures=pictures)
     if film is not None:
         from viscodesign.report.film.walk_film import write_walk_film
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -12,14 +13,14 @@ from viscodesign.report.folder import (
     SUMMARY,
     WALK_PICTURE,
     WALK_TABLE,
-    Format,
+    draw_picture,
     in_every_format,
     json_bytes,
-    picture_name,
     prepare_folder,
     remove_files,
     text_bytes,
 )
+from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.walk_study import WalkStudy
 from viscodesign.storage.atomic_files import write_all
@@ -33,7 +34,7 @@ def write_walk(
     *,
     plots: bool = True,
     force: bool = False,
-    picture_format: Format = "png",
+    pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
     """Write a gait's files and return them; those of an earlier one are replaced."""
     folder = prepare_folder(directory, force=force)
@@ -51,9 +52,7 @@ def write_walk(
     # Drawing is slow to import, and a gait without a picture does not need it.
     from viscodesign.report.charts.walk import draw_walk
 
-    picture = folder / picture_name(WALK_PICTURE, picture_format)
-    draw_walk(study, picture)
-    return [*contents, picture]
+    return [*contents, draw_picture(partial(draw_walk, study), folder / WALK_PICTURE, pictures)]
 
 
 def _columns(motion: RobotMotion) -> Iterator[tuple[str, np.ndarray]]:

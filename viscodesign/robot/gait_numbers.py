@@ -77,5 +77,5 @@ def _force_imbalance(model: RobotModel, recording: Recording) -> float:
     worst = 0.0
     for total, pull, force in zip((across, down), model.gravity, forces, strict=True):
         left = np.diff(total) / motion.step - model.mass * pull - force
-        worst = max(worst, float(np.max(np.abs(left))))
+        worst = max(worst, float(np.max(np.abs(left[recording.whole]), initial=0.0)))
     return worst / model.weight

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.robot.leg_network import barrel_volume
@@ -15,6 +16,8 @@ from viscodesign.robot.time_step import RobotState, StepSolver
 
 FROZEN = 1e12
 """Damping time over the step by which a leg keeps its strains."""
+MOST_HALVINGS = 6
+"""Of a step that does not converge."""
 Progress = Callable[[float], None]
 """Told the fraction done."""
 
@@ -28,6 +31,8 @@ class Recording:
     """(T, size)"""
     states: tuple[RobotState, ...]
     """At the recorded rows."""
+    whole: np.ndarray
+    """Whether a step was done as a whole, and not in halves (T - 1,)."""
     gas_imbalance: float
     """Largest part of a bellow's content that its pressure does not account for."""
 
@@ -70,16 +75,47 @@ def march(
     states, worst, now = [start], 0.0, start
     table.put(0, start)
     for k in range(1, len(times)):
-        after = solver.advance(now, sources[k])
+        last, after = advanced(solver, now, sources[k - 1], sources[k])
         table.put(k, after)
+        table.whole[k - 1] = last.solver is solver
         if k % plan.every == 0:
             states.append(after)
-            worst = max(worst, solver.gas_imbalance(now, after, sources[k]))
+            worst = max(worst, last.gas_imbalance(after, sources[k]))
             if progress is not None:
                 progress(k / plan.count)
         now = after
     motion = _motion(model, table, times, sources, states, plan)
-    return Recording(motion, table.velocity, tuple(states), worst)
+    return Recording(motion, table.velocity, tuple(states), table.whole, worst)
+
+
+def advanced(
+    solver: StepSolver, now: RobotState, begin: np.ndarray, end: np.ndarray
+) -> tuple[LastStep, RobotState]:
+    """The last step to a state a step later, and that state; ``begin``, ``end``: sources [Pa].
+
+    A step that does not converge is halved, with the sources half way in its middle. Raises
+    `SolveError` where that does not help.
+    """
+    try:
+        return LastStep(solver, now), solver.advance(now, end)
+    except SolveError:
+        if solver.halvings == MOST_HALVINGS:
+            raise
+    finer, middle = solver.halved(), (begin + end) / 2
+    _, half = advanced(finer, now, begin, middle)
+    return advanced(finer, half, middle, end)
+
+
+@dataclass(frozen=True, eq=False)
+class LastStep:
+    """The step that led to a state."""
+
+    solver: StepSolver
+    begun: RobotState
+
+    def gas_imbalance(self, after: RobotState, sources: np.ndarray) -> float:
+        """As `StepSolver.gas_imbalance`."""
+        return self.solver.gas_imbalance(self.begun, after, sources)
 
 
 class _Table:
@@ -88,6 +124,7 @@ class _Table:
     def __init__(self, model: RobotModel, count: int) -> None:
         self.place = np.zeros((count, model.size))
         self.velocity = np.zeros((count, model.size))
+        self.whole = np.ones(count - 1, dtype=bool)
         self.forces = np.zeros((count, 2 * model.count))
         self.drawn = np.zeros((count, len(model.source_names)))
 

@@ -56,9 +56,9 @@ PRESSURE_TOLERANCE = 3e-5
 class StepSolver:
     """Advances a robot by equal steps."""
 
-    def __init__(self, model: RobotModel, step: float) -> None:
-        """``step`` [s]"""
-        self.model, self.step = model, step
+    def __init__(self, model: RobotModel, step: float, halvings: int = 0) -> None:
+        """``step`` [s]; ``halvings``: how often it was halved since it did not converge."""
+        self.model, self.step, self.halvings = model, step, halvings
         self._numbers = (IMPLICITNESS * step, model.damping_time / step)
         self._inertia = np.diag(model.masses / step**2)
         self.iterations = 0
@@ -93,6 +93,10 @@ class StepSolver:
             time_s=now.time,
             remedy="Legs may be near buckling; lower the payload or the gauge pressure",
         )
+
+    def halved(self) -> StepSolver:
+        """Steps of half the length."""
+        return StepSolver(self.model, self.step / 2, self.halvings + 1)
 
     def gas_imbalance(self, now: RobotState, after: RobotState, sources: np.ndarray) -> float:
         """Largest part of a node's content in excess of what a step leaves there [1]."""

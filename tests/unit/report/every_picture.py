@@ -32,11 +32,13 @@ from viscodesign.report.charts.stand import draw_stand
 from viscodesign.report.charts.sweep import draw_sweep
 from viscodesign.report.charts.tip import draw_tip
 from viscodesign.report.charts.tornado import draw_tornado
+from viscodesign.report.charts.walk import draw_walk
 from viscodesign.results.findings import Scales
 from viscodesign.results.fit_result import FittedRun
 from viscodesign.results.paper_figure import FigurePanel, PaperCheck, PaperFigure
 from viscodesign.results.path_design import HistoryRow, without_design
 from viscodesign.results.reach_study import ReachStudy
+from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.sensitivity_study import SensitiveNumber, SensitivityStudy
 
 TIME = np.linspace(0.0, 4.0, 81)
@@ -131,6 +133,26 @@ def _poses() -> Any:
     )  # fmt: skip
 
 
+def _walk() -> Any:
+    """A gait of two cycles, its feet up and down in turn."""
+    step = TIME[1] - TIME[0]
+    turn = np.sin(np.pi * TIME[:, None] + np.pi * np.arange(6))
+    return SimpleNamespace(
+        name="hexapod",
+        refusal="",
+        advance_per_cycle_m=0.02,
+        speed_body_lengths_per_s=0.04,
+        motion=RobotMotion(
+            legs=("LF", "RF", "LM", "RM", "LR", "RR"), sources=("A", "B"), foot_radius=0.015,
+            period=2.0, time=TIME, body=np.column_stack([step * TIME, *[0 * TIME] * 3]),
+            feet=np.maximum(1e-3 * turn, 0)[..., None] * [0, 1, 0], normal=np.maximum(-turn, 0),
+            friction=0.1 * np.minimum(turn, 0), slip=0 * turn, pressure=turn[:, :2],
+            delivered=turn[:, :2], barrel=1e-6 * (1 + turn[:, :2]),
+            rows=np.arange(len(TIME)), axes=np.zeros((len(TIME), 6, 9, 2)),
+        ),
+    )  # fmt: skip
+
+
 def _stand() -> Any:
     rows = [
         SimpleNamespace(gauge_pressure_pa=g, height_m=0.1 + 1e-6 * g, sway_limit_n=5 + 1e-4 * g,
@@ -177,6 +199,7 @@ EVERY: dict[str, Subject] = {
     "sweep_map": (_draw_sweep, lambda: sweep_over(RADIUS, FLUID)),
     "sweep_keys": (_draw_sweep, lambda: sweep_over(LENGTH, RADIUS, FLUID)),
     "stand": (draw_stand, _stand),
+    "walk": (draw_walk, _walk),
     "tornado": (draw_tornado, lambda: _sensitivity(True)),
     "tornado_shifts": (draw_tornado, lambda: _sensitivity(False)),
     "plan": (draw_plan, _plan),

@@ -15,6 +15,7 @@ from viscodesign import RobotScene, SpecError, WalkStudy, load_robot, simulate, 
 from viscodesign.cli.main import main
 from viscodesign.errors import SolveError
 from viscodesign.report.film.walk_film import write_walk_film
+from viscodesign.report.picture_options import picture_options
 from viscodesign.report.walk_folder import write_walk
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.robot.build_robot import build_robot
@@ -196,13 +197,20 @@ def test_gaits_that_cannot_be_are_told(overrides: list[str], message: str) -> No
         walk(hexapod(*overrides))
 
 
+def test_a_step_that_does_not_converge_is_halved() -> None:
+    """Twenty steps a cycle are too few for Newton's method."""
+    found = moved(hexapod(), 20, 1)
+    assert np.min(found.feet[..., 1]) > -1e-12
+    assert found.advances[0] == pytest.approx(moved(hexapod(), 60, 1).advances[0], rel=0.2)
+
+
 def test_a_robot_that_sways_does_not_start() -> None:
     with pytest.raises(SolveError, match="sways on its legs at the start"):
         walk(hexapod("robot.payload=9 kg"))
 
 
 def test_files_of_a_gait(study: WalkStudy, tmp_path: Path) -> None:
-    files = write_walk(study, tmp_path / "out", picture_format="svg")
+    files = write_walk(study, tmp_path / "out", pictures=picture_options("svg", "paper"))
     assert {file.name for file in files} == {"walk.csv", "summary.json", "spec.yaml", "walk.svg"}
     table = np.genfromtxt(tmp_path / "out" / "walk.csv", delimiter=",", names=True)
     assert table.dtype.names is not None

@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-import matplotlib as mpl
 import numpy as np
 
+from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import (
-    ACCENT,
-    GREY,
-    INK,
-    TITLE_ROOM,
     Target,
     axes_at,
+    draw_title,
     picture,
     shown,
+    title_room,
 )
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.walk_study import WalkStudy
@@ -24,18 +22,17 @@ from viscodesign.results.walk_study import WalkStudy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, WIDTH, PANEL, GAP, RIGHT = 0.8, 0.55, 6.4, 1.15, 0.16, 1.0
-"""In inches."""
+LEFT, BOTTOM, WIDTH, PANEL, GAP, RIGHT = 0.8, 0.55, 6.4, 1.15, 0.16, 0.9
+"""All in inches."""
 SHOWN_CYCLES = 2
 STYLES = ("-", "--", ":", "-.")
-"""Of the sources' lines."""
+"""Styles of the sources' lines."""
 
 
-def leg_colours(motion: RobotMotion) -> dict[str, tuple[float, ...]]:
+def leg_colours(motion: RobotMotion) -> dict[str, str]:
     """A colour for each leg."""
-    scale = mpl.colormaps["viridis"]
-    steps = np.linspace(0.0, 0.9, len(motion.legs))
-    return {name: scale(step) for name, step in zip(motion.legs, steps, strict=True)}
+    curves = look().curves
+    return {name: curves[k % len(curves)] for k, name in enumerate(motion.legs)}
 
 
 def draw_walk(study: WalkStudy, path: Target) -> None:
@@ -43,19 +40,19 @@ def draw_walk(study: WalkStudy, path: Target) -> None:
     panels: tuple[Callable[[Axes, RobotMotion, slice], None], ...] = (
         *(_advance, _gaps, _normal_forces, _friction, _pumps),
     )
-    height = BOTTOM + len(panels) * (PANEL + GAP) + TITLE_ROOM
-    with picture(path, LEFT + WIDTH + RIGHT, height) as made:
+    width = look().across(LEFT + WIDTH + RIGHT)
+    height = BOTTOM + len(panels) * (PANEL + GAP) + title_room()
+    with picture(path, width, height) as made:
         motion = study.motion
         rows = _last_cycles(motion)
         for k, draw in enumerate(panels):
             bottom = BOTTOM + (len(panels) - 1 - k) * (PANEL + GAP)
-            axes = axes_at(made, LEFT, bottom, WIDTH, PANEL)
+            axes = axes_at(made, LEFT, bottom, width - LEFT - RIGHT, PANEL)
             draw(axes, motion, rows)
             axes.set_xlim(motion.time[rows][0], motion.time[rows][-1])
             axes.tick_params(labelbottom=k == len(panels) - 1)
         axes.set_xlabel("time [s]")
-        made.text(LEFT / (LEFT + WIDTH + RIGHT), (height - 0.21) / height,
-                  f"{shown(study.name, 40)}: {_words(study)}", size=10)  # fmt: skip
+        draw_title(made, f"{shown(study.name, 40)}: {_words(study)}", LEFT)
 
 
 def _words(study: WalkStudy) -> str:
@@ -71,7 +68,7 @@ def _last_cycles(motion: RobotMotion) -> slice:
 
 
 def _advance(axes: Axes, motion: RobotMotion, rows: slice) -> None:
-    axes.plot(motion.time[rows], 1e3 * motion.body[rows, 0], color=INK, lw=1.5)
+    axes.plot(motion.time[rows], 1e3 * motion.body[rows, 0], color=look().ink, lw=1.5)
     axes.set_ylabel("body x [mm]")
 
 
@@ -88,7 +85,7 @@ def _normal_forces(axes: Axes, motion: RobotMotion, rows: slice) -> None:
 
 def _friction(axes: Axes, motion: RobotMotion, rows: slice) -> None:
     _by_leg(axes, motion, rows, motion.friction)
-    axes.axhline(0.0, color=GREY, lw=0.8)
+    axes.axhline(0.0, color=look().grey, lw=0.8)
     axes.set_ylabel("friction [N]")
 
 
@@ -100,6 +97,6 @@ def _by_leg(axes: Axes, motion: RobotMotion, rows: slice, values: np.ndarray) ->
 def _pumps(axes: Axes, motion: RobotMotion, rows: slice) -> None:
     for k, name in enumerate(motion.sources):
         style, volume = STYLES[k % len(STYLES)], 1e6 * motion.barrel[rows, k]
-        axes.plot(motion.time[rows], volume, color=ACCENT, ls=style, label=shown(name, 10))
+        axes.plot(motion.time[rows], volume, color=look().accent, ls=style, label=shown(name, 10))
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     axes.set_ylabel("barrel [mL]")

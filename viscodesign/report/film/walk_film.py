@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from viscodesign.report.film.film_plan import FilmOptions, film_rows
+from viscodesign.report.picture_options import PictureOptions
 from viscodesign.results.walk_study import WalkStudy
 from viscodesign.storage.atomic_files import write_errors_as_usage
 
@@ -44,9 +45,10 @@ def _frames(study: WalkStudy, rows: np.ndarray, options: FilmOptions) -> Iterato
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    from viscodesign.report.layout.look import drawn_as
     from viscodesign.report.layout.style import own_style, shown
 
-    with own_style():
+    with drawn_as(PictureOptions(style="dark" if options.dark else "plain")), own_style():
         across, high = options.size
         dpi = across / WIDTH
         made = Figure(figsize=(WIDTH + 1e-6, high / dpi + 1e-6), dpi=dpi)
@@ -70,15 +72,16 @@ class _SideView:
         from matplotlib.patches import Circle
 
         from viscodesign.report.charts.walk import leg_colours
-        from viscodesign.report.layout.style import GREY, INK
+        from viscodesign.report.layout.look import look
 
         self.motion, motion = study.motion, study.motion
+        self.ground = look().ground
         self.axes = axes
         axes.set_axis_off()
         self._frame(study)
-        axes.axhline(0.0, color=GREY, lw=1.5)
+        axes.axhline(0.0, color=look().grey, lw=1.5)
         for tick in np.arange(np.floor(self.limits[0] / 50) * 50, self.limits[1], 50.0):
-            axes.plot([tick, tick - 6], [0, -6], color=GREY, lw=0.8)
+            axes.plot([tick, tick - 6], [0, -6], color=look().grey, lw=0.8)
         colours = leg_colours(motion).values()
         self.legs = [axes.plot([], [], color=c, lw=4, alpha=0.8)[0] for c in colours]
         radius = 1e3 * max(motion.foot_radius, LEAST_RADIUS)
@@ -86,7 +89,7 @@ class _SideView:
         self.feet = [Circle((0, 0), radius, ec=c, lw=2) for c in colours]
         for foot in self.feet:
             axes.add_patch(foot)
-        self.body = axes.plot([], [], color=INK, lw=9, solid_capstyle="round")[0]
+        self.body = axes.plot([], [], color=look().ink, lw=9, solid_capstyle="round")[0]
 
     def _frame(self, study: WalkStudy) -> None:
         points = 1e3 * study.motion.axes
@@ -104,6 +107,6 @@ class _SideView:
             leg.set_data(own[:, 0], own[:, 1])
             self.feet[k].set_center((float(own[-1, 0]), float(own[-1, 1])))
             is_loaded = self.motion.normal[step, k] > 0
-            self.feet[k].set_facecolor(leg.get_color() if is_loaded else "white")
+            self.feet[k].set_facecolor(leg.get_color() if is_loaded else self.ground)
         hips = points[np.argsort(points[:, 0, 0]), 0]
         self.body.set_data(hips[:, 0], hips[:, 1])
