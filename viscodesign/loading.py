@@ -58,15 +58,6 @@ def load_any(source: SpecSource, overrides: Overrides = ()) -> Scene | RobotScen
     spec = read_spec(source)
     if is_robot(spec):
         return robot_of(spec, overrides, known_effects())
-    return _scenes_of(spec, overrides)
-
-
-def load_scenes(source: SpecSource, overrides: Overrides = ()) -> Scene | SeveralScene:
-    """Read a spec of one actuator or of several. Arguments as of `load`."""
-    return _scenes_of(read_spec(source), overrides)
-
-
-def _scenes_of(spec: ReadSpec, overrides: Overrides) -> Scene | SeveralScene:
     read = several_of if is_several(spec) else scene_of
     return read(spec, overrides, known_effects())
 

@@ -45,13 +45,6 @@ def read_any(spec: Path, overrides: Sequence[str] | None) -> Scene | RobotScene 
     return load_any(_source(spec), overrides or ())
 
 
-def read_scenes(spec: Path, overrides: Sequence[str] | None) -> Scene | SeveralScene:
-    """The scene of a spec, or its several actuators; `-` is standard input."""
-    from viscodesign.loading import load_scenes
-
-    return load_scenes(_source(spec), overrides or ())
-
-
 def _source(spec: Path) -> SpecSource:
     """What a spec on the command line is read from."""
     if str(spec) != STANDARD_INPUT:

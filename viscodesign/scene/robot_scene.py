@@ -38,7 +38,14 @@ from viscodesign.scene.several import (
     same_input_faults,
     unlike,
 )
-from viscodesign.scene.spec_part import KeyFault, SpecPart, faults_of, invalid, raise_faults
+from viscodesign.scene.spec_part import (
+    KeyFault,
+    KeyPath,
+    SpecPart,
+    faults_of,
+    invalid,
+    raise_faults,
+)
 from viscodesign.scene.spec_version import SPEC_VERSION
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
@@ -113,6 +120,7 @@ class RobotScene(SpecPart):
             yield KeyFault(("inputs",), "empty; the legs need at least one source")
         yield from same_input_faults(self.inputs)
         yield from self._pressure_faults()
+        yield from self._unsupported()
         try:
             designs = unlike(self.actuators)
         except PydanticCustomError as error:
@@ -139,6 +147,27 @@ class RobotScene(SpecPart):
                 for detail in error.errors(include_url=False):
                     for fault in (detail.get("ctx") or {}).get("faults", ()):
                         yield fault._replace(path=("actuators", name, *fault.path))
+
+    def _unsupported(self) -> Iterator[KeyFault]:
+        """What the equations of a leg do not have: a leg would be computed without it."""
+        for name, own in self.actuators.items():
+            parts = {"bellows": own.bellows, "network": own.network}
+            given: list[KeyPath] = [("sections",)] if own.section_changes else []
+            given += [
+                (part, key)
+                for part, key in (
+                    ("bellows", "changes"),
+                    ("bellows", "curve"),
+                    ("network", "tube_wall"),
+                )
+                if getattr(parts[part], key, None)
+            ]
+            for path in given:
+                yield KeyFault(
+                    ("actuators", name, *path),
+                    "a robot's legs have equal sections, linear bellows and rigid tubes; remove "
+                    "it. Pillars are robot.stiff_sections",
+                )
 
     def _leg_faults(self, designs: Mapping[str, ActuatorDesign]) -> Iterator[KeyFault]:
         for name, leg in self.robot.legs.items():

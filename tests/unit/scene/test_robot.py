@@ -54,6 +54,9 @@ FAULTS = [
     ("layout: straight", "layout: crossd", "actuators.leg.network.layout: must be one of"),
     ("tube_radius", "changes: {R1-R7: {length: 1 mm}}\n      tube_radius", "actuators.leg.network.changes.R1-R7: the straight layout has no such tube"),
     ("x: 0 mm, y: -60 mm, splay", "x: 0 mm, y: 0 mm, splay", "robot.legs.LM.splay: a hip in the middle"),
+    ("      entrance_loss", "      tube_wall: {youngs_modulus: 10 MPa, thickness: 1 mm}\n      entrance_loss", "actuators.leg.network.tube_wall: a robot's legs have equal sections"),
+    ("    network:\n", "    sections: {1-2: {}}\n    network:\n", "actuators.leg.sections: a robot's legs have equal sections"),
+    ("      count: 16", "      curve: {rows: [[-1, -1e-6, 0, 0], [1, 1e-6, 0, 0]]}\n      count: 16", "actuators.leg.bellows.curve: a robot's legs have equal sections"),
     ("accuracy: 1 %", "effects: off", "effects: the equations of a robot's legs are fixed"),
 ]  # fmt: skip
 
