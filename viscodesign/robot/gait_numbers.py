@@ -6,7 +6,7 @@ import numpy as np
 
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.walk_study import ContactInvariants, FootUse, PumpUse
-from viscodesign.robot.march import Recording
+from viscodesign.robot.march import RecordedWalk
 from viscodesign.robot.robot_model import RobotModel
 from viscodesign.scene.robot import RobotPump
 
@@ -50,7 +50,7 @@ def _is_feasible(volume: float, flow: float, pump: RobotPump | None) -> bool | N
     return bool(volume <= pump.volume and flow <= most)
 
 
-def invariants(model: RobotModel, recording: Recording) -> ContactInvariants:
+def invariants(model: RobotModel, recording: RecordedWalk) -> ContactInvariants:
     """What the whole motion left of contact conditions and balances."""
     motion = recording.motion
     gap, normal = motion.feet[1:, :, 1], motion.normal[1:]
@@ -67,7 +67,7 @@ def invariants(model: RobotModel, recording: Recording) -> ContactInvariants:
     )
 
 
-def _force_imbalance(model: RobotModel, recording: Recording) -> float:
+def _force_imbalance(model: RobotModel, recording: RecordedWalk) -> float:
     """Largest part of the weight that the change of momentum does not account for."""
     motion = recording.motion
     momentum = recording.velocities * model.masses

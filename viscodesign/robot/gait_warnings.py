@@ -9,13 +9,13 @@ import numpy as np
 from viscodesign.physics import tube
 from viscodesign.results.findings import Notice
 from viscodesign.robot.leg_network import barrel_volume, flow
-from viscodesign.robot.march import Recording
+from viscodesign.robot.march import RecordedWalk
 from viscodesign.robot.robot_model import LegGroup, RobotModel
 
 LAMINAR_REYNOLDS = 2300.0
 
 
-def gait_warnings(model: RobotModel, recording: Recording) -> Iterator[Notice]:
+def gait_warnings(model: RobotModel, recording: RecordedWalk) -> Iterator[Notice]:
     """Turbulent tubes and bellows below their floor, over the recorded rows."""
     rows = recording.motion.rows
     sources = recording.motion.pressure[rows]

@@ -23,7 +23,7 @@ Progress = Callable[[float], None]
 
 
 @dataclass(frozen=True, eq=False)
-class Recording:
+class RecordedWalk:
     """A motion, and what its solution left."""
 
     motion: RobotMotion
@@ -63,7 +63,7 @@ def march(
     pressures: Callable[[np.ndarray], np.ndarray],
     plan: StepPlan,
     progress: Progress | None = None,
-) -> Recording:
+) -> RecordedWalk:
     """The motion from a state; ``pressures`` of the sources at times (T,): gauge (T, S) [Pa].
 
     Raises `SolveError`.
@@ -71,7 +71,7 @@ def march(
     times = plan.times()
     sources = pressures(times)
     solver = StepSolver(model, plan.period / plan.per_cycle)
-    table = _Table(model, len(times))
+    table = StepTable(model, len(times))
     states, worst, now = [start], 0.0, start
     table.put(0, start)
     for k in range(1, len(times)):
@@ -85,7 +85,7 @@ def march(
                 progress(k / plan.count)
         now = after
     motion = _motion(model, table, times, sources, states, plan)
-    return Recording(motion, table.velocity, tuple(states), table.whole, worst)
+    return RecordedWalk(motion, table.velocity, tuple(states), table.whole, worst)
 
 
 def advanced(
@@ -118,7 +118,7 @@ class LastStep:
         return self.solver.gas_imbalance(self.begun, after, sources)
 
 
-class _Table:
+class StepTable:
     """Numbers of all steps."""
 
     def __init__(self, model: RobotModel, count: int) -> None:
@@ -136,7 +136,7 @@ class _Table:
 
 def _motion(
     model: RobotModel,
-    table: _Table,
+    table: StepTable,
     times: np.ndarray,
     sources: np.ndarray,
     states: list[RobotState],

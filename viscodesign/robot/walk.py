@@ -17,7 +17,7 @@ from viscodesign.robot.build_robot import build_robot, start_pressures
 from viscodesign.robot.gait_numbers import foot_uses, invariants, pump_uses
 from viscodesign.robot.gait_warnings import gait_warnings
 from viscodesign.robot.leg_pose import BODY, FOOT
-from viscodesign.robot.march import Progress, Recording, StepPlan, march
+from viscodesign.robot.march import Progress, RecordedWalk, StepPlan, march
 from viscodesign.robot.robot_model import RobotModel
 from viscodesign.robot.stance import UnstableStanceError, set_down, stance
 from viscodesign.robot.time_step import RobotState
@@ -70,7 +70,7 @@ def walk(
 class _Level:
     """A solution with one step."""
 
-    recording: Recording
+    recording: RecordedWalk
     solve_cpu_s: float
 
     @property
