@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from viscodesign.solve.numerics.linear_recurrence import marched
+
 
 class Sustained:
     """A quantity that comes block by block, as something that takes a while to yield to it sees it.
@@ -24,9 +26,6 @@ class Sustained:
         lag_s = max(self._lag_s, 1e-300)
         kept = np.exp(-np.minimum(passed / lag_s, 1e3))
         value = np.zeros(values.shape[1]) if self._time is None else self._value
-        found = np.empty(values.shape)
-        for k, row in enumerate(values):
-            value = row + (value - row) * kept[k]
-            found[k] = value
-        self._time, self._value = float(time[-1]), value
+        found = marched(kept[None], (1 - kept) * values.T, value)[:, 1:].T
+        self._time, self._value = float(time[-1]), found[-1]
         return found

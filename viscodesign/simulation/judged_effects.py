@@ -39,7 +39,7 @@ class JudgingNumbers:
     steps_share: float = 0.7
     """Error of a run by steps and mesh, in parts of its distance to a solution as coarse as that
     with the same effects."""
-    single_additions: int = 2
+    single_additions: int = 1
     """Effects that are added one at a time before all of them are."""
 
 
@@ -83,13 +83,13 @@ class EffectJudge:
     def everything(self, selection: Selection, settings: Settings) -> Run | None:
         """The coarser solution with all effects: complete, or stopped by the user.
 
-        None where nothing is left out, or next to nothing by the estimates of a rod that does
-        not swing, or where no such solution reaches the end. Raises `KeyboardInterrupt` before
-        its first step.
+        Once it is there it serves for every set, all of them included. None where nothing is left
+        out, or next to nothing by the estimates of a rod that does not swing, or where no such
+        solution reaches the end. Raises `KeyboardInterrupt` before its first step.
         """
-        if not selection.neglected or self._is_spared(selection, settings):
-            return None
         if not self._tried:
+            if not selection.neglected or self._is_spared(selection, settings):
+                return None
             self._tried = True
             effects = selection.members(selection.everything)
             own = (self._quantities, effects, coarser(settings), self._progress, self._workspace)
