@@ -11,11 +11,15 @@ from viscodesign.errors import SolveError
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.row_blocks import BLOCK_ROWS, whole_blocks
-from viscodesign.solve.branch_following import PreviousSolution
+from viscodesign.solve.branch_following import OperatingPoint, PreviousSolution
+from viscodesign.solve.equilibria_between import equilibria_between
 from viscodesign.solve.numerics.newton import CONTROL
-from viscodesign.solve.solvers.base import Columns, Solver, Work
+from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.solvers.quiet_stderr import quiet_stderr
 from viscodesign.solve.statics import Start, consistent
+
+LONGEST_STRIDE = 16
+"""Edges of a smooth input that are solved at once, between two that follow each other."""
 
 
 class QuasiStatic(Solver):
@@ -35,7 +39,7 @@ class QuasiStatic(Solver):
             if found is not None:
                 work.steps += stop - first
                 return self._columns(found), None
-        return self._one_by_one(here, first, stop, work)
+        return self._along_branch(here, first, stop, work)
 
     def _at_once(self, here: Start, first: int, stop: int) -> np.ndarray | None:
         """All of them by plain Newton in one call (nz, m); None if it fails for any."""
@@ -60,30 +64,66 @@ class QuasiStatic(Solver):
         found = np.concatenate(parts, axis=1)[:, :count]
         return found if np.isfinite(found).all() else None
 
-    def _one_by_one(
+    def _along_branch(
         self, here: Start, first: int, stop: int, work: Work
     ) -> tuple[Columns, SolveError | None]:
         """The same with damped steps and loads raised gradually, as far as possible."""
-        schedule = self.problem.schedule
         found: list[np.ndarray] = []
         failure: SolveError | None = None
-        previous: PreviousSolution | None = None
-        for k in range(first, stop):
-            try:
-                piece, time = schedule.pieces[k], float(schedule.edges[k])
-                if k and np.any(piece != schedule.pieces[k - 1]):
-                    here = consistent(self.problem, here, time, piece, self.before(k))
-                    previous = None
-                end = float(schedule.edges[k + 1])
-                there = consistent(self.problem, here, end, piece, (time, piece), previous)
-                previous, here = (here.algebraics, time), there
-            except SolveError as error:
-                failure = error
+        pieces = self.problem.schedule.pieces
+        for begin, end in smooth_stretches(pieces, first, stop):
+            failure = self._along_stretch(here, begin, end, found)
+            if failure is not None:
                 break
-            found.append(here.algebraics)
-            work.steps += 1
+            here = Start(here.states, found[-1])
+        work.steps += len(found)
         count = self.problem.equations.algebraics.count
         return self._columns(np.array(found).T.reshape(count, len(found))), failure
+
+    def _along_stretch(
+        self, here: Start, begin: int, end: int, found: list[np.ndarray]
+    ) -> SolveError | None:
+        """Add the solutions at edges begin+1..end of one smooth input, as far as possible."""
+        schedule, previous, stride = self.problem.schedule, None, LONGEST_STRIDE
+        piece, k = schedule.pieces[begin], begin
+        try:
+            if begin and np.any(piece != schedule.pieces[begin - 1]):
+                at = float(schedule.edges[begin])
+                here = consistent(self.problem, here, at, piece, self.before(begin))
+            while k < end:
+                stride = min(stride, end - k)
+                some = self._stride(here, previous, k, stride)
+                if some is None:
+                    stride //= 2
+                    continue
+                earlier = here.algebraics if stride == 1 else some[-2]
+                before = schedule.edges[k] if stride == 1 else schedule.edges[k + stride - 1]
+                previous, here = (earlier, float(before)), Start(here.states, some[-1])
+                found += some
+                k, stride = k + stride, min(2 * stride, LONGEST_STRIDE)
+        except SolveError as error:
+            return error
+        return None
+
+    def _stride(
+        self, here: Start, previous: PreviousSolution | None, k: int, stride: int
+    ) -> list[np.ndarray] | None:
+        """Solutions at the next edges: the last, then all before it; None where that fails."""
+        schedule = self.problem.schedule
+        piece, edges = schedule.pieces[k], schedule.edges[k : k + stride + 1]
+        instant = float(edges[0]), piece
+        try:
+            there = consistent(self.problem, here, float(edges[-1]), piece, instant, previous)
+        except SolveError:
+            if stride == 1:
+                raise
+            return None
+        if stride == 1:
+            return [there.algebraics]
+        before, after = (OperatingPoint(here.states, float(t), piece) for t in edges[[0, -1]])
+        ends = here.algebraics, there.algebraics
+        between = equilibria_between(self.problem, ends, before, after, edges[1:-1])
+        return None if between is None else [*between, there.algebraics]
 
     def _columns(self, found: np.ndarray) -> Columns:
         count = found.shape[1]

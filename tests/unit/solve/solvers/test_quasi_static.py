@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import casadi as ca
 import numpy as np
 import pytest
 
 from tests.scenes import leg, problem_of
 from tests.validation.rc_network import columns
+from viscodesign.solve.branch_following import OperatingPoint
+from viscodesign.solve.equilibria_between import equilibria_between
 from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate, evaluate_along
+from viscodesign.solve.solvers import quasi_static
 from viscodesign.solve.solvers.base import Work
 from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, consistent, equilibrium
@@ -108,3 +113,39 @@ def test_every_factorisation_refuses_a_singular_system(size: int) -> None:
     matrix = ca.DM(ca.Sparsity.diag(size), diagonal)
     with pytest.raises(NewtonError):
         newton(lambda y: (diagonal * y - 1.0, matrix), np.zeros(size))
+
+
+def test_equilibria_between_two_are_those_found_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Sixteen at once take a few calls where each took several."""
+    problem, here = made(*SCENES["hanging"], "run={duration: 2 s, output_interval: 0.02 s}")
+    count, calls = len(problem.schedule.edges) - 1, []
+    solve = quasi_static.consistent
+
+    def counted(*given: Any) -> Start:
+        calls.append(given)
+        return solve(*given)
+
+    monkeypatch.setattr(quasi_static, "consistent", counted)
+    (_, together, _), failure = QuasiStatic(problem, 1e-6)(here, 0, count, Work())
+    assert failure is None
+    assert len(calls) <= count / 8
+    monkeypatch.setattr(quasi_static, "LONGEST_STRIDE", 1)
+    (_, single, _), _ = QuasiStatic(problem, 1e-6)(here, 0, count, Work())
+    np.testing.assert_allclose(together, single, atol=1e-9)
+    assert np.ptp(single) > 0.1
+
+
+def test_nothing_is_taken_from_between_two_branches() -> None:
+    """What is not near the way between its neighbours is left to single solutions."""
+    problem, here = made(*SCENES["hanging"])
+    piece, edges = problem.schedule.pieces[0], problem.schedule.edges
+    first, last = (OperatingPoint(here.states, float(t), piece) for t in (edges[0], edges[8]))
+    there = consistent(problem, here, last.time, piece).algebraics
+    found = equilibria_between(problem, (here.algebraics, there), first, last, edges[1:8])
+    assert found is not None
+    mirrored = there.copy()
+    span = problem.equations.algebraics.branch_span
+    assert span is not None
+    mirrored[span] += 1.0
+    ends = (here.algebraics, mirrored)
+    assert equilibria_between(problem, ends, first, last, edges[1:8]) is None
