@@ -21,7 +21,7 @@ from viscodesign.errors import described
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.values.grammar import GrammarError, ValueText, parse_value_text
 from viscodesign.values.repeated_units import repeated_units
-from viscodesign.values.unit_hints import unit_hint
+from viscodesign.values.unit_hints import AMBIGUOUS, unit_hint
 
 if TYPE_CHECKING:
     import pint
@@ -87,6 +87,9 @@ class QuantityKind:
             raise self._invalid(f"'{text}' is a difference of temperatures")
         if found.unit in _NO_UNITS:
             raise self._unreadable(text, f"'{found.unit}' is no unit that a value may have")
+        if ambiguous := AMBIGUOUS.get(found.unit):
+            written = " or ".join(f"'{found.number} {unit}'" for unit in ambiguous)
+            raise self._invalid(f"'{text}': '{found.unit}' is ambiguous; write {written}")
         if len(found.names) > 1 and (repeated := repeated_units(found.unit, found.names)):
             written = " and ".join(f"'{name}'" for name in repeated)
             raise self._unreadable(text, f"{written} cancel{'s' * (len(repeated) == 1)}")

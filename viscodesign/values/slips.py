@@ -8,8 +8,12 @@ import unicodedata
 _DIGITS = r"[0-9]+(?:[.][0-9]+)?"
 _SLIPS: tuple[tuple[str, str], ...] = (
     (
-        r"[-+0-9.eE]+ *[^0-9.()\[\]]*[^\W\d]\.[^\W\d].*",
+        r"[-+0-9.eE]+ *[^0-9.\[\]]*[^\W\d]\.[^\W\d].*",
         "a product of units has the sign '*', not a point",
+    ),
+    (
+        r"[-+0-9.eE]+ *[^\W\d].*[^\W\d]-[1-4]",
+        "a power has the sign '^', as in 'kg*m^-3', or use '/'",
     ),
     (
         r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9.,]).*",

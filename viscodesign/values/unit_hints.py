@@ -18,10 +18,11 @@ _MEANT = {
         "deg": "degC",
         "°": "degC",
     },
-    "Pa": {"psig": "psi", "kPag": "kPa", "barg": "bar", "MPaa": "MPa", "kPaa": "kPa"},
     "rad": {"degC": "deg", "degrees": "deg", "%": "deg"},
     "Hz": {"rpm": "Hz"},
-    "J/(kg*K)": {"J/kg/C": "J/(kg*K)", "J/(kg*C)": "J/(kg*K)"},
+    "J/(kg*K)": dict.fromkeys(
+        ("J/kg/C", "J/(kg*C)", "J/kgK", "J/kg K", "J/kg·K", "J/kg*K", "J/(kgK)"), "J/(kg*K)"
+    ),
     "Pa*s": {"Pa": "Pa*s", "mPa": "mPa*s", "Pas": "Pa*s", "mPas": "mPa*s", "Pa/s": "Pa*s"},
     "kg/m^3": {"kg": "kg/m^3", "g/cc": "g/cm^3", "kg/m": "kg/m^3"},
 }
@@ -43,6 +44,12 @@ _SPELLED = {
     "C": "mAh Ah C",
 }
 """Spellings of the common units, by SI unit; the first that fits is suggested."""
+AMBIGUOUS = {"gr": ("g", "grain")}
+"""Units whose name means one thing to pint and another to many who write it: what to write."""
+_SUFFIX = re.compile(r"(k|M|m|h)?(Pa|bar|psi) ?\(?([ga])\)?")
+"""A pressure with a letter for its reference, such as barg, psia or kPa(g)."""
+_REFERENCES = {"g": "gauge", "a": "abs"}
+_GRAMS = {"g": 1e-3, "kg": 1.0}
 _KINEMATIC = {"cSt": 1e-6, "St": 1e-4, "mm^2/s": 1e-6, "mm2/s": 1e-6, "m^2/s": 1.0, "m2/s": 1.0}
 """Units of kinematic viscosity [m2/s]."""
 _VALUE = re.compile(r"\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([^\W\d].*|%|°.*)\s*", re.DOTALL)
@@ -69,6 +76,16 @@ def unit_hint(text: str, wanted: KeyKind) -> str:
         return " (an angular speed); a frequency is in Hz (1 Hz is 60 rpm, or 6.2832 rad/s)"
     if re.search(r"\W*\b(abs|absolute|gauge|gage|rel)\b", spelled) and wanted.unit == "Pa":
         return ": this key has no choice between gauge and absolute; leave the word out"
+    if wanted.unit == "Pa" and (suffixed := _SUFFIX.fullmatch(spelled)):
+        unit = f"{suffixed[1] or ''}{suffixed[2]}"
+        return f"; did you mean '{number} {unit} {_REFERENCES[suffixed[3]]}'?"
+    if wanted.unit == "N" and spelled in _GRAMS:
+        return f", whose weight is {9.80665 * float(number) * _GRAMS[spelled]:.4g} N"
+    if wanted.unit == "m/s^2" and spelled in ("g", "G", "gee", "gn"):
+        return f", and standard gravity {9.80665 * float(number):.6g} m/s^2"
+    if re.search(r"\bNm\b", spelled):
+        together = re.sub(r"\(Nm\)|\bNm\b", "(N*m)", spelled)
+        return f"; did you mean '{number} {together}'?"
     meant = _MEANT.get(wanted.unit, {}).get(spelled) or _other_case(spelled, wanted.unit)
     return f"; did you mean '{number} {meant}'?" if meant else ""
 

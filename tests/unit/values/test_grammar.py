@@ -22,6 +22,8 @@ PRESSURE, LENGTH = kind_of(units.Pressure), kind_of(units.Length)
 TEMPERATURE, FREQUENCY = kind_of(units.Temperature), kind_of(units.Frequency)
 FRACTION, ANGLE = kind_of(units.Fraction), kind_of(units.Angle)
 GAS_CONSTANT, VISCOSITY = kind_of(units.GasConstant), kind_of(units.Viscosity)
+FORCE, MASS, DENSITY = kind_of(units.Force), kind_of(units.Mass), kind_of(units.Density)
+ACCELERATION, AREA_PER_MOMENT = kind_of(units.Acceleration), kind_of(units.AreaPerMoment)
 
 REFUSED = [
     # thousands
@@ -131,6 +133,12 @@ def test_an_angle_is_a_unit_and_no_plain_number(kind: QuantityKind, text: str) -
         (VISCOSITY, "2e-5 m^2/s", "20 mPa*s at 1000 kg/m^3"), (VISCOSITY, "1 mPas", "'1 mPa*s'"),
         (VISCOSITY, "1 mPa", "'1 mPa*s'"), (PRESSURE, "40 kPa abs", "gauge and absolute"),
         (FREQUENCY, "60 rpm", "1 Hz is 60 rpm"), (FREQUENCY, "2 hz", "'2 Hz'"),
+        (PRESSURE, "2 barg", "'2 bar gauge'"), (PRESSURE, "2 kPa(g)", "'2 kPa gauge'"),
+        (PRESSURE, "15 psia", "'15 psi abs'"), (PRESSURE, "103 kPaa", "'103 kPa abs'"),
+        (FORCE, "100 g", "whose weight is 0.9807 N"), (ACCELERATION, "1 G", "9.80665 m/s^2"),
+        (AREA_PER_MOMENT, "1.2e-6 m^2/Nm", "'1.2e-6 m^2/(N*m)'"), (GAS_CONSTANT, "287 J/kgK", "'287 J/(kg*K)'"),
+        (DENSITY, "950 kg m-3", "a power has the sign '^'"), (GAS_CONSTANT, "287 J/(kg.K)", "has the sign '*'"),
+        (MASS, "200 gr", "'gr' is ambiguous; write '200 g' or '200 grain'"),
     ],
 )  # fmt: skip
 def test_a_slip_of_the_unit_has_a_hint(kind: QuantityKind, text: str, hint: str) -> None:
