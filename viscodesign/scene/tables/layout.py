@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-import csv
 import re
-from collections.abc import Iterator
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.tables.cells import (
+    COMMENT_SIGNS,
+    SPACES,
+    delimiter_of,
+    is_numeric,
+    lines_of,
+    split,
+)
+from viscodesign.scene.tables.preamble import header_below, says_units
 
-COMMENT_SIGNS = ("#", "%")
-DELIMITERS = (";", "\t", "|", ",")
-"""Tried in this order; a text without any has columns between spaces."""
-SPACES = ""
 NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?", re.ASCII)
-_NUMERIC = re.compile(r"[-+]?[0-9.,]*[0-9][0-9.,]*(?:[eE][-+]?[0-9]+)?", re.ASCII)
 _COMMENT_LINE = re.compile(r"^[ \t]*[#%].*$", re.MULTILINE)
+_SEPARATOR = re.compile(r"sep=.", re.IGNORECASE)
+"""What a spreadsheet writes above a table."""
 _BRACKETS = re.compile(r"[\[(][^\])]*[\])]")
 
 
@@ -38,54 +42,34 @@ class TableText:
 def taken_apart(text: str) -> TableText:
     """A text as a table: its first line that is no comment is the header, unless it is numeric.
 
-    Then the comment right above it may be the header, as numpy writes it.
+    Then the comment right above it may be the header, as numpy writes it. Where it names no unit,
+    the lines right above the first numbers may be the header.
     """
     place, number, last_comment = 0, 1, ""
-    for start, end in _lines(text):
+    for start, end in lines_of(text):
         line, place = text[start:end].strip(), start
-        if line and not line.startswith(COMMENT_SIGNS):
+        if line and not line.startswith(COMMENT_SIGNS) and not _SEPARATOR.fullmatch(line):
             break
         last_comment = line or last_comment
         number += 1
     else:
         return TableText((), 1, "", 1, ",", 0)
-    delimiter = _delimiter(line)
+    delimiter = delimiter_of(line)
     cells = split(line, delimiter)
-    if all(_NUMERIC.fullmatch(cell.strip()) for cell in cells if cell.strip()):
+    if is_numeric(cells):
         named = split(last_comment.lstrip("#% \t"), delimiter)
         header = tuple(named) if len(named) == len(cells) else ()
         return TableText(
             header, max(number - 1, 1), _bare(text[place:]), number, delimiter, len(cells)
         )
+    if not says_units(cells) and (found := header_below(text[place:])) is not None:
+        line_number, body = number + found.line - 1, text[place + found.end :]
+        behind_it = number + text.count("\n", place, place + found.end)
+        given = (line_number, _bare(body), behind_it, found.delimiter, len(found.cells))
+        return TableText(found.cells, *given)
     behind = text.find("\n", place) + 1 or len(text)
     header = tuple(_joined(cells) if delimiter == SPACES else cells)
     return TableText(header, number, _bare(text[behind:]), number + 1, delimiter, len(header))
-
-
-def _delimiter(line: str) -> str:
-    words = line.split()
-    if len(words) > 1 and all(_NUMERIC.fullmatch(w) and not w.endswith(",") for w in words):
-        return SPACES  # commas between digits are decimal signs
-    return next((sign for sign in DELIMITERS if sign in line), SPACES)
-
-
-def split(line: str, delimiter: str) -> list[str]:
-    """The cells of a line."""
-    if delimiter == SPACES:
-        return line.split()
-    if '"' not in line:
-        return line.split(delimiter)
-    return next(csv.reader([line], delimiter=delimiter), [])
-
-
-def _lines(text: str) -> Iterator[tuple[int, int]]:
-    """Where each line starts and ends."""
-    start = 0
-    while start < len(text):
-        end = text.find("\n", start)
-        end = len(text) if end < 0 else end
-        yield start, end
-        start = end + 1
 
 
 def _bare(body: str) -> str:

@@ -13,7 +13,8 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.spec_part import KeyFault, invalid_at, raise_faults
-from viscodesign.scene.tables.layout import NUMBER, SPACES, TableText
+from viscodesign.scene.tables.cells import SPACES
+from viscodesign.scene.tables.layout import NUMBER, TableText
 
 Decimal = Literal["point", "comma"]
 _COMMA_NUMBER = re.compile(r"[-+]?[0-9]*,[0-9]+(?:[eE][-+]?[0-9]+)?", re.ASCII)

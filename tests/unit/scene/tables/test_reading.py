@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time as clock
 from collections.abc import Callable
 from pathlib import Path
@@ -64,6 +65,36 @@ def test_every_spelling_of_a_table_gives_the_same_rows(tmp_path: Path, data: st.
     mark = data.draw(st.sampled_from([b"", b"\xef\xbb\xbf"]))
     rows = np.array(table(tmp_path, mark + text.encode()).rows)
     assert rows == pytest.approx(np.array(ROWS), rel=1e-6, abs=1e-6)
+
+
+PREAMBLES = {
+    "a spreadsheet": "sep=;\ntime_s;pressure_kPa\n",
+    "units below": "Time;Pressure;Valve\ns;kPa;-\n",
+    "bracketed units below": "Time;Pressure;Valve\n[s];[kPa];\n",
+    "an oscilloscope": "Model;TDS2024\nFirmware;1.2\nInterval;0.1;s\n\nTIME;CH1;CH2\ns;kPa;-\n",
+    "LabVIEW": "LabVIEW Measurement\nWriter_Version;2\n***End***\n\nX (s);P (kPa);Comment\n",
+}
+
+
+@pytest.mark.parametrize("above", PREAMBLES)
+def test_what_instruments_write_above_a_table_is_passed_over(tmp_path: Path, above: str) -> None:
+    rows = "".join(f"{t};{p / 1e3};1\n" for t, p in ROWS)
+    if above == "a spreadsheet":
+        rows = rows.replace(";1\n", "\n")
+    found = table(tmp_path, (PREAMBLES[above] + rows).encode())
+    assert np.array(found.rows) == pytest.approx(np.array(ROWS))
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("time_s,pressure_pa\nfoo,1\n1,2\n2,3\n", "line 2: time_s is 'foo', not a number"),
+        ("time,pressure\nfoo,1\n1,2\n2,3\n", "line 1.*'time' has no unit"),
+        ("log of today\nby me\ntime,pressure\n1,2\n2,3\n", "line 3.*'time' has no unit"),
+    ],
+)
+def test_a_header_that_is_one_is_not_passed_over(tmp_path: Path, text: str, words: str) -> None:
+    assert re.search(words, refusal(tmp_path, text.encode()))
 
 
 @pytest.mark.parametrize(
