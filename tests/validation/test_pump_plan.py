@@ -63,25 +63,28 @@ def static(fluid: str, pressure: float, *words: str) -> PumpPlan:
     )
 
 
+@pytest.mark.parametrize("feeds", [1, 3])
 @pytest.mark.parametrize("pressure", [12e3, -8e3])
-def test_volume_to_hold_a_static_pressure_gas(pressure: float) -> None:
+def test_volume_to_hold_a_static_pressure_gas(pressure: float, feeds: int) -> None:
     """Barrel, bellows and tubes are one closed vessel of constant content (Boyle).
 
-    n C p for the walls, and the gas of everything at the new pressure.
+    n C p for the walls, and the gas of everything at the new pressure; of all actuators that
+    the pump feeds.
     """
-    found = static("air", pressure, "effects={feedback: off, others: auto}")
+    own = "effects={feedback: off, others: auto}"
+    found = static("air", pressure, own, f"pump.feeds={feeds}")
     ratio = (AMBIENT + pressure) / AMBIENT
     drive = Drive(leg(PUMP).pump)  # type: ignore[arg-type]
     full = AREA * drive.filled_at_home + 5e-6
     tube = np.pi * 0.325e-3**2 * 37.5e-3
     tubes = COUNT * tube
     # rho (full - A x + n (V0 + C p) + V_tubes) = full + n V0 + V_tubes
-    others = COUNT * REST + tubes
-    left = (full + others) / ratio - others - COUNT * COMPLIANCE * pressure
+    others, walls = feeds * (COUNT * REST + tubes), feeds * COUNT * COMPLIANCE
+    left = (full + others) / ratio - others - walls * pressure
     assert found.wanted.volume[-1, 0] == pytest.approx(full - left, rel=1e-6)
     # Half of the first tube belongs to the inlet.
-    behind = others - tube / 2
-    given = ratio * (behind + COUNT * COMPLIANCE * pressure) - behind
+    behind = others - feeds * tube / 2
+    given = ratio * (behind + walls * pressure) - behind
     assert found.wanted.given[-1, 0] == pytest.approx(given, rel=1e-6)
 
 
@@ -95,6 +98,18 @@ def test_volume_to_hold_a_static_pressure_liquid(pressure: float) -> None:
     drive = Drive(leg(PUMP).pump)  # type: ignore[arg-type]
     own = AREA * drive.filled_at_home * pressure / 2e9
     assert found.wanted.volume[-1, 0] == pytest.approx(expected + own, rel=1e-4)
+
+
+def test_three_legs_move_as_their_pump_was_planned_for_them() -> None:
+    small = ("input={kind: sine, amplitude: 4 kPa, frequency: 0.3 Hz}", "run.duration=3 s")
+    found, alone = (
+        plan(leg(*small, f"pump.feeds={count}", config="leg_16_pump")) for count in (3, 1)
+    )
+    assert found.wanted.given == pytest.approx(3 * alone.wanted.given, rel=1e-6, abs=1e-9)
+    assert np.ptp(found.wanted.count) > 2 * np.ptp(alone.wanted.count)
+    # Both plans are within the pump's speed and travel: what it does is what was asked for.
+    assert found.clipped == alone.clipped == ()
+    assert found.deviation.max() < 0.01 * leg().actuator.length
 
 
 def test_isothermal_dead_volume() -> None:
@@ -259,10 +274,12 @@ def test_the_live_actuator_agrees_with_the_simulation() -> None:
     assert np.hypot(*(plant.tip - found.tip[-1])[:2]) < 5e-3 * scene.actuator.length
 
 
-def test_the_live_actuator_starts_in_equilibrium_at_its_plungers() -> None:
+@pytest.mark.parametrize("feeds", [1, 3])
+def test_the_live_actuator_starts_in_equilibrium_at_its_plungers(feeds: int) -> None:
     """Before any time has passed it is in the equilibrium of the plan's closed forms."""
-    scene = leg(config="leg_16_pump")
-    found = plan(leg("input={kind: constant, value: 10 kPa}", config="leg_16_pump"))
+    several = f"pump.feeds={feeds}"
+    scene = leg(several, config="leg_16_pump")
+    found = plan(leg("input={kind: constant, value: 10 kPa}", several, config="leg_16_pump"))
     plant = ActuatorPlant(scene)
     place = found.wanted.position[-1]
     assert plant.advance(0.0, place) == pytest.approx([10e3], rel=1e-3)

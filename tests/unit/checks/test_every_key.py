@@ -52,7 +52,7 @@ MILLION = {
     "input.sine[0]", "input.time", "fluid.vapour_pressure", "fluid.fraction",
 }  # fmt: skip
 """Those of them for which a factor of a million is not told either."""
-WITHOUT_UNIT = {"spec", "bellows.count", "run.max_steps", "run.shape_every", "pump.home", "pump.servo_id"}  # fmt: skip
+WITHOUT_UNIT = {"spec", "bellows.count", "run.max_steps", "run.shape_every", "pump.home", "pump.servo_id", "pump.feeds"}  # fmt: skip
 """Integers, which have no prefix to slip."""
 NOT_GIVEN = {
     "bellows.curve.rows",

@@ -71,7 +71,7 @@ def achievable_motion(
             paths = [path + share * step for path, step in zip(paths, steps, strict=True)]
     last = run_verified(_driven(goal, demands, paths), progress)
     last = last.with_arrays(time=requested.run.time)
-    found = _done(goal, inlets_of(last), demands, paths)
+    found = _done(goal, inlets_of(goal.scene, last), demands, paths)
     inlets = zip(requested.demands(pump), demands, found, strict=True)
     clipped = tuple(words for inlet in inlets for words in _clipped(*inlet, alone=len(found) == 1))
     return AchievableMotion(found, last, clipped, sweeps, apart)

@@ -19,8 +19,14 @@ class FeedLine:
 
 
 def feed_line_at(scene: Scene, inlet: str, active: frozenset[str]) -> FeedLine:
-    """The line of an inlet in a model with these effects."""
+    """The lines of an inlet in a model with these effects, to all actuators that it feeds."""
     compressible = Trait.COMPRESSIBLE_FLUID in traits_of(active)
     effects = every_effect(SceneQuantities(scene))
     stored = [effects[name].node_storage(inlet, compressible) for name in sorted(active)]
-    return FeedLine(sum(v for v, _ in stored), sum(c for _, c in stored), compressible)
+    volume, compliance = sum(v for v, _ in stored), sum(c for _, c in stored)
+    return FeedLine(fed_by_each(scene) * volume, fed_by_each(scene) * compliance, compressible)
+
+
+def fed_by_each(scene: Scene) -> int:
+    """Equal actuators that each inlet of the scene's pump feeds."""
+    return 1 if scene.pump is None else scene.pump.feeds

@@ -14,7 +14,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.demand import PumpDemand
-from viscodesign.pump.planning.feed_line import FeedLine
+from viscodesign.pump.planning.feed_line import FeedLine, fed_by_each
 from viscodesign.pump.planning.scene_variants import with_pressures
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.pumps.base import PumpSpec
@@ -46,7 +46,7 @@ class InletHistory:
 
     time: np.ndarray  # (T,) [s]
     pressure: np.ndarray  # (T, P) gauge [Pa]
-    given: np.ndarray  # (T, P) to the network since it was filled [m3 at ambient density]
+    given: np.ndarray  # (T, P) to all networks since they were filled [m3 at ambient density]
 
     def until(self, end: int) -> InletHistory:
         """The times before an index."""
@@ -141,7 +141,8 @@ def run_model(scene: Scene, active: frozenset[str]) -> InletHistory:
         raise KeyboardInterrupt
     if run.motion.failure is not None:
         raise _broken_off(str(run.motion.failure), run.motion.time)
-    return InletHistory(run.motion.time, run.motion["inlet_pressure"], run.motion["inflow"])
+    given = fed_by_each(scene) * run.motion["inflow"]
+    return InletHistory(run.motion.time, run.motion["inlet_pressure"], given)
 
 
 def run_verified(scene: Scene, progress: Progress | None) -> Trajectory:
@@ -155,9 +156,9 @@ def run_verified(scene: Scene, progress: Progress | None) -> Trajectory:
     return run
 
 
-def inlets_of(run: Trajectory) -> InletHistory:
-    """What happened at the inlets of a run."""
-    return InletHistory(run.time, run["inlet_pressure"], run["inflow"])
+def inlets_of(scene: Scene, run: Trajectory) -> InletHistory:
+    """What happened at the inlets of a run, with all actuators that they feed."""
+    return InletHistory(run.time, run["inlet_pressure"], fed_by_each(scene) * run["inflow"])
 
 
 def _broken_off(reason: str, times: np.ndarray) -> SolveError:

@@ -93,7 +93,7 @@ def requested_motion(
     settled, active, inlets = (
         with_effects_of(planned(scene), run),
         active_effects(run),
-        inlets_of(run),
+        inlets_of(scene, run),
     )
     lines = {name: feed_line_at(settled, name, active) for name in scene.inputs}
     kind = demand_kind(pump_of(scene))

@@ -149,10 +149,11 @@ class PlungerDemand(PumpDemand):
         return abs(float(self.position[0])) / (speed_share * left) if left > 0.0 else 0.0
 
     def source(self, time: np.ndarray, path: np.ndarray) -> Input:
-        return self.barrel.syringe(time, path)
+        # Equal actuators take up even parts of what one plunger pushes out.
+        return self.barrel.syringe(time, path).shared_by(self.pump.feeds)
 
     def input_value(self, position: float) -> float:
-        return self.drive.area * position
+        return float(self.drive.area * position / self.pump.feeds)
 
     def possible(self, position: float) -> float:
         return float(self.barrel.within(np.asarray(position)))

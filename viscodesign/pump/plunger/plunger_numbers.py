@@ -12,6 +12,7 @@ from viscodesign.effects.catalogue import names_with
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import gas
 from viscodesign.pump.drive import Drive
+from viscodesign.pump.planning.feed_line import fed_by_each
 from viscodesign.pump.servo_motor import STEADY_SHARE
 from viscodesign.results.findings import Notice
 from viscodesign.scene.pumps.servo import ServoPumpSpec
@@ -128,7 +129,7 @@ def _network_compliance(demand: PlungerDemand) -> float:
     if not _gas_effects_off(scene):
         absolute = scene.ambient_pressure + scene.gauge_pressure
         one += gas.gas_compliance(bellow.rest_volume, absolute, scene.fluid.polytropic_exponent)
-    return len(part.bellows) * one / len(part.inlets)
+    return fed_by_each(scene) * len(part.bellows) * one / len(part.inlets)
 
 
 def _gas_effects_off(scene: Scene) -> list[str]:
@@ -144,7 +145,8 @@ def gas_notices(demands: Sequence[PlungerDemand]) -> Iterator[Notice]:
     if not (scene.fluid.is_gas and off):
         return
     swing = max(float(np.ptp(d.pressure)) for d in demands)
-    rest = len(scene.graph.bellows) * SceneQuantities(scene).bellow.rest_volume
+    bellows = fed_by_each(scene) * len(scene.graph.bellows)
+    rest = bellows * SceneQuantities(scene).bellow.rest_volume
     yield Notice(
         "gas_not_counted",
         f"effects.{off[0]} is off, so the gas in the bellows counts as incompressible: up to "

@@ -50,6 +50,12 @@ class PumpSpec(SpecPart):
     max_pressure: GaugeOrAbsolutePressure = Field(
         25e3, description="Software limit, such as '25 kPa gauge' or '140 kPa abs'"
     )
+    feeds: int = Field(
+        1,
+        ge=1,
+        le=1000,
+        description="Equal actuators side by side on each inlet, of which the spec describes one",
+    )
     sensor: Annotated[ByInlet[SensorSpec] | None, AfterValidator(_own_channels)] = Field(
         None, description="One for the first inlet, or one per inlet by name"
     )
