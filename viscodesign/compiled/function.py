@@ -81,7 +81,7 @@ class DifferentiableMotion(Protocol):
     ) -> np.ndarray: ...
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Batch:
     """Outputs of many rows of values."""
 

@@ -30,7 +30,7 @@ KEPT_BETWEEN = ("time", "flow", "inlet_pressure", "pressure", "junction_pressure
 """What is kept between the outputs, too."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Motion(MotionArrays):
     """A solution as arrays, with its balances and the failure that ended it, if any."""
 

@@ -29,7 +29,7 @@ class AbsentQuantityError(ViscodesignError, KeyError):
         return str(self.args[0])  # that of a KeyError would be in quotes
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class MotionArrays:
     """T output times, B bellows, Q tubes, K points of the axis; SI, pressures gauge.
 

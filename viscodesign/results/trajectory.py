@@ -138,7 +138,7 @@ class Invariants:
     """Work created by coefficients that are not reciprocal (None without feedback)."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Trajectory(MotionArrays):
     """One run: its arrays, whose they are, and all that was found on the way.
 

@@ -250,6 +250,9 @@ class Scene(SpecPart):
         )
         return found
 
+    def __hash__(self) -> int:
+        return hash(self.digest)
+
     def __repr__(self) -> str:
         fluid, network = self.fluid_choice.name, self.network.layout
         driven = " and ".join(source.name for source in self.inputs.values())

@@ -164,6 +164,19 @@ def test_a_scene_cannot_be_changed_in_place() -> None:
     assert scene == leg()
 
 
+def test_equal_scenes_are_one_key_of_a_dictionary() -> None:
+    other = leg().replace({"accuracy": 0.01})
+    assert len({leg(): 1, leg(): 2, other: 3}) == 2
+
+
+@pytest.mark.parametrize(
+    "given", [[("accuracy", 0.01)], 5, [None]], ids=["pairs", "a number", "nothing"]
+)
+def test_overrides_that_are_neither_texts_nor_a_mapping_are_refused(given: Any) -> None:
+    with pytest.raises(SpecError, match=r"overrides: must have the form key\.path=value; got"):
+        leg().replace(given)
+
+
 def test_a_scene_is_shown_in_one_short_line() -> None:
     for scene in (leg(), leg(config="antagonistic_two_inlets")):
         assert len(repr(scene)) < 120

@@ -78,7 +78,7 @@ class Panel(NamedTuple):
     limits: tuple[float, float] = (-np.inf, np.inf)  # beyond which nothing is drawn
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PumpPlan:
     """A scene's pressures as plunger motion, its limits, and what the pump would do instead."""
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
-from viscodesign.errors import Fault, SpecError
+from viscodesign.errors import Fault, SpecError, described
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.reading.document import Document, parse_value
 from viscodesign.scene.reading.fault_messages import explain_cross_checks, explain_validation
@@ -151,7 +151,10 @@ def apply_overrides(document: Document, overrides: Overrides) -> None:
         for key, value in overrides.items():
             _override(document, str(key), plain_value_of(value, str(key)), PYTHON_OVERRIDES)
         return
-    for text in [overrides] if isinstance(overrides, str) else overrides:
+    is_one = isinstance(overrides, str) or not isinstance(overrides, Iterable)
+    for text in [overrides] if is_one else overrides:
+        if not isinstance(text, str):
+            raise SpecError([Fault(f"{OVERRIDE_FORM}; got {described(text)}", file="overrides")])
         key, equals, value = text.partition("=")
         place = f"--set {text}"
         if not equals:
