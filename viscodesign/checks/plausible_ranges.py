@@ -37,6 +37,7 @@ SYRINGES = "syringes of 10 uL to 1 L"
 SERVOS = "small servos with rack and pinion"
 VOLTAGES = "two cells to four (the servos are made for 9 to 12 V)"
 BATTERIES = "a coin cell (10 mAh) to a car's (100 Ah)"
+REGULATORS = "electro-pneumatic regulators of 1 kPa to 5 MPa"
 CAPS = "what a glass or plastic syringe holds"
 
 
@@ -118,6 +119,11 @@ def _pump() -> Iterator[PlausibleRange]:
     yield PlausibleRange("pump.plunger_friction", "N", 0.02, 200.0, SERVOS, or_none=True)
     yield PlausibleRange("pump.gear_play", "counts", 0.0, 30.0, SERVOS, _PERCENT)
     yield PlausibleRange("pump.max_pressure", "Pa", 300.0, 2e6, CAPS)
+    yield PlausibleRange("pump.full_scale", "Pa", 1e3, 5e6, REGULATORS)
+    yield PlausibleRange("pump.rate_limit", "Pa/s", 500.0, 2e7, REGULATORS)
+    yield PlausibleRange("pump.response_time", "s", 1e-3, 20.0, REGULATORS, or_none=True)
+    yield _share("pump.error", 1e-4, 0.5, REGULATORS)
+    yield _share("pump.following_error", 2e-3, 1.0, REGULATORS)
 
 
 RANGES = (

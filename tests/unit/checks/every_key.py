@@ -67,6 +67,10 @@ PUMP: Spec = {
     "plunger_friction": 5.0, "gear_play": 2.0, "max_pressure": 25e3, "home": 200,
     "filled_length": 0.06,
 }  # fmt: skip
+REGULATOR: Spec = {
+    "kind": "regulator", "full_scale": 100e3, "response_time": 0.2, "error": 0.02,
+    "rate_limit": 50e3, "following_error": 0.1, "max_pressure": 25e3,
+}  # fmt: skip
 INPUTS: tuple[Spec, ...] = (
     {"kind": "double_sigmoid", "start": 20e3, "drop": 40e3, "fall_time": 0.5, "rise_time": 4.0,
      "transition": 0.875, "transient_time": 0.7},
@@ -91,7 +95,7 @@ def specs() -> list[Spec]:
     listed = {**BODY, "network": LISTED, "fluid": LIQUID}
     return [
         {**whole, "pump": PUMP},
-        {**listed, "input": INPUTS[1]},
+        {**listed, "input": INPUTS[1], "pump": REGULATOR},
         {**listed, "input": INPUTS[1], "fluid": {"name": "glycerol-water", "fraction": 0.5}},
         *({**listed, "input": source} for source in INPUTS[2:]),
     ]
