@@ -124,7 +124,7 @@ def test_a_recording_has_the_columns_of_its_kind(regulated: Scene, tmp_path) -> 
     address = BoardAddress(pace="max")
     record(tmp_path / "rest.csv", address, regulated, rate=20.0, duration=0.2)
     head, *rows = (tmp_path / "rest.csv").read_text().splitlines()
-    assert head == "time_s,inlet_pressure_pa,wanted_pressure_pa,outlet_steps,set_point_steps"
+    assert head == "time_s,inlet_pressure_pa,wanted_pressure_pa,outlet_pa,set_point_pa"
     assert len(rows) == 5
 
 
@@ -147,6 +147,8 @@ def demand(scene: Scene, pressure: list[float], seconds: float = 1.0):  # type: 
         ([0, -2e3, 0], "range", "infeasible", 1 + 2e3 / (255 * 1e5 / 1023)),
         ([0, 20e3, 20e3], "rate", "ok", 20 / 50),
         ([0, 60e3, 60e3], "rate", "infeasible", 60 / 50),
+        ([0, 20e3, 20e3], "lag", "ok", 20 * 0.2 / 15),
+        ([0, 90e3, 90e3], "lag", "advice", 90 * 0.2 / 15),
         ([0, 1e3, 0], "resolution", "advice", 20 * (1e5 / 1023) / 1e3),
     ],
 )

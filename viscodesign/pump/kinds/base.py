@@ -115,7 +115,6 @@ class PumpKind(ABC):
     """What an axis is called in messages and documents."""
     nouns: ClassVar[str]
     """Several of them."""
-    channels: ClassVar[Channels]
     poses: ClassVar[type[PoseUpload] | None] = None
     """What plays a whole profile without a computer, where something does."""
     no_reply: ClassVar[str] = ""
@@ -155,6 +154,10 @@ class PumpKind(ABC):
                 "the option out"
             )
         return scene
+
+    @abstractmethod
+    def channels(self, pump: Any) -> Channels:
+        """Columns of an axis in a record; ``pump``: the spec's section, None without one."""
 
     def own_gauge(self, link: Connection, axis: int) -> Callable[[], float] | None:
         """What reads an inlet's absolute pressure [Pa] without a sensor of the spec."""

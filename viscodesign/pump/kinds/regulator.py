@@ -79,7 +79,7 @@ def found_regulator(board: LineRegulator, pump: RegulatorSpec | None) -> FoundAx
         AXIS,
         {"id": f"{AXIS}", "set-point": words[0], "outlet": words[1]},
         {"id": AXIS, "set_point_steps": state.goal, "outlet_steps": state.position},
-        tuple(faults),
+        faults,
     )
 
 
@@ -96,11 +96,8 @@ class RegulatorPump(Pump):
 
     def arm(self, speed: float = 0.0) -> None:
         """Let it hold the pressure that it has."""
-        if speed > self.limits.top_speed * (1 + 1e-9):
-            raise PumpError(
-                f"{speed:.0f} steps/s requested; pump.rate_limit allows "
-                f"{self.limits.top_speed:.0f}: see `pump plan`"
-            )
+        if speed > (most := self.limits.top_speed) * (1 + 1e-9):
+            raise PumpError(f"{speed:.0f} steps/s requested; pump.rate_limit is {most:.0f} steps/s")
         low, high = self.limits.travel
         self.goals = {AXIS: min(max(self.board.outlet(), low), high)}
         self.armed = True
@@ -180,10 +177,6 @@ class RegulatorKind(PumpKind):
 
     name = "regulator"
     noun = NOUN
-    channels: ClassVar[Channels] = {
-        ("outlet", "steps"): lambda state, goal: state.position,
-        ("set_point", "steps"): lambda state, goal: goal,
-    }
     not_calibrated = (
         "a regulator has nothing to calibrate here: its zero and span are set at the device, and "
         "pump.full_scale states its range"
@@ -208,7 +201,14 @@ class RegulatorKind(PumpKind):
         return DirectLine(device, clock)
 
     def simulated_pump(self) -> RegulatorSpec:
-        return RegulatorSpec.model_validate({"full_scale": "100 kPa"})
+        return RegulatorSpec(full_scale=100e3)
+
+    def channels(self, pump: RegulatorSpec | None) -> Channels:
+        unit, step = ("steps", 1) if pump is None else ("pa", pump.step)
+        return {
+            ("outlet", unit): lambda state, goal: state.position * step,
+            ("set_point", unit): lambda state, goal: goal * step,
+        }
 
     def own_gauge(self, link: Connection, axis: int) -> Callable[[], float] | None:
         """Its own reading of a moment ago: every look at it begins with one."""

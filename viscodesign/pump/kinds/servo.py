@@ -51,6 +51,15 @@ HIGHEST_REPORTED_V = 25.5
 """What the servo's one byte of voltage can say [V]."""
 
 
+CHANNELS: Channels = {
+    ("position", "counts"): lambda state, goal: state.position,
+    ("goal", "counts"): lambda state, goal: goal,
+    ("load", "rel"): lambda state, goal: state.load,
+    ("voltage", "v"): lambda state, goal: state.voltage,
+    ("temperature", "degc"): lambda state, goal: state.temperature,
+}
+
+
 class ServoDemand(PlungerDemand):
     """What a plan asks of a servo and its plunger."""
 
@@ -64,13 +73,6 @@ class ServoKind(PumpKind):
     order: ClassVar[int] = 0
     noun = NOUN
     nouns = "servos"
-    channels: ClassVar[Channels] = {
-        ("position", "counts"): lambda state, goal: state.position,
-        ("goal", "counts"): lambda state, goal: goal,
-        ("load", "rel"): lambda state, goal: state.load,
-        ("voltage", "v"): lambda state, goal: state.voltage,
-        ("temperature", "degc"): lambda state, goal: state.temperature,
-    }
     poses = PoseUpload
     no_reply = (
         "A move that the PyPose firmware plays cannot be interrupted: the halt acts when it is "
@@ -104,6 +106,9 @@ class ServoKind(PumpKind):
 
     def with_sensors(self, scene: Scene, *, simulated: bool, without: bool) -> Scene:
         return with_sensors(scene, simulated=simulated, without=without)
+
+    def channels(self, pump: ServoPumpSpec | None) -> Channels:
+        return CHANNELS
 
     def answering(self, board: Board) -> list[int]:
         return [servo for servo in SCANNED_IDS if board.answers(servo)]

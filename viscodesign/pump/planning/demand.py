@@ -34,6 +34,7 @@ class PumpDemand(ABC):
         "range": (LOWER,),
         "cap": (CAP, LOWER),
         "rate": (SLOWER, LOWER),
+        "lag": (SLOWER, LOWER),
     }
     """What may help against a limit, simplest first."""
     stepwise: ClassVar[Sequence[tuple[Fix, Sequence[str]]]] = (

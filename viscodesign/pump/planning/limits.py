@@ -89,6 +89,20 @@ def pressure_rate(demand: PumpDemand) -> Assessment:
     return Assessment("infeasible", wanted, allowed, "Pa/s", wanted / allowed, when, message)
 
 
+def pressure_lag(demand: PumpDemand) -> Assessment:
+    """How far a set-point has to run ahead, against what counts as not following."""
+    axis = demand.axis
+    rates = np.abs(np.diff(demand.pressure) / np.diff(demand.time))
+    when = int(np.argmax(rates))
+    wanted = float(rates[when]) * axis.lead_distance / axis.top_speed
+    allowed = axis.following_error * axis.step
+    message = (
+        f"the set-point has to run ahead of the pressure by {wanted / 1e3:.3g} kPa, since the "
+        f"outlet lags; above {allowed / 1e3:.3g} kPa a stream may stop it as not following"
+    )
+    return Assessment("advice", wanted, allowed, "Pa", wanted / allowed, when, message)
+
+
 def jump_words(demand: PumpDemand, when: int) -> str:
     """How long a jump is taken to last, where an interval of the times holds one."""
     begin, end = demand.time[when : when + 2] - demand.lead_s
@@ -111,6 +125,7 @@ PRESSURE_LIMITS: Limits = {
     "range": pressure_range,
     "cap": cap,
     "rate": pressure_rate,
+    "lag": pressure_lag,
     "resolution": pressure_resolution,
 }
 """Of an axis that sets the pressure itself."""

@@ -68,8 +68,8 @@ class BoardAnalog(PressureSource):
     def __init__(self, board: Controller, channel: int) -> None:
         if not board.has_pins:
             raise PumpError(
-                f"the board {board.name} has no analog inputs: leave out `pump.sensor`, or use "
-                "--board arbotix-ros"
+                f"the board {board.name} has no analog inputs: leave out `pump.sensor`, connect it "
+                "to a kit (`pump.sensor.on: phidget`), or use a board that has them"
             )
         self._board, self._channel = board, channel
 

@@ -132,7 +132,7 @@ def record(
         facts = dict(zip(("board", "simulated", "identity"), who, strict=True))
         with (
             link.gauges() as gauges,
-            recorded(path, link.inlets, facts, link.kind.channels) as file,
+            recorded(path, link.inlets, facts, link.kind.channels(link.pump)) as file,
             stop_on_signals(stop) as request,
         ):
             how: Any = {"rate": rate, "duration": duration}

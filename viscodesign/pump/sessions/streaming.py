@@ -142,7 +142,11 @@ class StreamSession:
             with (
                 stop_on_signals(stop) as request,
                 recorded(
-                    folder / "record.csv", self.plan.inlets, facts, self.kind.channels, tip
+                    folder / "record.csv",
+                    self.plan.inlets,
+                    facts,
+                    self.kind.channels(self.settings),
+                    tip,
                 ) as record,
             ):
                 return self._stream(pump, request, record, link.log, tell, on_tick)

@@ -32,7 +32,7 @@ class RegulatorSpec(PumpSpec):
         50e3, gt=0, description="Fastest change of pressure that it is asked for"
     )
     following_error: Fraction = Field(
-        0.1,
+        0.15,
         gt=0,
         lt=1,
         description="Distance from its set-point, relative to full scale, that stops it",

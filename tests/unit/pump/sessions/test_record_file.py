@@ -16,7 +16,7 @@ import pytest
 
 from tests.unit.pump.samples import sample, servo
 from viscodesign.errors import OutputError
-from viscodesign.pump.kinds.servo import ServoKind
+from viscodesign.pump.kinds.servo import CHANNELS
 from viscodesign.pump.play.stream_result import RecordingError
 from viscodesign.pump.sessions.record_file import FLUSH_INTERVAL_S, columns, recorded
 
@@ -31,7 +31,6 @@ class FullDisk:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
 
-CHANNELS = ServoKind.channels
 FACTS = {"board": "simulated", "simulated": True}
 
 
