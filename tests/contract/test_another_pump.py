@@ -150,3 +150,14 @@ def test_it_ends_as_the_user_wants(on_stop, last: int) -> None:  # type: ignore[
     result = rig.play()
     assert result.status == "interrupted"
     assert rig.set_points[-1] <= last
+
+
+@pytest.mark.parametrize(("pressure", "set_point"), [(8e3, 700), (8e3, 0)])
+def test_arming_never_raises_the_pressure(pressure: float, set_point: int) -> None:
+    """Whoever left it on its way up or down: it stays where it is, or goes on down."""
+    rig = RegulatorRig()
+    rig.device.pressure, rig.device.set_point = pressure, set_point
+    with rig.link.gauges() as gauges:
+        rig.link.kind.connected_pump(rig.link, gauges).arm()
+    assert rig.set_points[0] * rig.spec.step <= 1.5 * pressure
+    assert rig.set_points[0] <= set_point

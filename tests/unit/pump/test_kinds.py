@@ -22,6 +22,7 @@ NEUTRAL = ("play", "sessions", "planning")
 MODULES = sorted(
     path for room in NEUTRAL for path in (ROOT / "viscodesign" / "pump" / room).glob("*.py")
 )
+COMMANDS = sorted((ROOT / "viscodesign" / "cli" / "pump").glob("*.py"))
 FAMILIES = re.compile(r"viscodesign\.pump\.(ax|plunger|drive|servo_motor|kinds\.(?!base))")
 EXAMPLES = {
     ("demand_kinds", "servo: ax18a"),  # what a spec without a pump may add
@@ -43,6 +44,13 @@ def test_what_serves_all_kinds_names_none(path) -> None:  # type: ignore[no-unty
             text = text.replace(words, "")
     assert not re.findall(r"(?i)servos?\b", text)
     for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            assert not FAMILIES.match(node.module), node.module
+
+
+@pytest.mark.parametrize("path", COMMANDS, ids=lambda path: path.stem)
+def test_a_command_knows_the_contract_only(path) -> None:  # type: ignore[no-untyped-def]
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module:
             assert not FAMILIES.match(node.module), node.module
 

@@ -18,6 +18,8 @@ from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import AxisState, FinalAxisState, FoundAxis
 from viscodesign.pump.play.pump import Pressed, Pump
 from viscodesign.pump.poses.upload import PoseUpload
+from viscodesign.pump.sensors.base import BoardAnalog
+from viscodesign.pump.sensors.phidget import Phidget
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.per_inlet import each
@@ -93,14 +95,10 @@ class Connection:
             yield PressureReadings(reads, self.ambient, self.inlets, exact=own)
 
     def _source(self, sensor: SensorSpec, opened: contextlib.ExitStack) -> Callable[[], float]:
-        # Imported here: only few pumps have sensors.
-        from viscodesign.pump.sensors.base import BoardAnalog
-        from viscodesign.pump.sensors.phidget import Phidget
-
         on_board = self.board.has_pins if sensor.on == "auto" else sensor.on == "board"
-        kind = BoardAnalog(self.board, sensor.channel) if on_board else Phidget(sensor.channel)
-        opened.callback(kind.close)
-        return kind.absolute
+        source = BoardAnalog(self.board, sensor.channel) if on_board else Phidget(sensor.channel)
+        opened.callback(source.close)
+        return source.absolute
 
 
 class PumpKind(ABC):
@@ -113,8 +111,6 @@ class PumpKind(ABC):
     """Word after `pump.kind`."""
     noun: ClassVar[str]
     """What an axis is called in messages and documents."""
-    nouns: ClassVar[str]
-    """Several of them."""
     poses: ClassVar[type[PoseUpload] | None] = None
     """What plays a whole profile without a computer, where something does."""
     no_reply: ClassVar[str] = ""

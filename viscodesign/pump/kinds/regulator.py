@@ -95,11 +95,11 @@ class RegulatorPump(Pump):
         return identity, [found]
 
     def arm(self, speed: float = 0.0) -> None:
-        """Let it hold the pressure that it has."""
+        """Let it hold the pressure that it has, or its set-point where that is lower."""
         if speed > (most := self.limits.top_speed) * (1 + 1e-9):
             raise PumpError(f"{speed:.0f} steps/s requested; pump.rate_limit is {most:.0f} steps/s")
-        low, high = self.limits.travel
-        self.goals = {AXIS: min(max(self.board.outlet(), low), high)}
+        here = min(self.board.outlet(), self.board.set_point(), self.limits.travel[1])
+        self.goals = {AXIS: here}
         self.armed = True
         self.board.set(self.goals[AXIS])
 

@@ -72,7 +72,6 @@ class ServoKind(PumpKind):
     name = "servo"
     order: ClassVar[int] = 0
     noun = NOUN
-    nouns = "servos"
     poses = PoseUpload
     no_reply = (
         "A move that the PyPose firmware plays cannot be interrupted: the halt acts when it is "

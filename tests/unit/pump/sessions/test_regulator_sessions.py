@@ -73,3 +73,14 @@ def test_the_status_of_one_above_the_cap_says_what_to_do(scene: Scene) -> None:
     assert found.pressure[0] == pytest.approx(40e3, abs=100.0)
     (reason,) = found.objections
     assert "above pump.max_pressure, 25 kPa; vent it with `pump stop --release`" in reason
+
+
+def test_what_answers_is_recorded_without_a_spec(tmp_path: Path) -> None:
+    there = regulator(5e3, 51)
+    with PtyServer(there, WallClock()) as served:
+        at = pump.BoardAddress("regulator", served.port)
+        report = pump.record(tmp_path / "rest.csv", at, rate=10.0, duration=0.15)
+    assert report.identity == "a regulator, whose set-point is 51 of 1023"
+    head, first, *_ = (tmp_path / "rest.csv").read_text().splitlines()
+    assert head == "time_s,inlet_pressure_pa,wanted_pressure_pa,outlet_steps,set_point_steps"
+    assert first.split(",")[1:] == ["", "", "51", "51"]
