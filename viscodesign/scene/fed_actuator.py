@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from pydantic import Field
 
@@ -32,3 +33,14 @@ def inherited(name: str, actuators: Mapping[str, FedActuator], key: str) -> obje
             break
         own = actuators.get(own.like or "")
     return None if own is None else getattr(own, key)
+
+
+INLET = "inlet"
+"""What the inlet of a network with one is called."""
+
+
+def by_inlet(source: Any) -> dict[str, str]:
+    """Inputs by inlet; one alone is that of the only inlet."""
+    if source is None:
+        return {}
+    return dict(source) if isinstance(source, dict) else {INLET: source}

@@ -6,7 +6,6 @@ even part, since all of them move alike.
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterator, Mapping
 from typing import Any, Literal
 
@@ -20,10 +19,8 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from viscodesign.errors import did_you_mean
-from viscodesign.scene.bellows import Bellows, snaps
 from viscodesign.scene.effects_choice import EffectsChoice
-from viscodesign.scene.fed_actuator import FedActuator, inherited
+from viscodesign.scene.fed_actuator import INLET, FedActuator, by_inlet, inherited
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.later_input import later_input
@@ -38,6 +35,12 @@ from viscodesign.scene.scene import (
     Scene,
 )
 from viscodesign.scene.several import OwnOrSameInput, SameInput, same_input_faults, unlike
+from viscodesign.scene.several_faults import (
+    later_faults,
+    plunger_faults,
+    source_faults,
+    tube_faults,
+)
 from viscodesign.scene.spec_part import KeyFault, KeyPath, SpecPart, faults_of, raise_faults
 from viscodesign.scene.spec_version import SPEC_VERSION
 from viscodesign.scene.uncertainty import Uncertainty
@@ -130,94 +133,18 @@ class SeveralScene(SpecPart):
     # -- faults -----------------------------------------------------------------
 
     def _faults(self) -> Iterator[KeyFault]:
-        yield from self._tube_faults()
+        yield from tube_faults(self.tubes, self.actuators)
         try:
             unlike(self.actuators)
         except PydanticCustomError as error:
             yield from (f._replace(path=("actuators", *f.path)) for f in faults_of(error))
             return
-        found = list(same_input_faults(self.inputs)) or list(self._later_faults())
-        found += self._source_faults()
+        found = list(same_input_faults(self.inputs)) or list(later_faults(self))
+        found += source_faults(self)
         yield from found
         if not found:
-            yield from self._shared_plungers()
+            yield from plunger_faults(self)
             yield from self._scene_faults()
-
-    def _tube_faults(self) -> Iterator[KeyFault]:
-        for k, tube in enumerate(self.tubes or ()):
-            ends = [end.partition(".")[0] for end in (tube.start, tube.end) if "." in end]
-            for name in ends:
-                if name not in self.actuators:
-                    hint = did_you_mean(name, self.actuators)
-                    listed = ", ".join(self.actuators)
-                    message = f"no such actuator: '{name}'{hint}; there are {listed}"
-                    yield KeyFault(("tubes", str(k)), message)
-        if self.tubes is not None:
-            yield KeyFault(
-                ("tubes",),
-                "tubes between actuators are not supported yet: they would make one coupled system "
-                "of them. Remove them, and feed each actuator by a source of its own network",
-            )
-
-    def _source_faults(self) -> Iterator[KeyFault]:
-        listed = ", ".join(self.inputs)
-        for name in self.actuators:
-            source, place = inherited(name, self.actuators, "source"), ("actuators", name, "source")
-            if source is None and len(self.inputs) > 1:
-                message = f"missing; name the input that feeds it: {listed}"
-                yield KeyFault(place, message)
-            for key, given in _by_inlet(source).items():
-                if given not in self.inputs:
-                    hint = did_you_mean(given, self.inputs)
-                    below = (key,) if isinstance(source, dict) else ()
-                    message = f"no such input: '{given}'{hint}; there are {listed}"
-                    yield KeyFault((*place, *below), message)
-
-    def _later_faults(self) -> Iterator[KeyFault]:
-        for name, given in self.inputs.items():
-            if isinstance(given, SameInput) and name not in self.sources:
-                kind = self.inputs[given.source].name
-                yield KeyFault(
-                    ("inputs", name, "delay"),
-                    f"'{given.source}' is of the kind {kind}, which cannot be delayed; give "
-                    f"'{name}' rows of its own (kind: table)",
-                )
-
-    def _shared_plungers(self) -> Iterator[KeyFault]:
-        """A plunger couples the actuators that share its volume, unless these all move alike."""
-        for name, source in self.sources.items():
-            fed = self.fed_by(name)
-            if source.gives_pressure or len(fed) < 2:
-                continue
-            shared, listed = source.shared_by(len(fed)), ", ".join(fed)
-            advice = (
-                "Give the pressure instead, such as a recorded one (kind: table), or each actuator "
-                "a syringe of its own"
-            )
-            if shared is None or len({self._digest(own) for own in fed}) > 1:
-                yield KeyFault(
-                    ("inputs", name),
-                    f"it feeds {listed}, which differ: its volume would couple them to one system, "
-                    f"which is not supported yet. {advice}",
-                )
-            elif any(snaps(self._bellows(own)) for own in fed):
-                yield KeyFault(
-                    ("inputs", name),
-                    f"it feeds {listed}, whose bellows snap through, one actuator before another: "
-                    f"its volume would couple them to one system. {advice}",
-                )
-
-    def _digest(self, name: str) -> bytes:
-        """Equal for actuators that are equal in all but their names."""
-        parts = {key: getattr(unlike(self.actuators)[name], key) for key in OF_DESIGN.values()}
-        loads = inherited(name, self.actuators, "loads")
-        whole = (parts, loads, sorted(self.sources_of(name).items()))
-        return hashlib.sha256(repr(whole).encode()).digest()
-
-    def _bellows(self, name: str) -> Bellows:
-        found = unlike(self.actuators)[name].bellows
-        assert found is not None  # of an actuator that is not like another one
-        return found
 
     def _scene_faults(self) -> Iterator[KeyFault]:
         told: set[KeyFault] = set()
@@ -262,7 +189,7 @@ class SeveralScene(SpecPart):
     def sources_of(self, actuator: str) -> Mapping[str, str]:
         """The input that feeds each inlet of an actuator."""
         source = inherited(actuator, self.actuators, "source")
-        return _by_inlet(next(iter(self.inputs)) if source is None else source)
+        return by_inlet(next(iter(self.inputs)) if source is None else source)
 
     def fed_by(self, name: str) -> list[str]:
         """The actuators that an input feeds."""
@@ -311,14 +238,3 @@ class SeveralScene(SpecPart):
 
     def __str__(self) -> str:
         return repr(self)
-
-
-INLET = "inlet"
-"""What the inlet of a network with one is called."""
-
-
-def _by_inlet(source: Any) -> dict[str, str]:
-    """Inputs by inlet; one alone is that of the only inlet."""
-    if source is None:
-        return {}
-    return dict(source) if isinstance(source, dict) else {INLET: source}

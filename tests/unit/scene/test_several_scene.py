@@ -140,6 +140,21 @@ def test_equal_ones_have_an_even_part_of_a_syringe() -> None:
     )
 
 
+def test_a_syringe_cannot_feed_two_inlets() -> None:
+    own = spec(inputs={"A": SYRINGE})
+    left = own["actuators"]["left"]
+    ends = (("a", "R1"), ("b", "L1"), ("R1", "R2"), ("L1", "L2"))
+    tubes = [{"from": a, "to": b, "length": 0.04, "radius": 3e-4} for a, b in ends]
+    left |= {"network": {"layout": "custom", "tubes": tubes}, "source": {"a": "A", "b": "A"}}
+    left["bellows"]["count"] = 4
+    own["actuators"] = {"left": left}
+    with pytest.raises(SpecError, match=r"inputs\.A: it feeds several inlets of left"):
+        load_several(own)
+    own["inputs"] = spec()["inputs"]
+    left["source"] = {"a": "A", "b": "B"}
+    assert list(load_several(own).scenes["left"].inputs) == ["a", "b"]
+
+
 SNAP = {"rows": [[-20e3, -5e-5, -0.1, -5e-4], [0, 0, 0, 0], [6e3, 4e-5, 0.1, 4e-4],
                  [4e3, 8e-5, 0.2, 8e-4], [30e3, 2e-4, 0.4, 2e-3]]}  # fmt: skip
 

@@ -1,0 +1,99 @@
+"""What keeps several actuators from being independent of each other, and from being fed."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Collection, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from viscodesign.errors import did_you_mean
+from viscodesign.scene.bellows import snaps
+from viscodesign.scene.fed_actuator import by_inlet, inherited
+from viscodesign.scene.network import TubeEntry
+from viscodesign.scene.several import SameInput, unlike
+from viscodesign.scene.spec_part import KeyFault
+
+if TYPE_CHECKING:
+    from viscodesign.scene.several_scene import SeveralScene
+
+ADVICE = (
+    "Give the pressure instead, such as a recorded one (kind: table), or each actuator a syringe "
+    "of its own"
+)
+
+
+def tube_faults(tubes: Sequence[TubeEntry] | None, names: Collection[str]) -> Iterator[KeyFault]:
+    """Tubes between actuators, and those of actuators that do not exist."""
+    for k, tube in enumerate(tubes or ()):
+        ends = [end.partition(".")[0] for end in (tube.start, tube.end) if "." in end]
+        for name in ends:
+            if name not in names:
+                hint = did_you_mean(name, names)
+                message = f"no such actuator: '{name}'{hint}; there are {', '.join(names)}"
+                yield KeyFault(("tubes", str(k)), message)
+    if tubes is not None:
+        yield KeyFault(
+            ("tubes",),
+            "tubes between actuators are not supported yet: they would make one coupled system of "
+            "them. Remove them, and feed each actuator by a source of its own network",
+        )
+
+
+def source_faults(scene: SeveralScene) -> Iterator[KeyFault]:
+    """Actuators that no input feeds, and inputs that do not exist."""
+    listed = ", ".join(scene.inputs)
+    for name in scene.actuators:
+        source, place = inherited(name, scene.actuators, "source"), ("actuators", name, "source")
+        if source is None and len(scene.inputs) > 1:
+            yield KeyFault(place, f"missing; name the input that feeds it: {listed}")
+        for key, given in by_inlet(source).items():
+            if given not in scene.inputs:
+                hint = did_you_mean(given, scene.inputs)
+                below = (key,) if isinstance(source, dict) else ()
+                message = f"no such input: '{given}'{hint}; there are {listed}"
+                yield KeyFault((*place, *below), message)
+
+
+def later_faults(scene: SeveralScene) -> Iterator[KeyFault]:
+    """Inputs of kinds that cannot be later."""
+    for name, given in scene.inputs.items():
+        if isinstance(given, SameInput) and name not in scene.sources:
+            kind = scene.inputs[given.source].name
+            yield KeyFault(
+                ("inputs", name, "delay"),
+                f"'{given.source}' is of the kind {kind}, which cannot be delayed; give '{name}' "
+                "rows of its own (kind: table)",
+            )
+
+
+def plunger_faults(scene: SeveralScene) -> Iterator[KeyFault]:
+    """A plunger couples what shares its volume, unless these are actuators that move alike."""
+    for name, source in scene.sources.items():
+        fed = scene.fed_by(name)
+        inlets = [own for one in fed for own in scene.sources_of(one).values() if own == name]
+        if source.gives_pressure or len(inlets) < 2:
+            continue
+        listed = ", ".join(fed)
+        if len(inlets) > len(fed):
+            why = f"it feeds several inlets of {listed}: its volume would couple their pressures"
+        elif source.shared_by(len(fed)) is None or len({_digest(scene, own) for own in fed}) > 1:
+            why = f"it feeds {listed}, which differ: its volume would couple them to one system"
+        elif any(_snaps(scene, own) for own in fed):
+            why = f"it feeds {listed}, whose bellows snap through, one actuator before another"
+        else:
+            continue
+        yield KeyFault(("inputs", name), f"{why}, which is not supported yet. {ADVICE}")
+
+
+def _digest(scene: SeveralScene, name: str) -> bytes:
+    """Equal for actuators that are equal in all but their names."""
+    design = unlike(scene.actuators)[name]
+    parts = (design.actuator, design.section_changes, design.bellows, design.network)
+    loads = inherited(name, scene.actuators, "loads")
+    whole = (parts, loads, sorted(scene.sources_of(name).items()))
+    return hashlib.sha256(repr(whole).encode()).digest()
+
+
+def _snaps(scene: SeveralScene, name: str) -> bool:
+    bellows = unlike(scene.actuators)[name].bellows
+    return bellows is not None and snaps(bellows)
