@@ -34,6 +34,9 @@ class JudgingNumbers:
     rod does not swing."""
     stated_per_measured: float = 1.25
     """Stated error over the measured distance: the rest of both solutions' own errors."""
+    stated_per_estimated: float = 1.5
+    """The least of it, over what neglected effects do by the estimates: their displacement and the
+    error of the coarser mesh may point the same way, and their difference then hides both."""
     coarser_tolerance: float = 10.0
     """Tolerance of the solution with everything, over that of the run."""
     steps_share: float = 0.7

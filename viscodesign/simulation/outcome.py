@@ -21,7 +21,8 @@ ESTIMATED = (
 )
 TOGETHER = (
     f"all parts together: {JUDGING.stated_per_measured:g} times the distance to a solution with "
-    f"all effects, {JUDGING.coarser_tolerance:g} times the tolerance and half the edges"
+    f"all effects, {JUDGING.coarser_tolerance:g} times the tolerance and half the edges; at least "
+    f"{JUDGING.stated_per_estimated:g} times what neglected effects do by the estimates"
 )
 APART = (
     f"all parts together: {JUDGING.stated_per_measured:g} times the difference between two "

@@ -223,8 +223,11 @@ def _judged(
     ``whole``: a coarser solution with all effects.
     """
 
+    least_m = JUDGING.stated_per_estimated * selection.estimated_m
+
     def apart(finer: Run) -> float:
-        return selection.stated(JUDGING.stated_per_measured * judge.omission(finer, whole).tip_m)
+        measured_m = JUDGING.stated_per_measured * judge.omission(finer, whole).tip_m
+        return selection.stated(max(measured_m, least_m))
 
     verifier.compare_flows(whole, run)
     if not selection.neglected:

@@ -18,7 +18,7 @@ from viscodesign.results.trajectory import RunInterruptedError
 from viscodesign.simulation import error_control, judged_effects
 from viscodesign.simulation import simulate as simulate_module
 from viscodesign.simulation.build_problem import Settings, suggest_settings
-from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, coarser, judgeable
+from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, Omission, coarser, judgeable
 from viscodesign.simulation.solve_once import Run, Workspace, solve, tip_difference
 
 SHORT = ("run={duration: 2 s, output_interval: 0.1 s}", "effects=auto", "bellows.count=8")
@@ -57,7 +57,8 @@ def test_it_is_the_whole_error_that_a_run_states() -> None:
     judge = EffectJudge(quantities, None, Workspace())
     found = judge.omission(run, whole(judge, selection, run))
     accuracy = simulate(leg(*SHORT)).accuracy
-    stated = selection.stated(JUDGING.stated_per_measured * found.tip_m)
+    least_m = JUDGING.stated_per_estimated * selection.estimated_m
+    stated = selection.stated(max(JUDGING.stated_per_measured * found.tip_m, least_m))
     assert accuracy.estimated_tip_error_m == accuracy.omitted_m == stated
     assert accuracy.time_m is accuracy.space_m is None
     assert "1.25 times the distance to a solution with all effects" in accuracy.method
@@ -270,3 +271,14 @@ def test_the_error_of_all_effects_takes_no_further_solution(
     finer = simulate(leg(*SHORT, "effects={others: on}"), tolerance=1e-9)
     true = np.max(np.linalg.norm(found.tip - finer.tip, axis=1))
     assert true <= found.accuracy.estimated_tip_error_m <= found.accuracy.requested_m
+
+
+def test_errors_that_hide_each_other_are_stated_by_the_estimates(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What is left out and the coarser mesh may move the tip alike: then they are not far apart."""
+    _, selection, _ = judged()
+    monkeypatch.setattr(EffectJudge, "omission", lambda *_: Omission(0.0, 0.0))
+    stated = simulate(leg(*SHORT)).accuracy.estimated_tip_error_m
+    assert stated == selection.stated(JUDGING.stated_per_estimated * selection.estimated_m)
+    assert selection.estimated_m > 0.0

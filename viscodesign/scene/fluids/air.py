@@ -29,7 +29,7 @@ class Air(NamedFluid):
                 "title": "Thermodynamic Properties of Air and Mixtures of "
                 "Nitrogen, Argon, and Oxygen From 60 to 2000 {K} at "
                 "Pressures to 2000 {MPa}",
-                "journal": "Journal of Physical and Chemical LiteratureReference Data",
+                "journal": "Journal of Physical and Chemical Reference Data",
                 "volume": "29",
                 "number": "3",
                 "pages": "331--385",

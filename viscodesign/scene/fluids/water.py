@@ -30,7 +30,7 @@ class Water(NamedFluid):
                 "title": "The {IAPWS} Formulation 1995 for the Thermodynamic "
                 "Properties of Ordinary Water Substance for General and "
                 "Scientific Use",
-                "journal": "Journal of Physical and Chemical LiteratureReference Data",
+                "journal": "Journal of Physical and Chemical Reference Data",
                 "volume": "31",
                 "number": "2",
                 "pages": "387--535",
@@ -46,7 +46,7 @@ class Water(NamedFluid):
                 "Metaxa, I. N. and Vogel, E. and Mares, R. and Miyagawa, "
                 "K.",
                 "title": "New International Formulation for the Viscosity of {H2O}",
-                "journal": "Journal of Physical and Chemical LiteratureReference Data",
+                "journal": "Journal of Physical and Chemical Reference Data",
                 "volume": "38",
                 "number": "2",
                 "pages": "101--125",
