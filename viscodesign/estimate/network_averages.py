@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 AVERAGING_ROUNDS = 6
 """Rounds in which means over the motion converge, to a few thousandths."""
-FEWER_ROUNDS = 2
+FEWER_ROUNDS = 4
 """The same from the means of a network that differs by one term."""
 LEAST_PRESSURE = 0.02
 """Absolute pressure, in parts of the ambient, below which a linear network is not followed."""

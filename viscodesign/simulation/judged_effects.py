@@ -42,7 +42,7 @@ class JudgingNumbers:
     steps_share: float = 0.7
     """Error of a run by steps and mesh, in parts of its distance to a solution as coarse as that
     with the same effects."""
-    single_additions: int = 1
+    single_additions: int = 2
     """Effects that are added one at a time before all of them are."""
 
 

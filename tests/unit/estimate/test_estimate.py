@@ -354,7 +354,7 @@ def test_estimates_side_by_side_are_those_alone() -> None:
 
 
 def test_means_of_a_network_with_one_term_more_save_rounds() -> None:
-    """Two rounds from there leave as much as six from the linear laws: a tenth of the change."""
+    """Four rounds from there leave as little as six from the linear laws: a tenth of the change."""
     slow, fast, exact = ([e.network for e in side_by_side()] for _ in range(3))
     fast[0].setting.begin_at(fast[0].averaged.means)
     several = exact[0].setting
