@@ -18,7 +18,9 @@ from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.reading.field_lookup import alternatives, entry_of, quantity_of
+from viscodesign.scene.robot import Robot
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.several import SameInput
 from viscodesign.scene.uncertainty import Uncertainty
 from viscodesign.units import QuantityKind
 
@@ -29,6 +31,7 @@ EXAMPLE_PATHS = {
     "sections": "sections.1-2",
     "bellows.changes": "bellows.changes.R1",
     "network.changes": "network.changes.R1-R2",
+    "robot.legs": "robot.legs.LF",
 }
 """Mappings with names of their own, with one such name."""
 
@@ -50,6 +53,8 @@ def sections() -> Iterator[Section]:
                 yield f"{name} of kind {model.name}", _summary(model), list(_rows(name, model))
             elif not issubclass(model, Input):
                 yield f"{name}", _summary(model), list(_rows(EXAMPLE_PATHS.get(name, name), model))
+    yield "robot", _summary(Robot), list(_rows("robot", Robot))
+    yield "input that is another one", _summary(SameInput), list(_rows("inputs.B", SameInput))
     for kind, model in INPUT_KINDS.items():
         rows = [row for row in _rows("input", model) if row[0] != f"`input.{KIND}`"]
         yield f"input of kind {kind}", _summary(model), rows
