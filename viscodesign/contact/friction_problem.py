@@ -65,6 +65,8 @@ class FrictionProblem:
     compliance: np.ndarray
     free: np.ndarray
     friction: Sequence[float]
+    tries_all: bool = True
+    """Whether all states are tried where no others are found."""
 
     @property
     def count(self) -> int:
@@ -90,7 +92,7 @@ class FrictionProblem:
         swept = self._swept()
         yield swept
         yield from self._pivoted(swept, one_by_one=True)
-        if self.count <= MAX_CONTACTS_TRIED:
+        if self.tries_all and self.count <= MAX_CONTACTS_TRIED:
             yield from itertools.product(EVERY, repeat=self.count)
 
     def forces(self, states: States) -> np.ndarray | None:

@@ -29,8 +29,9 @@ from viscodesign.robot.time_step import RobotState
 MAX_ITERATIONS = 40
 PLACE_TOLERANCE = 1e-10
 """Last Newton step [m, rad]."""
-LARGEST_STEP = 5e-3
-"""Of one iteration [m, rad]: the weight bends legs far before it is balanced."""
+LARGEST_STEP = 2e-2
+"""Of one iteration, rotations by the length of a leg [m]: the weight bends legs far before it is
+balanced."""
 PROXIMAL_STIFFNESS = 1.0
 """Added to the matrix of an iteration, not to its balance [N/m]: a robot in the air is free to go
 anywhere, and the contact forces need a stiffness."""
@@ -99,23 +100,27 @@ def set_down(model: RobotModel, pressures: np.ndarray) -> tuple[np.ndarray, tupl
     return place, tuple(states)
 
 
-def stance(model: RobotModel, pressures: np.ndarray) -> Stance:
+def stance(model: RobotModel, pressures: np.ndarray, near: Stance | None = None) -> Stance:
     """The equilibrium of a robot that is set down at given gauge pressures [Pa] of its sources.
 
-    Feet roll and slide from where they touch the ground. Raises `UnstableStanceError`.
+    Feet roll and slide from where they touch the ground. ``near``: a stance at the same pressures
+    with another weight, from which to begin. Raises `UnstableStanceError`.
     """
-    return _StanceSolver(model, pressures).solve()
+    return _StanceSolver(model, pressures, near).solve()
 
 
 class _StanceSolver:
     """Newton's method from where the robot is set down, with the contacts solved in every step."""
 
-    def __init__(self, model: RobotModel, pressures: np.ndarray) -> None:
+    def __init__(self, model: RobotModel, pressures: np.ndarray, near: Stance | None) -> None:
         self.model = model
         self.start, self.legs = set_down(model, pressures)
         self.place = self.start
         self.states: States = (STICK,) * model.count
+        if near is not None:
+            self.place, self.legs, self.states = near.place, near.legs, near.contact_states
         self.sources = [pressures[group.sources][:, None] for group in model.groups]
+        self.free: dict[States, np.ndarray] = {}
         self.lengths = np.ones(model.size)
         self.lengths[[2, 3, *range(BODY + 2, model.size, FOOT)]] = _leg_length(model)
 
@@ -124,9 +129,12 @@ class _StanceSolver:
             around = self._around()
             force, stiffness = self.model.assembled(around)
             change, forces = self._change(force, stiffness)
+            if self._sway_stiffness(stiffness) < 0.0:
+                raise self._none()  # it gives way long before the balance is found
             if np.max(np.abs(change)) < PLACE_TOLERANCE:
                 return self._found(stiffness, forces)
-            self._move(around, change * min(1.0, LARGEST_STEP / float(np.max(np.abs(change)))))
+            largest = float(np.max(np.abs(change) * self.lengths))
+            self._move(around, change * min(1.0, LARGEST_STEP / largest))
         raise self._none()
 
     def _around(self) -> list[LinearisedLegs]:
@@ -144,7 +152,7 @@ class _StanceSolver:
         free[: model.count] = rows[: model.count] @ solved[:, 0] + model.gaps(self.place)
         friction = (model.feet.friction,) * model.count
         try:
-            problem = FrictionProblem(rows @ solved[:, 1:], free, friction)
+            problem = FrictionProblem(rows @ solved[:, 1:], free, friction, tries_all=False)
             forces, self.states = problem.solve(self.states)
         except ContactError:
             raise self._none() from None
@@ -171,12 +179,17 @@ class _StanceSolver:
 
     def _sway_stiffness(self, stiffness: np.ndarray) -> float:
         """Smallest eigenvalue of the stiffness where contacts stay as they are [N/m]."""
-        count, states = self.model.count, self.states
-        held = [state != OPEN for state in states] + [state == STICK for state in states]
-        free = null_space(self.model.contact_rows[held] / self.lengths)
-        scaled = stiffness / np.outer(self.lengths, self.lengths)
+        free, scaled = self._free_motions(), stiffness / np.outer(self.lengths, self.lengths)
         symmetric = free.T @ (scaled + scaled.T) @ free / 2
-        return float(np.linalg.eigvalsh(symmetric)[0]) if count else 0.0
+        return float(np.linalg.eigvalsh(symmetric)[0])
+
+    def _free_motions(self) -> np.ndarray:
+        """Motions that leave all contacts as they are, one a column."""
+        states = self.states
+        if states not in self.free:
+            held = [state != OPEN for state in states] + [state == STICK for state in states]
+            self.free[states] = null_space(self.model.contact_rows[held] / self.lengths)
+        return self.free[states]
 
     def _none(self) -> UnstableStanceError:
         return UnstableStanceError(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cache
 
 import numpy as np
 from scipy.optimize import brentq
@@ -27,10 +28,10 @@ PAYLOADS = (0.0, 0.25, 0.5, 0.75)
 HEIGHT_RATIOS = (0.95, 0.93, 0.9, 0.85)
 LOWEST_GAUGE = -0.8
 """Gauge pressure of the deepest crouch, over the ambient pressure."""
-WEIGHT_GROWTH = 1.6
+WEIGHT_GROWTH = 1.25
 WEIGHT_RANGE = 1e3
 """Least and largest weight that are tried, over the robot's own."""
-SWAY_REL_TOL = 1e-5
+SWAY_REL_TOL = 5e-4
 
 
 def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) -> StandStudy:
@@ -65,6 +66,9 @@ class _Statics:
     def __init__(self, scene: RobotScene) -> None:
         self.scene, self.model = scene, build_robot(scene)
         self.gravity = math.hypot(*self.model.gravity)
+        self._limits: dict[float, float] = {}
+        self._stable: dict[float, dict[float, Stance]] = {}
+        """Stances by gauge pressure and weight: heavier ones are found faster from them."""
 
     def weight(self, payload: float) -> float:
         """Of robot and payload [N]."""
@@ -73,12 +77,20 @@ class _Statics:
     def at(self, gauge: float, weight: float) -> Stance:
         """The stance with a weight [N] at one gauge pressure [Pa] of all sources."""
         model = with_mass(self.model, weight / self.gravity)
-        return stance(model, np.full(len(model.source_names), gauge))
+        pressures = np.full(len(model.source_names), gauge)
+        stable = self._stable.setdefault(gauge, {})
+        lighter = max((known for known in stable if known <= weight), default=None)
+        found = stance(model, pressures, None if lighter is None else stable[lighter])
+        if found.is_stable:
+            stable[weight] = found
+        return found
 
     def row(self, gauge: float, payload: float) -> StanceRow:
         """A row of a table."""
         weight = self.weight(payload)
-        limit = self._sway_limit(gauge)
+        if gauge not in self._limits:
+            self._limits[gauge] = self._sway_limit(gauge)
+        limit = self._limits[gauge]
         height = pitch = roll = stiffness = math.nan
         if weight < limit:
             found = self.at(gauge, weight)
@@ -90,13 +102,14 @@ class _Statics:
     def _sway_limit(self, gauge: float) -> float:
         """Weight from which on the robot sways [N]."""
 
+        @cache
         def stiffness(weight: float) -> float:
             try:
                 return self.at(gauge, weight).sway_stiffness
             except UnstableStanceError:
                 return -1.0
 
-        low = high = self.model.weight
+        low = high = next(reversed(self._limits.values()), 0.0) or self.model.weight
         while stiffness(high) > 0.0:
             low, high = high, high * WEIGHT_GROWTH
             if high > WEIGHT_RANGE * self.model.weight:
@@ -105,7 +118,7 @@ class _Statics:
             low, high = low / WEIGHT_GROWTH, low
             if low < self._feet_weight() or low < self.model.weight / WEIGHT_RANGE:
                 return 0.0
-        return float(brentq(stiffness, low, high, rtol=SWAY_REL_TOL))
+        return float(brentq(stiffness, low, high, xtol=SWAY_REL_TOL * low, rtol=SWAY_REL_TOL))
 
     def _feet_weight(self) -> float:
         return self.model.count * self.model.feet.mass * self.gravity
