@@ -7,13 +7,14 @@ goes on from its end with those of the end until they are the same.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.function import CompiledFunction
+from viscodesign.errors import SpecError
 from viscodesign.exploration.least_squares import (
     AT_BOUND,
     BestSoFar,
@@ -45,6 +46,8 @@ NEAR_SHARE = 0.3
 """Part of the tolerance at which nothing better is sought for a path without times, whose numbers
 are not unique."""
 PERCENT = 0.01
+LIVELY_DRAWS = 3
+"""Starts by chance where the spec's own numbers make no motion."""
 SAME_SHARE = 0.02
 """Optima whose numbers differ by less than this part of the range count as the same."""
 
@@ -88,20 +91,39 @@ def search_numbers(
         return [_as_it_is(task, scene, graph)]
     keys, ranges = found
     values = keys.values if start is None else start
-    here = scene_with(keys, ranges.values(ranges.shares(values)))
+    function = _first_function(task, keys, ranges.starts(values, LIVELY_DRAWS, task.seed))
     limits = limits_of(task, keys)
     for turn in range(MOST_ROUNDS):
-        function = CompiledFunction(
-            here, task.choice.keys, TIP, one_period=task.wanted.is_free_loop
-        )
         model = CompiledTip(function, task.wanted.is_free_loop)
         residuals = PathResiduals(model, task.wanted, limits, allowed_m=task.tolerance_m)
         fit = _fit(task, residuals, ranges, function.values, graph, several_starts and not turn)
         is_last = turn == MOST_ROUNDS - 1 or (fit.status == "unfinished" and task.is_over)
         if is_last or function.judge(fit.values).suits or task.is_over:
             return _designs_of(task, model, fit, ranges, limits)
-        here = function.scene(fit.values)
+        function = _function(task, function.scene(fit.values))
     raise AssertionError("the last round returns")
+
+
+def _first_function(
+    task: SearchTask, keys: FreeKeys, starts: Sequence[np.ndarray]
+) -> CompiledFunction:
+    """The function at the first of some starts whose effects depend on all that is free.
+
+    A start that rests calls for no effect of the motion that is sought. Raises the `SpecError` of
+    the first start where there is none.
+    """
+    refusal: SpecError | None = None
+    for values in starts:
+        try:
+            return _function(task, scene_with(keys, values))
+        except SpecError as error:
+            refusal = refusal or error
+    assert refusal is not None
+    raise refusal
+
+
+def _function(task: SearchTask, scene: Scene) -> CompiledFunction:
+    return CompiledFunction(scene, task.choice.keys, TIP, one_period=task.wanted.is_free_loop)
 
 
 def limits_of(task: SearchTask, keys: FreeKeys) -> InputLimits | None:

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+import yaml
 
-from tests.unit.inverse.tasks import PULSE, small, task
+from tests.unit.inverse.tasks import PULSE, SPEC, small, task
 from viscodesign import PathDesign, design, load, simulate
 from viscodesign.errors import SpecError
 
@@ -45,6 +46,27 @@ def test_lengths_are_found_and_stay_within_bounds(tmp_path: Path) -> None:
     assert all(0.005 <= value <= 0.3 for value in found.parameters.values())
     again = design(tmp_path / "target.yaml")
     assert again.parameters == found.parameters
+
+
+def test_a_search_may_begin_at_rest(tmp_path: Path) -> None:
+    """Without pressure nothing flows, and no tube's length would count."""
+    times = [0.0, 3.0, 6.0, 9.0, 12.0]
+    moving = small(
+        input={"kind": "table", "rows": [[t, p] for t, p in zip(times, PRESSURES, strict=True)]}
+    )
+    free = {
+        "network.tubes[inlet-R1].length": ["5 mm", "300 mm"],
+        **{f"input.rows[{k}].pressure": ["-15 kPa", "15 kPa"] for k in range(1, 5)},
+    }
+    path = task(tmp_path, free, moving, tolerance="0.02 mm")
+    resting = {**SPEC, "input": {"kind": "table", "rows": [[t, 0.0] for t in times]}}
+    (tmp_path / "spec.yaml").write_text(yaml.safe_dump(resting))
+    found = design(path)
+    assert found.status == "met"
+    assert found.parameters["input.rows[1].pressure"] == pytest.approx(PRESSURES[1], rel=0.02)
+
+
+PRESSURES = [0.0, 9e3, -6e3, 4e3, 8e3]
 
 
 def test_what_bounds_forbid_is_not_met_and_names_them(tmp_path: Path) -> None:
