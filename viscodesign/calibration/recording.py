@@ -17,6 +17,7 @@ from viscodesign.calibration.recorded_columns import (
 )
 from viscodesign.errors import Fault, SpecError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.far_places import far_words
 from viscodesign.scene.reading.markers_file import MarkersFile, recorded_tip
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.table_file import text_of_file
@@ -118,6 +119,7 @@ def read_recording(
         channels = [_from_row(own, found.first_row) for own in channels] + _tip_channels(found)
         time = found.time
     _check_channels(channels, file)
+    _check_places(channels, scene.actuator.length, file)
     notices = (*(() if found is None else found.notices), *_notices(channels, others))
     return Recording(file, time, tuple(channels), overrides, notices)
 
@@ -184,6 +186,19 @@ def _check_channels(channels: Sequence[RecordedChannel], file: str) -> None:
         )
     if faults:
         raise SpecError(faults)
+
+
+def _check_places(channels: Sequence[RecordedChannel], length: float, file: str) -> None:
+    """Raise a fault for places [m] far beyond the actuator: those of other units."""
+    places = [own for own in channels if own.measured is Measured.PLACE]
+    values = [np.column_stack([own.values, np.zeros_like(own.values)]) for own in places]
+    words = [far_words(own, length) for own in values]
+    headers = [own.header for own, told in zip(places, words, strict=True) if told]
+    if headers:
+        shown = ", ".join(headers[:MOST_LISTED]) + (" ..." if len(headers) > MOST_LISTED else "")
+        told = next(own for own in words if own)
+        message = f"{shown}: {told} Write the unit behind the name, such as tip_x_mm"
+        raise SpecError([Fault(message, file=file)])
 
 
 def _still_markers(channels: Sequence[RecordedChannel]) -> dict[str, list[str]]:

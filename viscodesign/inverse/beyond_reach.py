@@ -8,6 +8,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.inverse.arc_rod import ArcRod
 from viscodesign.inverse.free_choice import FreeChoice
 from viscodesign.inverse.wanted_path import WantedPath
+from viscodesign.scene.far_places import far_words
 from viscodesign.scene.scene import Scene
 
 SLACK = 0.02
@@ -22,8 +23,10 @@ def beyond_reach(
     The highest pressure is that of the limits, or of the input where its numbers are not free;
     with other numbers of the body free, nothing is said.
     """
-    has_free_pressure = any(key.startswith(("input", "gauge")) for key in choice.keys)
     has_free_body = any(key.startswith(("actuator", "bellows", "loads")) for key in choice.keys)
+    if not has_free_body and (words := far_words(wanted.points, scene.actuator.length)):
+        return f"out of reach: {words}"
+    has_free_pressure = any(key.startswith(("input", "gauge")) for key in choice.keys)
     if has_free_body or (has_free_pressure and choice.harmonics is None):
         return None
     if choice.harmonics is not None:

@@ -88,7 +88,7 @@ def wanted_path(read: ReadTarget) -> WantedPath:
     spec = read.spec.target
     try:
         values = _values(spec, read.folder)
-        _check(values)
+        _check(values, "file" if spec.rows is None else "rows")
         return _path(spec, values)
     except PydanticCustomError as error:
         file, line = read.document.place(("target",))
@@ -154,10 +154,10 @@ def _time_faults(times: np.ndarray) -> Iterator[tuple[int, str]]:
         yield int(k), f"times must increase; got {times[k]:g} s after {times[k - 1]:g} s"
 
 
-def _check(values: np.ndarray) -> None:
+def _check(values: np.ndarray, key: str) -> None:
     if len(values) < 2 or not np.ptp(values[:, 1:], axis=0).max(initial=0.0) > 0.0:
         raise invalid_at(
-            "rows" if len(values) < 2 else "file",
+            key,
             "the target is one point; give a path of at least two, or use 'viscodesign reach "
             '--at "X, Z"\' for a point',
         )

@@ -96,3 +96,14 @@ def test_files_that_are_none(tmp_path: Path) -> None:
         read_recording(tmp_path / "none.csv", small_scene())
     with pytest.raises(SpecError, match="has 3 rows; a fit needs 10"):
         read_recording(file(tmp_path / "short.csv", body=rows(3)), small_scene())
+
+
+def test_millimetres_that_are_called_metres_are_refused(tmp_path: Path) -> None:
+    body = [f"{k / 10},{100 * k},{k},{28 + 0.1 * k}" for k in range(12)]
+    with pytest.raises(
+        SpecError, match=r"m1_x_m, m1_z_m: .* times the actuator's length"
+    ) as caught:
+        read_recording(file(tmp_path / "a.csv", body=body), small_scene())
+    assert len(caught.value.faults) == 1
+    header = HEADER.replace("_x_m", "_x_mm").replace("_z_m", "_z_mm")
+    assert read_recording(file(tmp_path / "b.csv", header, body), small_scene()).channels

@@ -115,6 +115,7 @@ LOOP = {"rows": [[0.0, 0.029], [0.001, 0.03], [-0.001, 0.03], [0.0, 0.029]]}
             r"one of 2 such keys.*write network.tubes\[\*\].length for",
         ),
         (PULSE, {"rows": [[0.0, 0.029]]}, "one point"),
+        (PULSE, {"rows": [[0.0, 0.029]] * 3}, "target.rows: the target is one point"),
         (PULSE, {"rows": [[0, 0, 0.029], [0, 0, 0.03]]}, "times must increase"),
         (PULSE, {"rows": [[0, float("nan")], [0, 0.03]]}, "finite number"),
         (PULSE, {"rows": [[0, 0.029], [0, 0.03]], "timing": "given"}, "needs a column of times"),

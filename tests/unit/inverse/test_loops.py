@@ -76,6 +76,16 @@ def test_a_path_beyond_the_longest_rod_is_refused_by_how_much(tmp_path: Path) ->
     assert beyond == pytest.approx(1e3 * (np.hypot(0.001, 0.034) - longest), rel=0.02)
 
 
+def test_a_path_in_millimetres_is_refused_at_once(tmp_path: Path) -> None:
+    """Whatever is free of the input."""
+    rows = [[0.0, 28.0], [1.0, 28.5], [-1.0, 28.5]]
+    target = {"rows": rows, "closed": False}
+    found = design(task(tmp_path, {"input.drop": ["10 kPa", "60 kPa"]}, target))
+    assert found.status == "refused"
+    assert "1.05e+03 times the actuator's length of 27.25 mm; are these metres?" in found.reason
+    assert found.evaluations == 0
+
+
 def test_the_chain_that_made_a_path_is_found(tmp_path: Path) -> None:
     wanted = small(network__tubes=[
         {"from": a, "to": b} for a, b in itertools.pairwise(["inlet", "L2", "R1", "R2", "L1"])
