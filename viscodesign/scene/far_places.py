@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-MOST_LENGTHS = 3.0
+MOST_LENGTHS = 10.0
 """Distance from the clamp, in lengths of the actuator, that none of them reaches: elastomers of
 bellows stretch by some ten percent."""
 
