@@ -201,6 +201,14 @@ def _section(kind: str, records: list[dict[str, Any]]) -> list[str]:
         "",
         f"CPU time of a fit: median {np.median(cpu):.1f} s, longest {cpu.max():.1f} s.",
     ]
+    lost = [record for record in records if record["inside"] < len(KEYS) / 2]
+    if lost:
+        others = 100 * (inside - sum(r["inside"] for r in lost)) / (count - len(lost) * len(KEYS))
+        named = ", ".join(str(record["trial"]) for record in lost)
+        text.append(
+            f"Fits that hold fewer than half of their numbers: {len(lost)} (trials {named}); of the "
+            f"others' intervals {others:.1f} % hold the truth."
+        )
     if kind == "late":
         apart = np.array([record["clock_s"] for record in records]) - LATE_S
         text.append(

@@ -62,13 +62,17 @@ class Search:
     def descend(
         self, misfit: Misfit, start: np.ndarray, *, robust: bool = False
     ) -> tuple[np.ndarray, FitStatus]:
-        """The least squares near a start."""
+        """The least squares near a start.
+
+        The robust one keeps the signs of the spec: from far off, numbers of the other sign are a
+        second optimum, from which no sample brings it back.
+        """
         limits = SearchLimits(
             stop=self.stop, tell=self._tell, evaluations=MAX_EVALUATIONS, converged=CONVERGED
         )
         found = least_squares(
             misfit,
-            ranges_of(misfit.models, misfit.unknowns),
+            ranges_of(misfit.models, misfit.unknowns, keeps_signs=robust),
             [start],
             limits=limits,
             loss="soft_l1" if robust else "linear",

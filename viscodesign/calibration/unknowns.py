@@ -63,8 +63,13 @@ def _is_log(number: FreeNumber) -> bool:
     return number.value > 0.0 and number.bounds.low >= 0.0
 
 
-def ranges_of(models: Sequence[RunModel], unknowns: Sequence[Unknown]) -> NumberRanges:
-    """Where every unknown is sought, within what a spec allows."""
+def ranges_of(
+    models: Sequence[RunModel], unknowns: Sequence[Unknown], *, keeps_signs: bool = False
+) -> NumberRanges:
+    """Where every unknown is sought, within what a spec allows.
+
+    ``keeps_signs``: the scene's own numbers with the signs that the spec has.
+    """
     bounds: dict[tuple[int | None, str], FreeNumber] = {}
     for run, model in enumerate(models):
         keys = FreeKeys(model.drive.scene, model.function.names)
@@ -72,8 +77,17 @@ def ranges_of(models: Sequence[RunModel], unknowns: Sequence[Unknown]) -> Number
             bounds[run, own.name] = own
             bounds.setdefault((None, own.name), own)
     ends = [_ends(own, bounds.get((own.run, own.name)), models) for own in unknowns]
+    if keeps_signs:
+        ends = [_with_sign(own, *pair) for own, pair in zip(unknowns, ends, strict=True)]
     low, high = np.array(ends).T
     return NumberRanges.of(low, high)
+
+
+def _with_sign(unknown: Unknown, low: float, high: float) -> tuple[float, float]:
+    if unknown.run is not None or unknown.is_log:
+        return low, high
+    least = unknown.start / FREE_RATIO
+    return (max(low, least), high) if least > 0.0 else (low, min(high, least))
 
 
 def _ends(

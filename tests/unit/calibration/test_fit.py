@@ -11,7 +11,12 @@ import pytest
 
 from tests.recordings import columns_of, small_scene, written
 from viscodesign import fit, load
+from viscodesign.calibration.driving import driven
+from viscodesign.calibration.recording import read_recording
+from viscodesign.calibration.run_model import RunModel, Solving
+from viscodesign.calibration.unknowns import ranges_of, run_unknowns, scene_unknowns
 from viscodesign.cli.texts.fit_text import untold
+from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.errors import SpecError
 from viscodesign.results.fit_result import Fit
 from viscodesign.scene.scene import Scene
@@ -85,6 +90,32 @@ def test_with_little_noise_the_truth_is_found(scene: Scene, tmp_path: Path) -> N
     for number in found.numbers:
         assert number.value == pytest.approx(TRUTH[number.key], rel=6e-3)
     assert found.runs[0].noise[-1] == pytest.approx(2e-4 / np.sqrt(24), rel=0.1)
+
+
+ANGLE = "bellows.angle_per_pressure"
+
+
+def test_a_robust_search_keeps_signs_and_what_follows_may_change_them(
+    scene: Scene, tmp_path: Path
+) -> None:
+    """Of the other sign there may be a second optimum, which is no reason to rule it out."""
+    own = FreeKeys(scene, [ANGLE]).values[0]
+    turned = scene.replace({ANGLE: -own})
+    data = written(columns_of(turned, {ANGLE: -0.9 * own}), tmp_path / "turned.csv")
+    assert fit(scene, data, [ANGLE]).numbers[0].value == pytest.approx(-0.9 * own, rel=0.05)
+
+
+def test_only_the_scenes_own_numbers_that_may_be_negative_keep_their_signs(
+    scene: Scene, tmp_path: Path
+) -> None:
+    keys = [ANGLE, "fluid.viscosity"]
+    recording = read_recording(written(columns_of(scene, TRUTH), tmp_path / "a.csv"), scene)
+    model = RunModel(recording, driven(scene, recording), keys, Solving(), clock_is_free=True)
+    unknowns = [*scene_unknowns(scene, keys), *run_unknowns(model, 0)]
+    plain, signed = (ranges_of([model], unknowns, keeps_signs=own) for own in (False, True))
+    assert plain.low[0] < 0 < signed.low[0]
+    assert signed.high[0] == plain.high[0]
+    assert signed.low[1:] == pytest.approx(plain.low[1:])
 
 
 def test_gross_and_missing_samples_are_left_out(scene: Scene, tmp_path: Path) -> None:
