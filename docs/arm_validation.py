@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from scipy.optimize import least_squares
+from fitted import fitted
 
 from viscodesign import Scene, load, simulate
 
@@ -57,7 +57,7 @@ def arm_rows(folder: Path) -> tuple[list[tuple[str, ...]], float]:
         found = [predicted(scene, float(unknown[0]), own) - measured[own] for own in FITTED]
         return 1e3 * np.array(found)
 
-    angle = float(least_squares(left, [1.0], diff_step=1e-3).x[0])
+    angle = float(fitted(left, [1.0], [0.3], [8.0])[0])
     rows = []
     for own, moved in measured.items():
         model = predicted(scene, angle, own)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from fitted import fitted
 from measured_swing import Swing
-from scipy.optimize import least_squares
 
 from viscodesign import Scene, Trajectory, compile, load, simulate
 from viscodesign.scene.reading.markers_file import MarkersFile, read_markers
@@ -88,10 +88,9 @@ def _fitted(label: str, scene: Scene, shear: str, measured: Swing) -> FittedMode
         swing = Swing(np.asarray(function.times), tip)
         return 1e3 * measured.distances(swing, 1e-2 * unknowns[2]).ravel()
 
-    found = least_squares(left, np.zeros(3), diff_step=1e-4)
-    modulus, damping = start * np.exp(found.x[:2])
-    fitted = scene.replace({"effects.shear": shear, KEYS[0]: modulus, KEYS[1]: damping})
-    return FittedModel(label, fitted, float(modulus), float(damping))
+    modulus, damping = start * np.exp(fitted(left, np.zeros(3), [-1, -2, -3], [1, 2, 3])[:2])
+    own = scene.replace({"effects.shear": shear, KEYS[0]: modulus, KEYS[1]: damping})
+    return FittedModel(label, own, float(modulus), float(damping))
 
 
 def predicted(model: FittedModel, name: str, measured: Swing) -> BeamRun:
@@ -146,6 +145,30 @@ def creep_rows(measured: Mapping[str, Swing]) -> list[tuple[str, ...]]:
     return rows
 
 
+def rest_rows(measured: Mapping[str, Swing]) -> list[tuple[str, ...]]:
+    """The modulus by which the beam without shear rests where each recording does."""
+    scene = load(SPECS / "beam.yaml").replace(
+        {"effects.shear": "off", "run.start": "equilibrium", "run.duration": 0.01}
+    )
+    rows = []
+    for name, own in measured.items():
+        loaded = scene.replace({"loads.payload": PAYLOADS[name]})
+        modulus = 1e3 * _rest_modulus(loaded, own.static)
+        rows.append((f"`{name}`", f"{1e3 * own.static:.2f} mm", f"{1e-3 * modulus:.1f} kPa"))
+    return rows
+
+
+def _rest_modulus(scene: Scene, static: float) -> float:
+    """[kPa] By which the tip rests so far down [m]."""
+
+    def left(unknown: np.ndarray) -> np.ndarray:
+        run = simulate(scene.replace({KEYS[0]: 1e3 * float(unknown[0])}), verify=False)
+        return 1e3 * (run.tip[-1:, 0] - static)
+
+    return float(fitted(left, [260.0], [200.0], [340.0])[0])
+
+
+REST_HEAD = ("recording", "place of rest", "modulus that has it")
 CREEP_HEAD = ("recording", "from", "middle of the next two swings", "place of rest", "sinks by")
 
 

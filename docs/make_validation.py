@@ -19,6 +19,7 @@ from beam_validation import (  # noqa: E402
     CREEP_HEAD,
     FITTED,
     PAYLOADS,
+    REST_HEAD,
     BeamRun,
     FittedModel,
     beam_rows,
@@ -26,6 +27,7 @@ from beam_validation import (  # noqa: E402
     fitted_models,
     predicted,
     recorded_swings,
+    rest_rows,
 )
 from make_pages import blocks_of, fill, table  # noqa: E402
 from paper_validation import (  # noqa: E402
@@ -71,6 +73,7 @@ def beam_blocks(folder: Path) -> dict[str, str]:
     return {
         "beam_numbers": table(NUMBERS_HEAD, [_numbers(model) for model in models]),
         "beam": table(BEAM_HEAD, beam_rows(runs)),
+        "beam_rest": table(REST_HEAD, rest_rows(measured)),
         "beam_creep": table(CREEP_HEAD, creep_rows(measured)),
         "beam_targets": table(TARGETS_HEAD, [_targets(model, runs) for model in models]),
     }

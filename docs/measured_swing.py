@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import least_squares
+from fitted import fitted
 
 REST_FROM = 3.0
 """Time from which a beam is at rest [s]."""
@@ -66,8 +66,10 @@ class Swing:
             wave = cosine * np.cos(phase) + sine * np.sin(phase)
             return np.asarray(middle + np.exp(-decay * time / period) * wave - x / size)
 
-        start = np.array([x.mean() / size, 0.7, 0.7, 1.0, self.decrement])
-        return float(least_squares(left, start).x[0]) * size
+        middle = x.mean() / size
+        start = np.array([middle, 0.7, 0.7, 1.0, self.decrement])
+        low, high = [middle - 1, -3, -3, 0.8, -1], [middle + 1, 3, 3, 1.25, 3]
+        return float(fitted(left, start, low, high)[0]) * size
 
     def _crossings(self) -> np.ndarray:
         off = self.tip[:, 0] - self.static
