@@ -206,8 +206,8 @@ def _section(kind: str, records: list[dict[str, Any]]) -> list[str]:
         others = 100 * (inside - sum(r["inside"] for r in lost)) / (count - len(lost) * len(KEYS))
         named = ", ".join(str(record["trial"]) for record in lost)
         text.append(
-            f"Fits that hold fewer than half of their numbers: {len(lost)} (trials {named}); of the "
-            f"others' intervals {others:.1f} % hold the truth."
+            f"Fits that hold fewer than half of their numbers: {len(lost)} (trials {named}); "
+            f"of the others' intervals {others:.1f} % hold the truth."
         )
     if kind == "late":
         apart = np.array([record["clock_s"] for record in records]) - LATE_S
