@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
 from viscodesign.scene.inputs.base import Input, PiecewiseLinear
 from viscodesign.scene.inputs.table import TableInput
+from viscodesign.scene.several import SameInput
 
 
 def later_input(source: Input, delay: float, duration: float) -> Input | None:
@@ -24,6 +28,21 @@ def later_input(source: Input, delay: float, duration: float) -> Input | None:
         rows = _later_cycle(source, delay % source.period)
     table = {"kind": "table", "rows": rows, "repeat": source.period is not None}
     return TableInput.model_validate({**table, "transient_time": source.transient_time})
+
+
+def own_inputs(inputs: Mapping[str, Any], duration: float) -> dict[str, Input]:
+    """Inputs with values of their own, for a run of this duration [s].
+
+    Without those of kinds that cannot be later.
+    """
+    found: dict[str, Input] = {}
+    for name, given in inputs.items():
+        own: Input | None = given if isinstance(given, Input) else None
+        if isinstance(given, SameInput):
+            own = later_input(inputs[given.source], given.delay, duration)
+        if own is not None:
+            found[name] = own
+    return found
 
 
 def _later_lines(source: PiecewiseLinear, delay: float, duration: float) -> list[list[float]]:

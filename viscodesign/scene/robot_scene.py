@@ -21,6 +21,7 @@ from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
 from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.later_input import own_inputs
 from viscodesign.scene.robot import Robot
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.scene import (
@@ -32,12 +33,12 @@ from viscodesign.scene.scene import (
 )
 from viscodesign.scene.several import (
     ActuatorDesign,
-    LaterInput,
     OwnOrSameInput,
     SameInput,
     same_input_faults,
     unlike,
 )
+from viscodesign.scene.several_faults import later_faults
 from viscodesign.scene.spec_part import (
     KeyFault,
     KeyPath,
@@ -118,7 +119,9 @@ class RobotScene(SpecPart):
     def _faults(self) -> Iterator[KeyFault]:
         if not self.inputs:
             yield KeyFault(("inputs",), "empty; the legs need at least one source")
-        yield from same_input_faults(self.inputs)
+        unknown = list(same_input_faults(self.inputs))
+        yield from unknown or later_faults(self.inputs, self.sources)
+        yield from self._run_faults()
         yield from self._pressure_faults()
         yield from self._unsupported()
         try:
@@ -128,6 +131,18 @@ class RobotScene(SpecPart):
             return
         yield from self._design_faults(designs)
         yield from self._leg_faults(designs)
+
+    def _run_faults(self) -> Iterator[KeyFault]:
+        if self.run.start != "equilibrium":
+            yield KeyFault(
+                ("run", "start"),
+                f"'{self.run.start}', but a robot stands at the start, or falls from "
+                "robot.hip_height; remove it",
+            )
+        if self.run.output_times is not None:
+            yield KeyFault(
+                ("run", "output_times"), "a gait is written by steps; give run.output_interval"
+            )
 
     def _pressure_faults(self) -> Iterator[KeyFault]:
         for name, given in self.inputs.items():
@@ -214,35 +229,24 @@ class RobotScene(SpecPart):
 
     def single_scene(self, actuator: str, source: str) -> Scene:
         """An actuator by itself with one of the sources, hanging, named after both of them."""
-        given = self.inputs[source]
-        own = self.inputs[given.source] if isinstance(given, SameInput) else given
+        own = {"input": self.sources[source], "run": self.run}
         return self.leg_scene(actuator).model_copy(
-            update={"name": f"{self.name}.{actuator}", "input": own, "run": self.run}
+            update={"name": f"{self.name}.{actuator}", **own}
         )
 
     @cached_property
-    def sources(self) -> Mapping[str, Input | LaterInput]:
+    def sources(self) -> Mapping[str, Input]:
         """What feeds the legs, by name."""
-        return {
-            name: LaterInput(self.inputs[given.source], given.delay)
-            if isinstance(given, SameInput)
-            else given
-            for name, given in self.inputs.items()
-        }
+        return own_inputs(self.inputs, self.run.duration)
 
     @property
     def period(self) -> float | None:
         """Time after which all sources repeat together [s]; None where they do not."""
-        return common_period(self._own_inputs().values())
+        return common_period(self.sources.values())
 
     def no_period(self) -> str:
         """Why the sources have no period in common; empty where they have one."""
-        return no_period(self._own_inputs())
-
-    def _own_inputs(self) -> dict[str, Input]:
-        return {
-            name: given for name, given in self.inputs.items() if not isinstance(given, SameInput)
-        }
+        return no_period(self.sources)
 
     @cached_property
     def fluid(self) -> FluidProperties:

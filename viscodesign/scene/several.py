@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any
 
-import numpy as np
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
 from viscodesign.errors import did_you_mean
 from viscodesign.scene.actuator import Actuator
 from viscodesign.scene.bellows import Bellows
 from viscodesign.scene.input import AnyInput
-from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import Network
 from viscodesign.scene.sections import SectionChange
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, raise_faults
@@ -98,30 +96,6 @@ OwnOrSameInput: Any = Annotated[
     Annotated[AnyInput, Tag(OWN)] | Annotated[SameInput, Tag(SAME)], Discriminator(_form)
 ]
 """An input, or `{as: A, delay: ...}`."""
-
-
-class LaterInput:
-    """The values of an input, by a delay later."""
-
-    def __init__(self, source: Input, delay: float) -> None:
-        """``delay`` [s]"""
-        self.source, self.delay = source, delay
-
-    @property
-    def period(self) -> float | None:
-        """Of its source [s]."""
-        return self.source.period
-
-    def values(self, t: np.ndarray) -> np.ndarray:
-        """Values at times (n,); before its source begins, those of an earlier period."""
-        times = np.asarray(t, dtype=float) - self.delay
-        if self.period is not None:
-            return self.source.values(np.where(times < 0, times % self.period, times))
-        return self.source.values(np.maximum(times, 0.0))
-
-    def extremes(self, duration: float) -> tuple[float, float]:
-        """Minimum and maximum over a run of this duration."""
-        return self.source.extremes(duration)
 
 
 def same_input_faults(inputs: Mapping[str, Any]) -> list[KeyFault]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection, Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from viscodesign.errors import did_you_mean
 from viscodesign.scene.bellows import snaps
 from viscodesign.scene.fed_actuator import by_inlet, inherited
+from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import TubeEntry
 from viscodesign.scene.several import SameInput, unlike
 from viscodesign.scene.spec_part import KeyFault
@@ -54,11 +55,11 @@ def source_faults(scene: SeveralScene) -> Iterator[KeyFault]:
                 yield KeyFault((*place, *below), message)
 
 
-def later_faults(scene: SeveralScene) -> Iterator[KeyFault]:
-    """Inputs of kinds that cannot be later."""
-    for name, given in scene.inputs.items():
-        if isinstance(given, SameInput) and name not in scene.sources:
-            kind = scene.inputs[given.source].name
+def later_faults(inputs: Mapping[str, Any], sources: Mapping[str, Input]) -> Iterator[KeyFault]:
+    """Inputs of kinds that cannot be later: ``sources`` has none of them."""
+    for name, given in inputs.items():
+        if isinstance(given, SameInput) and name not in sources:
+            kind = inputs[given.source].name
             yield KeyFault(
                 ("inputs", name, "delay"),
                 f"'{given.source}' is of the kind {kind}, which cannot be delayed; give '{name}' "

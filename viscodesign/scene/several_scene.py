@@ -23,7 +23,7 @@ from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fed_actuator import INLET, FedActuator, by_inlet, inherited
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.inputs.base import Input
-from viscodesign.scene.later_input import later_input
+from viscodesign.scene.later_input import own_inputs
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import TubeEntry
 from viscodesign.scene.run import RunSettings
@@ -34,7 +34,7 @@ from viscodesign.scene.scene import (
     Provenance,
     Scene,
 )
-from viscodesign.scene.several import OwnOrSameInput, SameInput, same_input_faults, unlike
+from viscodesign.scene.several import OwnOrSameInput, same_input_faults, unlike
 from viscodesign.scene.several_faults import (
     later_faults,
     plunger_faults,
@@ -139,7 +139,9 @@ class SeveralScene(SpecPart):
         except PydanticCustomError as error:
             yield from (f._replace(path=("actuators", *f.path)) for f in faults_of(error))
             return
-        found = list(same_input_faults(self.inputs)) or list(later_faults(self))
+        found = list(same_input_faults(self.inputs)) or list(
+            later_faults(self.inputs, self.sources)
+        )
         found += source_faults(self)
         yield from found
         if not found:
@@ -177,14 +179,7 @@ class SeveralScene(SpecPart):
     @cached_property
     def sources(self) -> Mapping[str, Input]:
         """The inputs by name, each with values of its own."""
-        found: dict[str, Input] = {}
-        for name, given in self.inputs.items():
-            own: Input | None = given if isinstance(given, Input) else None
-            if isinstance(given, SameInput):
-                own = later_input(self.inputs[given.source], given.delay, self.run.duration)
-            if own is not None:
-                found[name] = own
-        return found
+        return own_inputs(self.inputs, self.run.duration)
 
     def sources_of(self, actuator: str) -> Mapping[str, str]:
         """The input that feeds each inlet of an actuator."""

@@ -57,6 +57,8 @@ FAULTS = [
     ("      entrance_loss", "      tube_wall: {youngs_modulus: 10 MPa, thickness: 1 mm}\n      entrance_loss", "actuators.leg.network.tube_wall: a robot's legs have equal sections"),
     ("    network:\n", "    sections: {1-2: {}}\n    network:\n", "actuators.leg.sections: a robot's legs have equal sections"),
     ("      count: 16", "      curve: {rows: [[-1, -1e-6, 0, 0], [1, 1e-6, 0, 0]]}\n      count: 16", "actuators.leg.bellows.curve: a robot's legs have equal sections"),
+    ("output_interval: 20 ms", "start: rest", "run.start: 'rest', but a robot stands at the start"),
+    ("output_interval: 20 ms", "output_times: [0, 1]", "run.output_times: a gait is written by steps"),
     ("accuracy: 1 %", "effects: off", "effects: the equations of a robot's legs are fixed"),
 ]  # fmt: skip
 
