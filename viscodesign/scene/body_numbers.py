@@ -52,5 +52,11 @@ def section_stiffnesses(body: Body) -> tuple[Numbers, Numbers]:
     if body.varied is None:
         return body.bending_stiffness, body.extension_stiffness
     both = body.varied.bending_stiffness, body.varied.extension_stiffness
-    bending, extension = (np.where(np.isinf(own), 0.0, own) for own in both)
+    bending, extension = (_unblocked(own) for own in both)
     return bending, extension
+
+
+def _unblocked(stiffness: Numbers) -> Numbers:
+    if not isinstance(stiffness, np.ndarray):
+        return stiffness
+    return np.where(np.isinf(stiffness), 0.0, stiffness)

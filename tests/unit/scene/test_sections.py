@@ -91,6 +91,15 @@ def test_a_stiff_layer_makes_the_actuator_quicker_and_its_turns_fewer() -> None:
     assert layered.largest_turn == plain.largest_turn
 
 
+@pytest.mark.parametrize(
+    "keys", ["density: 1200", "height: 29 mm", "damping_time: 2 ms", "shear_factor: 0.4"]
+)
+def test_each_kind_of_number_may_differ_alone(keys: str) -> None:
+    every = "effects={feedback: on, shear: on, rotary_inertia: on, inertia: on, damping: on}"
+    found = check(leg(f"sections={{1: {{{keys}}}}}", every))
+    assert {v.name for v in found.effects if v.taken} >= {"feedback", "shear", "damping"}
+
+
 def test_the_estimate_knows_what_each_bellow_does() -> None:
     still = "bellows.changes={1-8: {angle_per_pressure: 0, extension_per_pressure: 0}}"
     one = still.replace("1-8", "L1-L8")
