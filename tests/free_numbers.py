@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from viscodesign.compiled.free_keys import candidates
+from viscodesign.compiled.problem_trace import FrozenParts
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
 from viscodesign.effects.base import Effect
 from viscodesign.effects.select import Selection, select_effects
@@ -20,7 +21,6 @@ from viscodesign.simulation.build_problem import (
     Settings,
     assemble,
     pieces_between,
-    resolvable_body,
     sizes_of,
     stops_of,
     suggest_settings,
@@ -75,7 +75,8 @@ class Case:
         """The numbers of a scene by the code that builds problems, without its formulas."""
         quantities = SceneQuantities(scene)
         rod = Chain(quantities.body, self.settings.edges_per_section)
-        body = resolvable_body(quantities)
+        frozen = FrozenParts.of(self.quantities, [], self.settings)
+        body = frozen.body_of(quantities)
         system = assemble(quantities, self.effects(quantities), rod, body)
         settle(system, sizes_of(quantities))
         stops = stops_of(scene)

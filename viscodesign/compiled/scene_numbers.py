@@ -29,7 +29,7 @@ class SceneNumbers:
     any values that `check` accepts, the results are those of a problem that `build` makes of the
     scene with these values, except for what is frozen on purpose: effects and mesh, the sizes by
     which unknowns are scaled (parameters ``size.*``), which tubes count as wide, output times, and
-    a stiffness along the axis that the scene's accuracy cannot tell from infinite.
+    stiffnesses that the scene's accuracy cannot tell from infinite.
 
     `at` gives the numbers, `jacobian_at` their exact derivatives. Corners move with the numbers of
     an input. Where one passes another, the start or the end of the run, or where anything else is

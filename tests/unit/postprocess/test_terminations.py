@@ -27,6 +27,7 @@ def problem(floor: float | None = None) -> Any:
         equations=equations,
         rod=rod,
         bellows=("R1", "L1"),
+        places=np.array([0, 1]),
         floor_volume=floor,
         drawing=None,
         remedies={},
