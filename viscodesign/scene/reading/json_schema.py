@@ -6,8 +6,11 @@ from typing import Any
 
 from viscodesign.scene.effects_choice import OTHERS
 from viscodesign.scene.fluid import named_fluids
-from viscodesign.scene.reading.read import IGNORED_PREFIX, KnownEffects
+from viscodesign.scene.reading.read import IGNORED_PREFIX, ROBOT_KEY, KnownEffects
+from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.several_scene import SeveralScene
+from viscodesign.scene.spec_part import SpecPart
 from viscodesign.scene.uncertainty import NONE, TYPICAL
 
 _ON = ["on", "yes", True]
@@ -20,24 +23,80 @@ _BOUNDS = {
 }
 
 
-def spec_schema(known: KnownEffects) -> dict[str, Any]:
+Node = dict[str, Any]
+EFFECTS = "effects"
+SCENES: dict[str, type[SpecPart]] = {
+    "Scene": Scene,
+    "RobotScene": RobotScene,
+    "SeveralScene": SeveralScene,
+}
+"""What a spec may be of, by the name of its definition."""
+
+
+def spec_schema(known: KnownEffects) -> Node:
     """The schema, draft 2020-12, including the words that replace a mapping, such as `on`."""
-    schema = Scene.model_json_schema(by_alias=True)
-    definitions, properties = schema["$defs"], schema["properties"]
-    properties["fluid"] = {
+    found = {name: model.model_json_schema(by_alias=True) for name, model in SCENES.items()}
+    definitions: Node = {}
+    for name, schema in found.items():
+        definitions |= schema.pop("$defs")
+        definitions[name] = _with_words(schema, known)
+    definitions["Scene"]["oneOf"] = [{"required": ["input"]}, {"required": ["inputs"]}]
+    for replaced in ("EffectsChoice", "Uncertainty"):
+        definitions.pop(replaced, None)
+    gravity = definitions["Loads"]["properties"]["gravity"]
+    gravity["anyOf"] = [{"enum": [*_ON, *_OFF, None]}, {"$ref": "#/$defs/GravityLoad"}]
+    _move_bounds(definitions)
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "viscodesign spec",
+        "type": "object",
+        **_chosen([(ROBOT_KEY, "RobotScene"), ("actuators", "SeveralScene")], "Scene"),
+        "$defs": definitions,
+    }
+
+
+def _chosen(by_key: list[tuple[str, str]], otherwise: str) -> Node:
+    """The definition of the first key that a spec has, or another one."""
+    if not by_key:
+        return {"$ref": f"#/$defs/{otherwise}"}
+    (key, name), *others = by_key
+    return {
+        "if": {"required": [key]},
+        "then": {"$ref": f"#/$defs/{name}"},
+        "else": _chosen(others, otherwise),
+    }
+
+
+def _with_words(schema: Node, known: KnownEffects) -> Node:
+    """The schema of a scene with the words and names that its keys take besides mappings."""
+    properties = schema["properties"]
+    properties["fluid"] = _fluid()
+    properties[EFFECTS] = _effects(known)
+    if "uncertainty" in properties:
+        properties["uncertainty"] = _uncertainty(properties["uncertainty"]["description"])
+    schema["patternProperties"] = {f"^{IGNORED_PREFIX}": {}}
+    return {key: value for key, value in schema.items() if key != "title"}
+
+
+def _fluid() -> Node:
+    kinds = named_fluids().items()
+    return {
         "anyOf": [
-            {"enum": [name for name, kind in named_fluids().items() if not kind.graded_like]},
+            {"enum": [name for name, kind in kinds if not kind.graded_like]},
             *(
                 {"type": "string", "pattern": kind.pattern()}
-                for kind in named_fluids().values()
+                for _, kind in kinds
                 if kind.graded_like
             ),
             {"$ref": "#/$defs/Fluid"},
         ],
         "description": "A named fluid, or a mapping of properties",
     }
+
+
+def _effects(known: KnownEffects) -> Node:
     mode = {"enum": ["auto", *_ON, *_OFF]}
-    properties["effects"] = {
+    return {
         "anyOf": [
             mode,
             {
@@ -51,9 +110,11 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
         ],
         "description": "auto, or effect: auto | on | off",
     }
-    definitions.pop("EffectsChoice", None)
+
+
+def _uncertainty(description: str) -> Node:
     end = {"anyOf": [{"type": "string"}, {"type": "number"}]}
-    properties["uncertainty"] = {
+    return {
         "anyOf": [
             {"const": TYPICAL},
             {
@@ -68,18 +129,7 @@ def spec_schema(known: KnownEffects) -> dict[str, Any]:
                 },
             },
         ],
-        "description": properties["uncertainty"]["description"],
-    }
-    definitions.pop("Uncertainty", None)
-    gravity = definitions["Loads"]["properties"]["gravity"]
-    gravity["anyOf"] = [{"enum": [*_ON, *_OFF, None]}, {"$ref": "#/$defs/GravityLoad"}]
-    schema["oneOf"] = [{"required": ["input"]}, {"required": ["inputs"]}]
-    schema["patternProperties"] = {f"^{IGNORED_PREFIX}": {}}
-    _move_bounds(schema)
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "viscodesign spec",
-        **{key: value for key, value in schema.items() if key != "title"},
+        "description": description,
     }
 
 
