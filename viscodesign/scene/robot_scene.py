@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any, Literal
 
 from pydantic import (
     Field,
     PrivateAttr,
-    ValidationError,
     ValidationInfo,
     field_validator,
     model_validator,
 )
-from pydantic_core import PydanticCustomError
 
-from viscodesign.errors import did_you_mean
 from viscodesign.scene.common_period import common_period, no_period
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fluid import Fluid
@@ -23,6 +20,7 @@ from viscodesign.scene.fluids.base import FluidProperties
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.later_input import own_inputs
 from viscodesign.scene.robot import Robot
+from viscodesign.scene.robot_faults import robot_faults
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.scene import (
     DEFAULT_ACCURACY,
@@ -34,16 +32,10 @@ from viscodesign.scene.scene import (
 from viscodesign.scene.several import (
     ActuatorDesign,
     OwnOrSameInput,
-    SameInput,
-    same_input_faults,
     unlike,
 )
-from viscodesign.scene.several_faults import later_faults
 from viscodesign.scene.spec_part import (
-    KeyFault,
-    KeyPath,
     SpecPart,
-    faults_of,
     invalid,
     raise_faults,
 )
@@ -113,99 +105,11 @@ class RobotScene(SpecPart):
 
     @model_validator(mode="after")
     def _cross_check(self) -> RobotScene:
-        raise_faults(self._faults())
+        raise_faults(robot_faults(self))
         return self
 
-    def _faults(self) -> Iterator[KeyFault]:
-        if not self.inputs:
-            yield KeyFault(("inputs",), "empty; the legs need at least one source")
-        unknown = list(same_input_faults(self.inputs))
-        yield from unknown or later_faults(self.inputs, self.sources)
-        yield from self._run_faults()
-        yield from self._pressure_faults()
-        yield from self._unsupported()
-        try:
-            designs = unlike(self.actuators)
-        except PydanticCustomError as error:
-            yield from (f._replace(path=("actuators", *f.path)) for f in faults_of(error))
-            return
-        yield from self._design_faults(designs)
-        yield from self._leg_faults(designs)
-
-    def _run_faults(self) -> Iterator[KeyFault]:
-        if self.run.start != "equilibrium":
-            yield KeyFault(
-                ("run", "start"),
-                f"'{self.run.start}', but a robot stands at the start, or falls from "
-                "robot.hip_height; remove it",
-            )
-        if self.run.output_times is not None:
-            yield KeyFault(
-                ("run", "output_times"), "a gait is written by steps; give run.output_interval"
-            )
-
-    def _pressure_faults(self) -> Iterator[KeyFault]:
-        for name, given in self.inputs.items():
-            if not isinstance(given, SameInput) and not given.gives_pressure:
-                yield KeyFault(
-                    ("inputs", name, "kind"),
-                    "a robot's sources give pressures; use a kind such as sine or trapezoid",
-                )
-
-    def _design_faults(self, designs: Mapping[str, ActuatorDesign]) -> Iterator[KeyFault]:
-        for name in designs:
-            if self.actuators[name].like is not None:
-                continue
-            try:
-                self._leg_scene(designs[name])
-            except ValidationError as error:
-                for detail in error.errors(include_url=False):
-                    for fault in (detail.get("ctx") or {}).get("faults", ()):
-                        yield fault._replace(path=("actuators", name, *fault.path))
-
-    def _unsupported(self) -> Iterator[KeyFault]:
-        """What the equations of a leg do not have: a leg would be computed without it."""
-        for name, own in self.actuators.items():
-            parts = {"bellows": own.bellows, "network": own.network}
-            given: list[KeyPath] = [("sections",)] if own.section_changes else []
-            given += [
-                (part, key)
-                for part, key in (
-                    ("bellows", "changes"),
-                    ("bellows", "curve"),
-                    ("network", "tube_wall"),
-                )
-                if getattr(parts[part], key, None)
-            ]
-            for path in given:
-                yield KeyFault(
-                    ("actuators", name, *path),
-                    "a robot's legs have equal sections, linear bellows and rigid tubes; remove "
-                    "it. Pillars are robot.stiff_sections",
-                )
-
-    def _leg_faults(self, designs: Mapping[str, ActuatorDesign]) -> Iterator[KeyFault]:
-        for name, leg in self.robot.legs.items():
-            place = ("robot", "legs", name)
-            for key, given, known, kind in (
-                ("actuator", leg.actuator, self.actuators, "actuator"),
-                ("source", leg.source, self.inputs, "input"),
-            ):
-                if given not in known:
-                    hint = did_you_mean(given, known)
-                    listed = ", ".join(known)
-                    yield KeyFault((*place, key), f"no such {kind}{hint}; there are {listed}")
-        for name in dict.fromkeys(leg.actuator for leg in self.robot.legs.values()):
-            bellows = designs[name].bellows if name in designs else None
-            count = 0 if bellows is None else bellows.count // 2
-            if bellows is not None and self.robot.stiff_sections[-1:] > (count - 1,):
-                yield KeyFault(
-                    ("robot", "stiff_sections"),
-                    f"actuator '{name}' has sections 1 to {count}, one of which must bend; "
-                    f"got {list(self.robot.stiff_sections)}",
-                )
-
-    def _leg_scene(self, design: ActuatorDesign) -> Scene:
+    def hanging(self, design: ActuatorDesign) -> Scene:
+        """A design by itself at the baseline pressure."""
         return Scene.model_validate(
             {
                 "name": self.name,
@@ -225,7 +129,7 @@ class RobotScene(SpecPart):
 
     def leg_scene(self, actuator: str) -> Scene:
         """An actuator by itself, hanging at the baseline pressure."""
-        return self._leg_scene(unlike(self.actuators)[actuator])
+        return self.hanging(unlike(self.actuators)[actuator])
 
     def single_scene(self, actuator: str, source: str) -> Scene:
         """An actuator by itself with one of the sources, hanging, named after both of them."""
