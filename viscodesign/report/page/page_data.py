@@ -16,6 +16,7 @@ from viscodesign.report.page.shown_rows import (
     shown_tubes,
 )
 from viscodesign.report.page.sketch_numbers import scene_of, sketch_numbers, why_not
+from viscodesign.results.coefficient_band import COVERAGE_FACTOR as ELLIPSE_FACTOR
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.disk_arrays import rows_at
@@ -61,8 +62,18 @@ def _motion(run: Trajectory, scene: Scene | None) -> dict[str, Any]:
         "arc": packed(run.arc[shown_points(run)], "f8"),
         "shape": packed_coordinates(rows_at(run.shape, kept)[:, shown_points(run)]),
         "shape_of": packed(shape_of, "f8"),
+        "band": _band(run, chosen),
         "sketch": _sketch(run, scene, chosen),
     }
+
+
+def _band(run: Trajectory, chosen: ShownRows) -> dict[str, Any] | None:
+    """Variances of the tip at the shown rows, and the factor of its ellipses, where known."""
+    band = run.uncertainty
+    if band is None:
+        return None
+    known = chosen.rows[chosen.rows < len(band.time)]
+    return {"covariance": packed(band.covariance[known]), "factor": ELLIPSE_FACTOR}
 
 
 def _notes(run: Trajectory, chosen: ShownRows, tubes: np.ndarray) -> Sequence[str]:

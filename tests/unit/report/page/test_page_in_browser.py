@@ -15,6 +15,7 @@ from tests.scenes import CONFIGS
 from tests.trajectories import VERDICTS, ablated_run, made_run, with_two_inlets
 from viscodesign import load, simulate
 from viscodesign.report.run_folder import write_run
+from viscodesign.results.coefficient_band import CoefficientBand
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Accuracy
 
@@ -307,3 +308,32 @@ def test_readable_by_screen_readers_and_by_weak_eyes(open_page: Open) -> None:
         found = axe.Axe().run(page).response["violations"]
         told = [(row["id"], [node["html"][:120] for node in row["nodes"]]) for row in found]
         assert told == [], json.dumps([scheme, told], indent=1)
+
+
+def test_the_band_of_the_coefficients_is_drawn_about_the_path(open_page: Open) -> None:
+    run = made_run()
+    variances = np.tile([4e-6, 1e-6, 1e-6], (len(run.time), 1))
+    page = open_page(replace(run, uncertainty=CoefficientBand(variances, run.time, ())))
+    ways = page.evaluate("document.querySelector('.tip-path .band').getAttribute('d')").split("Z")[
+        :-1
+    ]
+    assert 100 < len(ways) <= 200
+    corners = np.array([[float(v) for v in pair.split()] for pair in ways[0][1:].split("L")])
+    domain, places = (
+        [float(v) for v in page.get_attribute("svg.tip-path", f"data-{name}").split()]
+        for name in ("domain", "range")
+    )
+    x = np.interp(corners[:, 0], places[:2], domain[:2])
+    z = np.interp(corners[:, 1], places[2:], domain[2:])
+    expected = 1e3 * (run.tip[0, :2] + CoefficientBand(variances, run.time, ()).ellipse(0, 400))
+    for drawn_ones, wanted in ((x, expected[:, 0]), (z, expected[:, 1])):
+        assert np.ptp(drawn_ones) == pytest.approx(np.ptp(wanted), rel=0.02)
+        assert np.mean(drawn_ones) == pytest.approx(np.mean(wanted), abs=0.05)
+    assert np.corrcoef(x, z)[0, 1] == pytest.approx(
+        0.5, abs=0.02
+    )  # covariance over both deviations
+    assert page.query_selector("svg.tip-path .path") is not None
+
+
+def test_without_a_band_none_is_drawn(open_page: Open) -> None:
+    assert open_page(made_run()).query_selector(".band") is None

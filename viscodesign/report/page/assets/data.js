@@ -30,6 +30,7 @@ function readRun() {
   if (!run.time) return { ...run, count: 0 };
   const names = ["rows", "time", "tip", "inlet_pressure", "pressure", "flow", "arc", "shape", "shape_of"];
   for (const name of names) run[name] = unpacked(run[name]);
+  run.band = run.band && { ...run.band, covariance: unpacked(run.band.covariance) };
   run.count = run.time.values.length;
   run.sections = run.bellows.length / 2;
   return run;

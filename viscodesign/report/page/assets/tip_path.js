@@ -10,8 +10,31 @@ function makeTipPath(host, run) {
     "aria-label": `Path of the tip: x ${extremes(x).map((v) => shortNumber(v, 3)).join(" to ")} mm, z ${extremes(z).map((v) => shortNumber(v, 3)).join(" to ")} mm` });
   host.append(element("figcaption", {}, "path of the tip [mm] ",
     element("span", { class: "legend" }, keyOf({ colour: "currentColor" }), "computed ",
-      element("span", { id: "sketch-key", hidden: "" }, keyOf({ colour: "currentColor", dashed: true }), "sketch"))), svg);
-  return { svg, x, z, sketch: null };
+      element("span", { id: "sketch-key", hidden: "" }, keyOf({ colour: "currentColor", dashed: true }), "sketch "),
+      run.band ? "shaded: 95 % by what is known of the coefficients" : "")), svg);
+  return { svg, x, z, sketch: null, band: run.band ? ellipsesOf(run.band, x, z) : [] };
+}
+
+const ELLIPSES = 200, CORNERS = 32;
+
+// Ellipses [mm] about the tip at some of the rows, each {x, z} with its corners.
+function ellipsesOf(band, x, z) {
+  const [xx, zz, xz] = [0, 1, 2].map((k) => column(band.covariance, k)), found = [];
+  const stride = Math.max(1, Math.ceil(xx.length / ELLIPSES));
+  for (let row = 0; row < xx.length; row += stride) {
+    // A root of the covariance turns the unit circle into the ellipse.
+    const a = Math.sqrt(xx[row]), b = a > 0 ? xz[row] / a : 0, c = Math.sqrt(Math.max(zz[row] - b * b, 0));
+    const size = 1e3 * band.factor, turns = Array.from({ length: CORNERS }, (_, k) => 2 * Math.PI * k / CORNERS);
+    found.push({ x: turns.map((t) => x[row] + size * a * Math.cos(t)),
+      z: turns.map((t) => z[row] + size * (b * Math.cos(t) + c * Math.sin(t))) });
+  }
+  return found;
+}
+
+// All of them as one shape: where they overlap, it is no darker.
+function bandPath(view) {
+  const corners = (own) => own.x.map((v, k) => `${view.px(v).toFixed(1)} ${view.py(own.z[k]).toFixed(1)}`).join("L");
+  return drawn("path", { class: "band", d: view.band.map((own) => `M${corners(own)}Z`).join("") });
 }
 
 // Equal scales for both coordinates [mm], as large as the room lets them be.
@@ -37,10 +60,11 @@ function heightOf(view) {
 
 function layoutTipPath(view, width) {
   const xs = [...view.x, ...(view.sketch ? view.sketch.x : [])], zs = [...view.z, ...(view.sketch ? view.sketch.z : [])];
+  for (const own of view.band) xs.push(...own.x), zs.push(...own.z);
   const limits = scaleTip(view, width, xs, zs), { svg } = view;
   view.dot = drawn("circle", { class: "tip", r: 4.5 });
   const own = drawn("path", { class: "path", d: pathThrough(view.x.map(view.px), view.z.map(view.py)) });
-  const parts = [tipAxes(view, limits), own];
+  const parts = [tipAxes(view, limits), ...(view.band.length ? [bandPath(view)] : []), own];
   if (view.sketch) parts.push(drawn("path", { class: "path sketched", d: pathThrough(view.sketch.x.map(view.px), view.sketch.z.map(view.py)) }));
   svg.replaceChildren(...parts, view.dot);
 }
