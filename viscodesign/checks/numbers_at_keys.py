@@ -1,4 +1,4 @@
-"""Numbers of a scene by the keys of its spec, of which a part may stand for any name or number."""
+"""Numbers of a spec by its keys, of which a part may stand for any name or number."""
 
 from __future__ import annotations
 
@@ -8,21 +8,22 @@ from typing import Any
 from pydantic import BaseModel
 
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import SpecPart
 
 ANY_NAME = "*"
 INPUTS = "inputs."
 """All inputs, also the only one, whose own key is `input`."""
 
 
-def numbers_at(scene: Scene, key: str) -> Iterator[tuple[str, float]]:
+def numbers_at(spec: SpecPart, key: str) -> Iterator[tuple[str, float]]:
     """Numbers that stand at a key such as `network.changes.*.length`, each with its own key."""
-    if not key.startswith(INPUTS):
-        yield from _below(scene, key.split("."), "")
+    if not (key.startswith(INPUTS) and isinstance(spec, Scene)):
+        yield from _below(spec, key.split("."), "")
         return
     name, *parts = key.removeprefix(INPUTS).split(".")
-    for inlet, source in scene.inputs.items():
+    for inlet, source in spec.inputs.items():
         if name in (ANY_NAME, inlet):
-            own = "input" if scene.several_inputs is None else f"inputs.{inlet}"
+            own = "input" if spec.several_inputs is None else f"inputs.{inlet}"
             yield from _below(source, parts, own)
 
 

@@ -19,6 +19,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice
 from viscodesign.scene.pressure_levels import bare_levels
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import SpecPart
 
 _OTHER_UNITS: dict[float | str, str] = {"celsius": "degC", "degrees": "deg"}
 BODY = ("actuator.", "bellows.", "sections.")
@@ -47,24 +48,29 @@ def plausibility_notices(scene: Scene) -> Iterator[Notice]:
 
     A number that is warned about is left out of the comparisons with others.
     """
-    outside = {found.key: (found, value) for found, value in _outside(scene)}
-    for found, value in outside.values():
-        size = " in size" if found.either_sign else ""
-        yield Notice(
-            "implausible_value",
-            f"{written(value, found.unit)} is far {_side(found, value)} what such actuators have, "
-            f"{written(found.low, found.unit)} to {written(found.high, found.unit)}{size} "
-            f"({found.source}){_meant(found, value)}",
-            found.key,
-        )
-    if not any(key.startswith(BODY) for key in outside):
+    told = {found.key: (found, value) for found, value in _outside(scene)}
+    for found, value in told.values():
+        yield unusual(found, value)
+    if not any(key.startswith(BODY) for key in told):
         yield from slight_inputs(scene)
-    yield from (notice for notice in misfits(scene) if notice.where not in outside)
-    if not outside.keys() & {"fluid.density", "fluid.gas_constant", *_SURROUNDINGS}:
+    yield from (notice for notice in misfits(scene) if notice.where not in told)
+    if not told.keys() & {"fluid.density", "fluid.gas_constant", *_SURROUNDINGS}:
         yield from _gas_density(scene)
-    if not outside.keys() & set(_SURROUNDINGS):
+    if not told.keys() & set(_SURROUNDINGS):
         yield from _bare_levels(scene)
     yield from _outputs(scene)
+
+
+def unusual(found: PlausibleRange, value: float, whose: str = "such actuators have") -> Notice:
+    """The warning of a number outside of its range."""
+    size = " in size" if found.either_sign else ""
+    return Notice(
+        "implausible_value",
+        f"{written(value, found.unit)} is far {_side(found, value)} what {whose}, "
+        f"{written(found.low, found.unit)} to {written(found.high, found.unit)}{size} "
+        f"({found.source}){_meant(found, value)}",
+        found.key,
+    )
 
 
 def impossible_values(scene: Scene) -> Iterator[Fault]:
@@ -88,16 +94,17 @@ def _outside(scene: Scene) -> Iterator[tuple[PlausibleRange, float]]:
         if any(key.startswith(BODY) for key in found):
             break
         own = ranges(scene) if callable(ranges) else ranges
-        for one, value in _beyond(scene, with_changes(own)):
+        for one, value in outside(scene, with_changes(own)):
             found.setdefault(one.key, (one, value))
-    for one, value in _beyond(scene, input_ranges(scene)):
+    for one, value in outside(scene, input_ranges(scene)):
         found.setdefault(one.key, (one, value))
     yield from found.values()
 
 
-def _beyond(
-    scene: Scene, ranges: Iterable[PlausibleRange]
+def outside(
+    scene: SpecPart, ranges: Iterable[PlausibleRange]
 ) -> Iterator[tuple[PlausibleRange, float]]:
+    """Numbers of a spec outside of ranges, each with that of its own key."""
     for found in ranges:
         for key, value in numbers_at(scene, found.key):
             if not found.holds(value):

@@ -7,12 +7,14 @@ to either side: they catch slips of prefix, unit and exponent and judge no desig
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from viscodesign.checks.plausible_ranges import ANY, PlausibleRange
 from viscodesign.scene.scene import Scene
 
 PREFIXES = (1e-6, 1e-3, 1e-9, 1e6, 1e3, 1e9)
 """Likely factors of a slip in a coefficient."""
+LEVELS = (1e-3, 1e3, 1e-6, 1e6)
 GRAMS = (1e-3, 1e-6)
 SOLID = "a massive wall (0.2 A/E) to one as thin as a film (2e4 A/E, A the bellow's section)"
 PUSHED = "times what the pressure does that pushes on a bellow's section alone"
@@ -60,7 +62,7 @@ def _coefficients(scene: Scene) -> Iterator[PlausibleRange]:
     )
     growth = bellows.height * bellows.width / bellows.area_per_pressure
     baseline = (1e-4 * growth, 10 * growth)
-    yield _sized("gauge_pressure", "Pa", baseline, GROWN)
+    yield replace(_sized("gauge_pressure", "Pa", baseline, GROWN), slips=LEVELS)
     section, area = body.length / (bellows.count // 2), body.height * body.width
     pushed = section * bellows.height * bellows.length
     extension = pushed / (area * body.extension_factor)

@@ -61,11 +61,15 @@ def command(
 
 def _robot_result(scene: RobotScene, *, silent: bool) -> SpecResult:
     """Every design of a robot, one after the other."""
+    from viscodesign.cli.texts.check_text import full_notice_lines
     from viscodesign.robot.robot_check import check_robot
 
     found = check_robot(scene)
     head = f"{found.name}: {found.legs} legs, {found.weight_n:.4g} N"
-    lines = [head, *(line for own in found.designs.items() for line in _design_lines(*own))]
+    warnings = full_notice_lines(found.warnings)
+    of_body = ["warnings", *warnings] if warnings else []
+    designs = (line for own in found.designs.items() for line in _design_lines(*own))
+    lines = [head, *of_body, *designs]
     return SpecResult(found.document(), [] if silent else lines)
 
 

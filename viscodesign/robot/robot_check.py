@@ -7,8 +7,9 @@ from typing import Any
 from viscodesign.checks.check import Check, check
 from viscodesign.checks.classify import classify
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.results.findings import Classification
+from viscodesign.results.findings import Classification, Notice, documents
 from viscodesign.robot.build_robot import build_robot
+from viscodesign.robot.robot_ranges import robot_notices
 from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
 
@@ -21,6 +22,8 @@ class RobotCheck:
     designs: dict[str, Check]
     legs: int
     weight_n: float
+    warnings: tuple[Notice, ...] = ()
+    """Of the body, its legs and feet; each design has its own."""
 
     def document(self) -> dict[str, Any]:
         """As `check --json` prints it."""
@@ -28,6 +31,7 @@ class RobotCheck:
             "name": self.name,
             "legs": self.legs,
             "weight_n": self.weight_n,
+            "warnings": documents(self.warnings),
             "actuators": {name: found.document() for name, found in self.designs.items()},
         }
 
@@ -39,7 +43,8 @@ def check_robot(scene: RobotScene) -> RobotCheck:
     """
     model = build_robot(scene)
     designs = {name: check(single) for name, single in single_actuators(scene).items()}
-    return RobotCheck(scene.name, designs, model.count, model.weight)
+    warnings = tuple(robot_notices(scene))
+    return RobotCheck(scene.name, designs, model.count, model.weight, warnings)
 
 
 def classify_robot(scene: RobotScene) -> list[Classification]:

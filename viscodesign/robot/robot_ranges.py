@@ -1,0 +1,53 @@
+"""What the numbers of a robot are: usual ranges, as `checks.plausible_ranges` has of actuators.
+
+Bounds are our choice: they catch slips of prefix and unit and judge no design.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from viscodesign.checks.plausibility import outside, unusual
+from viscodesign.checks.plausible_ranges import ANY, KELVIN_VOIGT, PlausibleRange
+from viscodesign.results.findings import Notice
+from viscodesign.scene.robot_scene import RobotScene
+
+ROBOTS = "robots of the size of insects to ones that carry people"
+RUBBER = "polished surfaces (0.02) to soft rubber (3)"
+_LENGTH = (1e-3, 1e3, 1e-6)
+_MASS = (1e-3, 1e3)
+
+
+def _length(key: str, low: float, high: float) -> PlausibleRange:
+    """Of a place or a size of either sign, or of none."""
+    return PlausibleRange(
+        f"robot.{key}", "m", low, high, ROBOTS, _LENGTH, ANY, either_sign=True, or_none=True
+    )
+
+
+def _mass(key: str, low: float, high: float) -> PlausibleRange:
+    return PlausibleRange(f"robot.{key}", "kg", low, high, ROBOTS, _MASS, or_none=True)
+
+
+RANGES = (
+    _mass("mass", 1e-3, 300.0),
+    _mass("payload", 1e-4, 300.0),
+    _mass("foot.mass", 1e-5, 20.0),
+    _length("body_length", 5e-3, 5.0),
+    _length("hip_height", 2e-3, 5.0),
+    _length("foot.radius", 2e-4, 0.3),
+    *(_length(f"centre_of_mass.{name}", 1e-4, 2.0) for name in ("x", "y", "below_hips")),
+    *(_length(f"legs.*.{name}", 1e-3, 3.0) for name in "xy"),
+    PlausibleRange("robot.foot.friction", "", 0.02, 3.0, RUBBER, (1e-2,), or_none=True),
+    PlausibleRange(
+        "robot.damping_time", "s", 2e-6, 0.3, KELVIN_VOIGT, (1e-3, 1e-6, 1e3), or_none=True
+    ),
+    PlausibleRange("robot.pump.volume", "m^3", 1e-8, 1e-2, ROBOTS, (1e-3, 1e-6, 1e3)),
+    PlausibleRange("robot.pump.stroke_time", "s", 1e-3, 1e3, ROBOTS, (1e-3, 1e3)),
+)
+
+
+def robot_notices(scene: RobotScene) -> Iterator[Notice]:
+    """One warning for each number of the body, its legs and feet that is hardly meant."""
+    for found, value in outside(scene, RANGES):
+        yield unusual(found, value, "such robots have")
