@@ -49,5 +49,15 @@ RANGES = (
 
 def robot_notices(scene: RobotScene) -> Iterator[Notice]:
     """One warning for each number of the body, its legs and feet that is hardly meant."""
-    for found, value in outside(scene, RANGES):
+    for found, value in outside(scene, (*RANGES, _delays(scene))):
         yield unusual(found, value, "such robots have")
+
+
+def _delays(scene: RobotScene) -> PlausibleRange:
+    """Of inputs that are others, later."""
+    run = scene.run
+    least = 0.05 * min(run.output_interval, run.duration)
+    words = "from a twentieth of the time between outputs to the end of the run"
+    return PlausibleRange(
+        "inputs.*.delay", "s", least, run.duration, words, (1e-3, 1e3), ANY, or_none=True
+    )

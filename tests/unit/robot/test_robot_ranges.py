@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
-from tests.scenes import CONFIGS
+from tests.scenes import CONFIGS, ROOT
 from viscodesign import load_robot
 from viscodesign.robot.robot_ranges import RANGES, robot_notices
 
@@ -19,6 +21,8 @@ SLIPS = {
     "robot.damping_time=30 s": "did you mean 30 ms?",
     "robot.payload=500 kg": "did you mean 0.5 kg?",
     "robot.pump={volume: 100}": "did you mean",
+    "inputs.B.delay=1250": "did you mean 1.25 s?",
+    "inputs.B.delay=0.4 ms": "far below",
 }
 
 
@@ -32,3 +36,11 @@ def test_a_number_that_is_hardly_meant_is_told_once(change: str) -> None:
 def test_the_bundled_robot_is_not_warned_about() -> None:
     assert not list(robot_notices(load_robot(CONFIGS / "hexapod.yaml")))
     assert all(found.source and found.low < found.high for found in RANGES)
+
+
+def test_every_key_of_a_robot_with_a_unit_has_a_range() -> None:
+    page = (ROOT / "docs" / "keys.md").read_text()
+    keys = set(re.findall(r"^\| `(robot\.[^`]+)` \| [^|]* \| `[^`]+` \|", page, re.M))
+    refused = {f"robot.{name}" for name in ("ground.slope", "legs.LF.lean", "legs.LF.splay")}
+    assert refused < keys  # beyond 45 degrees
+    assert {key.replace(".LF.", ".*.") for key in keys - refused} <= {one.key for one in RANGES}
