@@ -20,7 +20,7 @@ from viscodesign.cli.options import (
     RunFolder,
     Spec,
 )
-from viscodesign.errors import ViscodesignError
+from viscodesign.errors import InterruptedRunError, ViscodesignError
 from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
@@ -117,8 +117,10 @@ def walked(
     return study, files, walk_lines(study, folder, files)
 
 
-def no_speed(study: WalkStudy) -> NoSpeedError | None:
+def no_speed(study: WalkStudy) -> ViscodesignError | None:
     """Why no speed is stated, as an error to be raised when the files are written."""
     if not study.refusal:
         return None
+    if study.refusal.startswith("interrupted"):
+        return InterruptedRunError(f"{study.name}: {study.refusal}; the one before is kept")
     return NoSpeedError(f"{study.name}: no speed is stated: {study.refusal}")

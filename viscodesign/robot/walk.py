@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from viscodesign.contact.friction_problem import OPEN
-from viscodesign.errors import Fault, SpecError
+from viscodesign.errors import Fault, SolveError, SpecError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.walk_study import WalkStudy
 from viscodesign.robot.build_robot import build_robot, start_pressures
@@ -20,30 +20,13 @@ from viscodesign.robot.leg_pose import BODY, FOOT
 from viscodesign.robot.march import Progress, RecordedWalk, StepPlan, march
 from viscodesign.robot.robot_model import RobotModel
 from viscodesign.robot.stance import UnstableStanceError, set_down, stance
+from viscodesign.robot.stated_speed import STEPS, refusal, relative_change
 from viscodesign.robot.time_step import RobotState
 from viscodesign.scene.reading.write import part_yaml
 from viscodesign.scene.robot_scene import RobotScene
 
 LEAST_CYCLES = 2
 """Whose advances are compared."""
-
-
-@dataclass(frozen=True)
-class StepRule:
-    """How small steps are, and when a speed is stated."""
-
-    per_cycle: int = 250
-    """Steps of a cycle at first."""
-    most_halvings: int = 4
-    largest_change: float = 0.03
-    """Of the advance per cycle, by halving the step and from cycle to cycle, for a stated speed."""
-    damping_ratio: float = 3.0
-    """Damping time over that of the steps themselves, half of a step, for a stated speed."""
-    least_advance: float = 1e-4
-    """Advance per cycle below which a robot marks time, over the length of its body."""
-
-
-STEPS = StepRule()
 
 
 def walk(
@@ -53,8 +36,9 @@ def walk(
 
     The step is halved until the advance per cycle changes by less than the scene's accuracy;
     where it still changes by 3 % or more, from step to step or from cycle to cycle, no speed is
-    stated, and the study says why. ``steps_per_cycle``: steps of a cycle at first; ``progress``
-    is told the fraction done of each solution.
+    stated, and the study says why. So it does where Ctrl-C or a failure ends a later solution.
+    ``steps_per_cycle``: steps of a cycle at first; ``progress`` is told the fraction done of each
+    solution.
 
     Raises `SpecError` for inputs without a common period and runs of less than two cycles,
     `SolveError` where the robot does not stand at the start or a step does not converge.
@@ -63,7 +47,11 @@ def walk(
     model = build_robot(scene)
     gait = _Gait(scene, model, steps_per_cycle or STEPS.per_cycle)
     levels = gait.refined(progress)
-    return _study(scene, model, levels, clock.perf_counter() - began)
+    study = _study(scene, model, levels, clock.perf_counter() - began)
+    if not gait.stopped:
+        return study
+    step = 1e3 * study.steps_s[-1]
+    return replace(study, refusal=f"{gait.stopped}, in the solution with half of {step:.3g} ms")
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,12 +75,18 @@ class _Gait:
         self.period = _period(scene)
         self.cycles = _cycles(scene, self.period)
         self.start = start_state(scene, model)
+        self.stopped = ""
+        """Why the step was not halved to the end."""
 
     def refined(self, progress: Progress | None) -> list[_Level]:
         """Solutions until halving the step hardly moves the advance."""
         levels = [self._solved(self.per_cycle, progress)]
         for k in range(1, STEPS.most_halvings + 1):
-            levels.append(self._solved(self.per_cycle << k, progress))
+            try:
+                levels.append(self._solved(self.per_cycle << k, progress))
+            except (SolveError, KeyboardInterrupt) as stop:
+                self.stopped = "interrupted" if isinstance(stop, KeyboardInterrupt) else str(stop)
+                break
             change = step_change(levels, self.scene.robot.body_length)
             is_damped = _is_resolved(self.model, levels[-1])
             if change <= self.scene.accuracy and is_damped:
@@ -123,13 +117,10 @@ class _Gait:
 
 def step_change(levels: Sequence[_Level], body_length: float) -> float:
     """Change of the advance per cycle by the last halving of the step, relative to it."""
+    if len(levels) < 2:
+        return math.nan
     before, last = levels[-2].advance, levels[-1].advance
     return relative_change(before, last, body_length)
-
-
-def relative_change(before: float, after: float, body_length: float) -> float:
-    """Of an advance, relative to it; of a robot that marks time, to the least that counts."""
-    return abs(after - before) / max(abs(after), STEPS.least_advance * body_length)
 
 
 def start_state(scene: RobotScene, model: RobotModel) -> RobotState:
@@ -221,27 +212,4 @@ def _study(
         solve_cpu_s=last.solve_cpu_s,
         total_s=total_s,
     )
-    return replace(study, refusal=_refusal(study, is_damped=_is_resolved(model, last)))
-
-
-def _refusal(study: WalkStudy, *, is_damped: bool) -> str:
-    """Why no speed is stated; empty where nothing speaks against it."""
-    found = ", ".join(f"{1e3 * advance:.4g}" for advance in study.advances_by_step_m)
-    steps = ", ".join(f"{1e3 * step:.3g}" for step in study.steps_s)
-    told = f"with steps of {steps} ms the last cycle advances by {found} mm"
-    if not is_damped:
-        return (
-            f"the steps damp the legs more than robot.damping_time does: {told}. State the "
-            "damping of the legs, on which the speed depends"
-        )
-    if study.step_halving_change >= STEPS.largest_change:
-        return (
-            f"the advance per cycle changes by {study.step_halving_change:.2g} of it when the "
-            f"step is halved: {told}. More damping (robot.damping_time) makes it converge"
-        )
-    if study.cycle_change >= STEPS.largest_change:
-        return (
-            f"the gait is not periodic yet: its last cycle differs by {study.cycle_change:.2g} "
-            "from the one before. Use a longer run.duration"
-        )
-    return ""
+    return replace(study, refusal=refusal(study, is_damped=_is_resolved(model, last)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from tests.robots import hexapod, mirrored
 from tests.scenes import leg
 from viscodesign import RobotScene, SpecError, WalkStudy, load_robot, simulate, stand, walk
 from viscodesign.cli.main import main
+from viscodesign.cli.walk import no_speed
 from viscodesign.errors import SolveError
 from viscodesign.report.film.walk_film import write_walk_film
 from viscodesign.report.picture_options import picture_options
@@ -195,6 +197,34 @@ def test_a_leg_with_gas_moves_as_simulate_moves_it() -> None:
 def test_gaits_that_cannot_be_are_told(overrides: list[str], message: str) -> None:
     with pytest.raises(SpecError, match=message):
         walk(hexapod(*overrides))
+
+
+@pytest.mark.parametrize(
+    ("stop", "status"),
+    [(KeyboardInterrupt(), 130), (SolveError("it broke", quantity="place", where="robot"), 3)],
+)
+def test_what_was_solved_is_kept(
+    stop: BaseException, status: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where the second solution ends, the first one stays, without a speed."""
+    plans = []
+
+    def once(
+        model: RobotModel, start: RobotState, pressures: Any, plan: StepPlan, told: Any
+    ) -> Any:
+        plans.append(plan)
+        if len(plans) > 1:
+            raise stop
+        return march(model, start, pressures, plan, told)
+
+    monkeypatch.setattr("viscodesign.robot.walk.march", once)
+    found = walk(hexapod("run.duration=5 s"), steps_per_cycle=30)
+    error = no_speed(found)
+    assert error is not None
+    assert error.exit_code == status
+    assert len(found.advances_by_step_m) == 1
+    assert np.isnan(found.step_halving_change)
+    assert found.document()["status"] == "refused"
 
 
 def test_a_step_that_does_not_converge_is_halved() -> None:
