@@ -12,7 +12,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.fluid import named_fluid
-from viscodesign.solve.transient import solver_catalogue
+from viscodesign.solve.transient import every_solver
 
 CASADI = LiteratureReference(
     "andersson2019",
@@ -64,7 +64,7 @@ def _uses(run: Trajectory) -> Iterator[tuple[LiteratureReference, str]]:
     for reference in _of_fluid(run):
         yield reference, "properties of the fluid"
     yield CASADI, "symbolic balances and derivatives"
-    solver = solver_catalogue().get(str(run.settings.get("solver")))
+    solver = every_solver().get(str(run.settings.get("solver")))
     for reference in () if solver is None else solver.references:
         yield reference, "time integration"
 

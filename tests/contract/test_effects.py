@@ -40,6 +40,9 @@ CURVE = (
 )
 
 
+GROUND = "loads.ground={kind: line, point: {x: 40 mm}, normal: -90 deg, friction: 0.3}"
+
+
 def every_effect() -> list[str]:
     """Names of those that have to keep the contract."""
     return sorted(catalogue())
@@ -52,7 +55,8 @@ def scene_of(name: str, *overrides: str) -> Scene:
     """A scene in which the effect has something to act on; a curve would hide collapse."""
     own = [n for n, kind in catalogue().items() if n == name or (name == "all" and kind.own_rule)]
     curve = [CURVE] if name == "material_curve" else []
-    return leg(*LOADED, *(f"effects.{n}=on" for n in own), *curve, *overrides)
+    ground = [GROUND] if name == "ground" else []
+    return leg(*LOADED, *(f"effects.{n}=on" for n in own), *curve, *overrides, *ground)
 
 
 def made(name: str) -> tuple[Effect, SceneQuantities]:

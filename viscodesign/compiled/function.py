@@ -9,6 +9,7 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from viscodesign.checks.contact import refuse_contact
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.compiled.free_keys import over_one_period
 from viscodesign.compiled.held_inlets import ControlState, HeldInlets, Inlets
@@ -159,6 +160,11 @@ class CompiledFunction:
         refuse_beyond_numbers(quantities)
         self._selection = select_effects(quantities)
         refuse_unsolvable(quantities, self._selection.active)
+        refuse_contact(
+            quantities,
+            "a function with derivatives, as compile, fit, design, "
+            "sensitivity and `uncertainty` need it,",
+        )
         settings = suggest_settings(quantities, self._selection.effects)
         if tolerance is not None:
             settings = replace(settings, tolerance=tolerance)

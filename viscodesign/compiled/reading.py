@@ -98,6 +98,7 @@ class Members:
             Per.BELLOW: self.bellows,
             Per.TUBE: self.tubes,
             Per.JUNCTION: self.junctions,
+            Per.CONTACT: (),  # a scene with contact is not compiled
         }
         if channel.per not in own or (channel.per is Per.INLET and len(self.inlets) == 1):
             return [channel.column()]

@@ -33,6 +33,7 @@ class Trait(Enum):
     LIMITED_EMPTYING = "the law of a bellow keeps it from emptying"
     ROD_INERTIA = "the rod resists acceleration"
     ROD_DAMPING = "strain rates of the rod dissipate"
+    CONTACT = "the rod may touch a rigid surface"
     FLOW_LOSSES = "flow loses pressure by its inertia, at the ends of tubes or in turbulence"
 
 

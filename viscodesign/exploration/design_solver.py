@@ -8,9 +8,11 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from viscodesign.checks.contact import has_contact
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.errors import SpecError, ViscodesignError
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.exploration.all_effects import compiled_metrics
 from viscodesign.exploration.designs import Design
 from viscodesign.exploration.swept_keys import SweptKey, changed
@@ -97,7 +99,8 @@ class DesignSolver:
         own = [key for key in self.keys if not key.is_free]
         scene = changed(self.scene, dict(zip(own, settings, strict=True)))
         free = [key.name for key in self.keys if key.is_free]
-        return NumberSolver(scene, free, compiled=self.is_compiled(settings))
+        compiled = self.is_compiled(settings) and not has_contact(SceneQuantities(scene))
+        return NumberSolver(scene, free, compiled=compiled)
 
 
 def settings_of(keys: Sequence[SweptKey], design: Design) -> Settings:

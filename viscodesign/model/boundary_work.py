@@ -21,8 +21,11 @@ FORCE_AND_PATH = {
     "plunger": ("plunger_pressure", "pushed"),
     "coupling": ("unpaired_volume", "pressure"),
     "carried": ("carried_energy", "stored"),
+    "contact": ("contact_force", "contact_path"),
 }
 """Works by name: the outputs whose product force times d(path) they sum."""
+WITHOUT_RATES = frozenset({"contact"})
+"""Works whose forces may change at any time, although no equation tells how."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +67,7 @@ def works_and_splits(
         if not force.numel():
             continue
         direct = motion.has_rate(path)
-        by_parts = motion.has_rate(force) & ~direct
+        by_parts = motion.has_rate(force) & ~direct & (name not in WITHOUT_RATES)
         if not motion.states.numel():
             # No integrator: what depends on time alone has integrals all the same.
             direct, by_parts = direct & motion.has_rate(force), np.zeros_like(by_parts)

@@ -75,6 +75,15 @@ class ChainSymbols(RodSymbols):
     def tip(self) -> SX:
         return self.position[:, -1]
 
+    @property
+    def tip_angle(self) -> SX:
+        return self.node_angles()[-1]
+
+    @property
+    def section_ends(self) -> list[SX]:
+        every = self.edges_per_section
+        return [self.position[:, k] for k in range(every - 1, self.edges, every)]
+
     def tip_turns(self) -> list[SX]:
         return ca.vertsplit(self.turns)
 

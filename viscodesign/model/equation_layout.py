@@ -34,6 +34,9 @@ class EquationLayout:
     """Nodes other than bellows that store fluid."""
     incompressible: bool
     """Whether the amount of fluid in a bellow equals its volume."""
+    contacts: tuple[str, ...]
+    """Names of the points that may touch something; their forces are states that no equation
+    changes."""
 
     @property
     def time_only_integrals(self) -> int:

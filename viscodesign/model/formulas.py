@@ -41,6 +41,10 @@ class Formulas:
     statics_values: Sequence[SX]
     """Amounts beyond rest, intrinsic curvatures and stretches, in its unknowns."""
     outputs: dict[str, SX]
+    contact_paths: SX
+    """Gaps, then slips of all points that may touch something (2c,) [m]."""
+    contact_friction: SX
+    """Their coefficients of friction (c,) [1]."""
     quantities: Sequence[SX]
     take_apart: Callable[[], LocalEquations | None]
     """The equations as sums of local terms; None where they are no such sums."""

@@ -27,6 +27,7 @@ import casadi as ca
 
 from viscodesign.elements.local_form import local_form
 from viscodesign.model.boundary_work import MotionRates, WorkSplit, works_and_splits
+from viscodesign.model.contact_point import contact_friction, contact_paths
 from viscodesign.model.equation_layout import EquationLayout
 from viscodesign.model.equations import Equations, SharedFormulas
 from viscodesign.model.fluid import Incompressible
@@ -122,7 +123,8 @@ class _Formulation:
         outputs = dict(zip(outputs, resolved[count:], strict=True))
         x, z = self.states.vector, self.algebraics.vector
         motion = MotionRates(self.system.time, x, z, resolved[0])
-        works, splits = works_and_splits(motion, outputs, self.network.works())
+        names = self.network.works() + self.rod.works()
+        works, splits = works_and_splits(motion, outputs, names)
         rates = {name: rate for name, rate in (rates | works).items() if not rate.is_zero()}
         timed = {name for name, rate in rates.items() if not ca.depends_on(rate, ca.vertcat(x, z))}
         rates = dict(sorted(rates.items(), key=lambda item: item[0] in timed))
@@ -149,10 +151,11 @@ class _Formulation:
         rod = self.system.rod
         defects = self.network.equilibrium() + self.rod.equilibrium()
         amounts = self.network.content.departures()
-        return self._resolve(
+        found = self._resolve(
             [column(defects), amounts, rod.intrinsic_curvature, rod.intrinsic_stretch],
             (self.statics,),
         )
+        return substitute(found, self.rod.without_contact())
 
     def _quantities(self) -> list[SX]:
         """Numbers that follow from the parameters alone."""
@@ -203,6 +206,10 @@ class _Formulation:
             statics_rows=static,
             statics_values=static_values,
             outputs=outputs,
+            contact_paths=self._resolve(
+                [contact_paths(system.contacts)], (self.states, self.algebraics)
+            )[0],
+            contact_friction=contact_friction(system.contacts),
             quantities=self._quantities(),
             take_apart=lambda: self._take_apart(ode, quadrature, rates, every),
         )
@@ -225,6 +232,7 @@ class _Formulation:
             sealed=content.sealed,
             storing=tuple(self.network.storing),
             incompressible=isinstance(self.system.fluid, Incompressible),
+            contacts=tuple(point.name for point in self.system.contacts),
         )
 
     def _take_apart(
@@ -232,6 +240,8 @@ class _Formulation:
     ) -> LocalEquations | None:
         """The equations as sums of local terms."""
         system = self.system
+        if system.contacts:
+            return None  # solved by a part of its own, which needs none
         local = LocalFormulation(system, self.network, self.rod, self.states, self.algebraics)
         moving = list(rates)[: quadrature.numel()]
         size = self._energy_size()

@@ -75,7 +75,8 @@ class LocalFormulation:
         gradients = list(self._gradients())
         terms = [column(list(part.terms)) for _, part in gradients]
         outputs = self.network.outputs(self.rod.conjugate_volumes())
-        used = dict.fromkeys(itertools.chain(*FORCE_AND_PATH.values()))
+        works = self.network.works()
+        used = dict.fromkeys(itertools.chain(*(FORCE_AND_PATH[name] for name in works)))
         known = self.network.rates() | self.rod.rates()
         found = iter(
             self._resolve([*plain, *terms, *known.values(), *(outputs[n] for n in used)], groups)
@@ -90,7 +91,7 @@ class LocalFormulation:
             for k in range(first, min(first + part.variables.numel(), self.states.count)):
                 ode[k] = hidden
         motion = MotionRates(time, self.states.vector, z, ode)
-        known |= works_and_splits(motion, paths, self.network.works())[0]
+        known |= works_and_splits(motion, paths, works)[0]
         integrals = column([known[name] / energy_size for name in rates])
         if ca.depends_on(integrals, hidden):
             return None

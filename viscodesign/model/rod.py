@@ -136,6 +136,16 @@ class RodSymbols(ABC):
     def tip(self) -> SX:
         """Position of the tip (2,) [m]."""
 
+    @property
+    @abstractmethod
+    def tip_angle(self) -> SX:
+        """Angle of the cross section at the tip, from +z towards +x [rad]."""
+
+    @property
+    @abstractmethod
+    def section_ends(self) -> list[SX]:
+        """Position of every section's far end (2,) [m], clamp first; the last is the tip's."""
+
     @abstractmethod
     def tip_turns(self) -> list[SX]:
         """Rotations, each local, through whose sum a moment at the tip does its work [rad]."""

@@ -9,6 +9,7 @@ from enum import Enum
 import casadi as ca
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.contact_point import contact_forces, contact_paths
 from viscodesign.model.sums import GradientRows, Rows, total, whole
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import SizeSymbols, SymbolicUnknowns, Traits, column, substitute
@@ -21,6 +22,7 @@ ACCELERATIONS = "rod_accelerations"
 INTERNAL = "rod_internal"
 SECTION_ANGLES = "rod_section_angles"
 SECTION_RATES = "rod_section_rates"
+CONTACT_FORCES = "contact_forces"
 """Names of the rod's blocks of unknowns, whatever the discretisation. Solvers read the traits."""
 TRAITS = {
     COORDINATES: Traits(of_rod=True, identifies_branch=True),
@@ -31,6 +33,7 @@ TRAITS = {
     # They follow linearly from the coordinates, which do count.
     INTERNAL: Traits(of_rod=True, is_internal=True, integrations=math.inf),
 }
+TRAITS[CONTACT_FORCES] = Traits(integrations=math.inf)
 TRAITS |= {SECTION_ANGLES: TRAITS[COORDINATES], SECTION_RATES: TRAITS[RATES]}
 MIN_REL_PRESSURE_SLOPE = 1e-9
 """Smallest pressure per swelling, over that of the linear law, by which a strain is divided."""
@@ -55,6 +58,7 @@ def rod_form(system: System) -> RodForm:
     if not system.dissipation_power.is_zero():
         return RodForm.DAMPED
     loaded = not (system.load_potential.is_zero() and system.tip_moment.is_zero())
+    loaded |= bool(system.contacts)
     return RodForm.STATIC if loaded else RodForm.ARCS
 
 
@@ -82,6 +86,7 @@ class RodEquations:
         self.kinds = [kind for kind in (self._places(), self._angles()) if kind.values.numel()]
         self.acceleration = SX.sym("acceleration", self.rod.rates.numel())
         self.coupled = self.form is RodForm.DYNAMIC and not self._masses_are_constant()
+        self.contact_forces = contact_forces(system.contacts)
 
     def _places(self) -> Coordinates:
         rod = self.rod
@@ -131,6 +136,8 @@ class RodEquations:
         if self.coupled:
             size = rod.coordinate_size / time / time
             algebraics.add(ACCELERATIONS, self.acceleration, size, TRAITS[ACCELERATIONS])
+        # No equation changes them: whoever solves for contact does, and all else holds them.
+        states.add(CONTACT_FORCES, self.contact_forces, rod.force_size, TRAITS[CONTACT_FORCES])
 
     def _name_moving(
         self,
@@ -188,8 +195,11 @@ class RodEquations:
         return [
             (rod.intrinsic_curvature, system.intrinsic_curvature),
             (rod.intrinsic_stretch, system.intrinsic_stretch),
-            (rod.tip_moment, system.load_factor * system.tip_moment),
+            (rod.tip_moment, self._dead_moment() + system.contact_moment),
         ]
+
+    def _dead_moment(self) -> SX:
+        return self.system.load_factor * self.system.tip_moment
 
     def conjugate_volumes(self) -> SX:
         """Volumes that a reciprocal coupling would store under the section's resultants (B,)."""
@@ -220,7 +230,8 @@ class RodEquations:
         system, rod = self.system, self.rod
         loads = [system.load_factor * term for term in system.load_potential.terms]
         turns = [-rod.tip_moment * turn for turn in rod.tip_turns()]
-        return [*rod.elastic_energies(), *loads, *turns]
+        contacts = [point.potential for point in system.contacts]
+        return [*rod.elastic_energies(), *loads, *turns, *contacts]
 
     def _forces(self, kind: Coordinates, scale: SX) -> list[Rows]:
         """Generalised forces on coordinates, times ``scale``."""
@@ -266,6 +277,8 @@ class RodEquations:
                 ode.append(self._own_accelerations(kind))
             else:
                 ode.append([self.acceleration / (kind.size / self.sizes.time)])
+        if self.system.contacts:
+            ode.append([SX.zeros(self.contact_forces.shape)])
         return ode, [*alg, self._momentum_rows()] if with_accelerations else alg
 
     def _own_accelerations(self, kind: Coordinates) -> list[Rows]:
@@ -285,6 +298,11 @@ class RodEquations:
         internal = whole([self._internal_rows()], self.rod.internal.numel())
         return [internal, *substitute(forces, at_rest)]
 
+    def without_contact(self) -> list[tuple[SX, SX]]:
+        """What the forces of contact are where an equilibrium is found: none."""
+        forces = self.contact_forces
+        return [(forces, SX.zeros(forces.shape))] if self.system.contacts else []
+
     def energy_size(self) -> SX:
         """Energy of bending the rod by a tenth of a radian [J]."""
         return self.rod.EI / self.system.length / 100
@@ -292,6 +310,10 @@ class RodEquations:
     def rates(self) -> dict[str, SX]:
         """Powers whose integrals the balances need [W]."""
         return {"material_loss": self.system.dissipation_power.total} if self.form in MOVING else {}
+
+    def works(self) -> list[str]:
+        """Names of the works of forces along paths."""
+        return ["contact"] if self.system.contacts else []
 
     def outputs(self) -> dict[str, SX]:
         """Quantities from which a motion is read."""
@@ -302,7 +324,10 @@ class RodEquations:
             "intrinsic_curvature": rod.intrinsic_curvature,
             "intrinsic_stretch": rod.intrinsic_stretch,
             "kinetic_energy": system.kinetic_energy.total,
-            "load_energy": system.load_potential.total - rod.tip_moment * total(rod.tip_turns()),
+            "load_energy": system.load_potential.total
+            - self._dead_moment() * total(rod.tip_turns()),
+            "contact_force": self.contact_forces,
+            "contact_path": contact_paths(system.contacts),
         }
         if self.form is not RodForm.ARCS:
             found |= rod.outputs() | {"elastic_energy": total(rod.elastic_energies())}

@@ -22,6 +22,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.bellow_law import BellowLaws, in_pairs
 from viscodesign.model.bellow_wall import LinearWall, OwnWalls, SnappingWall, Wall
+from viscodesign.model.contact_point import ContactPoint
 from viscodesign.model.fluid import FluidLaw, Incompressible
 from viscodesign.model.graph import Graph
 from viscodesign.model.rod import Body, RodDiscretisation, RodParameters, Softness
@@ -110,6 +111,9 @@ class System:
         self.kinetic_energy = Terms()
         self.load_potential = Terms()
         self.tip_moment = SX(0)
+        self.contacts: list[ContactPoint] = []
+        self.contact_moment = SX(0)
+        """Moment by which forces of contact turn the tip [N m]."""
         self.dissipation_power = Terms()
         self.extra_volume = {name: SX(0) for name in graph.bellows}
         """Volume of a bellow beyond the law of its wall [m3]."""
@@ -210,6 +214,22 @@ class System:
         self.rod = self.discretisation.symbols(
             replace(self._rod_parameters, shear_stiffness=stiffness)
         )
+
+    def add_contact(
+        self, name: str, gap: SX, along: SX, friction: SX, foot_radius: SX | None = None
+    ) -> None:
+        """Let a rigid surface touch the rod at a point.
+
+        ``gap``, ``along``: distance from the surface and path along it, of a point without
+        rotation [m]; ``friction``: Coulomb's coefficient [1]; ``foot_radius``: that of a round
+        tip around the point, which rolls and whose radius ``gap`` has taken off [m].
+        """
+        normal, tangential = SX.sym(f"normal_force_at_{name}"), SX.sym(f"friction_at_{name}")
+        slip = along
+        if foot_radius is not None:
+            slip = along - foot_radius * self.rod.tip_angle
+            self.contact_moment -= foot_radius * tangential
+        self.contacts.append(ContactPoint(name, gap, along, slip, friction, normal, tangential))
 
     # -- the network ----------------------------------------------------------
 

@@ -128,6 +128,7 @@ class _MotionReader:
         keep = schedule.outputs[self.count : stop] - outputs.first
         rows = {
             **_quantities(outputs, keep),
+            **_contacts(outputs, keep),
             "tip": outputs.tips(keep),
             "inflow": self._delivered.along(outputs, self._solution)[keep],
             "section_stretch": stretch[keep],
@@ -230,6 +231,13 @@ class _MotionReader:
     def _invariants(self) -> Invariants:
         self._finish()
         return self._ledger.invariants(self._solution.work.steps)
+
+
+def _contacts(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:
+    """Forces [N] and gaps [m] of the points that may touch something (T, c)."""
+    normal, tangential = np.split(outputs["contact_force"][rows], 2, axis=1)
+    gap, _ = np.split(outputs["contact_path"][rows], 2, axis=1)
+    return {"contact_normal": normal, "contact_tangential": tangential, "contact_gap": gap}
 
 
 def _quantities(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:

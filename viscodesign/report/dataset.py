@@ -19,6 +19,7 @@ DIMENSIONS = {
     Per.TUBE: "tube",
     Per.JUNCTION: "junction",
     Per.SECTION: "section",
+    Per.CONTACT: "contact",
 }
 
 

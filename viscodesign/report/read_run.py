@@ -33,6 +33,9 @@ SPEC = RUN_TABLES[2]
 ARRAYS = ("inlet_pressure", "pressure", "flow")
 """Quantities that are arrays of their own in `trajectory.csv`."""
 TIP = ("tip_x", "tip_z", "tip_angle")
+CONTACT_ARRAYS = ("contact_normal", "contact_tangential", "contact_gap")
+"""The same of a run with contact."""
+MEMBERS = {Per.INLET: "inlets", Per.BELLOW: "bellows", Per.TUBE: "tubes"}
 FoundT = TypeVar("FoundT")
 
 
@@ -52,6 +55,8 @@ def read_run(directory: str | Path) -> Trajectory:
     motion, shape = _table(folder / TRAJECTORY), _table(folder / SHAPE)
     try:
         arrays = _arrays(motion, names)
+        contacts = _contacts(motion, names.scene)
+        arrays |= _contact_arrays(motion, contacts)
         axes = _axes(shape, arrays["time"])
         arrays["shape"] = axes.shape
         told = _told(summary) | _band(folder, summary.get("uncertainty"))
@@ -62,6 +67,7 @@ def read_run(directory: str | Path) -> Trajectory:
     return Trajectory(
         **told,
         **names.of_run(),
+        contacts=contacts,
         arrays=arrays,
         arc=axes.arc,
         shape_every=axes.every,
@@ -95,7 +101,7 @@ class RunNames:
         per = channel(quantity).per
         if per is Per.RUN or (per is Per.INLET and len(self.scene.inputs) == 1):
             return [channel(quantity).column()]
-        key = {Per.INLET: "inlets", Per.BELLOW: "bellows", Per.TUBE: "tubes"}[per]
+        key = MEMBERS[per]
         return [channel(quantity).column(member) for member in self.of_run()[key]]
 
 
@@ -123,6 +129,24 @@ def _arrays(table: _RunTable, names: RunNames) -> dict[str, np.ndarray]:
         "time": table.columns(["time_s"])[:, 0],
         "tip": table.columns(channel(name).column() for name in TIP),
         **{name: table.columns(names.columns(name)) for name in ARRAYS},
+    }
+
+
+def _contacts(table: _RunTable, scene: Scene) -> tuple[str, ...]:
+    """Names of the points whose contact a run has solved: none where the spec switches it off."""
+    is_solved = any(name.startswith(CONTACT_ARRAYS[0]) for name in table.names)
+    if not is_solved or scene.loads.ground is None:
+        return ()
+    return scene.loads.ground.points(scene.bellows.count // 2)
+
+
+def _contact_arrays(table: _RunTable, contacts: tuple[str, ...]) -> dict[str, np.ndarray]:
+    if not contacts:
+        return {}
+    names = contacts if len(contacts) > 1 else ("",)
+    return {
+        array: table.columns(channel(array).column(name) for name in names)
+        for array in CONTACT_ARRAYS
     }
 
 

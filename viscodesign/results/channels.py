@@ -31,7 +31,12 @@ class Per(enum.StrEnum):
     TUBE = "tube"
     JUNCTION = "junction"
     SECTION = "section"
+    CONTACT = "contact"
     ARC = "point of the axis"
+
+
+UNNAMED_IF_SINGLE = frozenset({Per.INLET, Per.CONTACT})
+"""Of these, a single member's columns do not tell its name."""
 
 
 class NamedArrays(Protocol):
@@ -113,7 +118,7 @@ class Channel:
         if self.per in (Per.RUN, Per.ARC):
             return [self.column()]
         members = trajectory.members(self.per)
-        if self.per is Per.INLET and len(members) == 1:
+        if self.per in UNNAMED_IF_SINGLE and len(members) == 1:
             return [self.column()]
         return [self.column(name) for name in members]
 
@@ -148,6 +153,23 @@ CHANNELS: tuple[Channel, ...] = (
     Channel(
         "flow", "m^3/s", "flow", "flow in a tube, positive from its first end to its second",
         Per.TUBE, tables=(TRAJECTORY,),
+    ),
+    Channel(
+        "contact_normal", "N", "normal force of contact",
+        "force with which the ground pushes a point of the actuator away; zero where they do not "
+        "touch. Without a ground there is no such column, and with a single point its name is "
+        "left out",
+        Per.CONTACT, tables=(TRAJECTORY,),
+    ),
+    Channel(
+        "contact_tangential", "N", "force of friction",
+        "force of friction on a point of the actuator: towards +x on a ground that pushes towards "
+        "+z, and turned with it",
+        Per.CONTACT, tables=(TRAJECTORY,),
+    ),
+    Channel(
+        "contact_gap", "m", "gap", "distance of a point of the actuator from the ground",
+        Per.CONTACT, tables=(TRAJECTORY,),
     ),
     Channel(
         "arc", "m", "arc length", "distance from the clamp along the unstrained axis",
@@ -192,8 +214,10 @@ def columns_of(
     channels: Iterable[Channel], trajectory: NamedArrays, rows: slice = WHOLE
 ) -> tuple[list[str], np.ndarray]:
     """Names and values (n, columns) of quantities over time."""
-    listed = list(channels)
+    listed = [row for row in channels if row.columns(trajectory)]
     names = [name for row in listed for name in row.columns(trajectory)]
+    if not listed:
+        return [], np.zeros((len(trajectory["time"][rows]), 0))
     return names, np.column_stack([row.values(trajectory, rows) for row in listed])
 
 

@@ -158,6 +158,8 @@ class Trajectory(MotionArrays):
     """Names of the Q tubes by their ends, such as R1-R2."""
     junctions: tuple[str, ...] = ()
     """Names of the J nodes that are neither inlets nor bellows."""
+    contacts: tuple[str, ...] = ()
+    """Names of the points that may touch the ground."""
     length: float
     """Actuator length [m]."""
     width: float
@@ -257,6 +259,7 @@ class Trajectory(MotionArrays):
             Per.BELLOW: self.bellows,
             Per.TUBE: self.tubes,
             Per.JUNCTION: self.junctions,
+            Per.CONTACT: self.contacts,
             Per.SECTION: tuple(str(k + 1) for k in range(self.sections)),
         }[per]
 

@@ -7,6 +7,7 @@ from typing import Any
 from pydantic import Field, field_validator
 
 from viscodesign.errors import not_among
+from viscodesign.scene.ground import Ground
 from viscodesign.scene.spec_part import SpecPart, invalid, switch
 from viscodesign.units import Acceleration, Angle, Force, Mass
 
@@ -33,7 +34,7 @@ class TipForce(SpecPart):
 
 
 class Loads(SpecPart):
-    """Gravity, a force on the tip and a payload."""
+    """Gravity, a force on the tip, a payload, and what the actuator may touch."""
 
     gravity: GravityLoad | None = Field(
         default_factory=GravityLoad,
@@ -43,6 +44,9 @@ class Loads(SpecPart):
         default_factory=TipForce, description="Force on the tip, of constant direction"
     )
     payload: Mass = Field(0.0, ge=0, description="Mass at the tip")
+    ground: Ground | None = Field(
+        None, description="Rigid surface that the actuator may touch; default: none"
+    )
 
     @field_validator("gravity", mode="before")
     @classmethod

@@ -43,6 +43,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
         bellows=graph.bellows,
         tubes=tuple(t.name for t in graph.tubes),
         junctions=graph.junctions,
+        contacts=run.problem.equations.contacts,
         length=scene.actuator.length,
         width=scene.actuator.height,
         section_widths=scene.sections.heights,

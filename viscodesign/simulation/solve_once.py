@@ -19,7 +19,7 @@ from viscodesign.simulation.build_problem import Settings, build, cycle_schedule
 from viscodesign.solve.limit_cycle import limit_cycle
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.statics import Start, equilibrium, rest
-from viscodesign.solve.transient import Solution, integrate, solver_catalogue, suitable_solver
+from viscodesign.solve.transient import Solution, every_solver, integrate, suitable_solver
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.disk_arrays import ArrayStore, blocks
 from viscodesign.storage.lru_cache import LruCache
@@ -137,7 +137,7 @@ class Run:
     @property
     def is_exact_in_time(self) -> bool:
         """Whether a smaller tolerance would change nothing."""
-        kind = solver_catalogue()[self.solution.solver]
+        kind = every_solver()[self.solution.solver]
         return kind.is_exact and not self.solution.attempts
 
     @property

@@ -219,7 +219,8 @@ def solve_on_branch(
 def has_branches(problem: Problem) -> bool:
     """Whether a static rod is solved together with a fluid that is integrated."""
     static = problem.equations.rod_form is RodForm.STATIC
-    return static and problem.equations.states.count > 0
+    # A rod that touches something is led along its branch step by step.
+    return static and problem.equations.states.count > 0 and not problem.equations.contacts
 
 
 def branch_jump(problem: Problem, time: float) -> SolveError:

@@ -19,6 +19,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.plugins import members
 from viscodesign.results.findings import RetryAttempt
 from viscodesign.solve import solvers
+from viscodesign.solve.contact_steps import ContactSteps
 from viscodesign.solve.event_failures import EventError
 from viscodesign.solve.fallbacks import Fallbacks
 from viscodesign.solve.problem import Problem
@@ -148,11 +149,18 @@ def solver_catalogue() -> dict[str, type[Solver]]:
     return members(solvers.__name__, Solver)  # type: ignore[type-abstract]
 
 
+def every_solver() -> dict[str, type[Solver]]:
+    """The catalogue, and the solver of problems with contact, beside which there is no choice."""
+    return {**solver_catalogue(), ContactSteps.name: ContactSteps}
+
+
 def suitable_solver(problem: Problem, wanted: str, is_free: bool = False) -> str:
     """The first that takes these equations, and a problem of their size: one without error in
     time, if the choice is free; the wanted one; the spare one.
     """
     catalogue = solver_catalogue()
+    if problem.equations.contacts:
+        return ContactSteps.name
     for name, kind in catalogue.items():
         if is_free and kind.is_exact and kind.fits(problem) and kind.takes(problem):
             return name
@@ -176,8 +184,9 @@ def integrate(
     """
     moves = problem.equations.states.count > 0
     solver = suitable_solver(problem, solver)
-    chosen = (solver_catalogue()[solver] if moves else QuasiStatic)(problem, tolerance)
-    fallbacks = Fallbacks(chosen, list(solver_catalogue().values()) if moves else [])
+    chosen = (every_solver()[solver] if moves else QuasiStatic)(problem, tolerance)
+    others = moves and not problem.equations.contacts
+    fallbacks = Fallbacks(chosen, list(solver_catalogue().values()) if others else [])
     edges = problem.schedule.edges
     work = Work(progress=progress and (lambda time: progress(time / edges[-1])))
     start = chosen.consistent(start, float(edges[0]), problem.schedule.pieces[0])

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 
 from viscodesign._version import __version__
+from viscodesign.checks.contact import refuse_contact
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -40,6 +41,7 @@ def accuracy(
         refuse_beyond_numbers(quantities)
         selection = select_effects(quantities)
         refuse_unsolvable(quantities, selection.active)
+        refuse_contact(quantities, "a comparison of solvers")
         runs = TimedRuns(quantities, selection, limit, interrupt, progress)
         study = _study(runs)
     if interrupt.asked or study.status == "interrupted":

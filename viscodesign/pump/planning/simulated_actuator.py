@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.checks.contact import refuse_contact
 from viscodesign.effects.catalogue import catalogue
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -116,6 +117,7 @@ class ActuatorPlant(Plant):
 
 def _driven_problem(scene: Scene, pump: PumpSpec) -> tuple[list[PumpDemand], Problem]:
     """The axes at the scene's inlets, at home, and its equations with them."""
+    refuse_contact(SceneQuantities(scene), "a simulated pump")
     names = select_effects(SceneQuantities(scene)).active
     times, home = np.array([0.0, 1.0]), np.zeros(2)
     axes = [
