@@ -61,8 +61,6 @@ class TipDisplacements:
         if not new or self._is_too_large:
             return
         setting = self._quantities.bare_estimate.setting
-        if setting.first_means is None:
-            setting.begin_at(self._of(self._sets.everything).network.averaged.means)
         count = max(1, NUMBERS_AT_ONCE // (len(setting.time) * max(setting.bellows, PIECES)))
         for begin in range(0, len(new), count):
             some = new[begin : begin + count]

@@ -9,7 +9,6 @@ import numpy as np
 
 from viscodesign.estimate.laws_by_row import WallsByRow, rows_by_law
 from viscodesign.estimate.linear_network import LinearNetworks, UniformNetworks
-from viscodesign.estimate.motion_means import Means
 from viscodesign.estimate.setting import EstimateSetting
 
 if TYPE_CHECKING:
@@ -17,8 +16,6 @@ if TYPE_CHECKING:
 
 AVERAGING_ROUNDS = 6
 """Rounds in which means over the motion converge, to a few thousandths."""
-FEWER_ROUNDS = 4
-"""The same from the means of a network that differs by one term."""
 LEAST_PRESSURE = 0.02
 """Absolute pressure, in parts of the ambient, below which a linear network is not followed."""
 LEAST_VOLUME = 0.02
@@ -27,22 +24,21 @@ LEAST_VOLUME = 0.02
 
 def averaged(
     setting: EstimateSetting, members: Sequence[NetworkEstimate]
-) -> tuple[LinearNetworks | UniformNetworks, np.ndarray, list[Means]]:
+) -> tuple[LinearNetworks | UniformNetworks, np.ndarray]:
     """Networks of equal structure with their means, and pressures of their bellows (S, T, B).
 
     Means over the motion follow from it, and it from them. Always the same number of rounds from
     the same start: the remainder of the iteration is then alike in two estimates, and their
-    difference shows the term. Fewer rounds from means that are nearly right.
+    difference shows the term.
     """
     averages = _Averages(setting, members)
     networks = averages.networks()
     pressure = networks.pressures()
-    rounds = FEWER_ROUNDS if setting.first_means else AVERAGING_ROUNDS
-    for _ in range(rounds if averages.is_nonlinear else 0):
+    for _ in range(AVERAGING_ROUNDS if averages.is_nonlinear else 0):
         averages.update(networks, pressure)
         networks = averages.networks()
         pressure = networks.pressures()
-    return networks, pressure[..., : setting.bellows], averages.means
+    return networks, pressure[..., : setting.bellows]
 
 
 class _Averages:
@@ -60,22 +56,6 @@ class _Averages:
         self._multiplier = np.ones((len(members), len(setting.resistance)))
         self._thinness = np.ones_like(self._multiplier)
         self.is_nonlinear = bool(self._fluids or self._losses) or members[0].wall is not None
-        if setting.first_means and self.is_nonlinear:
-            self._begin_at(setting.first_means)
-
-    def _begin_at(self, first: Means) -> None:
-        """What a law has not given is left as it is without that law."""
-        self._compliance[:] = first.compliance
-        for _, rows in self._losses:
-            self._multiplier[rows] = first.multiplier
-        for _, rows in self._fluids:
-            self._thinness[rows] = first.thinness
-
-    @property
-    def means(self) -> list[Means]:
-        """Those of every network."""
-        columns = self._compliance, self._multiplier, self._thinness
-        return [Means(*own) for own in zip(*columns, strict=True)]
 
     def networks(self) -> LinearNetworks | UniformNetworks:
         """Those with the present means."""

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from viscodesign.estimate.linear_network import LinearNetworks, UniformNetworks
-from viscodesign.estimate.motion_means import Means
 from viscodesign.estimate.network_averages import averaged
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import CompressibleFluid, EstimateTerm, LossLaw, WallLaw
@@ -23,7 +22,6 @@ class AveragedNetwork:
     row: int
     pressure: np.ndarray
     """Gauge pressures of all bellows, without feedback of the rod (T, B) [Pa]."""
-    means: Means
 
 
 @dataclass(frozen=True)
@@ -102,9 +100,9 @@ def average_all(wanted: Sequence[NetworkEstimate]) -> list[AveragedNetwork]:
             structure = (one.distributed, bool(one.inertance), stores, is_nonlinear)
             alike[structure][one.key] = one
     for group in alike.values():
-        networks, pressure, means = averaged(setting, list(group.values()))
+        networks, pressure = averaged(setting, list(group.values()))
         for row, key in enumerate(group):
-            setting.averages[key] = AveragedNetwork(networks, row, pressure[row], means[row])
+            setting.averages[key] = AveragedNetwork(networks, row, pressure[row])
     return [setting.averages[one.key] for one in wanted]
 
 

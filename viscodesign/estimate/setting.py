@@ -9,7 +9,6 @@ import numpy as np
 
 from viscodesign.estimate.linear_network import LinearNetworks, UniformNetworks
 from viscodesign.estimate.modal_response import FilterStart
-from viscodesign.estimate.motion_means import Means
 from viscodesign.estimate.sample_grid import SampleGrid
 from viscodesign.model.bellow_law import BellowLaws
 from viscodesign.model.rod import Body
@@ -46,8 +45,6 @@ class EstimateSetting:
         self._memory: dict[Hashable, Any] = {}
         self.averages: dict[Hashable, Any] = {}
         """Networks with their means over the motion, by what they depend on."""
-        self.first_means: Means | None = None
-        """Means from which those of other networks are found in fewer rounds."""
         self.length = body.length
         self.sections = body.sections
         self.mass_per_length = body.mass_per_length
@@ -73,11 +70,6 @@ class EstimateSetting:
             self._memory[key] = make()
         found: T = self._memory[key]
         return found
-
-    def begin_at(self, means: Means) -> None:
-        """Find the means of all networks from these; what was found from others is forgotten."""
-        self.first_means = means
-        self.averages.clear()
 
     @property
     def time(self) -> np.ndarray:

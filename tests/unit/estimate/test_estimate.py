@@ -353,19 +353,6 @@ def test_estimates_side_by_side_are_those_alone() -> None:
     assert len(np.unique(np.round(together[:, -1] / LEG_LENGTH, 12))) == len(together)
 
 
-def test_means_of_a_network_with_one_term_more_save_rounds() -> None:
-    """Four rounds from there leave as little as six from the linear laws: a tenth of the change."""
-    slow, fast, exact = ([e.network for e in side_by_side()] for _ in range(3))
-    fast[0].setting.begin_at(fast[0].averaged.means)
-    several = exact[0].setting
-    for _ in range(20):
-        several.begin_at(exact[0].averaged.means)
-    pressure = [np.array([one.pressure for one in own]) for own in (slow, fast, exact)]
-    moved = np.max(np.abs(pressure[2] - pressure[2][0]), axis=(1, 2))
-    for found in pressure[:2]:
-        assert np.all(np.max(np.abs(found - pressure[2]), axis=(1, 2))[1:] <= 0.1 * moved.max())
-
-
 def test_a_long_train_is_estimated_by_its_beginning() -> None:
     estimate = bare("input={kind: sine, amplitude: 3 kPa, frequency: 10 Hz}", "run.duration=100 s")
     assert 1.0 < estimate.setting.time[-1] < 10.0
