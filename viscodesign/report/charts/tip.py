@@ -11,9 +11,11 @@ from viscodesign.report.charts.coefficient_band import band_corners, draw_band
 from viscodesign.report.charts.tip_path import draw_path, time_range
 from viscodesign.report.layout.bellow_blocks import body_widths
 from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
+from viscodesign.report.layout.ground_outline import ground_outline
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
 from viscodesign.report.layout.style import TIME_DIGITS, Target, axes_at, head, head_room, picture
+from viscodesign.report.page.sketch_numbers import scene_of
 from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
@@ -59,6 +61,7 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
         axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
         _draw_clamp(axes, trajectory)
+        _draw_ground(axes, trajectory)
         _draw_bodies(axes, trajectory, instants, bodies)
         draw_band(axes, trajectory)
         lines = draw_path(axes, trajectory, 0.4 if zoomed else 1.0)
@@ -138,6 +141,17 @@ def _draw_clamp(axes: Axes, trajectory: Trajectory) -> None:
     strokes = clamp_strokes(half, hatch, 12)
     axes.add_collection(LineCollection(list(strokes), colors=look().ink, linewidths=0.7, zorder=3))
     axes.plot([-half, half], [0, 0], color=look().ink, lw=1.5, solid_capstyle="butt", zorder=3)
+
+
+def _draw_ground(axes: Axes, trajectory: Trajectory) -> None:
+    """The surface that the actuator may touch, as far as it is in the frame."""
+    scene = scene_of(trajectory) if trajectory.contacts else None
+    ground = None if scene is None else scene.loads.ground
+    if ground is not None:
+        (low, high), (top, bottom) = axes.get_xlim(), axes.get_ylim()
+        reach = 1e-3 * (abs(low) + abs(high) + abs(top) + abs(bottom))
+        line = 1e3 * ground_outline(ground, reach)
+        axes.plot(*line.T, color=look().ink, lw=1.2, zorder=2.5)
 
 
 def _draw_bodies(
