@@ -111,8 +111,6 @@ class Verifier:
         """What is stated of neglected effects [m]."""
         self.measured_neglected = False
         """Whether that is measured, rather than estimated."""
-        self.has_coarser_alike = False
-        """Whether a coarser solution with all effects tells the error of one with all of them."""
         self.progress = progress
         self.requested_m = quantities.requested_m
         self.spent_s = 0.0

@@ -86,13 +86,13 @@ class EffectJudge:
     def everything(self, selection: Selection, settings: Settings) -> Run | None:
         """The coarser solution with all effects: complete, or stopped by the user.
 
-        Once it is there it serves for every set, all of them included. None where nothing is left
-        out, or next to nothing by the estimates of a rod that does not swing, or where no such
-        solution reaches the end. Raises `KeyboardInterrupt` before its first step.
+        None where nothing is left out, or next to nothing by the estimates of a rod that does
+        not swing, or where no such solution reaches the end. Raises `KeyboardInterrupt` before
+        its first step.
         """
+        if not selection.neglected or self._is_spared(selection, settings):
+            return None
         if not self._tried:
-            if not selection.neglected or self._is_spared(selection, settings):
-                return None
             self._tried = True
             effects = selection.members(selection.everything)
             own = (self._quantities, effects, coarser(settings), self._progress, self._workspace)

@@ -30,11 +30,6 @@ APART = (
     f"change of the tip when the tolerance was divided by {JUDGING.coarser_tolerance:g} and the "
     "edge length halved"
 )
-ALIKE = (
-    f"time and space together, with all effects: {JUDGING.steps_share:g} of the last change of the "
-    f"tip when the tolerance was divided by {JUDGING.coarser_tolerance:g} and the edge length "
-    "halved"
-)
 MEASURED = (
     f"{JUDGING.stated_per_measured:g} times the difference between two solutions, with and "
     "without them"
@@ -103,8 +98,6 @@ def accuracy_of(verifier: Verifier, parts: ErrorParts | None, verify: bool) -> A
 
 def _method(verifier: Verifier, parts: ErrorParts) -> str:
     """How the error was found."""
-    if parts.time_m is None and verifier.has_coarser_alike:
-        return ALIKE
     if parts.time_m is None:
         return APART if verifier.measured_neglected else TOGETHER
     return METHOD + (MEASURED if verifier.measured_neglected else ESTIMATED)

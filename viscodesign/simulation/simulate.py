@@ -18,7 +18,7 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulation.assemble import cost_of, trajectory_of
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.doubts import doubts
-from viscodesign.simulation.error_control import ERROR_CONTROL, ErrorParts, Verifier
+from viscodesign.simulation.error_control import ErrorParts, Verifier
 from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, judgeable
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
@@ -200,17 +200,6 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     return _SolvedScene(selection, verifier, run, parts, more)
 
 
-def _steps_apart(run: Run, whole: Run, verifier: Verifier) -> WholeError | None:
-    """The error of a run with all effects, by a coarser one; None where that is too much."""
-    least_m = ERROR_CONTROL.least_share * verifier.requested_m
-
-    def of_steps(finer: Run) -> float:
-        return max(JUDGING.steps_share * tip_difference(whole.motion, finer.motion), least_m)
-
-    verifier.has_coarser_alike = of_steps(run) <= verifier.requested_m
-    return of_steps if verifier.has_coarser_alike else None
-
-
 WholeError = Callable[[Run], float]
 """All parts of a solution's error together [m]."""
 
@@ -230,8 +219,6 @@ def _judged(
         return selection.stated(max(measured_m, least_m))
 
     verifier.compare_flows(whole, run)
-    if not selection.neglected:
-        return _steps_apart(run, whole, verifier), None
     verifier.neglected_m = apart(run)
     if verifier.neglected_m <= verifier.requested_m or run.solution.asked_to_stop:
         return apart, None

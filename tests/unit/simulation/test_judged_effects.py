@@ -16,7 +16,6 @@ from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.trajectory import RunInterruptedError
 from viscodesign.simulation import error_control, judged_effects
-from viscodesign.simulation import simulate as simulate_module
 from viscodesign.simulation.build_problem import Settings, suggest_settings
 from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, Omission, coarser, judgeable
 from viscodesign.simulation.solve_once import Run, Workspace, solve, tip_difference
@@ -231,46 +230,6 @@ def test_a_recording_that_rests_first_is_estimated_and_judged_as_a_few_rows_are(
     assert None not in stated
     apart = np.hypot(*(many.tip[:, :2] - few.tip[:, :2]).T).max()
     assert apart <= sum(own for own in stated if own is not None)
-
-
-def test_a_run_with_everything_is_judged_by_the_coarser_one() -> None:
-    """What was solved with all effects first tells the error once all of them are included."""
-    quantities, selection, run = judged()
-    judge = EffectJudge(quantities, None, Workspace())
-    found = whole(judge, selection, run)
-    grown = selection.grown(selection.everything, "the test says so")
-    assert grown is not None
-    assert not grown.neglected
-    assert judge.everything(grown, run.settings) is found
-    assert EffectJudge(quantities, None, Workspace()).everything(grown, run.settings) is None
-
-
-def test_the_error_of_all_effects_takes_no_further_solution(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr(judged_effects.EffectJudge, "is_too_much", lambda *_: True)
-    monkeypatch.setattr(
-        judged_effects, "JUDGING", replace(JUDGING, single_additions=0, stated_per_measured=1e9)
-    )
-    monkeypatch.setattr(simulate_module, "JUDGING", judged_effects.JUDGING)
-    solutions = []
-    real = judged_effects.solve
-
-    def counted(*given: Any) -> Run:
-        solutions.append(given)
-        return real(*given)
-
-    monkeypatch.setattr(judged_effects, "solve", counted)
-    monkeypatch.setattr(error_control, "solve", counted)
-    found = simulate(leg(*SHORT))
-    assert found.status == "complete"
-    assert all(v.taken for v in found.effects if v.present)
-    # All coarse, some, some as coarse, and all of them again.
-    assert len(solutions) == 4
-    assert "time and space together, with all effects" in found.accuracy.method
-    finer = simulate(leg(*SHORT, "effects={others: on}"), tolerance=1e-9)
-    true = np.max(np.linalg.norm(found.tip - finer.tip, axis=1))
-    assert true <= found.accuracy.estimated_tip_error_m <= found.accuracy.requested_m
 
 
 def test_errors_that_hide_each_other_are_stated_by_the_estimates(
