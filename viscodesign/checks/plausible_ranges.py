@@ -38,6 +38,7 @@ SERVOS = "small servos with rack and pinion"
 VOLTAGES = "two cells to four (the servos are made for 9 to 12 V)"
 BATTERIES = "a coin cell (10 mAh) to a car's (100 Ah)"
 REGULATORS = "electro-pneumatic regulators of 1 kPa to 5 MPa"
+FRICTION = "polished surfaces (0.02) to soft rubber (3)"
 CAPS = "what a glass or plastic syringe holds"
 
 
@@ -106,6 +107,19 @@ def _tubes() -> Iterator[PlausibleRange]:
         yield _share(f"network.{key}", 0.01, 10.0, LOSSES, or_none=True)
 
 
+def _ground() -> Iterator[PlausibleRange]:
+    """Of a surface beside the actuator, and of the tip that touches it."""
+    for key in ("point.x", "point.z", "centre.x", "centre.z"):
+        where = f"loads.ground.{key}"
+        yield PlausibleRange(
+            where, "m", 1e-3, 3.0, PAPER, _LENGTH, ANY, either_sign=True, or_none=True
+        )
+    yield PlausibleRange("loads.ground.normal", "rad", -6.3, 6.3, TURNS, _ANGLE, ANY)
+    yield _length("loads.ground.radius", 1e-4, 3.0, PAPER)
+    yield PlausibleRange("loads.ground.foot_radius", "m", 1e-4, 0.3, PAPER, _LENGTH, or_none=True)
+    yield _share("loads.ground.friction", 0.02, 3.0, FRICTION, or_none=True)
+
+
 def _pump() -> Iterator[PlausibleRange]:
     yield _length("pump.syringe_diameter", 4e-4, 0.15, SYRINGES)
     yield _length("pump.syringe_stroke", 2e-3, 0.5, SYRINGES)
@@ -156,5 +170,6 @@ RANGES = (
     PlausibleRange("loads.gravity.tilt", "rad", -6.3, 6.3, TURNS, _ANGLE, ANY),
     PlausibleRange("run.duration", "s", 1e-6, 1e6, WHOLE, (1e-3, 1e3)),
     PlausibleRange("inputs.*.phase", "rad", -12.6, 12.6, TURNS, _ANGLE, ANY),
+    *_ground(),
     *_pump(),
 )

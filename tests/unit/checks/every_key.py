@@ -61,6 +61,11 @@ LOADS: Spec = {
     "tip_force": {"x": 0.5, "z": 0.5},
     "payload": 0.2,
 }
+FLOOR: Spec = {
+    "kind": "line", "point": {"x": 0.05, "z": 0.15}, "normal": 3.1, "friction": 0.5,
+    "foot_radius": 0.01,
+}  # fmt: skip
+PIN: Spec = {"kind": "circle", "centre": {"x": 0.15, "z": 0.1}, "radius": 0.02, "friction": 0.5}
 PUMP: Spec = {
     "syringe_diameter": 0.0349, "syringe_stroke": 0.1045, "pinion_diameter": 0.0296,
     "supply_voltage": 11.1, "dead_volume": 5e-6, "battery_capacity": 1620.0,
@@ -95,7 +100,8 @@ def specs() -> list[Spec]:
     listed = {**BODY, "network": LISTED, "fluid": LIQUID}
     return [
         {**whole, "pump": PUMP},
-        {**listed, "input": INPUTS[1], "pump": REGULATOR},
+        {**listed, "input": INPUTS[1], "pump": REGULATOR, "loads": {"ground": FLOOR}},
+        {**listed, "input": INPUTS[1], "loads": {"ground": PIN}},
         {**listed, "input": INPUTS[1], "fluid": {"name": "glycerol-water", "fraction": 0.5}},
         *({**listed, "input": source} for source in INPUTS[2:]),
     ]

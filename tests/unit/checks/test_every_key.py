@@ -31,6 +31,7 @@ NEED_NOT = {
     "network.tube_wall.youngs_modulus": "tubes are made of steel, too",
     "loads.gravity.tilt": ANY_ANGLE,
     "input.phase": ANY_ANGLE,
+    "loads.ground.normal": ANY_ANGLE,
     "loads.tip_force.x": WEIGHED,
     "loads.tip_force.z": WEIGHED,
     "loads.payload": WEIGHED,
@@ -47,7 +48,7 @@ NEED_NOT = {
 }
 """Keys with a factor of a thousand that is not told, and why."""
 MILLION = {
-    "loads.gravity.tilt", "loads.tip_force.x", "loads.tip_force.z", "loads.payload", "pump.gear_play",
+    "loads.gravity.tilt", "loads.ground.normal", "loads.tip_force.x", "loads.tip_force.z", "loads.payload", "pump.gear_play",
     "input.start", "input.mean", "input.phase", "input.high", "input.low", "input.cosine[0]",
     "input.sine[0]", "input.time", "fluid.vapour_pressure", "fluid.fraction",
 }  # fmt: skip
