@@ -19,6 +19,7 @@ from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.later_input import own_inputs
+from viscodesign.scene.read_only import ReadOnlyDict
 from viscodesign.scene.robot import Robot
 from viscodesign.scene.robot_faults import robot_faults
 from viscodesign.scene.run import RunSettings
@@ -141,7 +142,7 @@ class RobotScene(SpecPart):
     @cached_property
     def sources(self) -> Mapping[str, Input]:
         """What feeds the legs, by name."""
-        return own_inputs(self.inputs, self.run.duration)
+        return ReadOnlyDict(own_inputs(self.inputs, self.run.duration))
 
     @property
     def period(self) -> float | None:

@@ -28,6 +28,7 @@ from viscodesign.scene.network import Network
 from viscodesign.scene.pressure_levels import with_levels_above
 from viscodesign.scene.pump import AnyPump
 from viscodesign.scene.pumps.base import PumpSpec
+from viscodesign.scene.read_only import ReadOnlyDict
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.sections import SectionChange, Sections
 from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_below, invalid, raise_faults
@@ -196,7 +197,7 @@ class Scene(SpecPart):
         """Input of each inlet by its name."""
         if self.several_inputs is not None:
             return self.several_inputs
-        return {SINGLE_INLET: self.input} if self.input is not None else {}
+        return ReadOnlyDict({SINGLE_INLET: self.input} if self.input is not None else {})
 
     @property
     def period(self) -> float | None:

@@ -26,6 +26,7 @@ from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.later_input import own_inputs
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import TubeEntry
+from viscodesign.scene.read_only import ReadOnlyDict
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.scene import (
     DEFAULT_ACCURACY,
@@ -179,7 +180,7 @@ class SeveralScene(SpecPart):
     @cached_property
     def sources(self) -> Mapping[str, Input]:
         """The inputs by name, each with values of its own."""
-        return own_inputs(self.inputs, self.run.duration)
+        return ReadOnlyDict(own_inputs(self.inputs, self.run.duration))
 
     def sources_of(self, actuator: str) -> Mapping[str, str]:
         """The input that feeds each inlet of an actuator."""
@@ -193,7 +194,7 @@ class SeveralScene(SpecPart):
     @cached_property
     def scenes(self) -> Mapping[str, Scene]:
         """Each actuator by itself."""
-        return {name: self._scene(name) for name in self.actuators}
+        return ReadOnlyDict({name: self._scene(name) for name in self.actuators})
 
     def _share(self, name: str) -> Input:
         """What one actuator has of an input."""

@@ -16,7 +16,8 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from viscodesign.errors import Fault, SpecError, UsageError, did_you_mean
+from viscodesign.errors import Fault, SpecError, did_you_mean
+from viscodesign.scene.read_only import UnchangeableError, read_only
 from viscodesign.storage.cached_property import cached_property
 
 KeyPath = tuple[str, ...]
@@ -37,12 +38,12 @@ class KeyFault(NamedTuple):
     """What the key may have, where its field does not say so."""
 
 
-class UnchangeableError(UsageError, AttributeError):
-    """A scene, or a part of one, is not changed but replaced."""
-
-
 class SpecPart(BaseModel):
-    """A part of a spec: immutable, without unknown keys."""
+    """A part of a spec: immutable, without unknown keys.
+
+    Its mappings are read-only ones, so that no change escapes what was computed of them. Its
+    sequences are tuples.
+    """
 
     model_config = ConfigDict(
         frozen=True,
@@ -54,6 +55,10 @@ class SpecPart(BaseModel):
 
     section: ClassVar[str] = "SECTION."
     """Where its keys stand, for a message that does not know which part it is."""
+
+    def model_post_init(self, context: Any, /) -> None:
+        """Make its mappings read-only; those of defaults and of own validators as well."""
+        _protect(self)
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_"):
@@ -163,7 +168,16 @@ def copied(part: PartT, changes: Mapping[str, Any]) -> PartT:
     copy = BaseModel.model_copy(part, update=changes)
     for derived in set(vars(copy)) - set(type(part).model_fields):
         del vars(copy)[derived]
+    _protect(copy)
     return copy
+
+
+def _protect(part: BaseModel) -> None:
+    """Make the mappings of a part read-only in place."""
+    kept = vars(part)
+    for name, value in kept.items():
+        if type(value) is dict:
+            kept[name] = read_only(value)
 
 
 def _plain_faults(error: ValidationError) -> Iterator[Fault]:
