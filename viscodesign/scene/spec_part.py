@@ -17,6 +17,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from viscodesign.errors import Fault, SpecError, did_you_mean
+from viscodesign.scene.field_names import refuse_shadowing
 from viscodesign.scene.read_only import UnchangeableError, read_only
 from viscodesign.storage.cached_property import cached_property
 
@@ -55,6 +56,10 @@ class SpecPart(BaseModel):
 
     section: ClassVar[str] = "SECTION."
     """Where its keys stand, for a message that does not know which part it is."""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        refuse_shadowing(cls)
 
     def model_post_init(self, context: Any, /) -> None:
         """Make its mappings read-only; those of defaults and of own validators as well."""
