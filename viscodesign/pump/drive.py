@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.servo_motor import LARGEST_SPEED, SERVOS, SPEED_UNIT, ServoType
 from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.scene.pumps.servo_motor import LARGEST_SPEED, SERVOS, SPEED_UNIT, ServoType
 
 COUNTS_PER_TURN = 1024 * 360.0 / 300.0
 """The servo's 1024 counts span 300 degrees (e-manual of AX-12A and AX-18A, Goal Position)."""

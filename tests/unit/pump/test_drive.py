@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS, SPEED_UNIT, STEADY_SHARE
 from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.scene.pumps.servo_motor import COUNT_ANGLE, SERVOS, SPEED_UNIT, STEADY_SHARE
 
 AX18A, AX12A = SERVOS["ax18a"], SERVOS["ax12a"]
 PINION = 29.6e-3

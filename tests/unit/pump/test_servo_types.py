@@ -2,21 +2,45 @@
 
 from __future__ import annotations
 
-from typing import get_args
+import subprocess
+import sys
 
 import pytest
 
 from tests.pumps import pump
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.servo_pump import axis_limits
-from viscodesign.pump.servo_motor import SERVOS, ServoType, model_title
 from viscodesign.pump.simulated.motor import MOTORS
 from viscodesign.pump.simulated.servo import SimulatedServo
+from viscodesign.scene.pumps.servo_motor import SERVOS, ServoType, model_title
+
+ROW_ALONE = """
+from viscodesign.scene.pumps import servo_motor
+servo_motor.SERVOS["own"] = servo_motor.ServoType("OWN-1", 99, 3.0, 2.0, 7.0)
+from tests.pumps import pump
+from viscodesign.errors import SpecError
+from viscodesign.pump.ax.servo_pump import axis_limits
+from viscodesign.pump.simulated.motor import MOTORS
 from viscodesign.scene.pumps.servo import ServoPumpSpec
+from tests.scenes import leg
+print(leg("pump.servo=own", config="leg_16_pump").pump.servo)
+print(axis_limits(pump(servo="own")).top_speed > 0.0, 99 in MOTORS)
+print(ServoPumpSpec.model_json_schema()["properties"]["servo"]["enum"])
+try:
+    leg("pump.servo=owm", config="leg_16_pump")
+except SpecError as error:
+    print(error)
+"""
 
 
-def test_every_type_may_be_named_in_a_spec() -> None:
-    assert set(get_args(ServoPumpSpec.model_fields["servo"].annotation)) == set(SERVOS)
+def test_a_row_alone_makes_a_type_that_a_spec_may_name() -> None:
+    ran = subprocess.run(
+        [sys.executable, "-c", ROW_ALONE], capture_output=True, text=True, timeout=60, check=False
+    )
+    names = [*SERVOS, "own"]
+    assert ran.stderr == ""
+    assert ran.stdout.splitlines()[:3] == ["own", "True True", str(names)]
+    assert f"must be one of {', '.join(names)}; got 'owm'" in ran.stdout
 
 
 @pytest.mark.parametrize("name", SERVOS)

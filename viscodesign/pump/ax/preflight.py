@@ -10,8 +10,8 @@ from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.ax.servo_state import ServoState, read_anyway, read_servo
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.play.axis import FoundAxis
-from viscodesign.pump.servo_motor import SERVOS, model_title
 from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.scene.pumps.servo_motor import SERVOS, model_title
 
 LOWEST_VOLTAGE = 10.0
 """Below it a battery of three lithium cells is ruined; its servo would go on to 6 V [V]."""

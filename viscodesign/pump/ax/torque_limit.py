@@ -10,8 +10,8 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol.registers import FULL
 from viscodesign.pump.ax.servo_state import ServoState
 from viscodesign.pump.drive import Drive
-from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
 from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.scene.pumps.servo_motor import COUNT_ANGLE, SERVOS
 
 ABOVE_CAP = 1.2  # so that the cap in software acts first
 NOTABLE = 32

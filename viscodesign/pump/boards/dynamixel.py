@@ -6,7 +6,7 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.ax.protocol.transactions import ARBOTIX, ROS_MODEL, NoReplyError
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.servo_motor import model_title
+from viscodesign.scene.pumps.servo_motor import model_title
 
 SCANNED_IDS = range(1, 17)  # ids that are asked where no servos are named
 

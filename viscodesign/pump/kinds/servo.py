@@ -35,7 +35,6 @@ from viscodesign.pump.poses.upload import PoseUpload
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sensors.required_sensors import with_sensors
-from viscodesign.pump.servo_motor import SERVOS
 from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.plant import AMBIENT, Plant
@@ -43,6 +42,7 @@ from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Pins, Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
 from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.scene.pumps.servo_motor import SERVOS
 from viscodesign.scene.scene import Scene
 
 SCANNED_IDS = range(1, 9)

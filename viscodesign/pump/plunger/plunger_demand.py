@@ -23,9 +23,9 @@ from viscodesign.pump.plunger.plunger_numbers import (
     plunger_numbers,
     plunger_words,
 )
-from viscodesign.pump.servo_motor import STEADY_SHARE
 from viscodesign.results.findings import Notice
 from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.pumps.servo_motor import STEADY_SHARE
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from viscodesign.pump.planning.fix import CAP, HIGHER, LOWER, SLOWER, Fix
-from viscodesign.pump.servo_motor import SERVOS
+from viscodesign.scene.pumps.servo_motor import SERVOS
 
 THINNER = Fix("pump.syringe_diameter", 5e-3, "a syringe of {:.4g} mm inner diameter", "mm", 1e-3)
 WIDER = replace(THINNER, far=0.1)

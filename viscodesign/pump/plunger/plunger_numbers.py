@@ -13,9 +13,9 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import gas
 from viscodesign.pump.drive import Drive
 from viscodesign.pump.planning.feed_line import fed_by_each
-from viscodesign.pump.servo_motor import STEADY_SHARE
 from viscodesign.results.findings import Notice
 from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.scene.pumps.servo_motor import STEADY_SHARE
 from viscodesign.scene.scene import Scene
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.limits import Assessment, jump_words
 from viscodesign.pump.planning.result import Severity
-from viscodesign.pump.servo_motor import SPEED_UNIT, STEADY_SHARE
+from viscodesign.scene.pumps.servo_motor import SPEED_UNIT, STEADY_SHARE
 
 if TYPE_CHECKING:
     from viscodesign.pump.plunger.plunger_demand import PlungerDemand

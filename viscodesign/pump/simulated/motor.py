@@ -8,7 +8,7 @@ and cooling: they are assumed.
 from __future__ import annotations
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.servo_motor import COUNT_ANGLE, SERVOS
+from viscodesign.scene.pumps.servo_motor import COUNT_ANGLE, SERVOS
 
 NOMINAL_VOLTAGE = 12.0
 

@@ -13,8 +13,8 @@ from viscodesign.pump.ax.protocol import registers as table
 from viscodesign.pump.ax.protocol.packets import BROADCAST, ErrorBits, Instruction, Packet
 from viscodesign.pump.ax.protocol.registers import Register
 from viscodesign.pump.drive import COUNTS_PER_TURN
-from viscodesign.pump.servo_motor import SERVOS_BY_MODEL
 from viscodesign.pump.simulated.motor import MOTORS
+from viscodesign.scene.pumps.servo_motor import SERVOS_BY_MODEL
 
 AMBIENT_TEMPERATURE = 25.0
 OVERLOAD_TIME = 1.0  # [s]; assumed

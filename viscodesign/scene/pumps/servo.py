@@ -9,12 +9,15 @@ from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from viscodesign.scene.per_inlet import ByInlet, named
 from viscodesign.scene.pumps.base import PumpSpec
+from viscodesign.scene.pumps.servo_motor import SERVOS
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
 from viscodesign.units import Charge, Force, Length, Voltage, Volume
 
 MAX_SERVO_COUNTS = 1023
 MAX_SERVO_ID = 253
 """Of the Dynamixel protocol, where 254 is the broadcast id."""
+ServoName: Any = Literal[tuple(SERVOS)]
+"""One of the types in the table."""
 
 
 def _ids(given: Any) -> Any:
@@ -75,7 +78,7 @@ class ServoPumpSpec(PumpSpec):
     )
     syringe_stroke: Length = Field(0.1045, gt=0, description="Usable stroke of the plunger")
     pinion_diameter: Length = Field(0.0296, gt=0, description="Pitch diameter")
-    servo: Literal["ax12a", "ax18a"] = Field("ax18a", description="Model of the servo")
+    servo: ServoName = Field("ax18a", description="Model of the servo")
     servo_id: Annotated[int | dict[str, int], BeforeValidator(_ids)] = Field(
         1, description="One id, or one per inlet by name"
     )

@@ -39,7 +39,7 @@ SERVOS = {
     "ax12a": ServoType("AX-12A", 12, 1.5, 1.5, _rpm(59.0)),
     "ax18a": ServoType("AX-18A", 18, 1.8, 2.2, _rpm(97.0), temperature_limit=75, max_torque=983),
 }
-"""Types by their name in a spec. Another one is a line here, and its name in `pump.servo`."""
+"""Types by their name in `pump.servo`. Another one is a line here."""
 SERVOS_BY_MODEL = {servo.model: servo for servo in SERVOS.values()}
 
 
