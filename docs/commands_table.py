@@ -30,8 +30,9 @@ def _sections(command: Any, name: str) -> Iterator[str]:
 
 
 def _section(command: Any, name: str) -> str:
-    arguments = [p for p in command.params if p.param_type_name == "argument"]
-    options = [p for p in command.params if p.param_type_name == "option"]
+    parameters = command.get_params(command.context_class(command))
+    arguments = [p for p in parameters if p.param_type_name == "argument"]
+    options = [p for p in parameters if p.param_type_name == "option"]
     usage = " ".join([name, *(_shown(p) for p in arguments), "[OPTIONS]"])
     text = inspect.cleandoc(command.help or "").replace("\b\n", "")
     parts = [f"## {name}", f"```text\n{usage}\n```", text]

@@ -52,7 +52,8 @@ def rehearsal() -> Rehearsal:
     planned = plan(scene)
     clock, plant = SteppedClock(), ActuatorPlant(scene)
     ambient = scene.ambient_pressure
-    board = Simulated(ServoKind().simulated_line(scene.pump, clock, plant, ambient), planned.axes)
+    line = ServoKind().simulated_line(scene.pump, 1, clock, plant, ambient)
+    board = Simulated(line, planned.axes)
     gauges = PressureReadings([BoardAnalog(board, 0).absolute], ambient)
     pump = ServoPump(board, scene.pump, planned.axes, gauges, Switches({}), clock)
     rows: list[tuple[float, ...]] = []

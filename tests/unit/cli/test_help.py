@@ -10,6 +10,9 @@ from typer.testing import CliRunner
 
 from viscodesign.cli.app import COMMANDS, app_for
 from viscodesign.cli.pump import pump
+from viscodesign.pump.boards.line_regulator import LineRegulator
+from viscodesign.pump.kinds.regulator import RegulatorKind
+from viscodesign.pump.sessions.board_names import pump_kinds
 
 app = app_for([])
 PUMP = sorted(command.name or "" for command in pump.registered_commands)
@@ -71,3 +74,17 @@ def test_help_imports_nothing_heavy() -> None:
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
     assert done.stderr == "[]\n"
+
+
+@pytest.mark.parametrize(("name", "last"), [("stop", "own-board"), ("record", "own-board")])
+def test_the_help_of_a_board_names_those_of_every_kind(
+    name: str, last: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    boards = {**RegulatorKind().boards(), last: LineRegulator}
+    monkeypatch.setattr(RegulatorKind, "boards", lambda self: boards)
+    page = " ".join(CliRunner().invoke(app_for([]), ["pump", name, "--help"]).stdout.split())
+    every = [board for kind in pump_kinds().values() for board in kind.boards()]
+    if name == "record":
+        every.append("simulated")
+    assert f"{', '.join(every[:-1])} or {every[-1]}." in page
+    assert last in page

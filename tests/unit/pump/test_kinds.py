@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import ast
 import re
+from typing import Any
 
 import pytest
 
 from tests.scenes import ROOT, leg
 from viscodesign.errors import SpecError, UsageError
 from viscodesign.pump import BoardAddress, calibrate, record, rehearse, status, upload
+from viscodesign.pump.bus.line import Line
 from viscodesign.pump.kinds.base import PumpKind
+from viscodesign.pump.kinds.servo import ServoKind
 from viscodesign.pump.planning.demand_kinds import demand_kind, pump_of
 from viscodesign.pump.planning.limits import verdict
 from viscodesign.pump.planning.motion import InletHistory, RequestedMotion
 from viscodesign.pump.sessions.board_names import boards_of, kind_behind, pump_kinds
+from viscodesign.pump.sessions.connection import connected
+from viscodesign.pump.sessions.dry_run import _simulated_link
 from viscodesign.scene.pump import DEFAULT_KIND, PUMP_KINDS
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 from viscodesign.scene.scene import Scene
 
 NEUTRAL = ("play", "sessions", "planning")
@@ -23,7 +29,9 @@ MODULES = sorted(
     path for room in NEUTRAL for path in (ROOT / "viscodesign" / "pump" / room).glob("*.py")
 )
 COMMANDS = sorted((ROOT / "viscodesign" / "cli" / "pump").glob("*.py"))
-FAMILIES = re.compile(r"viscodesign\.pump\.(ax|plunger|drive|servo_motor|kinds\.(?!base))")
+FAMILIES = re.compile(
+    r"viscodesign\.(pump\.(ax|plunger|drive|kinds\.(?!base))|scene\.pumps\.servo)"
+)
 EXAMPLES = {
     ("demand_kinds", "servo: ax18a"),  # what a spec without a pump may add
     ("axis", "'servo'"),
@@ -81,7 +89,8 @@ def test_a_spec_that_names_no_kind_has_a_servo() -> None:
 
 
 def test_a_kind_that_does_not_exist_is_refused_with_those_there_are() -> None:
-    with pytest.raises(SpecError, match=r"kind must be one of servo, regulator; got 'regulater'"):
+    known = ", ".join(PUMP_KINDS)
+    with pytest.raises(SpecError, match=f"kind must be one of {known}; got 'regulater'"):
         leg("pump={kind: regulater}", config="leg_16_pump")
 
 
@@ -176,3 +185,28 @@ def test_a_regulator_goes_in_whole_steps_no_faster_than_its_rate(regulated: Scen
         [5e3, 10e3 - 5e3 - 10e3 % (1e5 / 1023), 5e3], abs=100.0
     )
     assert path[2] / (1e5 / 1023) == pytest.approx(round(10e3 / (1e5 / 1023)))
+
+
+@pytest.mark.parametrize("inlets", [1, 2])
+def test_a_simulated_device_is_told_the_number_of_inlets(
+    inlets: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scene = leg("pump={syringe_diameter: 34.9 mm}", config="leg_16_pump")
+    if inlets == 2:
+        ids = "pump={syringe_diameter: 34.9 mm, servo_id: {left: 1, right: 2}}"
+        scene = leg(ids, config="antagonistic_two_inlets")
+    assert len(scene.inputs) == inlets
+    told: list[int] = []
+    make = ServoKind.simulated_line
+
+    def line(self: ServoKind, pump: ServoPumpSpec, count: int, *rest: Any, **options: Any) -> Line:
+        told.append(count)
+        return make(self, pump, count, *rest, **options)
+
+    monkeypatch.setattr(ServoKind, "simulated_line", line)
+    with connected(BoardAddress(pace="max"), scene):
+        pass
+    _simulated_link(ServoKind(), scene)
+    with connected(BoardAddress(pace="max"), None):
+        pass
+    assert told == [inlets, inlets, 1]

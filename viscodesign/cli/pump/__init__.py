@@ -10,6 +10,8 @@ import pkgutil
 
 import typer
 
+from viscodesign.cli.pump._board_help import PumpCommand
+
 pump = typer.Typer(
     name="pump",
     no_args_is_help=True,
@@ -19,4 +21,4 @@ pump = typer.Typer(
 
 for _name in sorted(m.name for m in pkgutil.iter_modules(__path__) if not m.name.startswith("_")):
     _module = importlib.import_module(f"{__name__}.{_name}")
-    pump.command(_name, epilog=_module.EXAMPLE)(_module.command)
+    pump.command(_name, cls=PumpCommand, epilog=_module.EXAMPLE)(_module.command)

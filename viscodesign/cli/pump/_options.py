@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from viscodesign.cli.pump._board_help import ALL_BOARDS, REAL_BOARDS
 from viscodesign.errors import UsageError
 
 if TYPE_CHECKING:
@@ -17,12 +18,12 @@ Board = Annotated[
     typer.Option(
         "--board",
         metavar="NAME",
-        help="dynamixel, arbotix, arbotix-ros, regulator or simulated.",
+        help=f"{ALL_BOARDS}.",
     ),
 ]
 RealBoard = Annotated[
     str,
-    typer.Option("--board", metavar="NAME", help="dynamixel, arbotix, arbotix-ros or regulator."),
+    typer.Option("--board", metavar="NAME", help=f"{REAL_BOARDS}."),
 ]
 Port = Annotated[
     str | None,

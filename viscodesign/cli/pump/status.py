@@ -28,7 +28,7 @@ def command(
     quiet: Quiet = False,
     _debug: Debug = False,
 ) -> None:
-    """Show the axes that answer: servos, or a regulator.
+    """Show the axes that answer.
 
     With a spec, pressure and switches too. Only reads: nothing is switched, nothing is
     written. Exits with 4 where an axis must not be moved as it is, and says why.

@@ -33,7 +33,7 @@ def command(
     """Halt the board and hold every axis that answers.
 
     Works in any state and asks nothing. Says of each whether that was verified, and exits with 4
-    where it was not. A servo without torque is left without; a regulator holds its outlet.
+    where it was not. An axis without force is left without; a set pressure is held.
     """
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.pump import BoardAddress, stop

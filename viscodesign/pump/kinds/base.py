@@ -128,11 +128,19 @@ class PumpKind(ABC):
 
     @abstractmethod
     def simulated_line(
-        self, pump: Any, clock: Clock, plant: Plant | None, ambient: float, *, poses: bool = False
+        self,
+        pump: Any,
+        inlets: int,
+        clock: Clock,
+        plant: Plant | None,
+        ambient: float,
+        *,
+        poses: bool = False,
     ) -> Line:
         """A line into that board, and a pump behind it. ``ambient``: absolute [Pa].
 
-        ``plant``: what the pump presses into; by default something closed.
+        ``inlets``: number of inlets, so of axes; ``plant``: what the pump presses into; by
+        default something closed.
         """
 
     @abstractmethod

@@ -191,6 +191,7 @@ class RegulatorKind(PumpKind):
     def simulated_line(
         self,
         pump: RegulatorSpec,
+        inlets: int,
         clock: Clock,
         plant: Plant | None = None,
         ambient: float = AMBIENT,

@@ -89,6 +89,7 @@ class ServoKind(PumpKind):
     def simulated_line(
         self,
         pump: ServoPumpSpec,
+        inlets: int,
         clock: Clock,
         plant: Plant | None = None,
         ambient: float = AMBIENT,
@@ -96,7 +97,7 @@ class ServoKind(PumpKind):
         poses: bool = False,
     ) -> Line:
         """A line into a simulated ArbotiX: with the firmware for ROS, or with PyPose's."""
-        bench = simulated_bench(pump, plant, ambient)
+        bench = simulated_bench(pump, plant, ambient, inlets)
         return DirectLine(PyPose(bench) if poses else Ros(bench, Pins(bench, ambient)), clock)
 
     def simulated_pump(self) -> ServoPumpSpec:
@@ -156,10 +157,10 @@ class ServoKind(PumpKind):
 
 
 def simulated_bench(
-    pump: ServoPumpSpec, plant: Plant | None = None, ambient: float = AMBIENT
+    pump: ServoPumpSpec, plant: Plant | None = None, ambient: float = AMBIENT, inlets: int = 1
 ) -> SimulatedBench:
     """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
-    model, ids = SERVOS[pump.servo].model, pump.axes(1)
+    model, ids = SERVOS[pump.servo].model, pump.axes(inlets)
     drives = [Drive(pump) for _ in ids]
     servos = [SimulatedServo(servo, model, pump.home) for servo in ids]
     for servo in servos:

@@ -32,6 +32,11 @@ def boards_of(kind: PumpKind) -> dict[str, type[Controller]]:
     return {**kind.boards(), SIMULATED_BOARD: kind.simulated_board(poses=False)}
 
 
+def real_boards() -> list[str]:
+    """Names of all boards of which something real moves, in the order of their kinds."""
+    return [name for kind in pump_kinds().values() for name in kind.boards()]
+
+
 def boards() -> dict[str, type[Controller]]:
     """All boards by the word after `--board`; the simulated one is that of the default kind."""
     kinds = pump_kinds()

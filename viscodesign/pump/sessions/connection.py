@@ -114,7 +114,7 @@ def connected(
     log, baud = ByteLog(address.log, tell), address.baud or board.baud
     try:
         if address.simulated:
-            line = kind.simulated_line(pump, clock, plant, ambient, poses=poses)
+            line = kind.simulated_line(pump, len(names), clock, plant, ambient, poses=poses)
         else:
             line = _serial_line(str(address.port), baud, clock)
         how = {"board": address.board, "port": address.port, "baud": baud}

@@ -102,7 +102,8 @@ def _simulated_link(
 ) -> tuple[Connection, RecordingLine]:
     """A connection to a simulated pump that presses into nothing, and all that it sends."""
     clock, pump, ambient = SteppedClock(), pump_of(scene), scene.ambient_pressure
-    line = RecordingLine(kind.simulated_line(pump, clock, NoPressure(), ambient, poses=poses))
-    names = tuple(scene.inputs)
+    names, plant = tuple(scene.inputs), NoPressure()
+    device = kind.simulated_line(pump, len(names), clock, plant, ambient, poses=poses)
+    line = RecordingLine(device)
     board = kind.simulated_board(poses)(line, pump.axes(len(names)))
     return Connection(kind, board, ByteLog(None, ignore), clock, pump, ambient, names), line
