@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from viscodesign.checks.numbers_at_keys import numbers_at
 from viscodesign.checks.plausible_ranges import ANY, SYRINGES, PlausibleRange
+from viscodesign.checks.written_numbers import written
 from viscodesign.scene.scene import Scene
 
 LEAST_CYCLES = 0.02
@@ -24,7 +25,7 @@ OWN_SWING = 200.0
 CUT_TRANSITION = 0.25
 """Part of a transition that a run may begin before its centre, or it begins in the middle of it."""
 PULSES = "pulses that last"
-CENTRES = "from a quarter of the transition after the start to the end of the run"
+RUN = "such a run shows"
 SHOWN = "from a fiftieth of a cycle in the run to two outputs in each cycle"
 PARTS = "from a twentieth of the time between outputs to twenty runs"
 TIMES = (1e-3, 1e3, 1e-6, 1e6)
@@ -34,21 +35,34 @@ def input_ranges(scene: Scene) -> Iterator[PlausibleRange]:
     """Ranges of the keys that inputs have, whatever their kinds."""
     duration, interval = scene.run.duration, _between_outputs(scene)
     longest, shortest = duration / LEAST_CYCLES, OUTPUTS_PER_CYCLE * interval
-    yield PlausibleRange("inputs.*.frequency", "Hz", 1 / longest, 1 / shortest, SHOWN, TIMES)
-    yield PlausibleRange("inputs.*.period", "s", shortest, longest, SHOWN, TIMES)
+    for key, unit, low, high in (
+        ("frequency", "Hz", 1 / longest, 1 / shortest),
+        ("period", "s", shortest, longest),
+    ):
+        yield PlausibleRange(f"inputs.*.{key}", unit, low, high, SHOWN, TIMES, whose=RUN)
     bounds = SHORTEST_SHARE * interval, LONGEST_SHARE * duration
-    yield PlausibleRange("inputs.*.transition", "s", *bounds, PARTS, TIMES)
-    yield PlausibleRange("inputs.*.duty", "", 5e-3, 1.0 - 5e-3, PULSES, (1e-2, 1e2))
+    yield PlausibleRange("inputs.*.transition", "s", *bounds, PARTS, TIMES, whose=RUN)
+    yield PlausibleRange("inputs.*.duty", "", 5e-3, 1.0 - 5e-3, PULSES, (1e-2, 1e2), whose=RUN)
     for inlet in scene.inputs:
         for _, transition in numbers_at(scene, f"inputs.{inlet}.transition"):
-            centres = CUT_TRANSITION * transition, duration
             for name in ("fall_time", "rise_time"):
-                yield PlausibleRange(f"inputs.{inlet}.{name}", "s", *centres, CENTRES, TIMES)
+                yield _centre(f"inputs.{inlet}.{name}", transition, duration)
     for name in ("rise", "hold", "fall", "rest"):
         key = f"inputs.*.{name}"
-        yield PlausibleRange(key, "s", *bounds, PARTS, TIMES, or_none=True)
+        yield PlausibleRange(key, "s", *bounds, PARTS, TIMES, or_none=True, whose=RUN)
     yield from _transient_times(scene)
     yield from _syringes(scene)
+
+
+def _centre(key: str, transition: float, duration: float) -> PlausibleRange:
+    """Of the centre of a transition, which the run shows for the greater part."""
+    first, end = CUT_TRANSITION * transition, written(duration, "s")
+    words = f"must lie within the run, which ends at {end}"
+    if first < duration:
+        words += f", and not before {written(first, 's')} (a quarter of the transition)"
+    else:
+        words += f" and is too short for a transition of {written(transition, 's')}"
+    return PlausibleRange(key, "s", first, duration, "", TIMES, requirement=words)
 
 
 def _between_outputs(scene: Scene) -> float:
@@ -71,6 +85,7 @@ def _transient_times(scene: Scene) -> Iterator[PlausibleRange]:
                 own * OWN_SWING,
                 f"{OWN_SWING:g} times the {own:.3g} s of the profile itself, either way",
                 TIMES,
+                whose="belongs to this profile",
             )
 
 

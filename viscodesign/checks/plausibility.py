@@ -61,16 +61,15 @@ def plausibility_notices(scene: Scene) -> Iterator[Notice]:
     yield from _outputs(scene)
 
 
-def unusual(found: PlausibleRange, value: float, whose: str = "such actuators have") -> Notice:
+def unusual(found: PlausibleRange, value: float) -> Notice:
     """The warning of a number outside of its range."""
     size = " in size" if found.either_sign else ""
-    return Notice(
-        "implausible_value",
-        f"{written(value, found.unit)} is far {_side(found, value)} what {whose}, "
-        f"{written(found.low, found.unit)} to {written(found.high, found.unit)}{size} "
-        f"({found.source}){_meant(found, value)}",
-        found.key,
+    told = found.requirement or (
+        f"is far {_side(found, value)} what {found.whose}, {written(found.low, found.unit)} to "
+        f"{written(found.high, found.unit)}{size} ({found.source})"
     )
+    words = f"{written(value, found.unit)} {told}{_meant(found, value)}"
+    return Notice("implausible_value", words, found.key)
 
 
 def impossible_values(scene: Scene) -> Iterator[Fault]:

@@ -62,6 +62,10 @@ class PlausibleRange:
     """Whether the bounds are those of the size."""
     or_none: bool = False
     """Whether zero is usual, too."""
+    whose: str = "such actuators have"
+    """What has such numbers."""
+    requirement: str = ""
+    """What a number must do, where its range in words would be no help."""
 
     def holds(self, value: float) -> bool:
         """Whether a number is a usual one."""

@@ -6,7 +6,9 @@ Bounds are our choice: they catch slips of prefix and unit and judge no design.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
+from viscodesign.checks.input_ranges import RUN
 from viscodesign.checks.plausibility import outside, unusual
 from viscodesign.checks.plausible_ranges import ANY, KELVIN_VOIGT, PlausibleRange
 from viscodesign.results.findings import Notice
@@ -49,8 +51,9 @@ RANGES = (
 
 def robot_notices(scene: RobotScene) -> Iterator[Notice]:
     """One warning for each number of the body, its legs and feet that is hardly meant."""
-    for found, value in outside(scene, (*RANGES, _delays(scene))):
-        yield unusual(found, value, "such robots have")
+    own = (replace(found, whose="such robots have") for found in RANGES)
+    for found, value in outside(scene, (*own, _delays(scene))):
+        yield unusual(found, value)
 
 
 def _delays(scene: RobotScene) -> PlausibleRange:
@@ -58,6 +61,6 @@ def _delays(scene: RobotScene) -> PlausibleRange:
     run = scene.run
     least = 0.05 * min(run.output_interval, run.duration)
     words = "from a twentieth of the time between outputs to the end of the run"
-    return PlausibleRange(
-        "inputs.*.delay", "s", least, run.duration, words, (1e-3, 1e3), ANY, or_none=True
-    )
+    slips = (1e-3, 1e3)
+    found = PlausibleRange("inputs.*.delay", "s", least, run.duration, words, slips, ANY)
+    return replace(found, or_none=True, whose=RUN)

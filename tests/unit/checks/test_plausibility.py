@@ -95,6 +95,23 @@ def test_a_number_that_is_hardly_meant_is_told_once(
 
 
 @pytest.mark.parametrize(
+    ("overrides", "words"),
+    [
+        (["run.duration=1 s"], "4 s must lie within the run, which ends at 1 s and is too short for a transition of 4 s"),
+        (["run.duration=2 s"], "4 s must lie within the run, which ends at 2 s, and not before 1 s (a quarter of the transition)"),
+        (["input.fall_time=4 ms"], "a quarter of the transition); did you mean 4 s?"),
+        (["input.transition=4 ks"], "4000 s is far above what such a run shows, 2.5 ms to 560 s (from a twentieth"),
+        (["input.transient_time=4 us"], "what belongs to this profile"),
+    ],
+)  # fmt: skip
+def test_a_time_is_compared_with_the_run(overrides: list[str], words: str) -> None:
+    """Not with actuators, and in words that hold where no time is allowed."""
+    found = [notice.message for notice in plausibility_notices(leg(*overrides, config="leg_4_air"))]
+    assert any(words in message for message in found), found
+    assert not any("such actuators" in message for message in found)
+
+
+@pytest.mark.parametrize(
     ("override", "words"),
     [
         ("network.tube_length=37.5 Mm", "at most 1 Mm; got 37.5 Mm; did you mean 37.5 mm?"),
