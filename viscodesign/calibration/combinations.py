@@ -39,7 +39,7 @@ class KnownProduct:
 
 
 def known_products(covariance: np.ndarray, unsure: Sequence[int]) -> list[KnownProduct]:
-    """Products of powers of some numbers that are known, and none of whose factors is.
+    """Find products of powers that are known although none of their factors is.
 
     ``covariance`` (u, u) of logarithms, ``unsure``: places of the numbers that are not known by
     themselves.

@@ -33,7 +33,7 @@ def spec_text(scene: Scene, numbers: Sequence[FittedNumber]) -> str:
 def interval_words(number: FittedNumber) -> str:
     """What is known of a number, in words."""
     if number.edge:
-        return f"not identified: at the {number.edge} edge of its search; {number.start:.6g} before"
+        return f"not identified: at its {number.edge} search bound; {number.start:.6g} before"
     if number.why_unknown == "mismatch":
         return f"not identified: the model does not describe the data; {number.start:.6g} before"
     if number.low is None and number.high is None:

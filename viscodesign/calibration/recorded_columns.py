@@ -114,7 +114,7 @@ def _column(
         example = f"{name}_{kind.unit.lower().replace('^', '')}"
         return (
             f"column '{header}' has no unit that a {kind.name} may have; "
-            f"write it behind the name, such as '{example}'"
+            f"write it after the name, such as '{example}'"
         )
     return None
 

@@ -197,7 +197,7 @@ def _check_places(channels: Sequence[RecordedChannel], length: float, file: str)
     if headers:
         shown = ", ".join(headers[:MOST_LISTED]) + (" ..." if len(headers) > MOST_LISTED else "")
         told = next(own for own in words if own)
-        message = f"{shown}: {told} Write the unit behind the name, such as tip_x_mm"
+        message = f"{shown}: {told} Write the unit after the name, such as tip_x_mm"
         raise SpecError([Fault(message, file=file)])
 
 

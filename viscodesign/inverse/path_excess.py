@@ -19,7 +19,7 @@ ROWS_AT_ONCE = 2000
 
 @dataclass(frozen=True, eq=False)
 class PathExcess:
-    """Found points (T,) off the wanted line; those before and behind an open path do not count."""
+    """Deviation of T points from the requested path, none beyond the ends of an open one."""
 
     distances: np.ndarray
     """(T,) [m]"""

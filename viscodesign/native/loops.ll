@@ -1,4 +1,4 @@
-; made from edd87fdcb40f311afbcc9d2b5b6be4533891f3b08d8f0f1a4f0e08033f580a79
+; made from cc1f73bd6910aed1fe35455f25bfd584daa43dad7c03277dfce0204178e3f865
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8

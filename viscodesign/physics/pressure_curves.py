@@ -18,7 +18,7 @@ class PressureCurves:
 
     @classmethod
     def through(cls, rows: np.ndarray, length: float, section: float) -> PressureCurves:
-        """Through rows (n, 4) of pressure, area, angle and extension, with increasing pressure.
+        """Interpolate rows (n, 4) of pressure, area, angle and extension, with increasing pressure.
 
         ``length`` of the bellow and ``section`` of its section [m].
         """

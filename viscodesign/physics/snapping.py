@@ -33,7 +33,7 @@ class SnapCurves:
     def through(
         cls, rows: np.ndarray, length: float, section: float, filled_at: float
     ) -> SnapCurves:
-        """Through rows (n, 4) of pressure, area, angle and extension, with increasing area.
+        """Interpolate rows (n, 4) of pressure, area, angle and extension, with increasing area.
 
         ``length`` of the bellow and ``section`` of its section [m]; ``filled_at`` [Pa].
         """

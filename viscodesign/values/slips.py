@@ -39,10 +39,10 @@ _SLIPS: tuple[tuple[str, str], ...] = (
     ),
     (
         r"[+-]?[0-9.]+ *\([0-9.]+\).*",
-        "brackets behind a number (an uncertainty?) are no part of a value; write the number alone",
+        "brackets after a number (an uncertainty?) are not part of a value; write the number alone",
     ),
     (r"[+-]?0[xXoObB][0-9a-fA-F]+.*", "only decimal digits are read"),
-    (r"[0-9]+:[0-9:.]+.*", "a clock time is not read; write seconds, such as '90 s'"),
+    (r"[0-9]+:[0-9:.]+.*", "a clock time is not supported; write seconds, such as '90 s'"),
     (
         r"[<>~≈≤≥].*|(?:ca|about|approx|circa)\b.*",
         "a value is exact; leave out the sign or word before the number",
@@ -73,7 +73,7 @@ _SLIPS: tuple[tuple[str, str], ...] = (
     ),
     (
         r"[(\[{].*|.*[(\[{].*",
-        "brackets around a number or a unit are not read; write them away",
+        "brackets around a number or a unit are not supported; remove them",
     ),
     (
         rf"[+-]?{_DIGITS}.*[^\w.^*]-?{_DIGITS}.*",

@@ -204,7 +204,7 @@ def test_a_number_at_the_edge_of_its_search_says_so(scene: Scene, tmp_path: Path
     assert not number.is_identified
     assert number.value == pytest.approx(30 * number.start, rel=1e-2)
     assert any("fluid.viscosity" in own and "high edge" in own for own in found.warnings)
-    assert "at the high edge of its search" in found.spec
+    assert "at its high search bound" in found.spec
 
 
 def test_intervals_are_as_wide_as_the_misfit(scene: Scene, plain: Fit) -> None:

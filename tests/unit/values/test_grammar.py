@@ -54,7 +54,7 @@ REFUSED = [
     ("\u0661\u0662 mm", "arabic-indic digit"), ("\uff11 mm", "fullwidth"), ("1.8\u00a0MPa", "no-break space"),
     ("\u22125 kPa", "minus sign"), ("1\u202f800 kPa", "narrow no-break"), ("5\u200b kPa", "zero width"),
     # others
-    ("0x10 mm", "decimal digits"), ("1:30 s", "clock"), ("~5 mm", "exact"), ("<5 mm", "exact"),
+    ("0x10 mm", "decimal digits"), ("1:30 s", "clock time is not supported"), ("~5 mm", "exact"), ("<5 mm", "exact"),
     ("ca. 5 mm", "exact"), (".inf", "not finite"), ("-.inf", "not finite"), (".nan", "not finite"),
     ("--5 kPa", "not one number"), ("5.5.5 kPa", "not one number"), ("kPa 5", "not one number"),
     ("5'", "not one number"), ("5 mPa.s", "the sign '*'"), ("5 % %", "not one number"), ("5 m^1.5", "not one number"),

@@ -83,7 +83,7 @@ def _number_row(own: FittedNumber) -> tuple[str, str, str, str]:
     else:
         width, words = "", f"95 %: above {own.low:.3g}"
     mark = "" if own.is_identified else "; NOT IDENTIFIED"
-    mark += f", AT THE {own.edge.upper()} EDGE OF ITS SEARCH" if own.edge else ""
+    mark += f", at its {own.edge} search bound" if own.edge else ""
     return own.key, value_words(own.value, own.unit), width, f"{words}; was {own.start:.5g}{mark}"
 
 

@@ -84,7 +84,7 @@ def pull_drive(layout, derived, idx, rows, numbers, Y, which, weights, Y_bar, nu
 
 def pull(layout, table, which, results, places, derived, idx, numbers, Y, weights, Y_bar,
          numbers_bar, local, out):  # fmt: skip
-    """Slopes of one table's weighted results by what it reads."""
+    """Vector-Jacobian product of one table's results."""
     lanes = layout[table + LANES]
     values, own = results * lanes, layout[table + NUMBERS] * lanes
     count = layout[table + LOCALS] * lanes

@@ -77,7 +77,7 @@ def pressure_range(demand: PumpDemand) -> Assessment:
 
 
 def pressure_rate(demand: PumpDemand) -> Assessment:
-    """Fastest change of pressure against what the pump may be asked for."""
+    """Assess the fastest change of pressure relative to the pump's limit."""
     rates = np.abs(np.diff(demand.pressure) / np.diff(demand.time))
     when, allowed = int(np.argmax(rates)), demand.axis.top_speed * demand.axis.step
     wanted = float(rates[when])

@@ -70,7 +70,7 @@ class Barrel:
         return (self.full_volume - self.cushion(pressure) - space) / self.drive.area
 
     def compliance(self, pressure: float, position: float) -> float:
-        """Plunger volume per pressure with nothing given [m3/Pa]."""
+        """Plunger volume per unit of pressure while no fluid is delivered [m3/Pa]."""
         step = 1e-4 * self.scene.ambient_pressure
         held = [self.held(pressure + sign * step, position) for sign in (-1.0, 1.0)]
         return float((held[1] - held[0]) / (2 * step) / self.density(pressure))

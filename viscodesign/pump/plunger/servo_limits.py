@@ -99,7 +99,7 @@ def cap_torque(demand: PlungerDemand) -> Assessment:
 
 
 def speed_register(demand: PlungerDemand) -> Assessment:
-    """Fastest move against the unit of the speed register."""
+    """Assess the fastest move relative to the resolution of the speed register."""
     drive, unit = demand.drive, SPEED_UNIT * demand.drive.radius
     when = int(np.argmax(np.abs(demand.velocity)))
     fastest = abs(float(demand.velocity[when]))

@@ -199,7 +199,7 @@ class PosePlayer:
         If the board does not respond, only that is reported.
         """
         if self._began is not None and not self._halted():
-            words = "the board is still playing or hangs; switch its power off"
+            words = "the board is still playing or not responding; switch its power off"
             return [FinalAxisState(servo, False, words, NOUN) for servo in self.pump.axes]
         left = [] if self.request.urgent else self.pump.hold()
         if self.request.asked:

@@ -32,7 +32,7 @@ class PyPose(Firmware):
         yield from self.engine.obey(packet.code, bytes(self._parameters), length)
 
     def _loop_sequence(self) -> Work:
-        """Until an H; an empty one forever, since nothing checks for it then."""
+        """Play the sequence until an H arrives; an empty one hangs, since no byte is read."""
         if self.engine.sequence[0][0] == END:
             yield from hang()
         yield from self.engine.play()

@@ -99,7 +99,7 @@ class Look:
         return (blue, orange, green, purple, sky, self.text)
 
     def across(self, natural: float) -> float:
-        """Width of a picture [inch] that would have the ``natural`` one by itself."""
+        """Width [inch] of a picture whose default width is ``natural``."""
         return natural if self.width is None else self.width
 
     @property

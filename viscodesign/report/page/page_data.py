@@ -80,7 +80,7 @@ def _notes(run: Trajectory, chosen: ShownRows, tubes: np.ndarray) -> Sequence[st
     notes = [*run.notes, *([chosen.note] if chosen.note else [])]
     if len(tubes) < len(run.tubes):
         notes.append(
-            f"flows are shown of {len(tubes)} of {len(run.tubes):,} tubes, those with the largest"
+            f"flows are shown for {len(tubes)} of {len(run.tubes):,} tubes, those with the largest"
         )
     if len(run.tubes) > MOST_DRAWN_TUBES:
         notes.append(f"the {len(run.tubes):,} tubes are not drawn at the actuator")

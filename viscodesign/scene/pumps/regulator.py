@@ -28,9 +28,7 @@ class RegulatorSpec(PumpSpec):
     error: Fraction = Field(
         0.02, gt=0, lt=0.5, description="Error of the outlet at rest, relative to full scale"
     )
-    rate_limit: PressureRate = Field(
-        50e3, gt=0, description="Fastest change of pressure that it is asked for"
-    )
+    rate_limit: PressureRate = Field(50e3, gt=0, description="Maximum commanded pressure rate")
     following_error: Fraction = Field(
         0.15,
         gt=0,

@@ -1,4 +1,4 @@
-"""Which columns of a file are asked for: by the spec, by their names, or by their units."""
+"""Selection of the columns of a file: by the spec, by their names, or by their units."""
 
 from __future__ import annotations
 

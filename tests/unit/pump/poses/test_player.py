@@ -68,7 +68,7 @@ def test_a_board_that_does_not_listen_is_reported_with_the_power_switch_as_remed
     rig.stop_at = 1.0
     ending = rig.player.play()
     assert not ending.verified
-    assert "switch its power off" in ending.standing[0].words
+    assert "playing or not responding; switch its power off" in ending.standing[0].words
 
 
 def test_a_play_whose_answer_is_lost_is_not_sent_again_but_halted() -> None:
