@@ -7,9 +7,11 @@ from typing import Self
 
 import numpy as np
 
+from viscodesign.errors import UsageError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.chain_symbols import ChainSymbols
+from viscodesign.model.node_masses import FEWEST_EDGES
 from viscodesign.model.rod import MINIMUM_EDGES, Body, RodDiscretisation, RodParameters, Values
 from viscodesign.model.step_geometry import StepGeometry
 
@@ -34,7 +36,19 @@ MESH = MeshRule()
 
 @dataclass(frozen=True)
 class Chain(RodDiscretisation):
-    """The chain with numbers: shapes, strains and steps."""
+    """The chain with numbers: shapes, strains and steps.
+
+    Raises `UsageError` where it would have fewer edges than its masses are integrated over.
+    """
+
+    def __post_init__(self) -> None:
+        if self.edges < FEWEST_EDGES:
+            least = math.ceil(FEWEST_EDGES / self.body.sections)
+            raise UsageError(
+                f"edges_per_section: {self.edges_per_section} in each of {self.body.sections} "
+                f"sections makes {self.edges} edges, and a rod needs at least {FEWEST_EDGES}; "
+                f"use {least} or more"
+            )
 
     @classmethod
     def suggested(cls, body: Body, accuracy: float, largest_turn: float) -> Self:
