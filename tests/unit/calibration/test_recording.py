@@ -58,7 +58,11 @@ def test_keys_behind_the_name_of_a_file() -> None:
 @pytest.mark.parametrize(
     ("header", "changes", "message"),
     [
-        ("time_s,m1_x,m1_z_m", {}, r"a\.csv:1: column 'm1_x' has no unit.*such as 'm1_x_m'"),
+        (
+            "time_s,m1_x,m1_z_m",
+            {},
+            r"a\.csv:1: column 'm1_x' has no unit.*write it after the name, such as 'm1_x_m'",
+        ),
         ("m1_x_m,m1_z_m", {}, "no time_s among its columns; expected time_s with m1_x_m"),
         ("time_s,m3_x_m", {}, "the actuator has 2 sections, so that its markers are m1"),
         ("time_s,inlet_pressure_pa", {}, "nothing to compare with a motion; expected"),

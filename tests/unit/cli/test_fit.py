@@ -10,6 +10,8 @@ import pytest
 from tests.recordings import columns_of, small_scene, written
 from viscodesign import load
 from viscodesign.cli.main import main
+from viscodesign.cli.texts.fit_text import _number_row
+from viscodesign.results.fit_result import FittedNumber
 from viscodesign.scene.reading.write import resolved_yaml
 
 TRUTH = {"bellows.area_per_pressure": 4.0e-9, "fluid.viscosity": 8.5e-5}
@@ -86,3 +88,10 @@ def test_a_bad_recording_is_one_message(
     Path(given[1]).write_text("time_s,m1_x\n0,1\n")
     assert main(["fit", *given, "-o", str(tmp_path / "out")]) == 2
     assert capsys.readouterr().err.strip().endswith("such as 'm1_x_m'")
+
+
+def test_a_number_at_a_search_bound_is_marked_in_its_row() -> None:
+    own = FittedNumber(
+        "fluid.viscosity", 3e-4, "Pa*s", 1e-5, 2.9e-4, 3.1e-4, "edge_of_range", "high"
+    )
+    assert _number_row(own)[-1].endswith("; NOT IDENTIFIED, at its high search bound")
