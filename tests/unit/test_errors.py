@@ -48,6 +48,7 @@ def test_exit_codes() -> None:
         "UsageError": 2,
         "OutputError": 3,
         "SolveError": 3,
+        "RunFailedError": 3,
         "PumpError": 4,
         "InterruptedRunError": 130,
     }

@@ -16,7 +16,7 @@ from inspect import getsource
 from pathlib import Path
 from types import ModuleType
 
-from viscodesign.errors import UsageError
+from viscodesign.errors import OutputError, UsageError
 from viscodesign.storage.atomic_files import write_bytes
 
 FOLDER_VARIABLE = "VISCODESIGN_CACHE"
@@ -105,7 +105,7 @@ def _read(path: Path) -> bytes | None:
 
 def _write(path: Path, code: bytes) -> None:
     """Add a file, and remove the oldest ones if they are too many."""
-    with contextlib.suppress(OSError, UsageError):
+    with contextlib.suppress(OSError, UsageError, OutputError):
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         content = MAGIC + hashlib.sha256(code).digest() + code
         write_bytes(path, content)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from viscodesign.cli import output
-from viscodesign.errors import UsageError, ViscodesignError
+from viscodesign.errors import OutputError, ViscodesignError
 
 
 def test_what_is_not_finite_becomes_null() -> None:
@@ -35,7 +35,7 @@ def test_a_full_disk_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_write_that_fails_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("os.replace", _refuse(OSError(28, "No space left on device")))
-    with pytest.raises(UsageError, match="No space left"):
+    with pytest.raises(OutputError, match="No space left"):
         output.write_text(tmp_path / "leg.yaml", "text", overwrite=False)
     assert list(tmp_path.iterdir()) == []
 

@@ -101,7 +101,7 @@ def test_a_writer_killed_between_any_two_steps_leaves_whole_files(
     def is_sketch(content: bytes) -> None:
         assert content == b"a picture"
 
-    monkeypatch.setattr(files, "_draw", sketch)
+    monkeypatch.setattr(files, "draw_run", sketch)
     run = made_run(bellows=2, time=np.linspace(0.0, 1.0, 21))
     moment = 0
     while killed_at(moment, run, tmp_path):
