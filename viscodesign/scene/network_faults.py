@@ -82,6 +82,11 @@ def _node_fault(node: str, sections: int, known: set[str], tubes: int) -> str:
         return (
             f"no bellow {node}; the actuator has {sections} sections, {side}1 to {side}{sections}"
         )
+    if (bellow_there := foreign_bellow(node)) is not None:
+        return (
+            f"'{node}' is a bellow of another actuator, to which no tube leads from here; "
+            f"did you mean '{bellow_there}'?"
+        )
     if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_.]*", node):
         return f"'{node}' is not a valid node name; use letters, digits, '_', '.', a letter first"
     like_an_inlet = node.lower().startswith("inlet")
@@ -90,6 +95,12 @@ def _node_fault(node: str, sections: int, known: set[str], tubes: int) -> str:
         if hint or like_an_inlet:
             return f"unknown node '{node}'{hint or '; an inlet needs an entry under inputs'}"
     return ""
+
+
+def foreign_bellow(node: str) -> str | None:
+    """The bellow in a name such as 'right.R1', which is one of another actuator."""
+    found = re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*\.([RLrl]\d+)", node)
+    return None if found is None else found.group(1).upper()
 
 
 def island_faults(graph: Graph) -> Iterator[KeyFault]:

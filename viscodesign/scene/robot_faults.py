@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 
 from viscodesign.errors import did_you_mean
 from viscodesign.scene.several import ActuatorDesign, SameInput, same_input_faults, unlike
-from viscodesign.scene.several_faults import later_faults
+from viscodesign.scene.several_faults import later_faults, own_tube_faults
 from viscodesign.scene.spec_part import KeyFault, KeyPath, faults_of
 
 if TYPE_CHECKING:
@@ -31,7 +31,8 @@ def robot_faults(scene: RobotScene) -> Iterator[KeyFault]:
     except PydanticCustomError as error:
         yield from (f._replace(path=("actuators", *f.path)) for f in faults_of(error))
         return
-    yield from _design_faults(scene, designs)
+    abroad = list(own_tube_faults(scene.actuators))
+    yield from abroad or _design_faults(scene, designs)
     yield from _leg_faults(scene, designs)
 
 

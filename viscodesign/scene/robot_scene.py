@@ -53,7 +53,7 @@ class RobotScene(SpecPart):
 
     spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
     name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
-    actuators: dict[str, ActuatorDesign] = Field(description="The actuators, by name")
+    actuators: dict[str, ActuatorDesign] = Field(min_length=1, description="The actuators, by name")
     fluid_choice: Fluid = Field(alias="fluid", description="A named fluid, or its properties")
     temperature: Temperature = Field(
         293.15, gt=0, description="Temperature of fluid and surroundings"

@@ -11,7 +11,8 @@ from viscodesign.scene.bellows import snaps
 from viscodesign.scene.fed_actuator import by_inlet, inherited
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.network import TubeEntry
-from viscodesign.scene.several import SameInput, unlike
+from viscodesign.scene.network_faults import foreign_bellow
+from viscodesign.scene.several import ActuatorDesign, SameInput, unlike
 from viscodesign.scene.spec_part import KeyFault
 
 if TYPE_CHECKING:
@@ -23,21 +24,48 @@ ADVICE = (
 )
 
 
+NOT_COUPLED = (
+    "tubes between actuators are not supported yet: they would make one coupled system of them. "
+    "Remove them, and feed each actuator by a source of its own network"
+)
+
+
 def tube_faults(tubes: Sequence[TubeEntry] | None, names: Collection[str]) -> Iterator[KeyFault]:
     """Tubes between actuators, and those of actuators that do not exist."""
     for k, tube in enumerate(tubes or ()):
-        ends = [end.partition(".")[0] for end in (tube.start, tube.end) if "." in end]
-        for name in ends:
-            if name not in names:
-                hint = did_you_mean(name, names)
-                message = f"no such actuator: '{name}'{hint}; there are {', '.join(names)}"
-                yield KeyFault(("tubes", str(k)), message)
+        for node in (tube.start, tube.end):
+            name, dot, _ = node.partition(".")
+            if dot and name not in names:
+                yield KeyFault(("tubes", str(k)), _no_such_actuator(name, names))
     if tubes is not None:
-        yield KeyFault(
-            ("tubes",),
-            "tubes between actuators are not supported yet: they would make one coupled system of "
-            "them. Remove them, and feed each actuator by a source of its own network",
-        )
+        yield KeyFault(("tubes",), NOT_COUPLED)
+
+
+def own_tube_faults(actuators: Mapping[str, ActuatorDesign]) -> Iterator[KeyFault]:
+    """Tubes of an actuator's own network that lead to another actuator."""
+    for own, design in actuators.items():
+        for k, tube in enumerate((design.network and design.network.tubes) or ()):
+            path = ("actuators", own, "network", "tubes", str(k))
+            for node in (tube.start, tube.end):
+                if message := _elsewhere(own, node, actuators):
+                    yield KeyFault(path, message)
+
+
+def _elsewhere(own: str, node: str, names: Collection[str]) -> str:
+    """The fault of a node by the name of an actuator; empty for nodes of its own network."""
+    name, dot, within = node.partition(".")
+    if not dot:
+        return ""
+    if name == own:
+        return f"'{node}': nodes of its own network have no prefix; use '{within}'"
+    if name in names:
+        return f"'{node}': {NOT_COUPLED}"
+    is_meant = foreign_bellow(node) is not None or did_you_mean(name, names)
+    return _no_such_actuator(name, names) if is_meant else ""
+
+
+def _no_such_actuator(name: str, names: Collection[str]) -> str:
+    return f"no such actuator: '{name}'{did_you_mean(name, names)}; there are {', '.join(names)}"
 
 
 def source_faults(scene: SeveralScene) -> Iterator[KeyFault]:

@@ -38,6 +38,7 @@ from viscodesign.scene.scene import (
 from viscodesign.scene.several import OwnOrSameInput, same_input_faults, unlike
 from viscodesign.scene.several_faults import (
     later_faults,
+    own_tube_faults,
     plunger_faults,
     source_faults,
     tube_faults,
@@ -144,6 +145,7 @@ class SeveralScene(SpecPart):
             later_faults(self.inputs, self.sources)
         )
         found += source_faults(self)
+        found += own_tube_faults(self.actuators)
         yield from found
         if not found:
             yield from plunger_faults(self)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.scenes import leg
+from viscodesign.errors import SpecError
 from viscodesign.model.graph import Graph
 
 
@@ -82,3 +85,9 @@ def test_a_tree_of_4096_bellows_is_built() -> None:
     ).components()
     assert len(parts) == 1
     assert len(parts[0].tubes) == 4096
+
+
+def test_a_bellow_of_another_actuator_is_no_junction() -> None:
+    with pytest.raises(SpecError, match=r"'right\.R1' is a bellow of another actuator.*'R1'\?"):
+        custom("{from: inlet, to: right.R1}")
+    assert custom("{from: inlet, to: tee.a}, {from: tee.a, to: R1}").junctions == ("tee.a",)

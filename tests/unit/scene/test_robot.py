@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.robots import TEXT, hexapod
+from tests.scenes import CONFIGS
 from viscodesign import SpecError, load, load_robot
 from viscodesign.robot.build_robot import build_robot
 
@@ -36,6 +37,7 @@ def test_an_actuator_may_be_like_another_one() -> None:
 
 
 FAULTS = [
+    ("\nactuators:\n", "\nactuators: {}\nx-actuators:\n", "actuators: empty; at least one is needed"),
     (", source: A}", "}", "robot.legs.LF.source: missing"),
     ("source: A}", "source: C}", "robot.legs.LF.source: no such input; there are A, B"),
     ("LM: {actuator: leg", "LM: {actuator: lag", "robot.legs.LM.actuator: no such actuator; did you mean 'leg'?"),
@@ -57,6 +59,7 @@ FAULTS = [
     ("      entrance_loss", "      tube_wall: {youngs_modulus: 10 MPa, thickness: 1 mm}\n      entrance_loss", "actuators.leg.network.tube_wall: a robot's legs have equal sections"),
     ("    network:\n", "    sections: {1-2: {}}\n    network:\n", "actuators.leg.sections: a robot's legs have equal sections"),
     ("      count: 16", "      curve: {rows: [[-1, -1e-6, 0, 0], [1, 1e-6, 0, 0]]}\n      count: 16", "actuators.leg.bellows.curve: a robot's legs have equal sections"),
+    ("layout: straight", "layout: custom\n      tubes: [{from: inlet, to: lag.R1}]", "actuators.leg.network.tubes.0: no such actuator: 'lag'; did you mean 'leg'?"),
     ("output_interval: 20 ms", "start: rest", "run.start: 'rest', but a robot stands at the start"),
     ("output_interval: 20 ms", "output_times: [0, 1]", "run.output_times: a gait is written by steps"),
     ("accuracy: 1 %", "effects: off", "effects: the equations of a robot's legs are fixed"),
@@ -82,3 +85,11 @@ def test_feet_inside_the_ground_are_told_with_the_height_that_they_need() -> Non
 def test_a_command_for_one_actuator_names_those_for_a_robot() -> None:
     with pytest.raises(SpecError, match=r"this is the spec of a robot; `viscodesign stand`"):
         load(TEXT)
+
+
+def test_a_spec_without_a_robot_is_told_in_one_line() -> None:
+    with pytest.raises(SpecError) as caught:
+        load_robot(CONFIGS / "leg_16_straight_air.yaml")
+    assert [fault.message.partition(";")[0] for fault in caught.value.faults] == [
+        "not a robot: no key 'robot'"
+    ]

@@ -210,3 +210,39 @@ def test_a_later_input_has_the_values_of_its_source_later(keys: dict[str, Any]) 
 
 def test_every_kind_is_tried() -> None:
     assert {keys["kind"] for keys in LATER} == {*INPUT_KINDS} - {"syringe"}
+
+
+def leading_to(node: str) -> dict[str, Any]:
+    """The bundled spec with one tube of its first actuator to a node by name."""
+    own = spec()
+    tubes = [{"from": "inlet", "to": "R1"}, {"from": "R8", "to": node}]
+    sizes = {"tube_length": 0.04, "tube_radius": 3e-4}
+    own["actuators"]["left"]["network"] = {"layout": "custom", "tubes": tubes, **sizes}
+    return own
+
+
+@pytest.mark.parametrize(
+    ("node", "message"),
+    [
+        ("right.R1", "'right.R1': tubes between actuators are not supported yet"),
+        ("right.inlet", "'right.inlet': tubes between actuators are not supported yet"),
+        ("nix.R1", "no such actuator: 'nix'; there are left"),
+        ("rigth.tee", "no such actuator: 'rigth'; did you mean 'right'?"),
+        ("left.R1", "nodes of its own network have no prefix; use 'R1'"),
+    ],
+)
+def test_a_tube_of_one_actuator_leads_to_no_other(node: str, message: str) -> None:
+    with pytest.raises(SpecError, match=re.escape(message)) as raised:
+        load_several(leading_to(node))
+    assert "actuators.left.network.tubes.1" in str(raised.value)
+
+
+def test_a_junction_of_its_own_may_have_a_dot() -> None:
+    graph = load_several(leading_to("tee.a")).scenes["left"].graph
+    assert graph.junctions == ("tee.a",)
+
+
+@pytest.mark.parametrize("key", ["actuators", "inputs"])
+def test_an_empty_mapping_is_called_empty(key: str) -> None:
+    with pytest.raises(SpecError, match=f"{key}: empty; at least one is needed"):
+        load_several(spec(**{key: {}}))

@@ -147,6 +147,8 @@ def _message(
         return not_among(given, known)
     if kind == "union_tag_invalid":
         return "kind " + not_among(str(context.get("tag")), _kinds_at(path))
+    if kind == "too_short" and isinstance(given, Mapping):
+        return "empty; at least one is needed" + _description(path, document)
     if kind in _EXPECTED:
         expected = f"expected {_EXPECTED[kind]}, got {described(given)}"
         return expected + _description(path, document)

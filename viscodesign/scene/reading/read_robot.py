@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
-from viscodesign.errors import SpecError
+from viscodesign.errors import Fault, SpecError
 from viscodesign.scene.reading.fault_messages import explain_validation
 from viscodesign.scene.reading.read import (
     ROBOT_KEY,
@@ -27,10 +27,18 @@ def is_robot(spec: ReadSpec) -> bool:
     return ROBOT_KEY in spec.document.data
 
 
+_INSTEAD = "`viscodesign simulate`, `check` and `classify` take specs without one"
+"""What takes a spec that has no robot."""
+
+
 def robot_of(
     spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | None = None
 ) -> RobotScene:
     """The robot of a spec with some keys overridden. Raises `SpecError` with all faults."""
+    if not is_robot(spec):
+        file, _ = spec.document.place((ROBOT_KEY,))
+        message = f"not a robot: no key '{ROBOT_KEY}'; {_INSTEAD}"
+        raise SpecError([Fault(message, file=file)])
     found = read_as(RobotScene, spec, overrides, known)
     return found if spec.provenance is None else found.with_source(spec.provenance)
 
