@@ -49,11 +49,17 @@ class StopRequest:
 
 @dataclass
 class _Listeners:
-    """Those of the main thread that listen to Ctrl-C, innermost last."""
+    """Those of the main thread that listen to requests to stop, innermost last."""
 
     requests: list[StopRequest]
-    second: Handler
-    """What becomes of a second Ctrl-C, while the work is being stopped."""
+    second: Handler | None
+    """What becomes of a second Ctrl-C, while the work is being stopped; None where Ctrl-C is not
+    ours to handle."""
+
+    def obey_second(self) -> None:
+        """From now on a second Ctrl-C goes where it is to go."""
+        if self.second is not None:
+            signal.signal(signal.SIGINT, self.second)
 
 
 _open = _Listeners([], signal.SIG_DFL)
@@ -65,34 +71,37 @@ def gentle_interrupt(*, second_raises: bool = False) -> Iterator[StopRequest]:
 
     An exception raised while the integrator calls back is taken there for a failed
     step, which is tried again: the request would be lost. Only the main thread may
-    handle signals; in any other, nothing changes. Enclosing listeners are told, too, and what
+    handle signals; in any other, nothing changes. Where Ctrl-C is ignored (a shell's background
+    job) it stays so, and other signals are noted all the same. Enclosing listeners are told, too, and what
     they were told before, those within know. With ``second_raises`` a second one goes where it
     went before, which in Python raises: that a notebook asks twice ends no kernel.
     """
-    before = _handler_of(signal.SIGINT)
     request = StopRequest()
-    if before is None:
+    if threading.current_thread() is not threading.main_thread():
         yield request
         return
+    before = _handler_of(signal.SIGINT)
     if not _open.requests:
-        _open.second = before if second_raises else signal.SIG_DFL
+        _open.second = before if second_raises or before is None else signal.SIG_DFL
     elif _open.requests[-1].asked:
         request.ask(_open.requests[-1].first)
-    with _handled([signal.SIGINT], _note_interrupt if not request.asked else _open.second):
+    handler = _open.second if request.asked else _note_interrupt
+    own = [] if before is None or handler is None else [signal.SIGINT]
+    with _handled(own, handler or signal.SIG_DFL):
         _open.requests.append(request)
         try:
             yield request
         finally:
             _open.requests.pop()
     if _open.requests and _open.requests[-1].asked:
-        signal.signal(signal.SIGINT, _open.second)
+        _open.obey_second()
 
 
 def _note_interrupt(number: int, frame: FrameType | None) -> None:
     """Signal handler: tell all who listen, and do nothing else."""
     for listener in _open.requests:
         listener.note(number, frame)
-    signal.signal(signal.SIGINT, _open.second)
+    _open.obey_second()
 
 
 @contextmanager
