@@ -72,9 +72,9 @@ def gentle_interrupt(*, second_raises: bool = False) -> Iterator[StopRequest]:
     An exception raised while the integrator calls back is taken there for a failed
     step, which is tried again: the request would be lost. Only the main thread may
     handle signals; in any other, nothing changes. Where Ctrl-C is ignored (a shell's background
-    job) it stays so, and other signals are noted all the same. Enclosing listeners are told, too, and what
-    they were told before, those within know. With ``second_raises`` a second one goes where it
-    went before, which in Python raises: that a notebook asks twice ends no kernel.
+    job) it stays so, and other signals are noted all the same. Enclosing listeners are told, too,
+    and what they were told before, those within know. With ``second_raises`` a second one goes
+    where it went before, which in Python raises: that a notebook asks twice ends no kernel.
     """
     request = StopRequest()
     if threading.current_thread() is not threading.main_thread():

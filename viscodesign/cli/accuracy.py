@@ -78,14 +78,13 @@ def command(
     from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.texts.accuracy_text import cost_lines
     from viscodesign.report.accuracy_folder import write_study
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
 
     scene = read_scene(spec, overrides)
     folder, remark = folder_for(scene, output)
     if remark and not quiet:
         complain(remark)
-    prepare_folder(folder, force=force)
-    with progress(quiet, first="measuring") as advance:
+    with new_folder(folder, force=force), progress(quiet, first="measuring") as advance:
         study = _kept(lambda: accuracy(scene, limit=limit_s, progress=advance))
     files = written(
         lambda place: write_study(

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -142,10 +141,13 @@ def _compare(
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.compare_text import comparison_lines
     from viscodesign.report.comparison_folder import write_comparison
-    from viscodesign.report.folder import COMPARED_RUNS
+    from viscodesign.report.folder import COMPARED_RUNS, new_folder
 
     folder = output if output is not None else _default_folder(motions)
-    with new_folder(folder, options), progress(options.quiet, first="simulating") as advance:
+    with (
+        new_folder(folder, force=options.force),
+        progress(options.quiet, first="simulating") as advance,
+    ):
         found = _kept(
             lambda: compare(
                 *(_operand(motion, options.overrides) for motion in motions),
@@ -176,20 +178,6 @@ def _compare(
     elif not options.quiet:
         say("\n".join(comparison_lines(found, folder, files)))
     _end(found, folder)
-
-
-@contextlib.contextmanager
-def new_folder(folder: Path, options: ComparisonOptions) -> Iterator[None]:
-    """A folder to write into; it does not stay if nothing comes to stand in it."""
-    from viscodesign.report.folder import prepare_folder
-
-    is_new = not folder.exists()
-    prepare_folder(folder, force=options.force)
-    try:
-        yield
-    finally:
-        if is_new and not any(folder.iterdir()):
-            folder.rmdir()
 
 
 def _operand(given: Path, overrides: Sequence[str]) -> Path | Scene:

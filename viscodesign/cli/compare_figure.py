@@ -15,17 +15,20 @@ if TYPE_CHECKING:
 
 def compare_figure(number: int, output: Path | None, options: ComparisonOptions) -> None:
     """Make a figure, write its files and tell its statements."""
-    from viscodesign.cli.compare import new_folder, rest_of
+    from viscodesign.cli.compare import rest_of
     from viscodesign.cli.output import say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.templates import DEFAULT, templates
     from viscodesign.comparison.paper_figures import figure_plan, paper_figure
     from viscodesign.report.comparison_folder import write_figure
-    from viscodesign.report.folder import COMPARED_RUNS
+    from viscodesign.report.folder import COMPARED_RUNS, new_folder
 
     plan = figure_plan(number, templates()[DEFAULT].path.parent)
     folder = output if output is not None else Path("runs") / f"figure_{number}"
-    with new_folder(folder, options), progress(options.quiet, first="simulating") as advance:
+    with (
+        new_folder(folder, force=options.force),
+        progress(options.quiet, first="simulating") as advance,
+    ):
         try:
             found = paper_figure(
                 plan,

@@ -81,12 +81,11 @@ def command(
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.design_text import design_lines
     from viscodesign.report.design_folder import write_design
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
 
     seconds = None if budget is None else positive_time("--budget", budget)
     folder = output if output is not None else Path("runs") / f"{folder_name(target.stem)}_design"
-    prepare_folder(folder, force=force)
-    with progress(quiet, first="designing") as advance:
+    with new_folder(folder, force=force), progress(quiet, first="designing") as advance:
 
         def tell(fraction: float, best_m: float) -> None:
             is_known = math.isfinite(best_m)

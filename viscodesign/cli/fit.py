@@ -95,14 +95,13 @@ def command(
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.fit_text import fit_lines
     from viscodesign.report.fit_folder import write_fit
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
 
     scene = read_scene(spec, overrides)
     folder, remark = folder_for(scene, output, suffix="_fit")
     if remark and not quiet:
         complain(remark)
-    prepare_folder(folder, force=force)
-    with progress(quiet, first="fitting") as advance:
+    with new_folder(folder, force=force), progress(quiet, first="fitting") as advance:
         found = find(
             scene,
             data,

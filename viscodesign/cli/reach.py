@@ -88,7 +88,7 @@ def command(
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.reach_text import reach_lines
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
     from viscodesign.report.reach_folder import write_reach
 
     point = None if at is None else pair("--at", at, "m", "20 mm, 105 mm")
@@ -96,8 +96,8 @@ def command(
     seconds = None if time is None else positive_time("--time", time)
     scene = read_scene(spec, overrides)
     folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_reach"
-    prepare_folder(folder, force=force)
-    study = study_of(scene, limits=ends, harmonics=harmonics, at=point, time=seconds, seed=seed)
+    with new_folder(folder, force=force):
+        study = study_of(scene, limits=ends, harmonics=harmonics, at=point, time=seconds, seed=seed)
     files = written(
         lambda place: write_reach(study, place, plots=not no_plots, force=force, pictures=pictures),
         folder,

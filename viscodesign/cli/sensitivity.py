@@ -68,7 +68,7 @@ def command(
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.sensitivity_text import sensitivity_lines
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
     from viscodesign.report.sensitivity_folder import write_sensitivity
     from viscodesign.results.sensitivity_study import SensitivityInterruptedError
 
@@ -76,12 +76,12 @@ def command(
     folder, remark = folder_for(scene, output)
     if remark and not quiet:
         complain(remark)
-    prepare_folder(folder, force=force)
     stopped: SensitivityInterruptedError | None = None
-    try:
-        study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
-    except SensitivityInterruptedError as early:
-        study, stopped = early.study, early
+    with new_folder(folder, force=force):
+        try:
+            study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
+        except SensitivityInterruptedError as early:
+            study, stopped = early.study, early
     files = written(
         lambda place: write_sensitivity(
             study, place, plots=not no_plots, force=force, pictures=pictures

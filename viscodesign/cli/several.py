@@ -32,11 +32,10 @@ def simulated_several(scene: SeveralScene, folder: Path, options: RunOptions) ->
     """Simulate several actuators and write their files."""
     from viscodesign.cli.progress import progress
     from viscodesign.exploration.simulate_several import simulate_several
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
     from viscodesign.report.several_folder import write_several
 
-    prepare_folder(folder, force=options.force)
-    with progress(options.quiet) as advance:
+    with new_folder(folder, force=options.force), progress(options.quiet) as advance:
         found = simulate_several(
             scene,
             verify=options.verify,

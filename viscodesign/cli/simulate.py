@@ -174,13 +174,16 @@ def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) ->
     from viscodesign.cli.progress import progress
     from viscodesign.cli.spare_folder import written
     from viscodesign.interrupt import gentle_interrupt
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
     from viscodesign.report.run_folder import write_timed
 
-    prepare_folder(folder, force=options.force)
     load_s = clock.perf_counter() - began
     later = "verifying and measuring effects" if options.prove else "verifying"
-    with gentle_interrupt() as interrupt, progress(options.quiet, later) as advance:
+    with (
+        new_folder(folder, force=options.force),
+        gentle_interrupt() as interrupt,
+        progress(options.quiet, later) as advance,
+    ):
         trajectory = _kept(
             lambda: solve(
                 scene,

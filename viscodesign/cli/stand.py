@@ -73,13 +73,13 @@ def command(
     from viscodesign.cli.run_folders import folder_name
     from viscodesign.cli.specs import read_robot
     from viscodesign.cli.texts.stand_text import stand_lines
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
     from viscodesign.report.stand_folder import write_stand
 
     scene = read_robot(spec, overrides)
     folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_stand"
-    prepare_folder(folder, force=force)
-    study = study_of(scene, **({"height_ratios": crouch} if crouch else {}))
+    with new_folder(folder, force=force):
+        study = study_of(scene, **({"height_ratios": crouch} if crouch else {}))
     files = write_stand(study, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(study.document(), files, stand_lines(study, folder, files), json, quiet)
     _refuse_sway(study)

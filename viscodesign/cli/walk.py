@@ -100,14 +100,13 @@ def walked(
     from viscodesign.cli.run_folders import folder_name
     from viscodesign.cli.texts.walk_text import walk_lines
     from viscodesign.report.film.film_plan import FilmOptions
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
     from viscodesign.report.walk_folder import write_walk
 
     if film is not None:
         FilmOptions().checked(film)
     folder = output if output is not None else Path("runs") / folder_name(scene.name)
-    prepare_folder(folder, force=force)
-    with progress(quiet, "halving the step", "walking") as advance:
+    with new_folder(folder, force=force), progress(quiet, "halving the step", "walking") as advance:
         study = study_of(scene, progress=advance)
     files = write_walk(study, folder, plots=plots, force=force, pictures=pictures)
     if film is not None:

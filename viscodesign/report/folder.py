@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -142,7 +145,7 @@ DOCUMENTS = {SUMMARY, *(own.document for own in FILE_SETS)}
 def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
     """Make the folder; refuse one that holds other files.
 
-    A command calls this before it computes, so that an unusable folder costs no time.
+    A command does so before it computes (`new_folder`): an unusable folder costs no time.
     """
     folder = Path(directory)
     with write_errors_as_usage(folder):
@@ -160,6 +163,24 @@ def prepare_folder(directory: str | Path, *, force: bool = False) -> Path:
     _try_writing(folder)
     clear_leftovers(folder, [*OUR_FILES, PROBE])
     return folder
+
+
+@contextmanager
+def new_folder(directory: str | Path, *, force: bool = False) -> Iterator[None]:
+    """A folder, prepared, for what is computed within; failing, it leaves none that it made empty.
+
+    What the folder already holds by then stays.
+    """
+    folder = Path(directory)
+    made = [path for path in (folder, *folder.parents) if not os.path.exists(path)]
+    try:
+        prepare_folder(folder, force=force)
+        yield
+    except BaseException:
+        with contextlib.suppress(OSError):  # not empty
+            for path in made:
+                path.rmdir()
+        raise
 
 
 def _try_writing(folder: Path) -> None:

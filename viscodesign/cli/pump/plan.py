@@ -54,15 +54,14 @@ def command(
     from viscodesign.cli.texts.plan_text import plan_lines
     from viscodesign.pump.planning.demand_kinds import pump_of
     from viscodesign.pump.report.plan_folder import plan_document, write_plan
-    from viscodesign.report.folder import prepare_folder
+    from viscodesign.report.folder import new_folder
 
     scene = read_scene(spec, overrides)
     pump_of(scene)
     folder, remark = folder_for(scene, output)
     if remark and not quiet:
         complain(remark)
-    prepare_folder(folder, force=force)
-    with progress(quiet, "planning", first="planning") as advance:
+    with new_folder(folder, force=force), progress(quiet, "planning", first="planning") as advance:
         found = plan(scene, progress=advance)
     files = write_plan(found, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(plan_document(found), files, plan_lines(found, folder, files), json, quiet)
