@@ -12,6 +12,7 @@ from viscodesign.robot.leg_design import leg_design
 from viscodesign.robot.leg_equations import leg_functions
 from viscodesign.robot.robot_model import Feet, LegGroup, RigidBody, RobotModel
 from viscodesign.robot.stance import set_down
+from viscodesign.robot.vacuum import refuse_baseline_in_vacuum
 from viscodesign.scene.loads import STANDARD_GRAVITY
 from viscodesign.scene.robot import Robot, RobotLeg
 from viscodesign.scene.robot_scene import RobotScene
@@ -21,7 +22,11 @@ LEAST_WIDTH_RATIO = 0.1
 
 
 def build_robot(scene: RobotScene) -> RobotModel:
-    """The numbers of a robot. Raises `SpecError` where its feet start inside the ground."""
+    """The numbers of a robot.
+
+    Raises `SpecError` where its feet start inside the ground, or its baseline is below vacuum.
+    """
+    refuse_baseline_in_vacuum(scene)
     robot = scene.robot
     names = tuple(robot.legs)
     slope = robot.ground.slope

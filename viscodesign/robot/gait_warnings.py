@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics import tube
 from viscodesign.results.findings import Notice
 from viscodesign.robot.leg_network import barrel_volume, flow
@@ -21,9 +22,8 @@ def gait_warnings(model: RobotModel, recording: RecordedWalk) -> Iterator[Notice
     sources = recording.motion.pressure[rows]
     for index, group in enumerate(model.groups):
         pressures = np.array([state.legs[index].pressure for state in recording.states])
-        contents = np.array([state.legs[index].content for state in recording.states])
         yield from _turbulence(model, group, pressures, sources)
-        yield from _collapse(model, group, pressures, contents)
+        yield from _collapse(group, _least(model, recording, index))
 
 
 def _turbulence(
@@ -48,18 +48,46 @@ def _turbulence(
         )
 
 
-def _collapse(
-    model: RobotModel, group: LegGroup, pressures: np.ndarray, contents: np.ndarray
-) -> Iterator[Notice]:
+def emptied(model: RobotModel, recording: RecordedWalk) -> str:
+    """What is said of a bellow whose volume is zero or less; empty where each has some."""
+    found = [_least(model, recording, index) for index in range(len(model.groups))]
+    worst = min(found, key=lambda own: own.share)
+    if worst.share > 0.0:
+        return ""
+    return (
+        f"{worst.bellow} of {worst.leg} shrinks to {worst.share:.3g} of its rest volume: no fluid "
+        "fills less than nothing. Use smaller strokes, or a higher gauge_pressure"
+    )
+
+
+@dataclass(frozen=True)
+class _LeastVolume:
+    """The bellow of a group of legs that shrinks most."""
+
+    leg: str
+    bellow: str
+    share: float
+    """Its least volume over that at rest [1]."""
+
+
+def _least(model: RobotModel, recording: RecordedWalk, index: int) -> _LeastVolume:
+    group = model.groups[index]
     design, count = group.functions.design, group.functions.design.bellows
-    volumes = barrel_volume(design.fluid, contents[..., :count], pressures[..., :count])
+    pressures = np.array([state.legs[index].pressure[:, :count] for state in recording.states])
+    contents = np.array([state.legs[index].content[:, :count] for state in recording.states])
+    volumes = barrel_volume(design.fluid, contents, pressures)
     least = np.unravel_index(int(np.argmin(volumes)), volumes.shape)
-    if volumes[least] < design.bellow.floor_volume:
-        leg, bellow = model.leg_names[group.legs[least[1]]], design.nodes[least[2]]
-        share = float(volumes[least] / design.bellow.rest_volume)
+    leg, bellow = model.leg_names[group.legs[least[1]]], design.nodes[least[2]]
+    return _LeastVolume(leg, bellow, float(volumes[least] / design.bellow.rest_volume))
+
+
+def _collapse(group: LegGroup, least: _LeastVolume) -> Iterator[Notice]:
+    law = group.functions.design.bellow
+    floor = law.floor_volume / law.rest_volume
+    if least.share < floor:
         yield Notice(
             "negative_volume",
-            f"{bellow} of {leg} shrinks to {share:.3g} of its rest volume, below the minimum of "
-            f"{design.bellow.floor_volume / design.bellow.rest_volume:.3g}: its walls would meet",
-            f"{leg}.{bellow}",
+            f"{least.bellow} of {least.leg} shrinks to {least.share:.3g} of its rest volume, below "
+            f"the minimum of {floor:.3g}: its walls would meet",
+            f"{least.leg}.{least.bellow}",
         )

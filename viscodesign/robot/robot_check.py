@@ -10,6 +10,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Classification, Notice, documents
 from viscodesign.robot.build_robot import build_robot
 from viscodesign.robot.robot_ranges import robot_notices
+from viscodesign.robot.vacuum import refuse_sources_in_vacuum
 from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
 
@@ -39,8 +40,9 @@ class RobotCheck:
 def check_robot(scene: RobotScene) -> RobotCheck:
     """Check a robot: its spec, its start, and every design as a single actuator.
 
-    Raises `SpecError` where its feet start inside the ground.
+    Raises `SpecError` where its feet start inside the ground, or where a pressure is below vacuum.
     """
+    refuse_sources_in_vacuum(scene)
     model = build_robot(scene)
     designs = {name: check(single) for name, single in single_actuators(scene).items()}
     warnings = tuple(robot_notices(scene))

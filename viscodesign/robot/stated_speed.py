@@ -17,6 +17,8 @@ class StepRule:
     """Of the advance per cycle, by halving the step and from cycle to cycle, for a stated speed."""
     damping_ratio: float = 3.0
     """Damping time over that of the steps themselves, half of a step, for a stated speed."""
+    gas_imbalance: float = 1e-8
+    """Contents of bellows against what flowed in, relative to them, for a stated speed."""
     least_advance: float = 1e-4
     """Advance per cycle below which a robot marks time, over the length of its body."""
 
@@ -29,8 +31,19 @@ def relative_change(before: float, after: float, body_length: float) -> float:
     return abs(after - before) / max(abs(after), STEPS.least_advance * body_length)
 
 
-def refusal(study: WalkStudy, *, is_damped: bool) -> str:
-    """Why no speed is stated; empty where nothing speaks against it."""
+def refusal(study: WalkStudy, *, is_damped: bool, emptied: str) -> str:
+    """Why no speed is stated; empty where nothing speaks against it.
+
+    ``emptied``: what is said of a bellow without volume; empty where each has some.
+    """
+    if emptied:
+        return emptied
+    imbalance = study.invariants.gas_mass_imbalance_rel
+    if not imbalance <= STEPS.gas_imbalance:
+        return (
+            f"the fluid's mass is off by {imbalance:.2g} of the contents, more than the "
+            f"{STEPS.gas_imbalance:g} allowed: the pressures are not solved. Use smaller strokes"
+        )
     found = ", ".join(f"{1e3 * advance:.4g}" for advance in study.advances_by_step_m)
     steps = ", ".join(f"{1e3 * step:.3g}" for step in study.steps_s)
     told = f"with steps of {steps} ms the last cycle advances by {found} mm"

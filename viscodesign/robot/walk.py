@@ -15,13 +15,14 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.walk_study import WalkStudy
 from viscodesign.robot.build_robot import build_robot, start_pressures
 from viscodesign.robot.gait_numbers import foot_uses, invariants, pump_uses
-from viscodesign.robot.gait_warnings import gait_warnings
+from viscodesign.robot.gait_warnings import emptied, gait_warnings
 from viscodesign.robot.leg_pose import BODY, FOOT
 from viscodesign.robot.march import Progress, RecordedWalk, StepPlan, march
 from viscodesign.robot.robot_model import RobotModel
 from viscodesign.robot.stance import UnstableStanceError, set_down, stance
 from viscodesign.robot.stated_speed import STEPS, refusal, relative_change
 from viscodesign.robot.time_step import RobotState
+from viscodesign.robot.vacuum import refuse_sources_in_vacuum
 from viscodesign.scene.reading.write import part_yaml
 from viscodesign.scene.robot_scene import RobotScene
 
@@ -40,10 +41,12 @@ def walk(
     ``steps_per_cycle``: steps of a cycle at first; ``progress`` is told the fraction done of each
     solution.
 
-    Raises `SpecError` for inputs without a common period and runs of less than two cycles,
-    `SolveError` where the robot does not stand at the start or a step does not converge.
+    Raises `SpecError` for inputs without a common period or below vacuum, and for runs of less
+    than two cycles, `SolveError` where the robot does not stand at the start or a step does not
+    converge.
     """
     began = clock.perf_counter()
+    refuse_sources_in_vacuum(scene)
     model = build_robot(scene)
     gait = _Gait(scene, model, steps_per_cycle or STEPS.per_cycle)
     levels = gait.refined(progress)
@@ -212,4 +215,9 @@ def _study(
         solve_cpu_s=last.solve_cpu_s,
         total_s=total_s,
     )
-    return replace(study, refusal=refusal(study, is_damped=_is_resolved(model, last)))
+    return replace(
+        study,
+        refusal=refusal(
+            study, is_damped=_is_resolved(model, last), emptied=emptied(model, last.recording)
+        ),
+    )

@@ -11,7 +11,7 @@ import pytest
 from tests.robots import hexapod
 from viscodesign import StandStudy, stand
 from viscodesign.cli.main import main
-from viscodesign.errors import UsageError
+from viscodesign.errors import SpecError, UsageError
 from viscodesign.robot.build_robot import build_robot
 from viscodesign.robot.stance import stance
 
@@ -97,6 +97,11 @@ def test_a_point_foot_sways_at_the_buckling_load_of_its_legs() -> None:
 def test_crouch_ratios_are_checked() -> None:
     with pytest.raises(UsageError, match=r"above 0 and below 1; got 1.5"):
         stand(hexapod(), height_ratios=(1.5,))
+
+
+def test_no_stance_below_vacuum() -> None:
+    with pytest.raises(SpecError, match=r"gauge_pressure: the lowest absolute pressure is -48.68"):
+        stand(hexapod("gauge_pressure=-150 kPa"))
 
 
 def test_a_stance_beyond_sway_is_refused_with_the_weight(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -24,8 +25,10 @@ from viscodesign.robot.build_robot import build_robot
 from viscodesign.robot.leg_design import leg_design
 from viscodesign.robot.leg_equations import leg_functions
 from viscodesign.robot.march import StepPlan, march
+from viscodesign.robot.robot_check import check_robot
 from viscodesign.robot.robot_model import Feet, LegGroup, RigidBody, RobotModel
 from viscodesign.robot.stance import set_down
+from viscodesign.robot.stated_speed import refusal
 from viscodesign.robot.time_step import RobotState, StepSolver
 from viscodesign.robot.walk import start_state
 
@@ -191,6 +194,14 @@ def test_a_leg_with_gas_moves_as_simulate_moves_it() -> None:
             ["inputs.A={kind: step, value: 5 kPa, time: 1 s}"],
             "inputs: a gait needs inputs that repeat",
         ),
+        (
+            ["inputs.A.amplitude=145 kPa"],
+            r"inputs.A: the lowest absolute pressure is -4.97\d kPa \(-106.3 kPa gauge",
+        ),
+        (
+            ["gauge_pressure=-150 kPa"],
+            "gauge_pressure: the lowest absolute pressure is -48.68 kPa",
+        ),
         (["run.max_steps=100"], "run.max_steps: the gait needs 1250 steps"),
     ],
 )
@@ -303,3 +314,25 @@ def test_no_speed_without_a_body_length_a_cycle(study: WalkStudy) -> None:
     refused = replace(study, refusal="for a test")
     assert np.isnan(refused.speed_body_lengths_per_s)
     assert repr(refused) == "<WalkStudy hexapod: no speed stated>"
+
+
+def test_no_speed_where_a_bellow_has_no_volume() -> None:
+    scene = hexapod("inputs.A.amplitude=130 kPa", "run.duration=5 s", "accuracy=20 %")
+    found = walk(scene, steps_per_cycle=60)
+    assert re.match(r"[RL]\d of [RLMF]+ shrinks to -0\.\d+ of its rest volume", found.refusal)
+    error = no_speed(found)
+    assert error is not None
+    assert error.exit_code == 3
+
+
+@pytest.mark.parametrize("imbalance", [2e-8, float("nan")])
+def test_no_speed_where_fluid_is_lost(study: WalkStudy, imbalance: float) -> None:
+    left = replace(study.invariants, gas_mass_imbalance_rel=imbalance)
+    told = refusal(replace(study, invariants=left), is_damped=True, emptied="")
+    assert "the fluid's mass is off by" in told
+    assert refusal(study, is_damped=True, emptied="") == ""
+
+
+def test_no_check_below_vacuum() -> None:
+    with pytest.raises(SpecError, match=r"inputs.A: the lowest absolute pressure"):
+        check_robot(hexapod("inputs.A.amplitude=145 kPa"))
