@@ -7,7 +7,6 @@ from typing import Any, Literal
 
 from pydantic import (
     Field,
-    PrivateAttr,
     ValidationInfo,
     field_validator,
     model_validator,
@@ -27,7 +26,6 @@ from viscodesign.scene.scene import (
     DEFAULT_ACCURACY,
     LEAST_ACCURACY,
     STANDARD_ATMOSPHERE,
-    Provenance,
     Scene,
 )
 from viscodesign.scene.several import (
@@ -36,11 +34,11 @@ from viscodesign.scene.several import (
     unlike,
 )
 from viscodesign.scene.spec_part import (
-    SpecPart,
     invalid,
     raise_faults,
 )
 from viscodesign.scene.spec_version import SPEC_VERSION
+from viscodesign.scene.whole_spec import WholeSpec
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
 
@@ -48,7 +46,7 @@ LEG_INLET = "inlet"
 """What the inlet of a leg's network is called."""
 
 
-class RobotScene(SpecPart):
+class RobotScene(WholeSpec):
     """A validated spec of a robot, in SI units."""
 
     spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
@@ -78,8 +76,6 @@ class RobotScene(SpecPart):
         default_factory=EffectsChoice, description="auto: the equations of a robot are fixed"
     )
     run: RunSettings = Field(description="Duration and outputs")
-
-    _source: Provenance = PrivateAttr(default_factory=Provenance)
 
     @field_validator("name")
     @classmethod
@@ -157,17 +153,6 @@ class RobotScene(SpecPart):
     def fluid(self) -> FluidProperties:
         """The fluid at the scene's temperature and ambient pressure."""
         return self.fluid_choice.properties(self.temperature, self.ambient_pressure)
-
-    @property
-    def source(self) -> Provenance:
-        """The file that the spec was read from."""
-        return self._source
-
-    def with_source(self, source: Provenance) -> RobotScene:
-        """The same with its provenance."""
-        copy = self.model_copy()
-        copy._source = source
-        return copy
 
     def __repr__(self) -> str:
         legs = len(self.robot.legs)

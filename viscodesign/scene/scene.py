@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, ClassVar, Literal, Self
 
-from pydantic import BaseModel, Field, PrivateAttr, ValidationInfo, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
-from viscodesign.lazy_dataclass import dataclass
 from viscodesign.lazy_names import module_above
 from viscodesign.model.graph import Graph
 from viscodesign.scene.actuator import Actuator
@@ -31,9 +29,10 @@ from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.read_only import ReadOnlyDict
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.sections import SectionChange, Sections
-from viscodesign.scene.spec_part import KeyPath, SpecPart, faults_below, invalid, raise_faults
+from viscodesign.scene.spec_part import KeyPath, faults_below, invalid, raise_faults
 from viscodesign.scene.spec_version import SPEC_VERSION, version_problem
 from viscodesign.scene.uncertainty import Uncertainty
+from viscodesign.scene.whole_spec import WholeSpec
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
 
@@ -43,14 +42,6 @@ DEFAULT_ACCURACY = 0.005
 """Default accuracy, as a part of the actuator's length."""
 LEAST_ACCURACY = 1e-7
 """The smallest that a spec may ask for, in lengths of the actuator."""
-
-
-@dataclass(frozen=True)
-class Provenance:
-    """The file that a scene was read from."""
-
-    file: str = ""
-    sha256: str = ""
 
 
 def _prepared(around: Surroundings, given: Any, path: KeyPath) -> Any:
@@ -65,7 +56,7 @@ def _prepared(around: Surroundings, given: Any, path: KeyPath) -> Any:
         raise faults_below(path, error) from None
 
 
-class Scene(SpecPart):
+class Scene(WholeSpec):
     """A validated scene in SI units; the keys are those of the YAML spec."""
 
     section: ClassVar[str] = ""
@@ -115,8 +106,6 @@ class Scene(SpecPart):
     )
     run: RunSettings = Field(description="Duration, outputs and initial state")
     pump: AnyPump | None = Field(None, description="The pump, for the pump commands")
-
-    _source: Provenance = PrivateAttr(default_factory=Provenance)
 
     @field_validator("input", "several_inputs", mode="before")
     @classmethod
@@ -219,22 +208,6 @@ class Scene(SpecPart):
         """The network as a graph."""
         return self.network.graph(self.bellows.count, tuple(self.inputs))
 
-    @cached_property
-    def digest(self) -> bytes:
-        """SHA-256 of all of its keys and values, tables included: equal for equal scenes alone."""
-        return hashlib.sha256(BaseModel.__repr__(self).encode()).digest()
-
-    @property
-    def source(self) -> Provenance:
-        """The file that the scene was read from."""
-        return self._source
-
-    def with_source(self, source: Provenance) -> Scene:
-        """The same scene with its provenance."""
-        copy = self.model_copy()
-        copy._source = source
-        return copy
-
     def replace(self, changes: Mapping[str, Any]) -> Scene:
         """A new scene with other values of some keys, checked like a loaded one.
 
@@ -250,9 +223,6 @@ class Scene(SpecPart):
             self, {keys[name]: value for name, value in fields.items()}
         )
         return found
-
-    def __hash__(self) -> int:
-        return hash(self.digest)
 
     def __repr__(self) -> str:
         fluid, network = self.fluid_choice.name, self.network.layout

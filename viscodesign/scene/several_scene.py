@@ -11,7 +11,6 @@ from typing import Any, Literal
 
 from pydantic import (
     Field,
-    PrivateAttr,
     ValidationError,
     ValidationInfo,
     field_validator,
@@ -32,7 +31,6 @@ from viscodesign.scene.scene import (
     DEFAULT_ACCURACY,
     LEAST_ACCURACY,
     STANDARD_ATMOSPHERE,
-    Provenance,
     Scene,
 )
 from viscodesign.scene.several import OwnOrSameInput, same_input_faults, unlike
@@ -43,9 +41,10 @@ from viscodesign.scene.several_faults import (
     source_faults,
     tube_faults,
 )
-from viscodesign.scene.spec_part import KeyFault, KeyPath, SpecPart, faults_of, raise_faults
+from viscodesign.scene.spec_part import KeyFault, KeyPath, faults_of, raise_faults
 from viscodesign.scene.spec_version import SPEC_VERSION
 from viscodesign.scene.uncertainty import Uncertainty
+from viscodesign.scene.whole_spec import WholeSpec
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
 
@@ -59,7 +58,7 @@ SHARED = (
 """Keys of a scene that all actuators share, and whose fields are called the same."""
 
 
-class SeveralScene(SpecPart):
+class SeveralScene(WholeSpec):
     """A validated spec of several actuators, in SI units."""
 
     spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
@@ -93,8 +92,6 @@ class SeveralScene(SpecPart):
     )
     uncertainty: Uncertainty | None = Field(None, description="How well numbers are known")
     run: RunSettings = Field(description="Duration, outputs and initial state")
-
-    _source: Provenance = PrivateAttr(default_factory=Provenance)
 
     @field_validator("name")
     @classmethod
@@ -219,17 +216,6 @@ class SeveralScene(SpecPart):
                 **driven,
             }
         ).with_source(self._source)
-
-    @property
-    def source(self) -> Provenance:
-        """The file that the spec was read from."""
-        return self._source
-
-    def with_source(self, source: Provenance) -> SeveralScene:
-        """The same with its provenance."""
-        copy = self.model_copy()
-        copy._source = source
-        return copy
 
     def __repr__(self) -> str:
         return f"<SeveralScene {self.name}: {', '.join(self.actuators)}>"

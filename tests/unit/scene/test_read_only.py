@@ -6,11 +6,12 @@ import copy
 import json
 import pickle
 from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.scenes import CONFIGS, leg
+from tests.scenes import ACTUATOR_SPECS, CONFIGS, ROBOT_SPECS, SEVERAL_SPECS, leg
 from viscodesign import Scene, load
 from viscodesign.errors import UsageError
 from viscodesign.loading import load_any
@@ -114,3 +115,16 @@ def test_what_is_made_of_a_mapping_may_be_changed(rich: Scene) -> None:
     for own in (dict(rich.effects.modes), rich.effects.modes.copy(), rich.effects.modes | {}):  # type: ignore[attr-defined]
         own["gravity"] = "auto"
     assert rich.effects.modes["gravity"] == "off"
+
+
+@pytest.mark.parametrize("spec", [*ACTUATOR_SPECS, *ROBOT_SPECS, *SEVERAL_SPECS], ids=str)
+def test_a_scene_equals_the_one_that_its_data_load_to(spec: Path) -> None:
+    """Wherever it was read from."""
+    scene = load_any(spec)
+    again = load_any(scene.model_dump())
+    assert again.source != scene.source
+    assert again == scene
+    assert hash(again) == hash(scene)
+    other = load_any(spec, ["ambient_pressure=90 kPa"])
+    assert other != scene
+    assert scene != scene.name

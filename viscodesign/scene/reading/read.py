@@ -21,10 +21,11 @@ from viscodesign.scene.reading.sources import (
 )
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.run import OUTPUT_KEYS
-from viscodesign.scene.scene import Provenance, Scene
+from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import VALID_FIELDS, KeyPath
 from viscodesign.scene.spec_version import version_problem
 from viscodesign.scene.table_file import FILE_KEYS
+from viscodesign.scene.whole_spec import Provenance
 
 IGNORED_PREFIX = "x-"
 """How top-level keys begin that a spec keeps for itself, such as values that anchors name."""

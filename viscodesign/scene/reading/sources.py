@@ -14,8 +14,8 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.reading.document import Document, read_document
 from viscodesign.scene.reading.write import plain_part
 from viscodesign.scene.reading.yaml_events import MAX_DEPTH, TOO_DEEP
-from viscodesign.scene.scene import Provenance
 from viscodesign.scene.spec_part import KeyPath, SpecPart
+from viscodesign.scene.whole_spec import Provenance
 
 MAX_SPEC_BYTES = 4 << 20
 """Enough for the rows of a table in a resolved spec."""
