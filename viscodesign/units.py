@@ -35,6 +35,8 @@ _NO_UNITS = ("dB", "decibel", "Np", "neper", "delta_degC", "delta_degF", "delta_
 class QuantityKind:
     """A kind of quantity: its name, its SI unit and an example."""
 
+    references: ClassVar[tuple[str, ...]] = ()
+    """What a value may say that it is relative to."""
     name: str
     unit: str
     example: str
@@ -170,8 +172,18 @@ class ReferencedPressure(float):
 _WITH_REFERENCE = re.compile(r"(.*\S)\s*\b(gauge|abs|absolute)", re.DOTALL)
 
 
+def _with_reference(given: Any) -> tuple[Any, str]:
+    """A value and its reference, ``gauge`` or ``abs``; as given where it has none, or several."""
+    found = _WITH_REFERENCE.fullmatch(given.strip()) if isinstance(given, str) else None
+    if found is None or _WITH_REFERENCE.fullmatch(found[1]):
+        return given, ""
+    return found[1], "gauge" if found[2] == "gauge" else "abs"
+
+
 class ReferencedPressureKind(QuantityKind):
     """A pressure that may state its reference, as in '25 kPa gauge' or '140 kPa abs'."""
+
+    references = ("gauge", "abs")
 
     def parse(self, given: Any) -> ReferencedPressure:
         """A pressure with its reference."""
@@ -179,15 +191,17 @@ class ReferencedPressureKind(QuantityKind):
 
     def has_reference(self, text: str) -> bool:
         """Whether a text ends with a reference."""
-        return _WITH_REFERENCE.fullmatch(text.strip()) is not None
+        return bool(_with_reference(text)[1])
 
     def parse_with_reference(self, given: Any) -> ReferencedPressure:
         """A pressure with its reference."""
         if isinstance(given, ReferencedPressure):
             return given
-        found = _WITH_REFERENCE.fullmatch(given.strip()) if isinstance(given, str) else None
-        number, reference = found.groups() if found else (given, "")
-        return ReferencedPressure.of(super().parse(number), reference[:5].replace("absol", "abs"))
+        number, reference = _with_reference(given)
+        value = super().parse(number)
+        if reference == "abs" and value < 0.0:
+            raise self._invalid(f"'{given}': no absolute pressure is negative")
+        return ReferencedPressure.of(value, reference)
 
     def written(self, value: float) -> Any:
         """As gauge pressure, with the word."""
@@ -227,16 +241,19 @@ class ReferredPressureKind(QuantityKind):
     """A pressure whose reference the key fixes: `gauge` or `abs` may stand behind it, or not."""
 
     reference: ClassVar[str]
+    """The word that may stand behind it: ``gauge`` or ``abs``."""
     other: ClassVar[str]
+    """What to do with a pressure of the other reference."""
+
+    def __init_subclass__(cls) -> None:
+        cls.references = (cls.reference,)
 
     def parse(self, given: Any) -> float:
         """A pressure; refuses the other reference."""
-        found = _WITH_REFERENCE.fullmatch(given.strip()) if isinstance(given, str) else None
-        if found is None:
-            return super().parse(given)
-        if found[2][:3] != self.reference[:3]:
+        number, reference = _with_reference(given)
+        if reference not in ("", self.reference):
             raise self._invalid(f"'{given}': this key is {self.reference}, {self.other}")
-        return super().parse(found[1])
+        return super().parse(number)
 
 
 class GaugePressureKind(ReferredPressureKind):

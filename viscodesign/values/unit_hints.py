@@ -29,7 +29,7 @@ _MEANT = {
 """Units that are read as something else or as nothing, and what was meant, by SI unit."""
 _SPELLED = {
     "m": "m mm cm um km inch",
-    "Pa": "Pa hPa kPa MPa mPa GPa bar mbar psi atm mmHg",
+    "Pa": "Pa hPa kPa MPa GPa bar mbar psi atm mmHg",
     "s": "s ms us min h",
     "Hz": "Hz kHz mHz",
     "rad": "rad deg mrad",
@@ -49,6 +49,7 @@ AMBIGUOUS = {"gr": ("g", "grain")}
 _SUFFIX = re.compile(r"(k|M|m|h)?(Pa|bar|psi) ?\(?([ga])\)?")
 """A pressure with a letter for its reference, such as barg, psia or kPa(g)."""
 _REFERENCES = {"g": "gauge", "a": "abs"}
+_REFERENCE = re.compile(r"\b(abs|gauge|gage|rel)(?:olute|ative)?\b", re.IGNORECASE)
 _GRAMS = {"g": 1e-3, "kg": 1.0}
 _KINEMATIC = {"cSt": 1e-6, "St": 1e-4, "mm^2/s": 1e-6, "mm2/s": 1e-6, "m^2/s": 1.0, "m2/s": 1.0}
 """Units of kinematic viscosity [m2/s]."""
@@ -62,6 +63,8 @@ class KeyKind(Protocol):
     def name(self) -> str: ...
     @property
     def unit(self) -> str: ...
+    @property
+    def references(self) -> tuple[str, ...]: ...
 
 
 def unit_hint(text: str, wanted: KeyKind) -> str:
@@ -74,8 +77,8 @@ def unit_hint(text: str, wanted: KeyKind) -> str:
         return _by_density(number, spelled)
     if re.search(r"\b(rpm|rps|rad ?/ ?s|deg ?/ ?s)\b", spelled) and wanted.unit == "Hz":
         return " (an angular speed); a frequency is in Hz (1 Hz is 60 rpm, or 6.2832 rad/s)"
-    if re.search(r"\W*\b(abs|absolute|gauge|gage|rel)\b", spelled) and wanted.unit == "Pa":
-        return ": this key has no choice between gauge and absolute; leave the word out"
+    if wanted.unit == "Pa" and (words := _REFERENCE.findall(spelled)):
+        return _by_reference(number, spelled, words, wanted)
     if wanted.unit == "Pa" and (suffixed := _SUFFIX.fullmatch(spelled)):
         unit = f"{suffixed[1] or ''}{suffixed[2]}"
         return f"; did you mean '{number} {unit} {_REFERENCES[suffixed[3]]}'?"
@@ -88,6 +91,17 @@ def unit_hint(text: str, wanted: KeyKind) -> str:
         return f"; did you mean '{number} {together}'?"
     meant = _MEANT.get(wanted.unit, {}).get(spelled) or _other_case(spelled, wanted.unit)
     return f"; did you mean '{number} {meant}'?" if meant else ""
+
+
+def _by_reference(number: str, spelled: str, words: list[str], wanted: KeyKind) -> str:
+    """A hint where what a pressure is relative to is written in another way, or not allowed."""
+    if not wanted.references:
+        return ": this key has no choice between gauge and absolute; leave the word out"
+    meant = {"abs" if word.lower() == "abs" else "gauge" for word in words}
+    if len(meant) > 1:
+        return ": a pressure is either gauge or absolute; write one of the words"
+    unit = _REFERENCE.sub("", spelled).strip(" ()[]*_,")
+    return f"; did you mean '{number} {unit} {meant.pop()}'?"
 
 
 def _by_density(number: str, spelled: str) -> str:

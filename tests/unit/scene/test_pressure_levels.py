@@ -70,6 +70,13 @@ def test_another_ambient_pressure_counts() -> None:
         ("gauge_pressure=40 kPa abs", "this key is gauge, so subtract the ambient pressure"),
         ("ambient_pressure=0 kPa gauge", "this key is abs, so add the ambient pressure"),
         ("actuator.youngs_modulus=1.8 MPa abs", "no choice between gauge and absolute"),
+        ("input={kind: constant, value: 40 kPa (abs)}", "did you mean '40 kPa abs'?"),
+        ("input={kind: constant, value: 40 kPa ABS}", "did you mean '40 kPa abs'?"),
+        ("input={kind: constant, value: 40 kPa rel}", "did you mean '40 kPa gauge'?"),
+        ("input={kind: constant, value: 40 kPa gauge abs}", "'40 kPa gauge abs': unknown unit"),
+        ("input={kind: constant, value: 40 kPa gauge abs}", "either gauge or absolute"),
+        ("gauge_pressure=2 kPa (gauge)", "did you mean '2 kPa gauge'?"),
+        ("input={kind: constant, value: -5 kPa abs}", "no absolute pressure is negative"),
     ],
 )
 def test_a_reference_that_makes_no_sense_is_refused(override: str, words: str) -> None:

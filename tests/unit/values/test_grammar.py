@@ -126,7 +126,7 @@ def test_an_angle_is_a_unit_and_no_plain_number(kind: QuantityKind, text: str) -
 @pytest.mark.parametrize(
     ("kind", "text", "hint"),
     [
-        (PRESSURE, "40 KPa", "'40 kPa'"), (PRESSURE, "1.8 Mpa", "'1.8 MPa'"), (PRESSURE, "1.8 mpa", "'1.8 mPa'"),
+        (PRESSURE, "40 KPa", "'40 kPa'"), (PRESSURE, "1.8 Mpa", "'1.8 MPa'"), (PRESSURE, "1.8 mpa", "'1.8 MPa'"),
         (PRESSURE, "40 kpa", "'40 kPa'"), (PRESSURE, "2 Bar", "'2 bar'"), (LENGTH, "37.5 MM", "'37.5 mm'"),
         (LENGTH, "2 CM", "'2 cm'"), (TEMPERATURE, "20 C", "'20 degC'"), (TEMPERATURE, "68 F", "'68 degF'"),
         (TEMPERATURE, "300 k", "'300 K'"), (VISCOSITY, "20 cSt", "20 mPa*s at 1000 kg/m^3"),

@@ -166,7 +166,11 @@ def _invalid_quantity(context: dict[str, Any], path: KeyPath, document: Document
 
 def _unknown_key(path: KeyPath, document: Document) -> str:
     known = keys_beside(path, document)
-    hint = _other_quantity(path[-1], known) or did_you_mean(path[-1], known)
+    hint = (
+        _other_quantity(path[-1], known)
+        or did_you_mean(path[-1], known)
+        or _in_a_section(path, known, document)
+    )
     stop = "" if hint else "."
     return f"no such key{hint}" + (f"{stop} Allowed here: {', '.join(known)}" if known else "")
 
@@ -179,6 +183,17 @@ def _other_quantity(given: str, known: list[str]) -> str:
                 return f"; did you mean '{key}', {words}?"
     meant = next((key for key in _SYNONYMS.get(given.lower(), ()) if key in known), None)
     return f"; did you mean '{meant}'?" if meant else ""
+
+
+def _in_a_section(path: KeyPath, sections: list[str], document: Document) -> str:
+    """A hint for a key that belongs into a section beside it, as it is or as another quantity."""
+    for section in sections:
+        known = keys_beside((*path[:-1], section, path[-1]), document)
+        if path[-1] in known:
+            return f"; did you mean '{section}.{path[-1]}'?"
+        if hint := _other_quantity(path[-1], known):
+            return hint.replace("'", f"'{section}.", 1)
+    return ""
 
 
 def _out_of_bounds(

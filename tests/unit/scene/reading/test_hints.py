@@ -24,6 +24,8 @@ from viscodesign.errors import SpecError
         ("actuator.solid_fraction=47", "as in '47 %'"),
         ("bellows.collapse_fraction=10", "as in '10 %'"),
         ("network.tube_diameter=0.65 mm", "did you mean 'tube_radius', half of the diameter?"),
+        ("tube_diameter=0.65 mm", "did you mean 'network.tube_radius', half of the diameter?"),
+        ("youngs_modulus=1 MPa", "did you mean 'actuator.youngs_modulus'?"),
         ("network.diameter=0.65 mm", "did you mean 'tube_radius', half of the diameter?"),
         ("network.feed_line={length: 1 m, diameter: 2 mm}", "did you mean 'radius', half of"),
         ("pump={syringe_radius: 17 mm}", "did you mean 'syringe_diameter', twice the radius?"),
@@ -38,6 +40,7 @@ from viscodesign.errors import SpecError
         ("temperature=20 C", "did you mean '20 degC'?"),
         ("gauge_pressure=2 KPa", "did you mean '2 kPa'?"),
         ("actuator.youngs_modulus=1.8 Mpa", "did you mean '1.8 MPa'?"),
+        ("actuator.youngs_modulus=1.8 mpa", "did you mean '1.8 MPa'?"),
         ("actuator.youngs_modulus=1 800 kPa", "thousands are written without separators: '1800 kPa'"),
     ],
 )  # fmt: skip
