@@ -18,7 +18,7 @@ def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> 
     equations = problem.equations.shared.with_numbers(numbers.parameters)
     amounts = equations.rest_amounts / problem.equations.rest_amounts
     grown, own = float(amounts[0]), amounts[problem.places]
-    floor, drawing = problem.floor_volume, problem.drawing
+    rest, floor, drawing = problem.rest_volume, problem.floor_volume, problem.drawing
     names = parameter_names(equations)
     if drawing is not None:
         least = drawing.least_volume
@@ -28,6 +28,7 @@ def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> 
         problem,
         equations=equations,
         schedule=schedule,
+        rest_volume=(own if isinstance(rest, np.ndarray) else grown) * rest,
         floor_volume=own * floor if isinstance(floor, np.ndarray) else floor and grown * floor,
         drawing=drawing,
         baseline=float(numbers.parameters[names.index("gauge_pressure")]),

@@ -17,7 +17,6 @@ from viscodesign.results.trajectory import Invariants
 from viscodesign.solve.event_failures import (
     EventError,
     emptied_bellow,
-    rest_volumes,
     thinnest_section,
 )
 from viscodesign.solve.events import Rows, first_event
@@ -74,7 +73,7 @@ def _explained(
         return thinnest_section(when, stretch[-1])
     if not problem.equations.incompressible:
         volume = rows["volume"][-1]
-        if float(np.min(volume / rest_volumes(problem))) < LIMITS.empty_volume:
+        if float(np.min(volume / problem.rest_volume)) < LIMITS.empty_volume:
             return emptied_bellow(problem, when, volume)
     return failure
 

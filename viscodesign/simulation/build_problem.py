@@ -71,6 +71,7 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         bellows_along_tubes=quantities.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
         schedule=with_samples(schedule(scene), equations, scene.run.start != "equilibrium"),
+        rest_volume=quantities.bellows.rest_volume,
         floor_volume=_floor_volume(quantities, effects),
         drawing=_drawing_limits(quantities, effects),
         remedies=_remedies(quantities),

@@ -40,7 +40,7 @@ def emptied_bellow(problem: Problem, time: float, volume: np.ndarray) -> EventEr
 
     The smallest is that with the least of its rest volume.
     """
-    shares = volume / rest_volumes(problem)
+    shares = volume / problem.rest_volume
     name, share = problem.bellows[int(np.argmin(shares))], float(np.min(shares))
     return EventError(
         f"{name} reached its minimum (collapsed) volume at t = {time:.6g} s, with {share:.3g} "
@@ -75,8 +75,3 @@ def folded_axis(time: float, section: int) -> EventError:
         time_s=time,
         remedy="Lower the loads, or tighten `accuracy`, which refines the mesh.",
     )
-
-
-def rest_volumes(problem: Problem) -> np.ndarray:
-    """Volumes of all bellows at zero gauge (B,) [m3]."""
-    return np.asarray(problem.equations.rest_amounts[problem.places])

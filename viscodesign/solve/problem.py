@@ -116,6 +116,8 @@ class Problem:
     baseline: float
     """Gauge pressure about which the inputs vary [Pa]."""
     schedule: Schedule
+    rest_volume: Numbers
+    """Volume of a bellow at zero gauge, without what tubes share with it [m3]."""
     floor_volume: Numbers | None
     """Minimum volume, at which a gas-filled bellow ends a run [m3]; None where the model covers
     the contact of its walls, or where the fluid is no gas."""

@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.scenes import leg
+from tests.scenes import leg, problem_of
 from viscodesign import Scene, Trajectory, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.solve_once import Run, solve
-from viscodesign.solve.event_failures import EventError
+from viscodesign.solve.event_failures import EventError, emptied_bellow
 from viscodesign.solve.events import FLOOR_REL_TOL, VANISHING_STRETCH
 
 DURATION = 2.0
@@ -236,3 +236,13 @@ def test_sections_pressed_to_nothing_end_a_run_in_few_steps() -> None:
     assert 0.5 < event(run).time_s < 1.0
     assert run.solution.work.steps < 2_000
     assert not run.solution.attempts
+
+
+def test_the_share_that_an_emptied_bellow_keeps_is_of_its_own_volume() -> None:
+    """The content of a node has that of its tubes as well, where they store fluid."""
+    tubes = "effects={tube_compliance: on, gas_compressibility: on, others: auto}"
+    emptied = leg("bellows.count=4", tubes)
+    problem, rest = problem_of(emptied), SceneQuantities(emptied).bellow.rest_volume
+    failure = emptied_bellow(problem, 1.0, np.array([0.5, 0.125, 0.5, 0.5]) * rest)
+    assert f"{problem.bellows[1]} reached" in str(failure)
+    assert "with 0.125 of its rest volume" in str(failure)
