@@ -10,10 +10,15 @@ from pydantic_core import PydanticCustomError
 from viscodesign.errors import described, did_you_mean
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.spec_part import invalid_at
+from viscodesign.scene.tables.contradictions import (
+    refuse_other_quantity,
+    refuse_other_unit,
+    refuse_shared,
+)
 from viscodesign.scene.tables.header_units import (
     HeaderUnit,
-    has_unclear_unit,
     header_unit,
+    unclear_unit,
     unit_factor,
 )
 from viscodesign.units import QuantityKind
@@ -27,6 +32,11 @@ class WantedColumn:
     kind: QuantityKind
     words: tuple[str, ...] = ()
     """Other names that it has in headers, in lower case."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All names that it may have in headers, in lower case."""
+        return (self.name, *self.words)
 
     @property
     def header(self) -> str:
@@ -74,18 +84,22 @@ def chosen_columns(
                 f"'{name}' is not a column of this table{did_you_mean(name, known)}; "
                 f"the columns are {', '.join(known)}",
             )
-    return [
-        _stated(column, header, given[column.name])
+    found = [
+        _stated(column, wanted, header, given[column.name])
         if column.name in given
         else _found(column, wanted, header, inlet)
         for column in wanted
     ]
+    refuse_shared([(own.place, own.header) for own in found], [w.name for w in wanted])
+    return found
 
 
 # -- as the spec says ---------------------------------------------------------------------
 
 
-def _stated(wanted: WantedColumn, header: Header, given: Any) -> ChosenColumn:
+def _stated(
+    wanted: WantedColumn, all_wanted: Sequence[WantedColumn], header: Header, given: Any
+) -> ChosenColumn:
     """The column that the spec names, by its header or its number from 1."""
     keys = given if isinstance(given, Mapping) else {"column": given}
     column, unit = keys.get("column"), keys.get("unit")
@@ -100,11 +114,14 @@ def _stated(wanted: WantedColumn, header: Header, given: Any) -> ChosenColumn:
     if written is not None and unit is None and written.name in _names(header):
         column, unit = written.name, column.removeprefix(written.name).strip("[]()/,_ ")
     place = _place_of(wanted, header, column)
-    text = header.cells[place] if header.cells else f"column {place + 1}"
+    text = header.cells[place].strip() if header.cells else f"column {place + 1}"
+    others = {name: c.kind for c in all_wanted if c.kind != wanted.kind for name in c.names}
+    refuse_other_quantity(wanted.name, text, wanted.kind, others, unit is not None)
+    own = header_unit(text, wanted.kind) or HeaderUnit(text, 1.0)
     if unit is not None:
         factor, reference = _stated_unit(wanted, unit)
-        return ChosenColumn(place, text, factor, reference)
-    own = header_unit(text, wanted.kind) or HeaderUnit(text, 1.0)
+        refuse_other_unit(wanted.name, text, wanted.kind, str(unit), factor, reference)
+        return ChosenColumn(place, text, factor, reference or own.reference)
     return ChosenColumn(place, text, own.factor, own.reference, _is_of_run(text, wanted))
 
 
@@ -180,7 +197,7 @@ def _is_alone(wanted: WantedColumn, all_wanted: Sequence[WantedColumn]) -> bool:
 
 
 def _is_named(wanted: WantedColumn, name: str) -> bool:
-    return name.lower() in (wanted.name, *wanted.words)
+    return name.lower() in wanted.names
 
 
 def _headers_of_run(wanted: WantedColumn, inlet: str) -> tuple[str, ...]:
@@ -224,10 +241,9 @@ def _refuse_none(
             f"columns: {{{wanted.name}: {{column: {bare}, unit: {unit}}}}}"
         )
     else:
-        unclear = next((cell for cell in cells if has_unclear_unit(cell, wanted.kind)), None)
-        if unclear is not None:
-            hint = f"'{unclear}' may be in MPa or in mPa; write its unit with its capital letters"
-            raise invalid_at("file", f"{header.shown}: {hint}")
+        for cell in cells:
+            if unclear := unclear_unit(cell, wanted.kind):
+                raise invalid_at("file", f"{header.shown}: '{cell}' {unclear}")
         headers = [column.header for column in all_wanted]
         missing = [name for name in headers if name not in cells]
         hint = "".join(did_you_mean(cell, missing) for cell in cells if cell not in headers)

@@ -58,7 +58,9 @@ def header_unit(header: str, kind: QuantityKind) -> HeaderUnit | None:
 
 def unit_factor(text: str, kind: QuantityKind) -> tuple[float | None, str]:
     """Value of a unit in SI, None if it is none of this kind; and what it is relative to."""
-    own = _factors(kind).get(text) or _factors(kind).get(text.lower())
+    own = _factors(kind).get(text)
+    if own is None and not _meant_by_case(text, kind):
+        own = _factors(kind).get(text.lower())
     if own is not None or kind.unit != "Pa":
         return own, ""
     found = _REFERENCE.fullmatch(text)
@@ -68,9 +70,27 @@ def unit_factor(text: str, kind: QuantityKind) -> tuple[float | None, str]:
     return own, "gauge" if found["word"].startswith("g") else "abs"
 
 
-def has_unclear_unit(header: str, kind: QuantityKind) -> bool:
-    """Whether a header ends in ``mpa``, which may be mega or milli."""
-    return kind.unit == "Pa" and re.search(r"(?<![a-zA-Z])mpa\W*$", header.lower()) is not None
+def unclear_unit(header: str, kind: QuantityKind) -> str:
+    """What is unclear in the unit of a header, where letters of other cases mean another one."""
+    if kind.unit == "Pa" and re.search(r"(?<![a-zA-Z])mpa\W*$", header.lower()):
+        own = header_unit(header, kind)
+        return "" if own else "may be in MPa or in mPa; write its unit with its capital letters"
+    for form in _FORMS:
+        found = re.fullmatch(form, header.strip())
+        if found is not None and (meant := _meant_by_case(found["unit"].strip(), kind)):
+            return f"is not in '{meant}' as it is written; did you mean '{meant}'?"
+    return ""
+
+
+def _meant_by_case(text: str, kind: QuantityKind) -> str:
+    """The unit that a text such as ``Ms`` or ``mS`` is in small letters, but not as it stands.
+
+    Capitals throughout, as in ``MS``, are a way of writing; of a prefix alone they change it.
+    """
+    small = text.lower()
+    if text in (small, text.upper()) or text in _factors(kind) or small[:1] not in "mu\u00b5\u03bc":
+        return ""
+    return small if small in _factors(kind) and small[1:] in _factors(kind) else ""
 
 
 def _in_name(name: str) -> str:

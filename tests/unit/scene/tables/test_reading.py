@@ -118,6 +118,10 @@ def test_a_header_that_is_one_is_not_passed_over(tmp_path: Path, text: str, word
         ("Time (µs),p [kPa]\n0,0\n1e6,5\n", {}),
         ("time_s,p,p_set\n0,0,1\n1,5,1\n", {"columns": "{pressure: {column: p, unit: kPa}}"}),
         ("time_s,p\n0,0\n1,5\n", {"columns": "{pressure: 'p [kPa]'}"}),
+        ("TIME [MS],P [KPA]\n0,0\n1000,5\n", {}),
+        ("time_s,p_in\n0,0\n1,5\n", {"columns": "{pressure: {column: p_in, unit: kPa}}"}),
+        ("time_s,p (min)\n0,0\n1,5\n", {"columns": "{pressure: {column: 2, unit: kPa}}"}),
+        ("time_s,p_kPa\n0,0\n1,5\n", {"columns": "{pressure: {column: p_kPa, unit: kPa}}"}),
     ],
 )  # fmt: skip
 def test_single_spellings(tmp_path: Path, text: str, keys: dict[str, str]) -> None:
@@ -153,6 +157,16 @@ def test_other_encodings(tmp_path: Path) -> None:
         ("time_s,p [kPa]\n0,0\n1,1\n", {"columns": "{presure: 2}"}, "did you mean 'pressure'"),
         ("time_s,p [kPa]\n0,0\n1,1\n", {"columns": "{pressure: {column: p, unit: mm}}"}, "'1 mm' is a length"),
         ("time_s,p [kPa]\n0,0\n1,1\n", {"columns": "{pressure: {name: p}}"}, "{column: ..., unit: ...}"),
+        ("time_s,p_kPa\n0,0\n1,1\n", {"columns": "{pressure: {column: p_kPa, unit: Pa}}"}, "its header 'p_kPa' has another unit than the stated 'Pa'"),
+        ("time_s,p_kPa_abs\n0,0\n1,1\n", {"columns": "{pressure: {column: 2, unit: kPa gauge}}"}, "'p_kPa_abs' has another unit than the stated 'kPa gauge'"),
+        ("time_s,p [kPa]\n0,0\n1,1\n", {"columns": "{time: 1, pressure: 1}"}, "pressure: its header 'time_s' says time, not pressure"),
+        ("time_s,p [kPa]\n0,0\n1,1\n", {"columns": "{pressure: {column: time_s, unit: kPa}}"}, "'time_s' says time, not pressure"),
+        ("time_s,x [mm]\n0,0\n1,1\n", {"columns": "{pressure: {column: 2, unit: kPa}}"}, "'x [mm]' says length, not pressure"),
+        ("t,p\n0,0\n1,1\n", {"columns": "{time: 2, pressure: 2}"}, "time and pressure are both column 2, 'p'"),
+        ("Time [Ms],p [kPa]\n0,0\n1,1\n", {}, "'Time [Ms]' is not in 'ms' as it is written; did you mean 'ms'?"),
+        ("Time [mS],p [kPa]\n0,0\n1,1\n", {"columns": "{time: 1}"}, "did you mean 'ms'?"),
+        ("time_s,p [Mbar]\n0,0\n1,1\n", {}, "did you mean 'mbar'?"),
+        ("time_s,p [mpa]\n0,0\n1,1\n", {"columns": "{pressure: 2}"}, "may be in MPa or in mPa"),
         ("time_s,p [kPa]\n0,0\n1,1\n", {"decimal": "dot"}, "must be one of point, comma"),
         ("time_s,p [kPa]\n0,0\n1,1\n", {"smooth": "5"}, "a cut-off as a time or a frequency"),
     ],
@@ -192,6 +206,11 @@ def test_absolute_columns_lose_ambient_and_baseline(tmp_path: Path, header: str)
     found = scene_of(tmp_path, text, "gauge_pressure=4 kPa").input
     assert found is not None
     assert found.values(np.array([0.0, 1.0])) == pytest.approx([-4e3, 6e3])
+
+
+def test_an_absolute_column_stays_so_with_its_unit_stated(tmp_path: Path) -> None:
+    text, stated = "time_s,p_kPa_abs\n0,101.325\n1,106.325\n", "{pressure: {column: 2, unit: kPa}}"
+    assert (table(tmp_path, text, columns=stated).rows or ())[1][1] == pytest.approx(5e3)
 
 
 def test_a_plunger_and_a_curve_are_read_likewise(tmp_path: Path) -> None:
