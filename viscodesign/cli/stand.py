@@ -34,7 +34,7 @@ Examples:
 
 
 class SwayError(ViscodesignError):
-    """The robot is heavier than its legs bear; its tables are on disk."""
+    """The robot is heavier than its legs bear, slides or tips over; its tables are on disk."""
 
     exit_code = 3
     kind = "solve"
@@ -65,7 +65,7 @@ def command(
 
     Height, sway limit and stiffness against gauge pressure and payload, and the
     barrel that a crouch needs; writes stand.csv, stand.json and stand.png. A robot
-    that is heavier than its legs bear exits with 3 and says what they bear.
+    that is heavier than its legs bear, slides or tips over exits with 3 and says why.
     """
     pictures = picture_options(picture_format, style, width)
     from viscodesign import stand as study_of
@@ -88,6 +88,8 @@ def command(
 def _refuse_sway(study: StandStudy) -> None:
     """Report a stance beyond sway as an error, after the files are written."""
     own = study.own
+    if study.fall is not None:
+        raise SwayError(f"{study.name}: the robot {study.fall.how}: {study.fall.why}")
     if not own.stands:
         gauge = f"{1e-3 * own.gauge_pressure_pa:.4g} kPa gauge"
         raise SwayError(

@@ -34,6 +34,15 @@ class StanceRow:
 
 
 @dataclass(frozen=True)
+class Fall:
+    """How a robot falls whatever its legs bear."""
+
+    how: str
+    """A verb: it 'slides' or 'tips over'."""
+    why: str
+
+
+@dataclass(frozen=True)
 class CrouchRow:
     """What it takes to lower a robot by its pressure."""
 
@@ -45,6 +54,8 @@ class CrouchRow:
     """That a pump draws from its legs, if the fluid were incompressible."""
     barrel_volume_m3: float
     """That the drawn fluid fills at the lowered pressure: the barrel that a pump needs."""
+    reason: str = ""
+    """Why no pressure lowers it so far; empty where one does."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +70,8 @@ class StandStudy:
     crouch: tuple[CrouchRow, ...]
     pump: str
     """Source whose legs need the largest barrel."""
+    fall: Fall | None = None
+    """How it falls whatever its legs bear; None where it stands, or sways under its weight."""
 
     def __repr__(self) -> str:
         return f"<StandStudy {self.name}: {1e3 * self.own.height_m:.4g} mm high>"
@@ -69,6 +82,7 @@ class StandStudy:
             "name": self.name,
             **asdict(self.own),
             "stands": self.own.stands,
+            "fall": None if self.fall is None else asdict(self.fall),
             "by_gauge": [asdict(row) for row in self.by_gauge],
             "by_payload": [asdict(row) for row in self.by_payload],
             "crouch": [asdict(row) for row in self.crouch],

@@ -10,8 +10,9 @@ import numpy as np
 from scipy.optimize import brentq
 
 from viscodesign.errors import UsageError
-from viscodesign.results.stand_study import CrouchRow, StanceRow, StandStudy
+from viscodesign.results.stand_study import CrouchRow, Fall, StanceRow, StandStudy
 from viscodesign.robot.build_robot import build_robot, with_mass
+from viscodesign.robot.falls import slide, tip_over
 from viscodesign.robot.leg_network import barrel_volume
 from viscodesign.robot.stance import Stance, UnstableStanceError, stance
 from viscodesign.robot.tip_stiffness import tip_stiffness
@@ -57,6 +58,7 @@ def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) 
         by_payload=tuple(statics.row(scene.gauge_pressure, share * room) for share in PAYLOADS),
         crouch=crouch,
         pump=pump,
+        fall=None if own.stands else statics.fall(),
     )
 
 
@@ -66,9 +68,15 @@ class _Statics:
     def __init__(self, scene: RobotScene) -> None:
         self.scene, self.model = scene, build_robot(scene)
         self.gravity = math.hypot(*self.model.gravity)
+        self._slide = slide(self.model)
         self._limits: dict[float, float] = {}
         self._stable: dict[float, dict[float, Stance]] = {}
         """Stances by gauge pressure and weight: heavier ones are found faster from them."""
+
+    def fall(self) -> Fall | None:
+        """How the robot falls at its own pressure, if not by its weight."""
+        pressures = np.full(len(self.model.source_names), self.scene.gauge_pressure)
+        return self._slide or tip_over(self.model, pressures)
 
     def weight(self, payload: float) -> float:
         """Of robot and payload [N]."""
@@ -100,7 +108,9 @@ class _Statics:
         return StanceRow(gauge, payload, weight, height, pitch, roll, limit, stiffness)
 
     def _sway_limit(self, gauge: float) -> float:
-        """Weight from which on the robot sways [N]."""
+        """Weight from which on the robot sways; 0 of one that slides [N]."""
+        if self._slide is not None:
+            return 0.0
 
         @cache
         def stiffness(weight: float) -> float:
@@ -150,10 +160,22 @@ class _Statics:
             gauge = float(brentq(excess, lowest, own.gauge_pressure_pa, xtol=1e-2))
             drawn = full - _contents(self.at(gauge, own.weight_n))[:, pump]
         except (ValueError, UnstableStanceError):  # no change of sign: it stays above
-            return CrouchRow(ratio, math.nan, math.nan, math.nan)
+            reason = self._too_deep(own, lowest)
+            return CrouchRow(ratio, math.nan, math.nan, math.nan, reason)
         fluid = self.model.groups[0].functions.design.fluid
         barrel = float(barrel_volume(fluid, drawn[1], gauge))
         return CrouchRow(ratio, gauge, float(drawn[0]), barrel)
+
+    def _too_deep(self, own: StanceRow, lowest: float) -> str:
+        """Why a crouch is not reached down to a gauge pressure [Pa]."""
+        if lowest >= own.gauge_pressure_pa:
+            return f"the robot is at {1e-3 * own.gauge_pressure_pa:.3g} kPa gauge already"
+        try:
+            least = self._leg_height(_height(self.at(lowest, own.weight_n)))
+        except UnstableStanceError:
+            return f"at {1e-3 * lowest:.3g} kPa gauge the robot does not stand"
+        share = 1e2 * least / self._leg_height(own.height_m)
+        return f"at {1e-3 * lowest:.3g} kPa gauge, the lowest tried, the legs keep {share:.3g} %"
 
 
 def _height(found: Stance) -> float:

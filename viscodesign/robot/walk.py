@@ -12,8 +12,10 @@ import numpy as np
 from viscodesign.contact.friction_problem import OPEN
 from viscodesign.errors import Fault, SolveError, SpecError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.results.stand_study import Fall
 from viscodesign.results.walk_study import WalkStudy
 from viscodesign.robot.build_robot import build_robot, start_pressures
+from viscodesign.robot.falls import slide, tip_over
 from viscodesign.robot.gait_numbers import foot_uses, invariants, pump_uses
 from viscodesign.robot.gait_warnings import emptied, gait_warnings
 from viscodesign.robot.leg_pose import BODY, FOOT
@@ -136,16 +138,29 @@ def start_state(scene: RobotScene, model: RobotModel) -> RobotState:
         still, contacts = np.zeros(model.size), np.zeros(2 * model.count)
         states = (OPEN,) * model.count
         return RobotState(0.0, place, still, legs, contacts, states, np.zeros(sources))
+    if (fall := slide(model)) is not None:
+        raise _falls(scene, fall)
     try:
         found = stance(model, pressures)
     except UnstableStanceError:
-        raise _sway(scene, model) from None
+        raise _sway(scene, model, pressures) from None
     if not found.is_stable:
-        raise _sway(scene, model)
+        raise _sway(scene, model, pressures)
     return found.state(sources)
 
 
-def _sway(scene: RobotScene, model: RobotModel) -> UnstableStanceError:
+def _falls(scene: RobotScene, fall: Fall) -> UnstableStanceError:
+    return UnstableStanceError(
+        f"{scene.name}: the robot {fall.how} at the start: {fall.why}",
+        quantity="place",
+        where="stance",
+        time_s=0.0,
+    )
+
+
+def _sway(scene: RobotScene, model: RobotModel, pressures: np.ndarray) -> UnstableStanceError:
+    if (fall := tip_over(model, pressures)) is not None:
+        return _falls(scene, fall)
     return UnstableStanceError(
         f"{scene.name}: the robot sways on its legs at the start, under its weight of "
         f"{model.weight:.4g} N",

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.robots import hexapod
-from viscodesign import StandStudy, stand
+from viscodesign import StandStudy, stand, walk
 from viscodesign.cli.main import main
-from viscodesign.errors import SpecError, UsageError
+from viscodesign.errors import SolveError, SpecError, UsageError
 from viscodesign.robot.build_robot import build_robot
 from viscodesign.robot.stance import stance
 
@@ -119,6 +120,43 @@ def test_a_stance_beyond_sway_is_refused_with_the_weight(
     assert f"its legs bear {limit:.4g} N" in err
     assert (tmp_path / "stand.csv").exists()
     assert document["weight_n"] > limit > 0.734 * 9.80665
+
+
+ONE_SIDE = tuple(f"robot.legs.{name}.y=60 mm" for name in ("LF", "LM", "LR"))
+FALLS = [
+    (("robot.foot.friction=0",), "slides: without friction nothing holds its feet"),
+    (("robot.ground.slope=32 deg",), "slides: on a slope of 32 deg .* tan(slope) = 0.625; robot.foot.friction is 0.6"),
+    (ONE_SIDE, "tips over: its weight acts at x = .* beside its feet"),
+    (("robot.centre_of_mass.x=120 mm",), "tips over: its weight acts at x = "),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("changes", "told"), FALLS)
+def test_a_robot_that_slides_or_tips_over_does_not_sway(
+    changes: tuple[str, ...], told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    overrides = [word for change in changes for word in ("--set", change)]
+    spec = ["configs/hexapod.yaml", *overrides, "-o", str(tmp_path), "--no-plots"]
+    assert main(["stand", *spec]) == 3
+    out, err = capsys.readouterr()
+    pattern = told.replace("(", r"\(").replace(")", r"\)")
+    assert re.search(f"the robot {pattern}", err)
+    assert "sways" not in out + err
+    how, _, why = pattern.partition(": ")
+    with pytest.raises(SolveError, match=f"the robot {how} at the start: {why}"):
+        walk(hexapod(*changes, "run.duration=5 s"))
+
+
+def test_a_slope_within_friction_is_no_slide() -> None:
+    assert stand(hexapod("robot.ground.slope=30 deg"), height_ratios=(0.95,)).fall is None
+    assert stand(hexapod("robot.payload=9 kg"), height_ratios=(0.95,)).fall is None
+
+
+def test_a_crouch_that_is_too_deep_says_why() -> None:
+    reached, beyond = stand(hexapod(), height_ratios=(0.7, 0.6)).crouch
+    told = "at -81.1 kPa gauge, the lowest tried, the legs keep 69 %"
+    assert (reached.reason, beyond.reason) == ("", told)
+    assert reached.gauge_pressure_pa > -81.1e3
 
 
 def test_the_command_prints_its_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

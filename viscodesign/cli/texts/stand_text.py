@@ -15,7 +15,7 @@ def stand_lines(study: StandStudy, folder: Path, files: Sequence[Path]) -> list[
     gauge = number(1e-3 * own.gauge_pressure_pa, "kPa gauge")
     facts = [
         ("height", f"{number(1e3 * own.height_m, 'mm')}, hips over the ground"),
-        ("weight", f"{number(own.weight_n, 'N')}; sways from {number(own.sway_limit_n, 'N')} on"),
+        ("weight", f"{number(own.weight_n, 'N')}; {_limit(study)}"),
         ("tip stiffness", f"{number(own.tip_stiffness_n_per_m, 'N/m')} across, of one leg"),
         *_tilt(own),
     ]
@@ -23,13 +23,19 @@ def stand_lines(study: StandStudy, folder: Path, files: Sequence[Path]) -> list[
         f"{study.name}: on its legs at {gauge}",
         *table(facts),
         "",
-        *table([*_head(), *map(_cells, study.by_gauge)]),
+        *table([*_head(), *(_cells(row, study) for row in study.by_gauge)]),
         "",
-        *table([*_head(), *map(_cells, study.by_payload)]),
+        *table([*_head(), *(_cells(row, study) for row in study.by_payload)]),
         "",
         *_crouches(study),
         *table([("files", f"{folder}: {', '.join(file.name for file in files)}")]),
     ]
+
+
+def _limit(study: StandStudy) -> str:
+    if study.fall is not None:
+        return study.fall.how
+    return f"sways from {number(study.own.sway_limit_n, 'N')} on"
 
 
 def _tilt(own: StanceRow) -> Iterator[tuple[str, str]]:
@@ -42,12 +48,13 @@ def _head() -> list[tuple[str, ...]]:
     return [("gauge", "payload", "weight", "height", "bears", "tip stiffness")]
 
 
-def _cells(row: StanceRow) -> tuple[str, ...]:
+def _cells(row: StanceRow, study: StandStudy) -> tuple[str, ...]:
+    falls = "sways" if study.fall is None else study.fall.how
     return (
         number(1e-3 * row.gauge_pressure_pa, "kPa"),
         number(1e3 * row.payload_kg, "g"),
         number(row.weight_n, "N"),
-        number(1e3 * row.height_m, "mm") if row.stands else "sways",
+        number(1e3 * row.height_m, "mm") if row.stands else falls,
         number(row.sway_limit_n, "N"),
         number(row.tip_stiffness_n_per_m, "N/m") if row.stands else "-",
     )
@@ -62,4 +69,9 @@ def _crouches(study: StandStudy) -> list[str]:
         pressure = number(1e-3 * row.gauge_pressure_pa, "kPa")
         volumes = (number(1e6 * v, "mL") for v in (row.liquid_volume_m3, row.barrel_volume_m3))
         rows.append((f"{1e2 * row.height_ratio:g} % of the legs", pressure, *volumes))
-    return [*table(rows), ""]
+    reasons = [
+        f"  no crouch to {1e2 * row.height_ratio:g} %: {row.reason}"
+        for row in study.crouch
+        if row.reason
+    ]
+    return [*table(rows), *reasons, ""]
