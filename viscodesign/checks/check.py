@@ -48,7 +48,7 @@ def check(scene: Scene) -> Check:
     refuse_unsolvable(quantities, active)
     found = classification(quantities, active)
     found = replace(found, warnings=(*verdict_notices(quantities, verdicts), *found.warnings))
-    facts = (*_facts(quantities), *input_notes(scene))
+    facts = (*_facts(quantities), *input_notes(quantities))
     return Check(scene.name, found, verdicts, found.warnings, facts)
 
 

@@ -6,21 +6,48 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.findings import Notice
 from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.scene import Scene
 
 SPACINGS, SHARE_OF_RUN = 1.5, 0.01
 """Spacings of rows, and most parts of a run, without a row that are not worth a word."""
+CUT_OFF, MANY_FINE_ROWS = 0.2, 300
+"""Cut-off that is proposed, in times t_s, of which the first mode has a period of 1.8; and how many
+rows, less than half of it apart, make a run slow."""
 MEET_REL = 1e-6
 """Difference of the ends of a cycle, in parts of its range, that is no jump."""
 
 
-def input_notes(scene: Scene) -> Iterator[str]:
-    """What was read from files, and what was taken out, in words; no warnings."""
+def input_notes(quantities: SceneQuantities) -> Iterator[str]:
+    """What was read from files, what was taken out, and what is finer than the motion, in words;
+    no warnings.
+    """
+    scene = quantities.scene
     for name, source in scene.inputs.items():
-        if isinstance(source, TableInput) and source.measured is not None:
+        if not isinstance(source, TableInput):
+            continue
+        if source.measured is not None:
             yield f"{_key(scene, name)}: {source.measured.sentence(len(source.rows or ()))}"
+        if source.measured is None or not source.measured.largest:
+            yield from _too_fine(source, quantities, _key(scene, name))
+
+
+def _too_fine(source: TableInput, quantities: SceneQuantities, where: str) -> Iterator[str]:
+    """A table that is followed row by row, many of its rows closer than the motion can tell."""
+    end, motion = quantities.scene.run.duration, quantities.scales.t_s
+    cut_off = CUT_OFF * motion
+    time = np.array(source.rows or ())[:, 0]
+    cycles = end / source.period if source.period is not None else 1.0
+    gaps = np.diff(time if source.repeat else time[time <= end])
+    fine = int(cycles * np.count_nonzero(gaps < cut_off / 2))
+    if fine > MANY_FINE_ROWS:
+        yield (
+            f"{where}: {fine} rows of the run are less than {500 * cut_off:.2g} ms from the one "
+            f"before, too close for the motion to resolve (t_s is {1e3 * motion:.2g} ms), but each "
+            f"is followed, which takes time; fewer straight pieces: smooth: {1e3 * cut_off:.2g} ms"
+        )
 
 
 def table_notices(scene: Scene) -> Iterator[Notice]:

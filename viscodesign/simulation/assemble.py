@@ -64,7 +64,7 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
                 *_thinned_shapes(motion),
             ),
         ),
-        notes=tuple(input_notes(scene)),
+        notes=tuple(input_notes(quantities)),
         violations=_merged(inlet_violations(quantities), exceeded),
         spec_text=resolved_yaml(scene),
         spec_sha256=scene.source.sha256,
