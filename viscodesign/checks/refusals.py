@@ -9,11 +9,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from viscodesign.checks.extreme_numbers import extreme_numbers
 from viscodesign.checks.plausibility import impossible_values, plausibility_notices
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -21,7 +23,7 @@ class NumericLimits:
     """Sizes beyond which no result would have a digit, or no mesh could follow the rod."""
 
     size: float = 1e250
-    """Largest number in SI units, and largest inverse of one."""
+    """Largest resistance of a tube [Pa s/m3], and largest inverse of one."""
     resistance_ratio: float = 1e13
     """Largest ratio of two tubes' resistances in a network that double precision still carries."""
     rod_turn: float = 400.0
@@ -37,6 +39,9 @@ LIMITS = NumericLimits()
 
 def refuse_beyond_numbers(quantities: SceneQuantities) -> None:
     """Raise `SpecError` where sizes lie so far apart that no result would have a digit."""
+    scene = quantities.scene
+    if extreme := [*extreme_numbers(scene), *_baseline(scene)]:
+        raise SpecError(extreme)  # before anything is computed of them
     if faults := list(_numeric_faults(quantities)):
         raise SpecError(_with_likely_cause(faults, quantities))
 
@@ -80,20 +85,26 @@ def _numeric_faults(quantities: SceneQuantities) -> Iterator[Fault]:
     yield from _work(quantities)
 
 
+def _baseline(scene: Scene) -> Iterator[Fault]:
+    """A baseline without any absolute pressure left."""
+    gauge, ambient = scene.gauge_pressure, scene.ambient_pressure
+    if not gauge + ambient > 0.0:
+        yield Fault(
+            f"{gauge / 1e3:.6g} kPa gauge at an ambient_pressure of {ambient / 1e3:.6g} kPa is "
+            f"{(gauge + ambient) / 1e3:.4g} kPa absolute; must be above 0. Is one of them an "
+            "absolute pressure written as gauge, or a gauge pressure written as absolute?",
+            "gauge_pressure",
+        )
+
+
 def _sizes(quantities: SceneQuantities) -> Iterator[Fault]:
-    """Numbers whose powers and products overflow."""
-    sizes = {
-        "actuator (its bending stiffness)": quantities.body.bending_stiffness,
-        "actuator (its axial stiffness)": quantities.body.extension_stiffness,
-        "actuator (its mass per length)": quantities.body.mass_per_length,
-        "actuator.length (its fourth power)": quantities.body.length**4,
-        "bellows (their compliance)": quantities.bellow.compliance,
-        "bellows (their volume)": quantities.bellow.rest_volume,
-        **{f"tube {name} (its resistance)": r for name, r in quantities.resistances.items()},
-    }
-    for key, value in sizes.items():
+    """Resistances that overflow, though none of their numbers is extreme."""
+    for name, value in quantities.resistances.items():
         if not 1 / LIMITS.size < value < LIMITS.size:
-            yield Fault(f"is {value:.3g} in SI units, outside the range of double precision", key)
+            yield Fault(
+                f"is {value:.3g} in SI units, outside the range of double precision",
+                f"tube {name} (its resistance)",
+            )
 
 
 def _contrast(quantities: SceneQuantities) -> Iterator[Fault]:

@@ -52,7 +52,8 @@ class Inertia(Effect):
         return quantities.suddenly_loaded
 
     def weight(self, quantities: SceneQuantities) -> float:
-        return quantities.scales.ratios["ts_over_ti"] ** 2
+        ratio = quantities.scales.ratios["ts_over_ti"]
+        return ratio * ratio  # infinite for a jump, and for what is as good as one
 
     def reason(self, quantities: SceneQuantities) -> str:
         scales = quantities.scales

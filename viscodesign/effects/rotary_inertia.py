@@ -48,7 +48,8 @@ class RotaryInertia(Effect):
 
     def weight(self, quantities: SceneQuantities) -> float:
         slender = (self.gyration / quantities.body.length) ** 2
-        return quantities.scales.ratios["ts_over_ti"] ** 2 * slender
+        ratio = quantities.scales.ratios["ts_over_ti"]
+        return ratio * ratio * slender
 
     def reason(self, quantities: SceneQuantities) -> str:
         ratio = self.gyration / quantities.body.length

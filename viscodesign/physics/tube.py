@@ -97,5 +97,7 @@ def wall_compliance(
     Timoshenko and Goodier, Theory of Elasticity.
     """
     outer = radius + thickness
-    shape = (outer**2 + (1 - 2 * poissons_ratio) * radius**2) / (outer**2 - radius**2)
+    shape = (outer**2 + (1 - 2 * poissons_ratio) * radius**2) / (
+        thickness * (2 * radius + thickness)
+    )
     return 2 * math.pi * radius**2 * length * (1 + poissons_ratio) / youngs_modulus * shape

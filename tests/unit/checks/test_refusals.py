@@ -14,14 +14,22 @@ BEYOND = {
     "network.changes={R3-R4: {radius: 100 m}}": "the resistance of tube R3-R4",
     "fluid={name: own, viscosity: 1e-30, density: 1}": "effects.pressure_distribution: off",
     "fluid={name: own, viscosity: 1e30, density: 1}": "lower fluid.viscosity",
-    "actuator.youngs_modulus=1e300": "bending stiffness",
+    "actuator.youngs_modulus=1e300": "actuator.youngs_modulus: is 1e+300",
     "actuator.youngs_modulus=1e3": "angle_per_pressure",
-    "actuator.length=1e-200": "fourth power",
-    "actuator.density=1e200": "effects.inertia: off",
-    "actuator.damping_time=1e300": "actuator.damping_time",
-    "loads.tip_force.x=1e300": "loads.tip_force",
-    "input={kind: constant, value: 1e300}": "angle_per_pressure",
-    "bellows.area_per_pressure=1e300": "compliance",
+    "actuator.length=1e-200": "actuator.length: is 1e-200",
+    "actuator.length=1e300 m": "actuator.length: is 1e+300",
+    "network.tube_radius=1e-90 m": "network.tube_radius: is 1e-90",
+    "network.changes={R3-R4: {radius: 1e-90 m}}": "network.changes.R3-R4.radius: is 1e-90",
+    "input.transition=1e-300 s": "input.transition: is 1e-300",
+    "input={kind: table, rows: [[0, 0], [1, 1e300]]}": "input.rows: is 1e+300",
+    "fluid.viscosity=1e-320": "fluid.viscosity: is 1e-320",
+    "fluid.density=1e-320": "fluid.density: is 1e-320",
+    "ambient_pressure=1e-300 Pa": "ambient_pressure: is 1e-300",
+    "actuator.density=1e40": "effects.inertia: off",
+    "actuator.damping_time=1e40": "actuator.damping_time",
+    "loads.tip_force.x=1e40": "loads.tip_force",
+    "input={kind: constant, value: 1e40}": "angle_per_pressure",
+    "bellows.area_per_pressure=1e300": "bellows.area_per_pressure: is 1e+300",
 }
 
 
@@ -90,3 +98,35 @@ def test_inlets_of_one_network_have_no_one_pressure(command: object) -> None:
     )
     with pytest.raises(SpecError, match="inlets left, right feed the same network"):
         command(scene)  # type: ignore[operator]
+
+
+def test_a_product_of_numbers_none_of_which_is_extreme() -> None:
+    tubes = "network={layout: straight, tube_radius: 1e-50, tube_length: 1e6}"
+    with pytest.raises(SpecError, match=r"tube inlet-R1 \(its resistance\): is 2.55e\+256"):
+        check(leg("fluid={name: own, viscosity: 1e50, density: 1}", tubes, SECOND))
+
+
+@pytest.mark.parametrize("given", ["-102 kPa", "-101.326 kPa", "-101.325 kPa", "-150 kPa"])
+@pytest.mark.parametrize("fluid", ["standard air", "water"])
+@pytest.mark.parametrize("command", [check, classify, simulate])
+def test_a_baseline_without_absolute_pressure_is_refused(
+    command: object, given: str, fluid: str
+) -> None:
+    own = "fluid=water" if fluid == "water" else f"fluid.name={fluid}"
+    with pytest.raises(SpecError) as refusal:
+        command(leg(f"gauge_pressure={given}", "ambient_pressure=101.325 kPa", own, SECOND))  # type: ignore[operator]
+    told = str(refusal.value)
+    assert f"gauge_pressure: {given} gauge at an ambient_pressure of 101.325 kPa" in told
+    assert "an absolute pressure written as gauge" in told
+
+
+def test_a_baseline_just_above_vacuum_is_weighed() -> None:
+    check(leg("gauge_pressure=-100 kPa", "ambient_pressure=101.325 kPa", SECOND))
+
+
+@pytest.mark.parametrize(
+    "change",
+    ["input={kind: table, rows: [[0, 0], [1e-300, 1], [1, 5e3]]}", "loads.payload=1e-300 kg"],
+)
+def test_what_may_be_zero_may_be_tiny(change: str) -> None:
+    check(leg(change, SECOND, "effects=auto"))

@@ -1,0 +1,58 @@
+"""Single numbers of a spec whose powers and quotients double precision could not carry."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from viscodesign.errors import Fault
+
+LARGEST = 1e50
+"""Largest number in SI units, and largest inverse of one that must be positive: the fifth power is
+within double precision. What may be zero may be as small as it likes."""
+
+
+def extreme_numbers(part: BaseModel, path: str = "") -> Iterator[Fault]:
+    """A fault for every number of a part of a spec that is too large, or too close to zero."""
+    for name, field in type(part).model_fields.items():
+        key = f"{path}{field.alias or name}"
+        yield from _below(getattr(part, name), key, 1 / LARGEST if _is_positive(field) else 0.0)
+
+
+def _is_positive(field: FieldInfo) -> bool:
+    return any(getattr(bound, "gt", None) == 0 for bound in field.metadata)
+
+
+def _below(value: Any, key: str, least: float) -> Iterator[Fault]:
+    if isinstance(value, BaseModel):
+        yield from extreme_numbers(value, f"{key}.")
+    elif isinstance(value, Mapping):
+        for name, own in value.items():
+            yield from _below(own, f"{key}.{name}", least)
+    elif isinstance(value, tuple) and value and isinstance(value[0], BaseModel):
+        for k, own in enumerate(value):
+            yield from _below(own, f"{key}[{k}]", least)
+    elif isinstance(value, (float, tuple)):
+        yield from _beyond(value, key, least)
+
+
+def _beyond(value: Any, key: str, least: float) -> Iterator[Fault]:
+    """A fault for the first number of one or of rows that is out of range."""
+    try:
+        numbers = np.asarray(value, float).ravel()
+    except (TypeError, ValueError):  # words, or rows of several lengths
+        return
+    sizes = np.abs(numbers)
+    outside = numbers[(sizes > LARGEST) | (sizes < least)]
+    if outside.size:
+        found = float(outside[0])
+        bound = f"at most {LARGEST:g}" if abs(found) > LARGEST else f"at least {least:g}"
+        yield Fault(
+            f"is {found:.3g} in SI units, outside the range of double precision for all that is "
+            f"computed of it; must be {bound} in size. Check its unit and its exponent",
+            key,
+        )
