@@ -27,12 +27,14 @@ class FootUse:
 
 @dataclass(frozen=True)
 class PumpUse:
-    """What a source's pump does in a cycle."""
+    """What a source's pump does."""
 
     volume_m3: float
-    """Barrel that holds the fluid while it is not in the legs."""
+    """Barrel that holds the fluid while it is not in the legs, in the last cycle."""
+    run_volume_m3: float
+    """The same over the whole run, which begins with legs at their first pressure."""
     flow_m3_s: float
-    """Largest rate of that volume."""
+    """Largest rate of that volume in the last cycle."""
     is_feasible: bool | None
     """Whether the spec's pump can do it; None where it has none."""
 
@@ -102,8 +104,13 @@ class WalkStudy:
 
     @property
     def pump_volume_m3(self) -> float:
-        """Largest barrel that a pump needs [m3]."""
+        """Largest barrel that a pump needs in the last cycle [m3]."""
         return max(pump.volume_m3 for pump in self.pumps.values())
+
+    @property
+    def pump_run_volume_m3(self) -> float:
+        """Largest barrel that a pump needs over the whole run [m3]."""
+        return max(pump.run_volume_m3 for pump in self.pumps.values())
 
     def document(self) -> dict[str, Any]:
         """As in `summary.json`."""
@@ -117,6 +124,7 @@ class WalkStudy:
             "body_length_m": self.body_length_m,
             "worst_penetration_m": self.invariants.worst_penetration_m,
             "pump_volume_m3": self.pump_volume_m3,
+            "pump_run_volume_m3": self.pump_run_volume_m3,
             "pump_flow_m3_s": max(pump.flow_m3_s for pump in self.pumps.values()),
             "step_halving_change": self.step_halving_change,
             "cycle_change": self.cycle_change,

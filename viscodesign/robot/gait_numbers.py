@@ -33,13 +33,14 @@ def foot_uses(motion: RobotMotion) -> dict[str, FootUse]:
 
 
 def pump_uses(motion: RobotMotion, pump: RobotPump | None) -> dict[str, PumpUse]:
-    """What every source asks of its pump in the last cycle."""
+    """What every source asks of its pump in the last cycle; the volume also of the whole run."""
     held = motion.barrel[motion.last_cycle]
-    volumes = np.ptp(held, axis=0)
+    volumes, whole = np.ptp(held, axis=0), np.ptp(motion.barrel, axis=0)
     flows = np.max(np.abs(np.diff(held, axis=0)), axis=0) / motion.step
+    rows = zip(motion.sources, np.column_stack([volumes, whole, flows]).tolist(), strict=True)
     return {
-        name: PumpUse(float(volume), float(flow), _is_feasible(float(volume), float(flow), pump))
-        for name, volume, flow in zip(motion.sources, volumes, flows, strict=True)
+        name: PumpUse(volume, most, flow, _is_feasible(most, flow, pump))
+        for name, (volume, most, flow) in rows
     }
 
 

@@ -12,6 +12,7 @@ from viscodesign.checks.input_ranges import RUN
 from viscodesign.checks.plausibility import outside, unusual
 from viscodesign.checks.plausible_ranges import ANY, KELVIN_VOIGT, PlausibleRange
 from viscodesign.results.findings import Notice
+from viscodesign.robot.stated_speed import STEPS
 from viscodesign.scene.robot_scene import RobotScene
 
 ROBOTS = "robots of the size of insects to ones that carry people"
@@ -54,6 +55,19 @@ def robot_notices(scene: RobotScene) -> Iterator[Notice]:
     own = (replace(found, whose="such robots have") for found in RANGES)
     for found, value in outside(scene, (*own, _delays(scene))):
         yield unusual(found, value)
+    yield from _undamped(scene)
+
+
+def _undamped(scene: RobotScene) -> Iterator[Notice]:
+    """Damping by which `walk` states no speed, however small its steps."""
+    damping = scene.robot.damping_time
+    if scene.period is not None and damping < STEPS.least_damping(scene.period):
+        yield Notice(
+            "no_speed",
+            f"{1e3 * damping:.3g} ms is less than the damping of the smallest steps of `walk`, "
+            "which will state no speed. State the damping of the legs, on which the speed depends",
+            "robot.damping_time",
+        )
 
 
 def _delays(scene: RobotScene) -> PlausibleRange:

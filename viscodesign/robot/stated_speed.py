@@ -22,6 +22,10 @@ class StepRule:
     least_advance: float = 1e-4
     """Advance per cycle below which a robot marks time, over the length of its body."""
 
+    def least_damping(self, period: float) -> float:
+        """Damping time below which no step is small enough, at a period [s]."""
+        return self.damping_ratio * period / (self.per_cycle << self.most_halvings) / 2
+
 
 STEPS = StepRule()
 

@@ -38,6 +38,15 @@ def test_the_bundled_robot_is_not_warned_about() -> None:
     assert all(found.source and found.low < found.high for found in RANGES)
 
 
+@pytest.mark.parametrize(("damping", "count"), [("0 s", 1), ("0.9 ms", 1), ("1 ms", 0)])
+def test_damping_without_a_speed_is_told(damping: str, count: int) -> None:
+    """Steps of 1/4000 of a cycle of 2.5 s damp like 0.3125 ms, a third of what is needed."""
+    change = f"robot.damping_time={damping}"
+    found = list(robot_notices(load_robot(CONFIGS / "hexapod.yaml", [change])))
+    assert [notice.where for notice in found] == ["robot.damping_time"] * count
+    assert all("will state no speed" in notice.message for notice in found)
+
+
 def test_every_key_of_a_robot_with_a_unit_has_a_range() -> None:
     page = (ROOT / "docs" / "keys.md").read_text()
     keys = set(re.findall(r"^\| `(robot\.[^`]+)` \| [^|]* \| `[^`]+` \|", page, re.M))

@@ -15,6 +15,7 @@ from tests.robots import hexapod, mirrored
 from tests.scenes import leg
 from viscodesign import RobotScene, SpecError, WalkStudy, load_robot, simulate, stand, walk
 from viscodesign.cli.main import main
+from viscodesign.cli.texts.walk_text import walk_lines
 from viscodesign.cli.walk import no_speed
 from viscodesign.errors import SolveError
 from viscodesign.report.film.walk_film import write_walk_film
@@ -22,6 +23,7 @@ from viscodesign.report.picture_options import picture_options
 from viscodesign.report.walk_folder import write_walk
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.robot.build_robot import build_robot
+from viscodesign.robot.gait_numbers import pump_uses
 from viscodesign.robot.leg_design import leg_design
 from viscodesign.robot.leg_equations import leg_functions
 from viscodesign.robot.march import StepPlan, march
@@ -31,6 +33,7 @@ from viscodesign.robot.stance import set_down
 from viscodesign.robot.stated_speed import refusal
 from viscodesign.robot.time_step import RobotState, StepSolver
 from viscodesign.robot.walk import start_state
+from viscodesign.scene.robot import RobotPump
 
 COARSE = 125
 """Steps of a cycle: the advance is within 2.5 % of that of infinitely many."""
@@ -67,6 +70,23 @@ def test_the_pumps_do_what_a_prototype_found(study: WalkStudy) -> None:
     assert 1e6 * study.pump_volume_m3 == pytest.approx(31, abs=2)
     assert 1e6 * max(pump.flow_m3_s for pump in study.pumps.values()) == pytest.approx(40, abs=2)
     assert all(pump.is_feasible for pump in study.pumps.values())
+
+
+def test_a_barrel_is_judged_by_the_whole_run(study: WalkStudy) -> None:
+    """It must hold what the first strokes give back, too."""
+    barrel = study.motion.barrel
+    for k, pump in enumerate(study.pumps.values()):
+        assert pump.run_volume_m3 == pytest.approx(np.max(barrel[:, k]) - np.min(barrel[:, k]))
+    least, most = study.pump_volume_m3, study.pump_run_volume_m3
+    assert most > 1.05 * least
+    told = [
+        pump_uses(study.motion, RobotPump(volume=volume))
+        for volume in (1.01 * least, 0.99 * most, 1.01 * most)
+    ]
+    can = [all(own.is_feasible for own in uses.values()) for uses in told]
+    assert can == [False, False, True]
+    text = "\n".join(walk_lines(study, Path("out"), []))
+    assert f"{1e6 * most:.3g} mL in the run" in text
 
 
 def test_contact_is_exact(study: WalkStudy) -> None:

@@ -36,7 +36,10 @@ def _facts(study: WalkStudy) -> Iterator[tuple[str, str]]:
     step = number(1e3 * study.steps_s[-1], "ms")
     yield "step", f"{step}; halving it moved the advance by {change}, the last cycle by {cycle}"
     for name, pump in study.pumps.items():
-        asked = f"{number(1e6 * pump.volume_m3, 'mL')}, {number(1e6 * pump.flow_m3_s, 'mL/s')}"
+        last, whole = (number(1e6 * v, "mL") for v in (pump.volume_m3, pump.run_volume_m3))
+        asked = (
+            f"{last} in the last cycle, {whole} in the run; {number(1e6 * pump.flow_m3_s, 'mL/s')}"
+        )
         told = {True: "; the pump can", False: "; more than the pump can", None: ""}
         yield f"pump {name}", asked + told[pump.is_feasible]
     found = study.invariants
