@@ -243,6 +243,6 @@ def test_the_share_that_an_emptied_bellow_keeps_is_of_its_own_volume() -> None:
     tubes = "effects={tube_compliance: on, gas_compressibility: on, others: auto}"
     emptied = leg("bellows.count=4", tubes)
     problem, rest = problem_of(emptied), SceneQuantities(emptied).bellow.rest_volume
-    failure = emptied_bellow(problem, 1.0, np.array([0.5, 0.125, 0.5, 0.5]) * rest)
+    failure = emptied_bellow(problem, 1.0, np.array([0.5, 0.25, 0.5, 0.5]) * rest)
     assert f"{problem.bellows[1]} reached" in str(failure)
-    assert "with 0.125 of its rest volume" in str(failure)
+    assert "with 0.25 of its rest volume" in str(failure)
