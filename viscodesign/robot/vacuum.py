@@ -25,8 +25,8 @@ def _refuse(scene: RobotScene, key: str, gauge: float) -> None:
     if absolute > 0.0:
         return
     message = (
-        f"the lowest absolute pressure is {1e-3 * absolute:.4g} kPa ({1e-3 * gauge:.4g} kPa gauge "
-        f"at an ambient_pressure of {1e-3 * scene.ambient_pressure:.4g} kPa), but no fluid has "
-        "one of zero or less; is an absolute pressure given as gauge, or an amplitude too large?"
+        f"the lowest pressure, {gauge / 1e3:.6g} kPa gauge at an ambient_pressure of "
+        f"{scene.ambient_pressure / 1e3:.6g} kPa, is {absolute / 1e3:.4g} kPa absolute; must be "
+        "above 0. Is an absolute pressure written as gauge, or an amplitude too large?"
     )
     raise SpecError([Fault(message, key, scene.source.file)])
