@@ -18,6 +18,7 @@ import yaml
 from tests.desk import set_up
 from tests.plans import planned_once
 from tests.scenes import ROOT
+from tests.thorough import ALL
 from viscodesign.cli.main import main
 
 BLOCK = re.compile(r"^```(sh|python|yaml)\n(.*?)^```", re.DOTALL | re.MULTILINE)
@@ -28,6 +29,8 @@ PAGES = [
     for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
     if page.name not in ELSEWHERE
 ]
+LONG = {"commands.md"}
+"""Pages that take a third of the time of all: the examples of all commands, which their own tests run."""
 NOT_RUN = {
     "/dev/tty": "needs a pump at a serial port; tests/unit/pump play the same on simulated bytes",
     "--board dynamixel": "needs a pump",
@@ -43,6 +46,7 @@ NOT_RUN = {
     "--sample 10000": "minutes; `--sample 1000` without it is run with fewer rows",
     "load52_b.csv": "its measurement is downloaded; docs/make_validation.py compares it",
     "step_200mbar.csv": "its measurement is downloaded; docs/make_validation.py compares it",
+    "configs/wall.yaml": "ten seconds; tests/golden solves it",
     "configs/leg_*.yaml": "minutes: simulates all configs; tests/golden does",
 }
 """Parts of commands and of Python that are not run, and why."""
@@ -126,7 +130,9 @@ def run_command(line: str, desk: Path) -> None:
     spec.write_bytes(small)  # where a template was written, the smaller leg stays the reader's
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize(
+    "page", [p for p in PAGES if ALL or p.name not in LONG], ids=lambda page: page.name
+)
 def test_commands_and_blocks_of_a_page(
     page: Path, desk: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -34,7 +34,7 @@ def test_what_packages_state_of_themselves_is_on_the_page() -> None:
     checked = 0
     for name, (licence, _) in listed().items():
         try:
-            told = metadata(name)["License-Expression"]
+            told = metadata(name).get("License-Expression")
         except PackageNotFoundError:
             continue
         if told and " " not in told:

@@ -29,6 +29,7 @@ def problem(floor: float | None = None) -> Any:
         bellows=("R1", "L1"),
         places=np.array([0, 1]),
         floor_volume=floor,
+        rest_volume=1.0,
         drawing=None,
         remedies={},
     )
