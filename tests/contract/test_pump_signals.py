@@ -9,8 +9,6 @@ from __future__ import annotations
 import json
 import os
 import signal
-import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -23,7 +21,8 @@ import pytest
 from tests.pump_rig import TRAVEL
 from tests.pumps import bench
 from tests.rig.pty import PtyServer
-from tests.scenes import CONFIGS, ROOT
+from tests.rig.streaming_process import StreamingProcess, stream_process
+from tests.scenes import CONFIGS
 from viscodesign.pump.ax.hold import HOLD_SPEED
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.bus.clock import WallClock
@@ -45,31 +44,11 @@ REQUESTS = 6
 
 
 @dataclass
-class Streaming:
+class Streaming(StreamingProcess):
     """A `pump stream` under way, and the pump that it moves."""
 
-    process: subprocess.Popen[str]
     bench: SimulatedBench
     server: PtyServer
-    folder: Path
-
-    def log(self) -> list[dict[str, Any]]:
-        """What the process has logged so far."""
-        path = self.folder / "log.jsonl"
-        lines = path.read_text().splitlines() if path.exists() else []
-        return [json.loads(line) for line in lines if line.endswith("}")]
-
-    def wait_for_ticks(self, count: int) -> None:
-        limit = time.monotonic() + 120
-        while sum(entry["kind"] == "tick" for entry in self.log()) < count:
-            assert self.process.poll() is None, self.process.communicate()
-            assert time.monotonic() < limit
-            time.sleep(0.02)
-
-    def end(self) -> tuple[int, str]:
-        """Exit code and standard error."""
-        _, err = self.process.communicate(timeout=60)
-        return self.process.returncode, err
 
 
 @pytest.fixture
@@ -80,24 +59,11 @@ def streaming(tmp_path: Path) -> Iterator[Streaming]:
     servo.position = 500.0
     servo.set(registers.CW_LIMIT, TRAVEL[0])
     servo.set(registers.CCW_LIMIT, TRAVEL[1])
-    with PtyServer(Ros(pump), WallClock()) as server:
-        words = ["pump", "stream", str(SPEC), "--board", "arbotix-ros", "--port", server.port]
-        words += ["--yes", "-o", str(tmp_path / "run")]
-        words += [word for change in GENTLE for word in ("--set", change)]
-        process = subprocess.Popen(
-            [sys.executable, "-m", "viscodesign", *words],
-            cwd=tmp_path,
-            env=os.environ | {"PYTHONPATH": str(ROOT)},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        try:
-            yield Streaming(process, pump, server, tmp_path / "run")
-        finally:
-            process.kill()
-            process.communicate()
+    with (
+        PtyServer(Ros(pump), WallClock()) as server,
+        stream_process(SPEC, "arbotix-ros", server.port, GENTLE, tmp_path) as process,
+    ):
+        yield Streaming(process, tmp_path / "run", pump, server)
 
 
 def is_hold(entry: dict[str, Any]) -> bool:
@@ -109,7 +75,7 @@ def is_hold(entry: dict[str, Any]) -> bool:
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_from_a_signal_to_a_hold_on_the_wire(streaming: Streaming, number: int) -> None:
-    streaming.wait_for_ticks(20)
+    streaming.wait_for(20)
     streaming.process.send_signal(number)
     sent = time.monotonic()
     status, err = streaming.end()
@@ -136,7 +102,7 @@ def _whole(streaming: Streaming, status: str) -> None:
 
 
 def test_a_second_signal_drops_the_torque(streaming: Streaming) -> None:
-    streaming.wait_for_ticks(10)
+    streaming.wait_for(10)
     streaming.process.send_signal(signal.SIGINT)
     streaming.process.send_signal(signal.SIGTERM)
     status, err = streaming.end()
@@ -149,7 +115,7 @@ def test_a_second_signal_drops_the_torque(streaming: Streaming) -> None:
 def test_a_port_that_vanishes_ends_with_4_and_says_that_no_hold_was_sent(
     streaming: Streaming,
 ) -> None:
-    streaming.wait_for_ticks(10)
+    streaming.wait_for(10)
     streaming.server.close()
     status, err = streaming.end()
     assert status == 4, err
@@ -159,7 +125,7 @@ def test_a_port_that_vanishes_ends_with_4_and_says_that_no_hold_was_sent(
 
 
 def test_a_killed_host_leaves_a_pump_that_stands(streaming: Streaming) -> None:
-    streaming.wait_for_ticks(20)
+    streaming.wait_for(20)
     streaming.process.kill()
     streaming.process.communicate()
     time.sleep(0.2)

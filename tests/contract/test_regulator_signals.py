@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 import os
 import signal
-import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -15,13 +13,15 @@ from pathlib import Path
 import pytest
 
 from tests.rig.pty import PtyServer
-from tests.scenes import CONFIGS, ROOT
+from tests.rig.streaming_process import StreamingProcess, stream_process
+from tests.scenes import CONFIGS
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.simulated.regulator import SimulatedRegulator
 from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals and terminals")
 
+SPEC = CONFIGS / "leg_16_regulator.yaml"
 CHANGES = [
     "input={kind: sine, amplitude: 1 kPa, mean: 4 kPa, frequency: 0.05 Hz}",
     "run={duration: 10 s, output_interval: 0.1 s}",
@@ -33,63 +33,37 @@ REQUESTS = 8
 
 
 @dataclass
-class Regulating:
+class Regulating(StreamingProcess):
     """A `pump stream` under way, and the regulator that it commands."""
 
-    process: subprocess.Popen[str]
     device: SimulatedRegulator
     server: PtyServer
-    folder: Path
 
     def sent(self) -> list[tuple[float, str]]:
         """When each command was sent, by the process's own log."""
-        path = self.folder / "log.jsonl"
-        lines = path.read_text().splitlines() if path.exists() else []
-        entries = [json.loads(line) for line in lines if line.endswith("}")]
         return [
             (entry["monotonic_s"], bytes.fromhex(entry["hex"]).decode().strip())
-            for entry in entries
+            for entry in self.log()
             if entry["kind"] == "tx"
         ]
 
-    def wait_for_set_points(self, count: int) -> None:
-        limit = time.monotonic() + 120
-        while sum(command.startswith("SET") for _, command in self.sent()) < count:
-            assert self.process.poll() is None, self.process.communicate()
-            assert time.monotonic() < limit
-            time.sleep(0.05)
-
-    def end(self) -> tuple[int, str]:
-        """Exit code and standard error."""
-        _, err = self.process.communicate(timeout=60)
-        return self.process.returncode, err
+    def count(self) -> int:
+        """Set-points so far."""
+        return sum(command.startswith("SET") for _, command in self.sent())
 
 
 @pytest.fixture
 def regulating(tmp_path: Path) -> Iterator[Regulating]:
     device = SimulatedRegulator(100e3, HIGHEST_SET_POINT, 0.2)
-    with PtyServer(device, WallClock()) as server:
-        words = ["pump", "stream", str(CONFIGS / "leg_16_regulator.yaml"), "--board", "regulator"]
-        words += ["--port", server.port, "--yes", "-o", str(tmp_path / "run")]
-        words += [word for change in CHANGES for word in ("--set", change)]
-        process = subprocess.Popen(
-            [sys.executable, "-m", "viscodesign", *words],
-            cwd=tmp_path,
-            env=os.environ | {"PYTHONPATH": str(ROOT)},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        try:
-            yield Regulating(process, device, server, tmp_path / "run")
-        finally:
-            process.kill()
-            process.communicate()
+    with (
+        PtyServer(device, WallClock()) as server,
+        stream_process(SPEC, "regulator", server.port, CHANGES, tmp_path) as process,
+    ):
+        yield Regulating(process, tmp_path / "run", device, server)
 
 
 def test_a_signal_holds_the_outlet_as_it_is(regulating: Regulating) -> None:
-    regulating.wait_for_set_points(20)
+    regulating.wait_for(20)
     regulating.process.send_signal(signal.SIGTERM)
     asked = time.monotonic()
     status, err = regulating.end()
@@ -104,7 +78,7 @@ def test_a_signal_holds_the_outlet_as_it_is(regulating: Regulating) -> None:
 
 
 def test_a_second_signal_vents(regulating: Regulating) -> None:
-    regulating.wait_for_set_points(10)
+    regulating.wait_for(10)
     regulating.process.send_signal(signal.SIGINT)
     regulating.process.send_signal(signal.SIGTERM)
     status, err = regulating.end()
