@@ -17,6 +17,7 @@ from viscodesign.results.trajectory import RunInterruptedError, Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.assemble import cost_of, trajectory_of
 from viscodesign.simulation.build_problem import suggest_settings
+from viscodesign.simulation.confirmed_event import EventDoubt, confirm_event
 from viscodesign.simulation.doubts import doubts
 from viscodesign.simulation.error_control import ErrorParts, Verifier
 from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, judgeable
@@ -105,6 +106,8 @@ def _simulated(
         inputs, duration = quantities.scene.inputs.values(), quantities.scene.run.duration
         is_driven = any(source.moves_within(duration) for source in inputs)
         doubted = doubts(trajectory, accuracy, verifier, is_driven=is_driven)
+        if found.event_doubt is not None:
+            doubted += tuple(found.event_doubt.notices(duration))
     is_only_solution = verifier.solutions == 1 and not (found.attempts or proof or judge.has_solved)
     return replace(
         trajectory,
@@ -141,6 +144,8 @@ class _SolvedScene:
     parts: ErrorParts | None
     escalation: EffectEscalation | None
     """More effects, with which it is to be solved again."""
+    event_doubt: EventDoubt | None = None
+    """How well an event is known that ends the run, or nearly does."""
     attempts: tuple[RetryAttempt, ...] = ()
     """Escalations on the way here."""
 
@@ -191,13 +196,31 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
             whole_error, more = _judged(selection, run, whole, verifier, request.judge)
         elif not run.solution.interrupted:
             more = request.judge.completion(selection, run)
-    parts: ErrorParts | None = None
-    if request.verify and run.is_complete and more is None and not verifier.interrupted:
-        run, parts = verifier.verify(run, whole_error)
-        with request.watch("choose"):
-            more = None if verifier.interrupted else escalation(quantities, selection, run)
     more = more or request.judge.at_event(selection, run)
-    return _SolvedScene(selection, verifier, run, parts, more)
+    if more is not None or not request.verify or verifier.interrupted:
+        return _SolvedScene(selection, verifier, run, None, more)
+    run, parts, doubt = _verified(run, verifier, whole_error)
+    with request.watch("choose"):
+        more = None if verifier.interrupted else escalation(quantities, selection, run)
+    more = more or request.judge.at_event(selection, run)
+    return _SolvedScene(selection, verifier, run, parts, more, doubt)
+
+
+def _verified(
+    run: Run, verifier: Verifier, whole_error: WholeError | None
+) -> tuple[Run, ErrorParts | None, EventDoubt | None]:
+    """The finest solution, its error where it reached the end, and doubts of an event.
+
+    An event is confirmed before and after: each solution may meet one that another does not.
+    """
+    run, doubt = confirm_event(verifier, run)
+    if not run.is_complete or verifier.interrupted:
+        return run, None, doubt
+    run, parts = verifier.verify(run, whole_error)
+    if run.is_complete or verifier.interrupted:
+        return run, parts, doubt
+    run, latest = confirm_event(verifier, run)
+    return run, None, latest or doubt
 
 
 WholeError = Callable[[Run], float]

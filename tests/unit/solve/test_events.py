@@ -246,3 +246,18 @@ def test_the_share_that_an_emptied_bellow_keeps_is_of_its_own_volume() -> None:
     failure = emptied_bellow(problem, 1.0, np.array([0.5, 0.25, 0.5, 0.5]) * rest)
     assert f"{problem.bellows[1]} reached" in str(failure)
     assert "with 0.25 of its rest volume" in str(failure)
+
+
+@pytest.mark.parametrize(
+    ("trough", "status", "code"),
+    [(102.35, "complete", "borderline_event"), (105.0, "failed", "uncertain_event")],
+)
+def test_an_event_is_that_of_a_finer_solution(trough: float, status: str, code: str) -> None:
+    """The section keeps its last 1 % down to 102.47 kPa, as ever smaller tolerances tell."""
+    pressed = scene(2.0, SOFT, DIP.format(f"-{trough} kPa"), CRUSHED)
+    assert simulate(pressed, tolerance=1e-2, verify=False).status == "failed"
+    run = simulate(pressed, tolerance=1e-2)
+    assert run.status == status
+    told = [warning for warning in run.warnings if warning.code.endswith("_event")]
+    assert [warning.code for warning in told] == [code]
+    assert "with a larger tolerance on a coarser mesh the run ends at t = " in told[0].message
