@@ -8,18 +8,18 @@ from typing import Any
 import numpy as np
 
 from tests.trajectories import made_run
+from viscodesign.pump.ax.servo_demand import ServoCourse
 from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.result import PumpPlan, PumpVerdict
-from viscodesign.pump.plunger.plunger_course import PlungerCourse
 from viscodesign.pump.profile import Profile
 from viscodesign.scene.scene import Scene
 
 
-def made_course(profile: Profile, lead: float = 0.0) -> PlungerCourse:
+def made_course(profile: Profile, lead: float = 0.0) -> ServoCourse:
     """A course through a profile's counts; of its other columns only what is told."""
     shape = profile.steps.shape
     none = np.zeros(shape)
-    return PlungerCourse(
+    return ServoCourse(
         time=profile.time,
         lead_s=lead,
         pressure=profile.pressure,
@@ -28,6 +28,7 @@ def made_course(profile: Profile, lead: float = 0.0) -> PlungerCourse:
         volume=0.0725e-6 * (profile.steps - profile.steps[0]),
         steps=profile.steps,
         flow=none,
+        force=none,
         torque=none,
         stall_share=np.full(shape, 0.12),
         speed_share=np.full(shape, 0.3),
@@ -66,7 +67,7 @@ def made_plan(profile: Profile, lead: float = 0.0, *, feasible: bool = True) -> 
         unit="counts",
         device="AX-18A",
         wanted=course,
-        achievable=replace(course, steps=np.round(course.count)),
+        achievable=replace(course, steps=np.round(course.steps)),
         wanted_run=run,
         achievable_run=run,
         deviation=np.zeros(2),

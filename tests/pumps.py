@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from tests.rig.full import FullServo
+from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.drive import Drive
 from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.pumps.servo import ServoPumpSpec
@@ -22,7 +22,7 @@ def pump(**settings: Any) -> ServoPumpSpec:
 
 def bench(*ids: int, plant: Plant | None = None, **settings: Any) -> SimulatedBench:
     """Plungers at home; each barrel closed where no plant is given."""
-    drives = [Drive(pump(**settings)) for _ in ids]
+    drives = [ServoDrive(pump(**settings)) for _ in ids]
     servos = [FullServo(id, position=HOME) for id in ids]
     return SimulatedBench(servos, drives, plant or ClosedGas(drives))
 

@@ -11,7 +11,7 @@ import pytest
 
 from tests.scenes import CONFIGS, leg
 from viscodesign import PumpPlan, Scene, plan, simulate
-from viscodesign.pump.drive import Drive
+from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.planning.feed_line import feed_line_at
 from viscodesign.pump.planning.limits import verdicts
@@ -74,7 +74,7 @@ def test_volume_to_hold_a_static_pressure_gas(pressure: float, feeds: int) -> No
     own = "effects={feedback: off, others: auto}"
     found = static("air", pressure, own, f"pump.feeds={feeds}")
     ratio = (AMBIENT + pressure) / AMBIENT
-    drive = Drive(leg(PUMP).pump)  # type: ignore[arg-type]
+    drive = ServoDrive(leg(PUMP).pump)  # type: ignore[arg-type]
     full = AREA * drive.filled_at_home + 5e-6
     tube = np.pi * 0.325e-3**2 * 37.5e-3
     tubes = COUNT * tube
@@ -95,7 +95,7 @@ def test_volume_to_hold_a_static_pressure_liquid(pressure: float) -> None:
     found = static(fluid, pressure, "effects={feedback: off, others: auto}")
     cushion = 5e-6 * (1 - AMBIENT / (AMBIENT + pressure))
     expected = COUNT * COMPLIANCE * pressure + cushion
-    drive = Drive(leg(PUMP).pump)  # type: ignore[arg-type]
+    drive = ServoDrive(leg(PUMP).pump)  # type: ignore[arg-type]
     own = AREA * drive.filled_at_home * pressure / 2e9
     assert found.wanted.volume[-1, 0] == pytest.approx(expected + own, rel=1e-4)
 
@@ -157,7 +157,7 @@ def test_the_planned_plunger_reproduces_the_requested_pressure(
     settled = with_effects_of(scene, wanted)
     assert scene.pump is not None
     line = feed_line_at(settled, "inlet", active_effects(wanted))
-    barrel = Barrel(settled, Drive(scene.pump), line)
+    barrel = Barrel(settled, ServoDrive(scene.pump), line)
     pressure, given = wanted.inlet_pressure["inlet"], wanted.inflow["inlet"]
     place = barrel.position(pressure, given)
     driven = with_inputs(settled, {"inlet": barrel.syringe(wanted.time, place)})
@@ -182,8 +182,8 @@ def test_the_published_pulse_exceeds_five_limits() -> None:
     assert told["cap_torque"].severity == "advice"
     assert "38.67 kPa gauge" in told["cap_torque"].message
     assert found.deviation_m > 0.04
-    assert found.achievable.count.min() >= 100 - 1e-9
-    assert found.achievable.count.max() <= 1000 + 1e-9
+    assert found.achievable.steps.min() >= 100 - 1e-9
+    assert found.achievable.steps.max() <= 1000 + 1e-9
     low = found.limits["stall_nm"]
     assert np.max(np.abs(found.achievable.torque)) < low
 
@@ -234,7 +234,7 @@ def test_two_pumps_on_networks_of_their_own() -> None:
     found = plan(leg(words, "run.duration=3 s", config="antagonistic_two_inlets"))
     assert found.inlets == ("left", "right")
     assert found.axes == (4, 7)
-    assert found.wanted.count.shape[1] == 2
+    assert found.wanted.steps.shape[1] == 2
     assert found.is_feasible
     assert found.deviation_m < 2e-4
 
@@ -266,7 +266,7 @@ def test_the_live_actuator_agrees_with_the_simulation() -> None:
     assert plant.steps <= 4 * len(places)
     time = tick * np.arange(len(places) + 1)
     fine = planned(scene)
-    barrel = Barrel(fine, Drive(scene.pump), feed_line_at(fine, "inlet", frozenset()))
+    barrel = Barrel(fine, ServoDrive(scene.pump), feed_line_at(fine, "inlet", frozenset()))
     driven = with_inputs(fine, {"inlet": barrel.syringe(time, np.array([0.0, *places]))})
     run = driven.run.model_copy(
         update={"duration": float(time[-1]), "output_times": tuple(time.tolist())}

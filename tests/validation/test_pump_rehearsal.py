@@ -82,7 +82,7 @@ def test_a_feasible_plan_is_followed_within_a_count(rehearsal: Rehearsal) -> Non
     assert found.is_feasible
     assert not found.clipped
     assert all(v.severity == "ok" for v in found.verdicts)
-    assert np.max(np.abs(found.achievable.count - found.wanted.count)) <= 0.5 + 1e-6
+    assert np.max(np.abs(found.achievable.steps - found.wanted.steps)) <= 0.5 + 1e-6
     assert found.error_m is not None
     one_count = 1e3 * found.numbers["inlet"]["kpa_per_count_fast"]
     pressure = found.achievable.pressure - found.wanted.pressure
@@ -140,7 +140,7 @@ def test_the_sensor_reads_the_planned_pressure_within_its_steps_and_a_tick(
 
 def test_the_plunger_follows_the_plan(rehearsal: Rehearsal) -> None:
     course = rehearsal.plan.achievable
-    wanted = np.interp(rehearsal.time, course.time - course.lead_s, course.count[:, 0])
+    wanted = np.interp(rehearsal.time, course.time - course.lead_s, course.steps[:, 0])
     apart = rehearsal.counts - wanted
     # The servo's controller alone would lag by up to 27 counts.
     assert float(np.sqrt(np.mean(apart**2))) < 3.0

@@ -1,125 +1,109 @@
-"""A plunger that a servo moves by rack and pinion: what it can do, in closed form."""
+"""A plunger in its barrel and what moves it: the contract of a drive, in physical units."""
 
 from __future__ import annotations
 
 import math
-from typing import Any
-
-import numpy as np
+from abc import ABC, abstractmethod
+from typing import Any, ClassVar, NamedTuple
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.scene.pumps.servo import ServoPumpSpec
-from viscodesign.scene.pumps.servo_motor import LARGEST_SPEED, SERVOS, SPEED_UNIT, ServoType
 
-COUNTS_PER_TURN = 1024 * 360.0 / 300.0
-"""The servo's 1024 counts span 300 degrees (e-manual of AX-12A and AX-18A, Goal Position)."""
+
+class Load(NamedTuple):
+    """How a drive's load is stated: the force on its plunger, or a torque proportional to it."""
+
+    name: str = "force"
+    unit: str = "N"
+    suffix: str = "n"  # of names with units
+    per_newton: float = 1.0  # load per force on the plunger [unit/N]
 
 
 @dataclass(frozen=True)
-class Drive:
-    """Servo, pinion and barrel of one plunger.
+class PlungerDrive(ABC):
+    """One plunger; a family adds its step, its stall and the speed that it has left.
 
     Positions are pushed in from home, positive towards the outlet. Pressures are gauge: the
-    ambient pushes on the plunger's other side. Torques are positive where the servo pushes in.
+    ambient pushes on the plunger's other side. Forces are positive where the drive pushes in.
     """
 
-    pump: ServoPumpSpec
+    step_name: ClassVar[str] = "step"
+    """What a step is called in messages and names."""
+    gear_key: ClassVar[str]
+    """Key of the section that makes a step shorter as it gets smaller."""
+
+    pump: Any
+    """The section of its kind. It has, in SI, `syringe_diameter`, `syringe_stroke`, `filled_length`
+    (None: the withdrawn end of travel is full), `dead_volume` and `plunger_friction`; in steps
+    `home` and `travel`; and `push`: the direction of steps as the plunger goes in, up or down."""
 
     @property
-    def servo(self) -> ServoType:
-        """The servo's data."""
-        return SERVOS[self.pump.servo]
+    @abstractmethod
+    def step(self) -> float:
+        """Travel of the plunger per step [m]; positive whichever way steps push."""
+
+    @property
+    @abstractmethod
+    def stall_load(self) -> float:
+        """Load at which the drive stalls, in the unit of `load`."""
+
+    @abstractmethod
+    def speed_left(self, force: Any) -> Any:
+        """Plunger speed that the drive still has against a force [m/s]; zero beyond its stall."""
+
+    @property
+    def load(self) -> Load:
+        """How its load is stated."""
+        return Load()
+
+    @property
+    def play(self) -> float:
+        """Backlash between drive and plunger [steps]."""
+        return 0.0
+
+    @property
+    def stall_words(self) -> str:
+        """What its stall is called in messages, with the conditions that it depends on."""
+        return f"stall {self.load.name}"
 
     @property
     def area(self) -> float:
         """Cross section of the barrel [m2]."""
-        return math.pi * self.pump.syringe_diameter**2 / 4
+        diameter: float = self.pump.syringe_diameter
+        return math.pi * diameter**2 / 4
 
     @property
-    def radius(self) -> float:
-        """Pitch radius of the pinion [m]."""
-        return self.pump.pinion_diameter / 2
+    def volume_per_step(self) -> float:
+        """Volume swept per step, the finest that can be set [m3]."""
+        return self.area * self.step
 
-    @property
-    def advance_per_count(self) -> float:
-        """Travel of the rack per count [m]; positive whichever way counts push."""
-        return math.pi * self.pump.pinion_diameter / COUNTS_PER_TURN
-
-    @property
-    def volume_per_count(self) -> float:
-        """Volume swept per count, the finest step [m3]."""
-        return self.area * self.advance_per_count
-
-    @property
-    def _sign(self) -> int:
-        return 1 if self.pump.push == "up" else -1
-
-    def position(self, count: float) -> float:
-        """Plunger position [m] at a servo count."""
-        return self._sign * (count - self.pump.home) * self.advance_per_count
-
-    def count(self, position: float) -> float:
-        """Servo count, not rounded, at a plunger position [m]."""
-        return self.pump.home + self._sign * position / self.advance_per_count
+    def position(self, steps: float) -> float:
+        """Plunger position [m] at a step of the drive."""
+        pushed: float = steps - self.pump.home if self.pump.push == "up" else self.pump.home - steps
+        return pushed * self.step
 
     @property
     def range(self) -> tuple[float, float]:
         """Plunger positions at the ends of travel, withdrawn first [m]."""
-        low, high = sorted(self.position(count) for count in self.pump.travel)
+        low, high = sorted(self.position(end) for end in self.pump.travel)
         return low, high
 
     @property
     def filled_at_home(self) -> float:
         """Length of barrel in front of the plunger at home [m]."""
-        stated = self.pump.filled_length
-        return self.pump.syringe_stroke + self.range[0] if stated is None else stated
+        stated: float | None = self.pump.filled_length
+        return float(self.pump.syringe_stroke) + self.range[0] if stated is None else stated
 
-    def torque(self, pressure: Any, direction: Any = 0.0) -> Any:
-        r"""Torque at the pinion that balances the plunger [N m].
+    def force(self, pressure: Any, direction: Any = 0.0) -> Any:
+        r"""Force of the drive that balances the plunger [N].
 
-        .. math:: \tau = (p A + F d) r
+        .. math:: p A + F d
 
         ``pressure`` p gauge [Pa]; ``direction`` d is 1 where the plunger moves in against its
-        friction F, -1 where it moves out, 0 at rest. A rigid gear without losses.
+        friction F, -1 where it moves out, 0 at rest.
         """
-        friction = self.pump.plunger_friction * direction
-        return (pressure * self.area + friction) * self.radius
-
-    @property
-    def stall_torque(self) -> float:
-        r"""Torque at which the servo stalls at the supply voltage [N m].
-
-        .. math:: \tau_V = \tau_s V / V_0
-
-        Constant motor resistance: current and torque at stall follow the voltage.
-        """
-        return self.servo.stall_torque * self.pump.supply_voltage / self.servo.rated_voltage
+        return pressure * self.area + self.pump.plunger_friction * direction
 
     @property
     def stall_pressure(self) -> float:
-        r"""Gauge pressure at which the pump stalls, without friction [Pa]: :math:`\tau_V/(r A)`."""
-        return self.stall_torque / (self.radius * self.area)
-
-    def speed_left(self, torque: Any) -> Any:
-        r"""Plunger speed that the servo still has against a torque [m/s]; zero beyond its stall.
-
-        .. math:: v = r \omega_0 (V / V_0 - \tau / \tau_s)
-
-        The straight line of a motor of constant flux. A torque that helps (negative) makes it
-        no faster than it is without load: the servo holds its speed.
-        """
-        voltage = self.pump.supply_voltage / self.servo.rated_voltage
-        share = np.maximum(torque, 0.0) / self.servo.stall_torque
-        return self.servo.no_load_speed * np.maximum(voltage - share, 0.0) * self.radius
-
-    def speed_register(self, speed: float) -> int:
-        """Nearest value of Moving Speed for a plunger speed [m/s]; never 0, which is full speed."""
-        return min(max(round(abs(speed) / self.radius / SPEED_UNIT), 1), LARGEST_SPEED)
-
-    def current(self, torque: Any) -> Any:
-        r"""Current that a torque draws, without electronics [A]: :math:`I_s |\tau| / \tau_s`."""
-        return self.servo.stall_current * np.abs(torque) / self.servo.stall_torque
-
-    def battery_life(self, current: float) -> float:
-        """Time in which a mean current [A] empties the battery [s]; infinite without any."""
-        return self.pump.battery_capacity / current if current > 0.0 else math.inf
+        r"""Gauge pressure at which the pump stalls, without friction [Pa]: :math:`F_s / A`."""
+        return self.stall_load / (self.load.per_newton * self.area)

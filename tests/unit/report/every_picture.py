@@ -15,8 +15,7 @@ from tests.studies import made_study
 from tests.trajectories import CLASSIFICATION, ablated_run, made_run, with_two_inlets
 from tests.unit.report.charts.test_exploration import FLUID, LENGTH, RADIUS, sweep_over
 from viscodesign import compare
-from viscodesign.pump.plunger.plunger_course import PlungerCourse
-from viscodesign.pump.plunger.plunger_demand import PlungerDemand
+from viscodesign.pump.ax.servo_demand import AxDemand, ServoCourse
 from viscodesign.pump.report.fit_chart import draw_fit as draw_poses
 from viscodesign.pump.report.plan_chart import draw_plan
 from viscodesign.report.charts.accuracy import draw_accuracy
@@ -106,11 +105,11 @@ def _plane() -> list[Any]:
     ]
 
 
-def _course(shift: float) -> PlungerCourse:
+def _course(shift: float) -> ServoCourse:
     wave = np.sin(np.pi * TIME / 2 + shift)[:, None] * [1.0, -1.0]
-    return PlungerCourse(
+    return ServoCourse(
         time=TIME, lead_s=0.5, pressure=3e4 * wave, given=wave, position=wave, volume=wave,
-        steps=400 + 200 * wave, flow=1e-6 * wave, torque=wave, stall_share=0.3 * np.abs(wave),
+        steps=400 + 200 * wave, flow=1e-6 * wave, force=wave, torque=wave, stall_share=0.3 * np.abs(wave),
         speed_share=wave,
     )  # fmt: skip
 
@@ -121,7 +120,9 @@ def _plan() -> Any:
         name="leg", inlets=("left", "right"), wanted=_course(0.0), achievable=_course(0.1),
         wanted_run=run, achievable_run=made_run(time=TIME, lag=0.05), infeasible=(), clipped=(),
         error_m=1e-4, validity="inside", deviation_m=2e-3, numbers={"left": {"no_load_flow_m3_s": 1e-5}},
-        panels=PlungerDemand.panels([SimpleNamespace(
+        panels=AxDemand.panels([SimpleNamespace(
+            axis=SimpleNamespace(noun="servo", unit="counts"),
+            drive=SimpleNamespace(load=SimpleNamespace(name="torque")),
             pump=SimpleNamespace(max_pressure=4e4, travel=(100, 700)),
             numbers=lambda: {"no_load_flow_m3_s": 1e-5},
         )]),

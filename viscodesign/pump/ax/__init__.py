@@ -1,1 +1,1 @@
-"""The family of servos AX-12A and AX-18A: their state, limits and start, behind the contract."""
+"""The servos AX-12A and AX-18A, behind the contract: their state, limits, start and plunger."""

@@ -18,7 +18,7 @@ from viscodesign.pump.play.verified import until_verified
 
 NOUN = "servo"  # what an axis is called in messages
 HOLD_SPEED = 20
-"""Of a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
+"""Speed to a goal that is where the plunger is anyway [0.111 rpm]; never 0, which is full speed."""
 HOLD_TOLERANCE = 40  # A held plunger stands this close to its goal, or it is not held [counts]
 LONGEST_MOVE_S = 40.0
 """A board that plays by itself may not listen for so long: its moves last up to 32.8 s [s]."""

@@ -114,7 +114,7 @@ def _faults(servo: FoundServo, pump: ServoPumpSpec) -> Iterator[str]:
 
 
 @dataclass(frozen=True)
-class RegisterChange:
+class EepromChange:
     """A register of the EEPROM that is to hold another value: id, angle limits, status level."""
 
     servo: int
@@ -131,11 +131,16 @@ class RegisterChange:
         board.write_permanent(self.servo, self.register.address, data)
 
 
-def changes(servo: FoundServo, travel: tuple[int, int]) -> list[RegisterChange]:
+def id_change(old: int, new: int) -> EepromChange:
+    """The change that renames a servo."""
+    return EepromChange(old, registers.ID, old, new)
+
+
+def changes(servo: FoundServo, travel: tuple[int, int]) -> list[EepromChange]:
     """What differs from a calibrated servo."""
     calibrated = [
         (registers.CW_LIMIT, servo.limits[0], travel[0]),
         (registers.CCW_LIMIT, servo.limits[1], travel[1]),
         (registers.STATUS_LEVEL, servo.status_level, ANSWERS_ALL),
     ]
-    return [RegisterChange(servo.id, *change) for change in calibrated if change[1] != change[2]]
+    return [EepromChange(servo.id, *change) for change in calibrated if change[1] != change[2]]

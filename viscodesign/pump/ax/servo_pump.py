@@ -10,18 +10,18 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import HOLD_SPEED, NOUN, hold, release
 from viscodesign.pump.ax.preflight import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE, identify
 from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_limit
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.drive import COUNTS_PER_TURN, Drive
 from viscodesign.pump.play.axis import AxisLimits, FinalAxisState, FoundAxis
 from viscodesign.pump.play.pump import Pump, Speeds, Steps
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 
-SPEED = registers.SPEED_UNIT * COUNTS_PER_TURN
+SPEED = registers.SPEED_UNIT * registers.COUNTS_PER_TURN
 """Counts per second of one unit of the speed register."""
 COMPLIANCE_SLOPE = 32.0
 """Distance from its goal at which a servo gives its full output [counts]: the initial value of
@@ -30,7 +30,7 @@ APPROACH_SPEED = 50.0
 """On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
 SETTLE_SPEED = 45.0  # at the end of a path [counts/s]
 LARGEST_LEAD = 40.0
-"""Of what is added for the load [counts]: beyond the slope nothing more is given anyway."""
+"""Most that is added to a goal for the load [counts]: beyond the slope nothing more is given."""
 FOLLOWING_ERROR = 60.0
 """[counts]; the servo's controller needs an error of up to 32 to give all its torque."""
 WEAKNESS = "the plunger is blocked, or the torque limit is too low for the requested pressure"
@@ -185,7 +185,7 @@ class ServoPump(Pump):
 def axis_limits(settings: ServoPumpSpec) -> AxisLimits:
     """What the servos of a spec can do."""
     return AxisLimits(
-        step=Drive(settings).advance_per_count,
+        step=ServoDrive(settings).step,
         noun=NOUN,
         unit="counts",
         travel=settings.travel,

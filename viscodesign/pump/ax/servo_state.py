@@ -54,7 +54,7 @@ def read_servo(board: Board, servo: int) -> ServoState:
         moving_speed=value(registers.MOVING_SPEED),
         torque_limit=value(registers.TORQUE_LIMIT),
         position=value(registers.PRESENT_POSITION),
-        load=value(registers.PRESENT_LOAD) / 1023,
+        load=value(registers.PRESENT_LOAD) / registers.FULL,
         voltage=value(registers.PRESENT_VOLTAGE) / 10,
         temperature=float(value(registers.PRESENT_TEMPERATURE)),
         errors=errors,
@@ -75,6 +75,11 @@ def read_register(board: Board, servo: int, register: Register) -> int:
     """One register, whatever the error bits say."""
     data, _ = read_anyway(board, servo, register.address, register.size)
     return register.decode(data)
+
+
+def read_position(board: Board, servo: int) -> int:
+    """Where a servo is [counts], whatever its error bits say."""
+    return read_register(board, servo, registers.PRESENT_POSITION)
 
 
 def write_register(board: Board, servo: int, register: Register, value: int) -> None:

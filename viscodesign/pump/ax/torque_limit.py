@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import field
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.ax.protocol.registers import FULL
+from viscodesign.pump.ax.protocol.registers import COUNT_ANGLE, FULL
+from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_state import ServoState
-from viscodesign.pump.drive import Drive
 from viscodesign.scene.pumps.servo import ServoPumpSpec
-from viscodesign.scene.pumps.servo_motor import COUNT_ANGLE, SERVOS
+from viscodesign.scene.pumps.servo_motor import SERVOS
 
 ABOVE_CAP = 1.2  # so that the cap in software acts first
 NOTABLE = 32
@@ -28,8 +28,8 @@ def torque_limit(pump: ServoPumpSpec, speed: float = 0.0) -> int:
     It limits the output of the servo's controller, and along the straight line of a motor a
     part of that goes into its ``speed`` [counts/s]: a fast profile takes a looser guard.
     """
-    drive = Drive(pump)
-    share: float = drive.torque(pump.max_pressure, 1.0) / drive.stall_torque
+    drive = ServoDrive(pump)
+    share: float = drive.torque(pump.max_pressure, 1.0) / drive.stall_load
     share += speed / free_speed(pump)
     limit = min(math.ceil(FULL * ABOVE_CAP * share), FULL)
     return limit if limit % 256 else limit + 1  # see `TorqueLimits`: no byte that tells is 0
@@ -43,7 +43,12 @@ def free_speed(pump: ServoPumpSpec) -> float:
 
 def stalling_pressure(pump: ServoPumpSpec, limit: int) -> float:
     """Gauge pressure that a torque limit can hold against without friction [Pa]."""
-    return limit / FULL * Drive(pump).stall_pressure
+    return share_of_stall(limit) * ServoDrive(pump).stall_pressure
+
+
+def share_of_stall(limit: int) -> float:
+    """A torque limit as a share of the torque at stall [1]."""
+    return limit / FULL
 
 
 def following_limit(held: int, needed: int) -> int:

@@ -9,7 +9,7 @@ from viscodesign.errors import PumpError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.ax.protocol.packets import Instruction, shown
-from viscodesign.pump.ax.protocol.registers import Register
+from viscodesign.pump.ax.protocol.registers import FULL, Register
 from viscodesign.pump.ax.protocol.transactions import Transactions
 from viscodesign.pump.boards.controller import Controller
 from viscodesign.pump.bus.line import Line
@@ -34,12 +34,12 @@ class Goal:
     """Torque limit in force, which ``torque`` differs from in one byte: only that one is sent."""
 
     def __post_init__(self) -> None:
-        if not 0 <= self.count <= 1023:
-            raise PumpError(f"a goal of {self.count} counts; a servo turns from 0 to 1023")
-        if not 1 <= self.speed <= 1023:
-            raise PumpError(f"a speed of {self.speed}; the register takes 1 to 1023")
-        if self.torque is not None and not 1 <= self.torque <= 1023:
-            raise PumpError(f"a torque limit of {self.torque}; the register takes 1 to 1023")
+        if not 0 <= self.count <= FULL:
+            raise PumpError(f"a goal of {self.count} counts; a servo turns from 0 to {FULL}")
+        if not 1 <= self.speed <= FULL:
+            raise PumpError(f"a speed of {self.speed}; the register takes 1 to {FULL}")
+        if self.torque is not None and not 1 <= self.torque <= FULL:
+            raise PumpError(f"a torque limit of {self.torque}; the register takes 1 to {FULL}")
 
 
 class Board(Controller):

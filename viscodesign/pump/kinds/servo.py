@@ -8,15 +8,15 @@ from typing import ClassVar
 from viscodesign.plugins import members
 from viscodesign.pump.ax.hold import NOUN, stop_all
 from viscodesign.pump.ax.preflight import identify
-from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.servo_demand import AxDemand, ServoCourse
+from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.servo_state import ServoState, read_servo
-from viscodesign.pump.ax.torque_limit import stalling_pressure, torque_limit
+from viscodesign.pump.ax.torque_limit import share_of_stall, stalling_pressure, torque_limit
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.boards.simulated import Simulated, SimulatedArbotix
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.drive import Drive
 from viscodesign.pump.kinds.base import (
     Calibration,
     CalibrationRequest,
@@ -29,8 +29,7 @@ from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import FinalAxisState, FoundAxis
 from viscodesign.pump.play.path import top_speed
 from viscodesign.pump.play.pump import Pressed
-from viscodesign.pump.plunger.plunger_course import PlungerCourse, range_rows
-from viscodesign.pump.plunger.plunger_demand import PlungerDemand
+from viscodesign.pump.plunger.plunger_course import range_rows
 from viscodesign.pump.poses.upload import PoseUpload
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
@@ -60,7 +59,7 @@ CHANNELS: Channels = {
 }
 
 
-class ServoDemand(PlungerDemand):
+class ServoDemand(AxDemand):
     """What a plan asks of a servo and its plunger."""
 
     name: ClassVar[str] = "servo"
@@ -130,18 +129,18 @@ class ServoKind(PumpKind):
 
     def motion_rows(self, plan: PumpPlan, pump: ServoPumpSpec) -> list[tuple[str, str]]:
         course = plan.achievable
-        assert isinstance(course, PlungerCourse), "planned as a plunger"
+        assert isinstance(course, ServoCourse), "planned for a servo"
         slow, fast = (torque_limit(pump, speed) for speed in (0.0, top_speed(plan.profile(course))))
         at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
-        plunger, (_, pressure) = range_rows(course, pump, course.count)
+        plunger, (_, pressure) = range_rows(course, pump, course.steps, plan.unit)
         return [
             plunger,
             ("pressure", f"{pressure}; stops above {pump.max_pressure / 1e3:g} kPa"),
             (
                 "torque",
                 f"up to {course.stall_share.max():.0%} of stall; limited to "
-                f"{slow / registers.FULL:.0%} at rest (holds at most {at_rest:.0f} kPa) and "
-                f"{fast / registers.FULL:.0%} at top speed ({moving:.0f} kPa)",
+                f"{share_of_stall(slow):.0%} at rest (holds at most {at_rest:.0f} kPa) and "
+                f"{share_of_stall(fast):.0%} at top speed ({moving:.0f} kPa)",
             ),
             ("speed", f"up to {course.speed_share.max():.0%} of the speed left at that torque"),
         ]
@@ -161,10 +160,9 @@ def simulated_bench(
 ) -> SimulatedBench:
     """A calibrated pump with its plungers at home, in closed barrels where no plant is given."""
     model, ids = SERVOS[pump.servo].model, pump.axes(inlets)
-    drives = [Drive(pump) for _ in ids]
+    drives = [ServoDrive(pump) for _ in ids]
     servos = [SimulatedServo(servo, model, pump.home) for servo in ids]
     for servo in servos:
         servo.supply(min(pump.supply_voltage, HIGHEST_REPORTED_V))
-        servo.set(registers.CW_LIMIT, pump.travel[0])
-        servo.set(registers.CCW_LIMIT, pump.travel[1])
+        servo.limit_angles(*pump.travel)
     return SimulatedBench(servos, drives, plant or ClosedGas(drives, ambient))

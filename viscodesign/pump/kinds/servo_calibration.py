@@ -6,10 +6,9 @@ from viscodesign.errors import PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
 from viscodesign.pump.ax.hold import release
 from viscodesign.pump.ax.homing import find_travel
-from viscodesign.pump.ax.preflight import RegisterChange, changes, identify
-from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.preflight import EepromChange, changes, id_change, identify
 from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.ax.servo_state import read_register
+from viscodesign.pump.ax.servo_state import read_position
 from viscodesign.pump.consent import Confirm, ShowPosition, require
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest, Connection
 from viscodesign.pump.sensors.limit_switches import Switches
@@ -69,10 +68,10 @@ def _rename(link: Connection, old: int, new: int, confirm: Confirm) -> None:
         raise UsageError(f"--rename: ids go from 0 to {HIGHEST_ID}; got {new}")
     if link.board.answers(new):
         raise PumpError(f"a servo with id {new} exists already; two would answer at once")
-    _write(link, RegisterChange(old, registers.ID, old, new), confirm)
+    _write(link, id_change(old, new), confirm)
 
 
-def _write(link: Connection, change: RegisterChange, confirm: Confirm) -> None:
+def _write(link: Connection, change: EepromChange, confirm: Confirm) -> None:
     require(confirm, f"EEPROM of {change}\nWrite it?")
     change.write(link.board)
 
@@ -111,7 +110,7 @@ def _by_hand(
     outer, inner, home = (
         by_hand(
             f"servo {servo}: move the plunger {place}, then press Enter",
-            lambda: read_register(link.board, servo, registers.PRESENT_POSITION),
+            lambda: read_position(link.board, servo),
         )
         for place in ("out as far as it may go", "in as far as it may go", "to its home")
     )

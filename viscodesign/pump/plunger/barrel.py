@@ -8,7 +8,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics import gas
-from viscodesign.pump.drive import Drive
+from viscodesign.pump.drive import PlungerDrive
 from viscodesign.pump.planning.feed_line import FeedLine
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
@@ -26,16 +26,16 @@ class Barrel:
     """
 
     scene: Scene
-    drive: Drive
+    drive: PlungerDrive
     line: FeedLine
 
     @property
     def full_volume(self) -> float:
         """In front of the plunger at home, dead volume included [m3]."""
-        return self.drive.area * self.drive.filled_at_home + self.drive.pump.dead_volume
+        return self.drive.area * self.drive.filled_at_home + float(self.drive.pump.dead_volume)
 
     def density(self, pressure: Any) -> Any:
-        """Of the fluid, relative to that at ambient pressure [1]."""
+        """Density of the fluid, relative to that at ambient pressure [1]."""
         fluid, ambient = self.scene.fluid, self.scene.ambient_pressure
         if fluid.is_gas:
             return gas.density_ratio(pressure, ambient, fluid.polytropic_exponent)

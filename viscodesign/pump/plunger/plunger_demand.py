@@ -1,22 +1,22 @@
-"""What a pressure profile asks of one pump: where its plunger is, how fast, at what load."""
+"""What a pressure profile asks of one plunger: where it is, how fast, against what force."""
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Iterator, Sequence
+from typing import Any, ClassVar
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.ax.servo_pump import axis_limits
-from viscodesign.pump.drive import Drive
+from viscodesign.pump.drive import PlungerDrive
 from viscodesign.pump.planning.demand import PumpDemand, columns, flow
 from viscodesign.pump.planning.limits import MARGINS
 from viscodesign.pump.planning.result import Panel
-from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.plunger.barrel import Barrel
 from viscodesign.pump.plunger.plunger_course import PlungerCourse
-from viscodesign.pump.plunger.plunger_fixes import FIXES, STEPWISE
-from viscodesign.pump.plunger.plunger_limits import LIMITS
+from viscodesign.pump.plunger.plunger_fixes import home_fix, plunger_fixes, plunger_stepwise
+from viscodesign.pump.plunger.plunger_limits import PLUNGER_LIMITS
 from viscodesign.pump.plunger.plunger_numbers import (
     gas_notices,
     plunger_faults,
@@ -25,40 +25,43 @@ from viscodesign.pump.plunger.plunger_numbers import (
 )
 from viscodesign.results.findings import Notice
 from viscodesign.scene.inputs.base import Input
-from viscodesign.scene.pumps.servo_motor import STEADY_SHARE
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
 
-REST_COUNTS_PER_S = 0.05
+REST_STEPS_PER_S = 0.05
 """Speed below which a plunger counts as at rest: round-off and drift."""
 DIRECTION_SAMPLES = 5
-"""Samples on both sides over which the direction of motion is found: more than a count."""
+"""Samples on both sides over which the direction of motion is found: more than a step."""
+HOME = home_fix("step")
 
 
 @dataclass(frozen=True)
 class PlungerDemand(PumpDemand):
-    """One inlet's plunger over T times; arrays (T,) or, between the times, (T - 1,)."""
+    """One inlet's plunger over T times; arrays (T,) or, between the times, (T - 1,).
 
-    limits = LIMITS
-    fixes = FIXES
-    stepwise = STEPWISE
+    A kind adds its `axis`, its `device` and `drive_of`; where its drive is limited by more than
+    stall and speed, it extends `limits` and `fixes`, and what is written of it.
+    """
+
+    limits = PLUNGER_LIMITS
+    fixes = plunger_fixes(HOME)
+    stepwise = plunger_stepwise(HOME)
+    stall_marks: ClassVar[tuple[tuple[str, float], ...]] = (("stall", 100.0),)
+    """Levels in the picture of the load [% of stall], with their names."""
+
+    @classmethod
+    @abstractmethod
+    def drive_of(cls, pump: Any) -> PlungerDrive:
+        """The drive of a pump's section."""
 
     @cached_property
-    def axis(self) -> AxisLimits:
-        return axis_limits(self.pump)
-
-    @property
-    def device(self) -> str:
-        return self.drive.servo.title
+    def drive(self) -> PlungerDrive:
+        """The plunger in its barrel, and what moves it."""
+        return self.drive_of(self.pump)
 
     @classmethod
     def faults(cls, scene: Scene) -> Iterator[tuple[str, str]]:
-        return plunger_faults(scene)
-
-    @cached_property
-    def drive(self) -> Drive:
-        """Servo, pinion and barrel."""
-        return Drive(self.pump)
+        return plunger_faults(scene, cls.drive_of(scene.pump))
 
     @cached_property
     def barrel(self) -> Barrel:
@@ -74,38 +77,45 @@ class PlungerDemand(PumpDemand):
 
     @property
     def least_compliance(self) -> float:
-        """Of the barrel where it is emptiest, fullest or pressed hardest [m3/Pa]."""
+        """Compliance of the barrel where it is emptiest, fullest or pressed hardest [m3/Pa]."""
         places = (np.argmax(self.position), np.argmin(self.position), np.argmax(self.pressure))
         kept = self.barrel.within(self.position)  # a plunger beyond its barrel compresses nothing
         pairs = [(float(self.pressure[k]), float(kept[k])) for k in places]
         return min(self.barrel.compliance(*pair) for pair in pairs)
 
-    @property
-    def count(self) -> np.ndarray:
-        """Of the servo (T,), not rounded."""
-        return self.steps
-
     @cached_property
     def velocity(self) -> np.ndarray:
-        """Of the plunger between the times [m/s]."""
+        """Speed of the plunger between the times [m/s]."""
         return np.asarray(np.diff(self.position) / np.diff(self.time))
 
     @cached_property
     def direction(self) -> np.ndarray:
         """1 where the plunger moves in, -1 out, 0 at rest; between the times."""
-        rest = REST_COUNTS_PER_S * self.drive.advance_per_count
+        rest = REST_STEPS_PER_S * self.drive.step
         return np.where(np.abs(self.velocity) > rest, np.sign(self.velocity), 0.0)
 
     @cached_property
-    def end_torques(self) -> np.ndarray:
-        """At both ends of each interval (2, T - 1) [N m]."""
+    def end_forces(self) -> np.ndarray:
+        """Forces of the drive at both ends of each interval (2, T - 1) [N]."""
         ends = np.stack((self.pressure[:-1], self.pressure[1:]))
-        return np.asarray(self.drive.torque(ends, self.direction))
+        return np.asarray(self.drive.force(ends, self.direction))
+
+    def load_of(self, force: Any) -> Any:
+        """A force as the drive's load, in its own unit."""
+        return force * self.drive.load.per_newton
+
+    @property
+    def worst_load(self) -> tuple[float, int]:
+        """The largest load in size, moving or holding, and the index of its time."""
+        size = np.abs(self.load_of(self.end_forces))
+        when = int(np.argmax(np.max(size, axis=0)))
+        end = int(np.argmax(size[:, when]))
+        return float(size[end, when]), when + end
 
     @cached_property
     def speed_left(self) -> np.ndarray:
-        """Plunger speed that the servo has left in each interval [m/s]."""
-        hardest = np.max(self.end_torques * self.direction, axis=0)
+        """Plunger speed that the drive has left in each interval [m/s]."""
+        hardest = np.max(self.end_forces * self.direction, axis=0)
         return np.asarray(self.drive.speed_left(hardest))
 
     @cached_property
@@ -116,20 +126,19 @@ class PlungerDemand(PumpDemand):
             return np.where(speed > 0.0, speed / self.speed_left, 0.0)
 
     @cached_property
-    def torque(self) -> np.ndarray:
-        """At the times [N m]; friction by the motion around them, which steps of a count hide."""
+    def force(self) -> np.ndarray:
+        """Force at the times [N]; friction by the motion around them, which whole steps hide."""
         near = np.minimum(DIRECTION_SAMPLES, len(self.time) - 1)
         later = np.append(self.position[near:], np.full(near, self.position[-1]))
         before = np.append(np.full(near, self.position[0]), self.position[: len(later) - near])
-        moved = (later - before) / self.drive.advance_per_count
+        moved = (later - before) / self.drive.step
         direction = np.where(np.abs(moved) > 1.0, np.sign(moved), 0.0)
-        return np.asarray(self.drive.torque(self.pressure, direction))
+        return np.asarray(self.drive.force(self.pressure, direction))
 
     @property
-    def mean_current(self) -> float:
-        """Of the servo over the whole motion [A]."""
-        current = self.drive.current(self.torque)
-        return float(np.trapezoid(current, self.time)) / float(np.ptp(self.time))
+    def load(self) -> np.ndarray:
+        """The same as the drive's load (T,), in its own unit."""
+        return np.asarray(self.load_of(self.force))
 
     @property
     def bounds(self) -> tuple[float, float]:
@@ -138,14 +147,14 @@ class PlungerDemand(PumpDemand):
         return max(floor, -stall), min(self.pump.max_pressure, stall)
 
     def _reach(self, pressure: np.ndarray) -> dict[float, np.ndarray]:
-        """As far as the servo's speed at the harder of each interval's pressures."""
+        """As far as the drive's speed at the harder of each interval's pressures."""
         drive, steps = self.drive, np.diff(self.time)
-        speeds = {s: drive.speed_left(s * drive.torque(pressure, s)) for s in (1.0, -1.0)}
+        speeds = {s: drive.speed_left(s * drive.force(pressure, s)) for s in (1.0, -1.0)}
         return {sign: np.minimum(v[:-1], v[1:]) * steps for sign, v in speeds.items()}
 
     def approach_time(self, speed_share: float) -> float:
-        torque = self.drive.torque(np.abs(self.pressure), 1.0)
-        left = float(self.drive.speed_left(torque)[0])
+        force = self.drive.force(np.abs(self.pressure), 1.0)
+        left = float(self.drive.speed_left(force)[0])
         return abs(float(self.position[0])) / (speed_share * left) if left > 0.0 else 0.0
 
     def source(self, time: np.ndarray, path: np.ndarray) -> Input:
@@ -160,32 +169,45 @@ class PlungerDemand(PumpDemand):
 
     @classmethod
     def course(cls, demands: Sequence[PlungerDemand]) -> PlungerCourse:
-        shared = cls._shared_columns(demands)
+        return PlungerCourse(**cls._shared_columns(demands))
+
+    @classmethod
+    def _shared_columns(cls, demands: Sequence[PlungerDemand]) -> dict[str, Any]:
+        shared = super()._shared_columns(demands)
         volume = columns(demands, lambda d: d.drive.area * d.position)
-        return PlungerCourse(
-            **{**shared, "flow": flow(volume, shared["time"])},
-            volume=volume,
-            torque=columns(demands, lambda d: d.torque),
-            stall_share=columns(demands, lambda d: np.abs(d.torque) / d.drive.stall_torque),
-            speed_share=columns(demands, lambda d: np.append(d.speed_share, 0.0)),
-        )
+        return {
+            **shared,
+            "flow": flow(volume, shared["time"]),
+            "volume": volume,
+            "force": columns(demands, lambda d: d.force),
+            "stall_share": columns(demands, lambda d: np.abs(d.load) / d.drive.stall_load),
+            "speed_share": columns(demands, lambda d: np.append(d.speed_share, 0.0)),
+        }
 
     def numbers(self) -> dict[str, float]:
-        return plunger_numbers(self)
+        return {**plunger_numbers(self), "lead_in_s": self.lead_s}
 
     def words(self) -> list[tuple[str, str]]:
         return plunger_words(self)
 
+    @property
+    def stall_note(self) -> str:
+        """What else is to be said of the stall."""
+        return ""
+
+    @property
+    def needs_note(self) -> str:
+        """What else the motion needs of the drive."""
+        return ""
+
     @classmethod
     def limit_numbers(cls, demands: Sequence[PlungerDemand]) -> dict[str, float]:
-        drive, pump = demands[0].drive, demands[0].pump
+        drive, pump, unit = demands[0].drive, demands[0].pump, demands[0].axis.unit
         return {
-            "fifth_nm": STEADY_SHARE * drive.stall_torque,
-            "stall_nm": drive.stall_torque,
-            "travel_low_counts": float(pump.travel[0]),
-            "travel_high_counts": float(pump.travel[1]),
+            f"stall_{drive.load.suffix}": drive.stall_load,
+            f"travel_low_{unit}": float(pump.travel[0]),
+            f"travel_high_{unit}": float(pump.travel[1]),
             "cap_pa_gauge": pump.max_pressure,
-            "battery_life_s": drive.battery_life(sum(d.mean_current for d in demands)),
         }
 
     @classmethod
@@ -194,19 +216,20 @@ class PlungerDemand(PumpDemand):
 
     @classmethod
     def panels(cls, demands: Sequence[PlungerDemand]) -> tuple[Panel, ...]:
-        pressure, counts, flows = super().panels(demands)
+        pressure, steps, flows = super().panels(demands)
+        axis, load = demands[0].axis, demands[0].drive.load
         low, high = demands[0].pump.travel
         margin, ends = 0.25 * (high - low), (("travel", float(low)), ("travel", float(high)))
         most = 1.2e6 * max(d.numbers()["no_load_flow_m3_s"] for d in demands)
-        torques = (("a fifth: advice", 20.0), ("stall", 100.0))
+        share = f"{load.name} [% of\nits stall]"
         return (
             pressure,
-            counts._replace(
-                label="servo\n[counts]",
+            steps._replace(
+                label=f"{axis.noun}\n[{axis.unit}]",
                 marks=ends,
                 shows=np.inf,
                 limits=(low - margin, high + margin),
             ),
             flows._replace(label="flow of the\nplunger [mL/s]", limits=(-most, most)),
-            Panel("torque [% of\nits stall]", "stall_share", 100.0, torques, 0.5, (0.0, 160.0)),
+            Panel(share, "stall_share", 100.0, cls.stall_marks, 0.5, (0.0, 160.0)),
         )

@@ -6,23 +6,55 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from viscodesign.pump.planning.limits import MARGINS, Assessment, Limits, cap, within
-from viscodesign.pump.plunger import servo_limits as servo
+from viscodesign.pump.planning.limits import MARGINS, Assessment, Limits, cap, jump_words, within
 
 if TYPE_CHECKING:
     from viscodesign.pump.plunger.plunger_demand import PlungerDemand
 
+STALL_SHARE = 0.8
+"""Share of the load at stall that may be asked: near it a drive creeps, heats, and gives up. No
+data sheet draws this limit."""
+
+
+def stall(demand: PlungerDemand) -> Assessment:
+    """Load against the drive's stall."""
+    drive, (load, when) = demand.drive, demand.worst_load
+    allowed = STALL_SHARE * drive.stall_load
+    message = (
+        f"{demand.pressure[when] / 1e3:.4g} kPa gauge takes {load:.3g} {drive.load.unit}, "
+        f"{100 * load / drive.stall_load:.0f} % of the {drive.stall_words} (stall at "
+        f"{drive.stall_pressure / 1e3:.4g} kPa gauge without friction); "
+        f"at most {100 * STALL_SHARE:.0f} % is allowed"
+    )
+    ratio = load / allowed
+    return Assessment("infeasible", load, allowed, drive.load.unit, ratio, when, message)
+
+
+def speed(demand: PlungerDemand) -> Assessment:
+    """Speed of the plunger against what the load at its own pressure leaves."""
+    when = int(np.argmax(demand.speed_share))
+    ratio, wanted = float(demand.speed_share[when]), abs(float(demand.velocity[when]))
+    allowed = float(demand.speed_left[when])
+    message = (
+        f"the plunger has to move at {1e3 * wanted:.3g} mm/s "
+        f"({1e6 * demand.drive.area * wanted:.3g} mL/s), where "
+        f"{demand.pressure[when] / 1e3:.3g} kPa gauge leaves the {demand.axis.noun} "
+        f"{1e3 * allowed:.3g} mm/s"
+    )
+    message += jump_words(demand, when) if ratio > 1.0 else ""
+    return Assessment("infeasible", wanted, allowed, "m/s", ratio, when, message)
+
 
 def travel(demand: PlungerDemand) -> Assessment:
-    """Counts against the ends of travel."""
-    (low, high), place = demand.pump.travel, 1e3 * demand.position
-    volume = 1e6 * (high - low) * demand.drive.volume_per_count
+    """Steps against the ends of travel."""
+    (low, high), place, unit = demand.pump.travel, 1e3 * demand.position, demand.axis.unit
+    volume = 1e6 * (high - low) * demand.drive.volume_per_step
     message = (
-        f"needs counts {demand.count.min():.1f} to {demand.count.max():.1f}, a plunger from "
+        f"needs {unit} {demand.steps.min():.1f} to {demand.steps.max():.1f}, a plunger from "
         f"{place.min():.3g} to {place.max():.3g} mm from home; travel is {low} to {high}, "
         f"{volume:.3g} mL"
     )
-    return within(demand.count, low, high, "counts", message)
+    return within(demand.steps, low, high, unit, message)
 
 
 def barrel(demand: PlungerDemand) -> Assessment:
@@ -52,27 +84,51 @@ def suction(demand: PlungerDemand) -> Assessment:
     return Assessment("infeasible", lowest, allowed, "Pa gauge", ratio, when, message)
 
 
+def cap_stall(demand: PlungerDemand) -> Assessment:
+    """The software's cap itself against the drive's stall: whether it ever acts."""
+    drive, pressure = demand.drive, demand.pump.max_pressure
+    load, allowed = demand.load_of(drive.force(pressure, 1.0)), STALL_SHARE * drive.stall_load
+    message = (
+        f"pushing at the cap of {pressure / 1e3:.4g} kPa gauge takes "
+        f"{100 * load / drive.stall_load:.0f} % of the {drive.stall_words}"
+    )
+    if load > drive.stall_load:
+        friction = demand.pump.plunger_friction / drive.area
+        stalls = (drive.stall_pressure - friction) / 1e3
+        message += f": the {demand.axis.noun} stalls earlier, at {stalls:.4g} kPa gauge"
+    gauge = pressure - demand.scene.ambient_pressure
+    if load > allowed and gauge > 0.0:
+        share = demand.load_of(drive.force(gauge, 1.0)) / drive.stall_load
+        message += (
+            f"; {pressure / 1e3:.4g} kPa abs would be {gauge / 1e3:.4g} kPa gauge, "
+            f"{100 * share:.0f} %"
+        )
+    return Assessment("advice", load, allowed, drive.load.unit, load / allowed, 0, message)
+
+
 def resolution(demand: PlungerDemand) -> Assessment:
-    """Counts of the motion against the servo's own steps and the gear's play."""
-    swing, play = float(np.ptp(demand.count)), demand.pump.gear_play
+    """Steps of the motion against the drive's own and its play."""
+    swing, play, unit = float(np.ptp(demand.steps)), demand.drive.play, demand.axis.unit
     allowed = MARGINS.fewest_steps + play
     message = (
-        f"the motion spans {swing:.3g} counts of {1e6 * demand.drive.volume_per_count:.3g} mL; "
+        f"the motion spans {swing:.3g} {unit} of {1e6 * demand.drive.volume_per_step:.3g} mL; "
         f"at least {MARGINS.fewest_steps:g} are needed, and the gear loses {play:g}"
     )
     flat = float(np.ptp(demand.pressure)) < MARGINS.flat
     ratio = 0.0 if flat else allowed / max(swing, 1e-9)
-    when = int(np.argmax(demand.count))
-    return Assessment("infeasible", swing, allowed, "counts", ratio, when, message)
+    when = int(np.argmax(demand.steps))
+    return Assessment("infeasible", swing, allowed, unit, ratio, when, message)
 
 
 def pressure_step(demand: PlungerDemand) -> Assessment:
-    """What one count does to the pressure before the actuator yields, against the swing."""
-    step = demand.drive.volume_per_count / demand.least_compliance
+    """What one step does to the pressure before the actuator yields, against the swing."""
+    drive = demand.drive
+    step = drive.volume_per_step / demand.least_compliance
     swing = float(np.ptp(demand.pressure))
     message = (
-        f"one count changes the pressure by {step / 1e3:.3g} kPa at once ({1e3 / step:.3g} counts "
-        f"per kPa) where the barrel is stiffest; the pressure swings by {swing / 1e3:.3g} kPa"
+        f"one {drive.step_name} changes the pressure by {step / 1e3:.3g} kPa at once "
+        f"({1e3 / step:.3g} {demand.axis.unit} per kPa) where the barrel is stiffest; "
+        f"the pressure swings by {swing / 1e3:.3g} kPa"
     )
     ratio = 0.0 if swing < MARGINS.flat else MARGINS.fine_steps * step / swing
     when, allowed = int(np.argmax(demand.pressure)), swing / MARGINS.fine_steps
@@ -91,11 +147,9 @@ def sensor(demand: PlungerDemand) -> Assessment:
     )
 
 
-LIMITS: Limits = {
+PLUNGER_LIMITS: Limits = {
     limit.__name__: limit
     for limit in (
-        servo.stall, servo.one_fifth, servo.speed, travel, barrel, suction, cap,
-        servo.cap_torque, resolution, pressure_step, sensor, servo.speed_register,
-        servo.battery, servo.voltage,
+        stall, speed, travel, barrel, suction, cap, cap_stall, resolution, pressure_step, sensor,
     )
 }  # fmt: skip

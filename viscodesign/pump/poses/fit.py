@@ -13,6 +13,7 @@ import numpy as np
 
 from viscodesign.errors import PumpError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.pump.ax.protocol.registers import FULL
 from viscodesign.pump.poses.engine import (
     EIGHTHS,
     FRAME,
@@ -26,7 +27,7 @@ from viscodesign.pump.poses.engine import (
     time_asking,
 )
 from viscodesign.pump.poses.search import FIRST_FRAMES, MoveSearch, Vertex
-from viscodesign.pump.poses.tolerance_band import HIGHEST_COUNT, ToleranceBand
+from viscodesign.pump.poses.tolerance_band import ToleranceBand
 from viscodesign.pump.profile import Profile
 
 
@@ -41,7 +42,7 @@ class FitNumbers:
     margins: int = 197
     """How many there are; the last is wider than all counts."""
     most_frames: int = 10_000
-    """Of a profile: searching one of a minute takes about as long."""
+    """Longest profile [frames]: searching one of a minute takes about as long."""
 
 
 FIT = FitNumbers()
@@ -96,7 +97,7 @@ def fit_poses(
     profile: Profile,
     *,
     loop: bool = False,
-    travel: tuple[int, int] = (0, HIGHEST_COUNT),
+    travel: tuple[int, int] = (0, FULL),
     progress: Callable[[float], None] = lambda part: None,
 ) -> PoseFit:
     """The closest that 30 poses and 46 moves come to a profile; all within travel [counts].

@@ -17,7 +17,7 @@ from viscodesign.pump.ax.hold import HOLD_SPEED, HOLD_TOLERANCE, NOUN
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.transactions import NoReplyError
 from viscodesign.pump.ax.servo_pump import ServoPump, speed_register
-from viscodesign.pump.ax.servo_state import read_servo
+from viscodesign.pump.ax.servo_state import read_position, read_servo
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.play.axis import FinalAxisState
 from viscodesign.pump.play.stream import Stream, wait_for_second_request
@@ -102,7 +102,7 @@ class PosePlayer:
         self.tell = tell
         self.see = see
         self.servos = len(fit.sequence.poses[0])
-        """Of a pose, the phantom included; it has the last id."""
+        """Number of servos in a pose, the phantom included; it has the last id."""
         self._move_ends = FRAME * np.cumsum(fit.move_frames)
         """From the start of a round [s]."""
         self._began: float | None = None
@@ -118,7 +118,7 @@ class PosePlayer:
 
     def _refuse_a_real_phantom(self) -> None:
         try:
-            self.board.read(self.servos, registers.PRESENT_POSITION.address, 2)
+            read_position(self.board, self.servos)
         except NoReplyError:
             return
         raise PumpError(

@@ -9,10 +9,9 @@ from __future__ import annotations
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.pump.ax.protocol.registers import FULL
 from viscodesign.pump.poses.engine import EIGHTHS, EXACT_FRAMES
 from viscodesign.storage.cached_property import cached_property
-
-HIGHEST_COUNT = 1023
 
 
 @dataclass(frozen=True)
@@ -76,7 +75,7 @@ class ToleranceBand:
 
         G: goals from 0 on, in steps of the grid.
         """
-        goals = self.unit * np.arange(HIGHEST_COUNT // self.grid + 1 + self.width)
+        goals = self.unit * np.arange(FULL // self.grid + 1 + self.width)
         stay = np.full((self.last + 2, len(goals)), -1, dtype=np.int32)
         for frame in range(self.last, -1, -1):
             inside = (self.low[frame] <= goals) & (goals <= self.high[frame])
@@ -115,7 +114,7 @@ class ToleranceBand:
         """Lowest and highest speed [1/8 count per frame] that stay inside for 0, 1, ... frames."""
         ahead = slice(frame + 1, frame + 1 + int(_EXACT[-1]))
         frames = np.arange(1, len(self.low[ahead]) + 1)
-        start, any_speed = self.unit * goal, np.array([self.unit * (HIGHEST_COUNT + 1)])
+        start, any_speed = self.unit * goal, np.array([self.unit * (FULL + 1)])
         slowest = -((start - self.low[ahead]) // frames)
         fastest = (self.high[ahead] - start) // frames
         return (

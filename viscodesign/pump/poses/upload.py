@@ -13,7 +13,7 @@ from viscodesign.interrupt import StopRequest
 from viscodesign.pump.ax.protocol.packets import Instruction, shown
 from viscodesign.pump.ax.protocol.transactions import ARBOTIX
 from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.ax.torque_limit import stalling_pressure, torque_limit
+from viscodesign.pump.ax.torque_limit import share_of_stall, stalling_pressure, torque_limit
 from viscodesign.pump.boards.arbotix import HALT, Arbotix
 from viscodesign.pump.consent import Tell
 from viscodesign.pump.planning.result import PumpPlan, refuse_infeasible
@@ -77,11 +77,11 @@ class PoseUpload:
         pace = f"per round, until halted{drift}" if fit.looped else "once"
         return [
             ("plays", f"{self.plan.name}, {fit.duration:.4g} s {pace}"),
-            *range_rows(self.course, self.settings, counts),
+            *range_rows(self.course, self.settings, counts, self.plan.unit),
             (
                 "torque",
                 f"up to {self.course.stall_share.max():.0%} of stall; limited to "
-                f"{limit / 1023:.0%}, which holds at most {held:.0f} kPa",
+                f"{share_of_stall(limit):.0%}, which holds at most {held:.0f} kPa",
             ),
             (
                 "fit",

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from viscodesign.pump.ax.protocol.packets import BROADCAST, Packet
-from viscodesign.pump.drive import Drive
+from viscodesign.pump.drive import PlungerDrive
 from viscodesign.pump.simulated.plant import AMBIENT, Plant
 from viscodesign.pump.simulated.servo import SimulatedServo
 
@@ -22,7 +22,7 @@ class ClosedGas(Plant):
     dead volume, or a little where there is none.
     """
 
-    def __init__(self, drives: Sequence[Drive], ambient: float = AMBIENT) -> None:
+    def __init__(self, drives: Sequence[PlungerDrive], ambient: float = AMBIENT) -> None:
         self.ambient = ambient
         self._areas = np.array([drive.area for drive in drives])
         filled = np.array([drive.filled_at_home for drive in drives])
@@ -43,13 +43,13 @@ class SimulatedBench:
     """
 
     def __init__(
-        self, servos: Sequence[SimulatedServo], drives: Sequence[Drive], plant: Plant
+        self, servos: Sequence[SimulatedServo], drives: Sequence[PlungerDrive], plant: Plant
     ) -> None:
         self.servos = list(servos)
         self.drives = list(drives)
         self.plant = plant
         outwards = np.array([-1.0 if drive.pump.push == "up" else 1.0 for drive in drives])
-        levers = np.array([drive.area * drive.pump.pinion_diameter / 2 for drive in drives])
+        levers = np.array([drive.area * drive.load.per_newton for drive in drives])
         self._torque_per_pressure = outwards * levers  # towards higher counts [m3]
         self._steps: int | None = None
         self._start = 0.0

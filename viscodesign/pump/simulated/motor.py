@@ -8,7 +8,8 @@ and cooling: they are assumed.
 from __future__ import annotations
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.scene.pumps.servo_motor import COUNT_ANGLE, SERVOS
+from viscodesign.pump.ax.protocol.registers import COUNT_ANGLE
+from viscodesign.scene.pumps.servo_motor import SERVOS
 
 NOMINAL_VOLTAGE = 12.0
 
@@ -22,9 +23,9 @@ class Motor:
     no_load_speed: float
     """[counts/s]"""
     friction: float = 0.1
-    """Of gear and plunger [N m]."""
+    """Friction of gear and plunger [N m]."""
     heating: float = 1.0
-    """Of the case, at stall [K/s]."""
+    """Rate at which the case heats at stall [K/s]."""
     cooling_time: float = 300.0
     """[s]"""
 

@@ -14,6 +14,7 @@ from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.firmware import Firmware, Work
 from viscodesign.pump.simulated.plant import AMBIENT
 from viscodesign.scene.per_inlet import each
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 IDENTITY = bytes([ROS_MODEL & 255, ROS_MODEL >> 8, 0, ARBOTIX, 34])  # model, version, id, baud
 BAUD, DIGITAL_IN, RESCAN, RETURN_LEVEL, ALARM_LED, ANALOG, SERVOS = 4, 5, 15, 16, 17, 18, 26
@@ -45,7 +46,8 @@ class Pins:
 
     def _grounded(self, name: str) -> bool:
         """Whether a switch connects the pin to ground now."""
-        pump, servos = self.bench.drives[0].pump, self.bench.servos
+        pump: ServoPumpSpec = self.bench.drives[0].pump
+        servos = self.bench.servos
         low, high = pump.travel
         pairs = zip(servos, each(pump.limit_switches, len(servos)), strict=True)
         for servo, switches in pairs:
@@ -102,7 +104,7 @@ class Ros(Firmware):
         return int(address == RETURN_LEVEL)
 
     def _level(self, pin: int) -> bool:
-        """Of an output its own; of an input the pin's, pulled up where its output is high."""
+        """Whether a pin is high: an output as set, an input pulled up where it is set high."""
         high, output = bool(self._outputs[pin] & 2), bool(self._outputs[pin] & 1)
         return high if output else self.pins.high(pin, pulled_up=high)
 

@@ -12,7 +12,6 @@ import math
 from viscodesign.pump.ax.protocol import registers as table
 from viscodesign.pump.ax.protocol.packets import BROADCAST, ErrorBits, Instruction, Packet
 from viscodesign.pump.ax.protocol.registers import Register
-from viscodesign.pump.drive import COUNTS_PER_TURN
 from viscodesign.pump.simulated.motor import MOTORS
 from viscodesign.scene.pumps.servo_motor import SERVOS_BY_MODEL
 
@@ -20,7 +19,7 @@ AMBIENT_TEMPERATURE = 25.0
 OVERLOAD_TIME = 1.0  # [s]; assumed
 STANDSTILL_SPEED = 1.0  # [counts/s]
 BROWN_OUT = 5.0  # supply below which the servo's processor stops [V]; assumed
-COUNTS_PER_SECOND = table.SPEED_UNIT * COUNTS_PER_TURN  # of one unit of the speed registers
+COUNTS_PER_SECOND = table.SPEED_UNIT * table.COUNTS_PER_TURN  # of one unit of the speed registers
 WRITABLE = {a for register in table.TABLE if register.writable for a in register.addresses}
 NEEDED_LEVEL: dict[int, int] = {Instruction.PING: 0, Instruction.READ: 1}
 """Status return level from which an instruction is answered; others from 2."""
@@ -53,6 +52,11 @@ class SimulatedServo:
 
     def set(self, register: Register, value: int) -> None:
         self.memory[register.address : register.addresses.stop] = register.encode(value)
+
+    def limit_angles(self, low: int, high: int) -> None:
+        """Set its own limits [counts], as a calibration does."""
+        self.set(table.CW_LIMIT, low)
+        self.set(table.CCW_LIMIT, high)
 
     def factory_reset(self) -> None:
         self._initialise(0)

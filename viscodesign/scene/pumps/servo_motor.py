@@ -9,11 +9,6 @@ from viscodesign.lazy_dataclass import dataclass
 STEADY_SHARE = 1 / 5
 """Share of the stall torque up to which the maker promises steady motion: "Stable motions are
 possible with robots designed for loads with 1/5 or less of the stall torque"."""
-SPEED_UNIT = 0.111 * 2 * math.pi / 60
-"""One unit of the register Moving Speed [rad/s]: about 0.111 rpm."""
-LARGEST_SPEED = 1023
-COUNT_ANGLE = math.radians(300.0) / 1024
-"""One count [rad]: 1024 counts span 300 degrees (Goal Position)."""
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,10 @@ from tests.pumps import pump as settings_of
 from tests.rig.full import BrokenPins
 from viscodesign.errors import InterruptedRunError, PumpError
 from viscodesign.pump.ax.homing import BACK_OFF, find_travel
+from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.drive import Drive
 from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import SimulatedBench
@@ -36,7 +36,7 @@ class Bed:
         spec = settings_of(home=400, travel=(300, 500), limit_switches=switches)
         self.servo = SimulatedServo(1, 18, 400)
         self.servo.supply(11.1)
-        bench = SimulatedBench([self.servo], [Drive(spec)], Vented())
+        bench = SimulatedBench([self.servo], [ServoDrive(spec)], Vented())
         self.clock = SteppedClock()
         line = DirectLine(Ros(bench, BrokenPins(bench, broken=dict(broken))), self.clock)
         free = spec.model_copy(update={"travel": (0, 1023)})

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign.pump.drive import Drive
+from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.planning.feed_line import FeedLine, feed_line_at
 from viscodesign.pump.plunger.barrel import Barrel
 
@@ -17,7 +17,7 @@ def barrel(*words: str, line: FeedLine | None = None, fluid: str = "fluid=air") 
     own = ", ".join(("syringe_diameter: 34.9 mm", *words))
     scene = leg(f"pump={{{own}}}", fluid, "temperature=20 degC")
     assert scene.pump is not None
-    return Barrel(scene, Drive(scene.pump), line or FeedLine())
+    return Barrel(scene, ServoDrive(scene.pump), line or FeedLine())
 
 
 def test_a_closed_gas_keeps_its_temperature() -> None:

@@ -131,7 +131,7 @@ def test_battery_life_follows_from_mean_current() -> None:
 def test_counts_may_decrease_as_the_plunger_goes_in() -> None:
     up = demand([0, 20e3], "travel: [100, 900]")
     down = demand([0, 20e3], "travel: [100, 900]", "push: down")
-    assert down.count - 500 == pytest.approx(500 - up.count)
+    assert down.steps - 500 == pytest.approx(500 - up.steps)
 
 
 def test_every_limit_has_a_name_and_a_sentence() -> None:

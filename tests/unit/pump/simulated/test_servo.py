@@ -10,8 +10,7 @@ import pytest
 from tests.pumps import HOME, Weights, bench
 from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, Instruction, Packet
-from viscodesign.pump.ax.protocol.registers import Register
-from viscodesign.pump.drive import COUNTS_PER_TURN
+from viscodesign.pump.ax.protocol.registers import COUNTS_PER_TURN, Register
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.motor import MOTORS
 

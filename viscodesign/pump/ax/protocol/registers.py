@@ -6,12 +6,17 @@ delay in 2 us, temperatures in degC. Source: ROBOTIS e-manual, AX-12A and AX-18A
 
 from __future__ import annotations
 
+import math
+
 from viscodesign.lazy_dataclass import dataclass
 
 RAM = 24  # first address that is forgotten without power; below it lies the EEPROM
 END = 50  # behind the last address
 FULL = 1023  # highest position, speed and torque
 SPEED_UNIT = 0.111 / 60  # of the speed registers [turns/s]
+COUNTS_PER_TURN = 1024 * 360.0 / 300.0
+"""1024 counts span 300 degrees (Goal Position)."""
+COUNT_ANGLE = 2 * math.pi / COUNTS_PER_TURN  # [rad]
 
 
 @dataclass(frozen=True)
@@ -31,7 +36,7 @@ class Register:
 
     @property
     def addresses(self) -> range:
-        """Of its bytes."""
+        """Addresses of its bytes."""
         return range(self.address, self.address + self.size)
 
     def encode(self, value: int) -> bytes:

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from viscodesign.pump.drive import Drive
+from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.scene.pumps.servo import ServoPumpSpec
-from viscodesign.scene.pumps.servo_motor import COUNT_ANGLE, SERVOS, SPEED_UNIT, STEADY_SHARE
+from viscodesign.scene.pumps.servo_motor import SERVOS, STEADY_SHARE
 
 AX18A, AX12A = SERVOS["ax18a"], SERVOS["ax12a"]
 PINION = 29.6e-3
@@ -17,10 +17,10 @@ GLASS = {"BD": 34.90e-3, "Micro-Mate": 35.70e-3}
 """Inner diameters of glass syringes of 100 mL [m]."""
 
 
-def drive(make: str = "BD", **words: float) -> Drive:
+def drive(make: str = "BD", **words: float) -> ServoDrive:
     """A pump of that syringe, at 12 V if nothing else is said."""
     words = {"supply_voltage": 12.0, **words}
-    return Drive(ServoPumpSpec(syringe_diameter=GLASS[make], **words))
+    return ServoDrive(ServoPumpSpec(syringe_diameter=GLASS[make], **words))
 
 
 def test_the_makers_numbers() -> None:
@@ -58,31 +58,32 @@ def test_torque_balances_pressure_and_friction_in_both_directions() -> None:
 
 def test_speed_falls_along_a_straight_line_to_the_stall_and_not_below() -> None:
     pump = drive(supply_voltage=11.1)
-    stall = pump.stall_torque
+    stall = pump.stall_load
     assert stall == pytest.approx(1.8 * 11.1 / 12)
     free = float(pump.speed_left(0.0))
     assert free == pytest.approx(AX18A.no_load_speed * 11.1 / 12 * 14.8e-3)
-    assert float(pump.speed_left(stall / 2)) == pytest.approx(free / 2)
-    assert float(pump.speed_left(stall)) == pytest.approx(0.0, abs=1e-12)
-    assert float(pump.speed_left(2 * stall)) == 0.0
+    force = stall / 14.8e-3
+    assert float(pump.speed_left(force / 2)) == pytest.approx(free / 2)
+    assert float(pump.speed_left(force)) == pytest.approx(0.0, abs=1e-12)
+    assert float(pump.speed_left(2 * force)) == 0.0
     assert float(pump.speed_left(-1.0)) == free  # what helps makes it no faster
 
 
 def test_largest_flow_and_finest_step() -> None:
     pump = drive()
     assert float(pump.speed_left(0.0)) * pump.area * 1e6 == pytest.approx(144, abs=1)
-    assert 1e3 * pump.advance_per_count == pytest.approx(0.07575, abs=1e-4)
-    assert 1e6 * pump.volume_per_count == pytest.approx(0.0725, abs=2e-4)
+    assert 1e3 * pump.step == pytest.approx(0.07575, abs=1e-4)
+    assert 1e6 * pump.volume_per_step == pytest.approx(0.0725, abs=2e-4)
 
 
 def test_the_two_statements_of_a_count_agree() -> None:
-    assert drive().advance_per_count == pytest.approx(PINION / 2 * COUNT_ANGLE)
+    assert drive().step == pytest.approx(PINION / 2 * math.radians(300.0) / 1024)
 
 
 def test_counts_for_a_pressure_of_a_closed_volume_of_gas() -> None:
     """100 mL at 140 kPa absolute: a tenth of a kPa for a count."""
     compliance = 100e-6 / 140e3
-    assert 1e-3 * drive().volume_per_count / compliance == pytest.approx(0.10, abs=0.005)
+    assert 1e-3 * drive().volume_per_step / compliance == pytest.approx(0.10, abs=0.005)
 
 
 def test_current_and_battery() -> None:
@@ -95,7 +96,8 @@ def test_current_and_battery() -> None:
 
 def test_the_speed_register_is_never_zero() -> None:
     pump = drive()
-    unit = SPEED_UNIT * pump.radius
+    unit = 0.111 * 2 * math.pi / 60 * pump.radius
+    assert pump.speed_step == pytest.approx(unit)
     assert pump.speed_register(0.0) == 1
     assert pump.speed_register(-0.4 * unit) == 1
     assert pump.speed_register(300 * unit) == 300

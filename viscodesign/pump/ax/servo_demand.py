@@ -1,0 +1,131 @@
+"""What a plan asks of an AX servo and its plunger."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import ClassVar
+
+import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.pump.ax.servo_drive import ServoDrive
+from viscodesign.pump.ax.servo_limits import FIXES, LIMITS, STEPWISE
+from viscodesign.pump.ax.servo_pump import axis_limits
+from viscodesign.pump.planning.demand import columns
+from viscodesign.pump.play.axis import AxisLimits
+from viscodesign.pump.plunger.plunger_course import PlungerCourse
+from viscodesign.pump.plunger.plunger_demand import PlungerDemand
+from viscodesign.pump.plunger.plunger_numbers import plunger_numbers
+from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.scene.pumps.servo_motor import STEADY_SHARE
+from viscodesign.scene.scene import Scene
+from viscodesign.storage.cached_property import cached_property
+
+
+@dataclass(frozen=True)
+class ServoCourse(PlungerCourse):
+    """Motion of P plungers that servos move; arrays (T, P)."""
+
+    columns: ClassVar[dict[str, str]] = {
+        "pressure_pa": "pressure",
+        "given_m3": "given",
+        "volume_m3": "volume",
+        "flow_m3_s": "flow",
+        "plunger_m": "position",
+        "count": "steps",
+        "torque_nm": "torque",
+        "stall_share": "stall_share",
+        "speed_share": "speed_share",
+    }
+
+    torque: np.ndarray  # at the pinion, friction included [N m]
+
+
+@dataclass(frozen=True)
+class AxDemand(PlungerDemand):
+    """One inlet's plunger and servo over T times; a step is a count."""
+
+    limits = LIMITS
+    fixes = FIXES
+    stepwise = STEPWISE
+    stall_marks = (("a fifth: advice", 20.0), *PlungerDemand.stall_marks)
+
+    pump: ServoPumpSpec
+
+    @classmethod
+    def drive_of(cls, pump: ServoPumpSpec) -> ServoDrive:
+        return ServoDrive(pump)
+
+    @cached_property
+    def drive(self) -> ServoDrive:
+        return self.drive_of(self.pump)
+
+    @cached_property
+    def axis(self) -> AxisLimits:
+        return axis_limits(self.pump)
+
+    @property
+    def device(self) -> str:
+        return self.drive.servo.title
+
+    @classmethod
+    def faults(cls, scene: Scene) -> Iterator[tuple[str, str]]:
+        pump, inlets = scene.pump, list(scene.inputs)
+        assert isinstance(pump, ServoPumpSpec), "a servo's section"
+        if isinstance(pump.servo_id, int) and len(inlets) > 1:
+            ids = ", ".join(f"{name}: {k}" for k, name in enumerate(inlets, start=1))
+            yield (
+                "pump.servo_id",
+                (
+                    f"{pump.servo_id} is one servo for {len(inlets)} inlets; give each its own, "
+                    f"like {{{ids}}}"
+                ),
+            )
+        yield from super().faults(scene)
+
+    @property
+    def torque(self) -> np.ndarray:
+        """Torque at the pinion (T,), friction included [N m]."""
+        return self.load
+
+    @property
+    def mean_current(self) -> float:
+        """Current of the servo, averaged over the whole motion [A]."""
+        current = self.drive.current(self.torque)
+        return float(np.trapezoid(current, self.time)) / float(np.ptp(self.time))
+
+    @classmethod
+    def course(cls, demands: Sequence[AxDemand]) -> ServoCourse:
+        torque = columns(demands, lambda d: d.torque)
+        return ServoCourse(**cls._shared_columns(demands), torque=torque)
+
+    def numbers(self) -> dict[str, float]:
+        n, drive = plunger_numbers(self), self.drive
+        return {
+            "stall_pressure_pa_gauge": n["stall_pressure_pa_gauge"],
+            "steady_pressure_pa_gauge": STEADY_SHARE * drive.stall_pressure,
+            **n,
+            "largest_current_a": float(drive.current(n["largest_torque_nm"])),
+            "mean_current_a": self.mean_current,
+            "fastest_speed_register": float(
+                drive.speed_register(float(np.max(np.abs(self.velocity))))
+            ),
+            "lead_in_s": self.lead_s,
+        }
+
+    @property
+    def stall_note(self) -> str:
+        return f"; a fifth of it is {STEADY_SHARE * self.drive.stall_pressure / 1e3:.3g} kPa"
+
+    @property
+    def needs_note(self) -> str:
+        return f", {self.drive.current(np.max(np.abs(self.torque))):.3g} A"
+
+    @classmethod
+    def limit_numbers(cls, demands: Sequence[AxDemand]) -> dict[str, float]:
+        drive = demands[0].drive
+        return {
+            "fifth_nm": STEADY_SHARE * drive.stall_load,
+            **super().limit_numbers(demands),
+            "battery_life_s": drive.battery_life(sum(d.mean_current for d in demands)),
+        }

@@ -1,0 +1,114 @@
+"""What a servo can do beyond moving a plunger: its maker's advice, speed steps and supply."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.pump.planning.fix import LOWER, Fix
+from viscodesign.pump.planning.limits import Assessment, Limits
+from viscodesign.pump.planning.result import Severity
+from viscodesign.pump.plunger.plunger_fixes import (
+    THINNER,
+    home_fix,
+    plunger_fixes,
+    plunger_stepwise,
+)
+from viscodesign.pump.plunger.plunger_limits import PLUNGER_LIMITS
+from viscodesign.scene.pumps.servo_motor import SERVOS, STEADY_SHARE
+
+if TYPE_CHECKING:
+    from viscodesign.pump.ax.servo_demand import AxDemand
+
+
+@dataclass(frozen=True)
+class ServoMargins:
+    """Where limits of a servo are drawn that no data sheet draws."""
+
+    short_life: float = 360.0  # battery life that is worth a word [s]
+    coarse_speed: float = 5.0  # speed register below which even the fastest move goes in steps
+
+
+MARGINS = ServoMargins()
+
+
+def one_fifth(demand: AxDemand) -> Assessment:
+    """Torque against the manufacturer's advice."""
+    allowed = STEADY_SHARE * demand.drive.stall_load
+    torque, when = demand.worst_load
+    pressure = STEADY_SHARE * demand.drive.stall_pressure
+    message = (
+        f"{torque:.3g} N m; the manufacturer specifies steady motion up to a fifth of the stall "
+        f"torque, {allowed:.3g} N m or {pressure / 1e3:.3g} kPa gauge without friction"
+    )
+    return Assessment("advice", torque, allowed, "N m", torque / allowed, when, message)
+
+
+def speed_register(demand: AxDemand) -> Assessment:
+    """Assess the fastest move relative to the resolution of the speed register."""
+    drive = demand.drive
+    when = int(np.argmax(np.abs(demand.velocity)))
+    fastest, unit = abs(float(demand.velocity[when])), drive.speed_step
+    message = (
+        f"the fastest move, {1e3 * fastest:.3g} mm/s, is {drive.speed_register(fastest)} in the "
+        f"speed register, whose unit is {1e3 * unit:.3g} mm/s ({1e6 * unit * drive.area:.3g} mL/s)"
+    )
+    allowed = MARGINS.coarse_speed * unit
+    ratio = allowed / fastest if np.any(demand.direction) else 0.0
+    return Assessment("advice", fastest, allowed, "m/s", ratio, when, message)
+
+
+def battery(demand: AxDemand) -> Assessment:
+    """Mean current against the battery, for this pump alone."""
+    current, mean = demand.drive.current(demand.torque), demand.mean_current
+    life, duration = demand.drive.battery_life(mean), float(np.ptp(demand.time))
+    lasts = "without limit" if np.isinf(life) else f"{life / 60:.3g} min"
+    message = (
+        f"{1e3 * mean:.3g} mA on average, {float(np.max(current)):.3g} A at most; the battery of "
+        f"{demand.pump.battery_capacity / 3.6:.3g} mAh lasts {lasts} for this pump alone, "
+        "electronics not counted"
+    )
+    shortest, when = max(MARGINS.short_life, duration), int(np.argmax(current))
+    severity: Severity = "infeasible" if life < duration else "advice"
+    return Assessment(severity, life, shortest, "s", shortest / life, when, message)
+
+
+def voltage(demand: AxDemand) -> Assessment:
+    """The supply against what the servo is made for."""
+    servo, given = demand.drive.servo, demand.pump.supply_voltage
+    low = given < servo.lowest_voltage
+    allowed = servo.lowest_voltage if low else servo.rated_voltage
+    ratio = allowed / given if low else given / allowed
+    message = (
+        f"{given:g} V; the {servo.title} is made for {servo.lowest_voltage:g} to "
+        f"{servo.rated_voltage:g} V"
+    )
+    return Assessment("infeasible", given, allowed, "V", ratio, 0, message)
+
+
+OWN_NAMES = {"cap_stall": "cap_torque"}
+_PLUNGER = {OWN_NAMES.get(name, name): limit for name, limit in PLUNGER_LIMITS.items()}
+LIMITS: Limits = {
+    "stall": _PLUNGER["stall"],
+    "one_fifth": one_fifth,
+    **_PLUNGER,
+    "speed_register": speed_register,
+    "battery": battery,
+    "voltage": voltage,
+}
+"""In the order in which a plan lists them."""
+
+RATED = min(servo.rated_voltage for servo in SERVOS.values())
+VOLTAGE = Fix("pump.supply_voltage", RATED, "a supply of {:.4g} V", "V")
+HOME = home_fix("count")
+_SYRINGE = plunger_fixes(HOME)
+FIXES = {
+    **_SYRINGE,
+    "stall": (*_SYRINGE["stall"], VOLTAGE),
+    "one_fifth": (LOWER, THINNER, VOLTAGE),
+    "speed": (*_SYRINGE["speed"], VOLTAGE),
+    "speed_register": (THINNER,),
+}
+STEPWISE = plunger_stepwise(HOME)
