@@ -43,16 +43,21 @@ class Installation:
     site: Path
     runs: Path
 
-    def viscodesign(self, *arguments: str) -> str:
-        """Standard output of a command that has to succeed."""
+    def python(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """What Python does in this environment."""
         paths = [str(ROOT), str(self.site), str(EXTENDING)]
-        done = subprocess.run(
-            [sys.executable, "-m", "viscodesign", *arguments],
+        return subprocess.run(
+            [sys.executable, *arguments],
             capture_output=True,
             text=True,
             env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
             cwd=self.runs,
+            check=False,
         )
+
+    def viscodesign(self, *arguments: str) -> str:
+        """Standard output of a command that has to succeed."""
+        done = self.python("-m", "viscodesign", *arguments)
         assert done.returncode == 0, done.stderr
         return done.stdout
 
@@ -137,3 +142,62 @@ def test_the_ramp_reaches_its_level_and_holds_it(free: pd.DataFrame) -> None:
     expected = LEVEL * np.minimum(free.time_s.to_numpy() / RAMP, 1.0)
     assert free.inlet_pressure_left_pa.to_numpy() == pytest.approx(expected, abs=1e-6)
     assert free.inlet_pressure_right_pa.to_numpy() == pytest.approx(-expected, abs=1e-6)
+
+
+STEPPER = "pump={kind: stepper, syringe_diameter: 34.9 mm, home: 60000}"
+AREA = np.pi * 0.0349**2 / 4
+"""Cross section of its barrel [m2]."""
+
+
+def test_a_stepper_driven_syringe_is_planned_with_the_plunger_of_the_package(
+    installed: Installation,
+) -> None:
+    """Barrel, bellows and tubes are one closed vessel of gas (Boyle)."""
+    pressure, count = 12e3, 4
+    changes = (
+        STEPPER,
+        "fluid=air",
+        "temperature=20 degC",
+        f"input={{kind: constant, value: {pressure} Pa}}",
+        "run={duration: 1 s}",
+        f"bellows.count={count}",
+        "effects={feedback: off, others: auto}",
+    )
+    words = [word for change in changes for word in ("--set", change)]
+    leg = str(CONFIGS / "leg_4_air_auto.yaml")
+    plan = installed.json("pump", "plan", leg, *words, "-o", "stepper", "--no-plots")
+    table = pd.read_csv(installed.runs / "stepper" / "plan.csv")
+
+    step = 2e-3 / 3200
+    ratio, barrel = 1.0 + pressure / 101325.0, AREA * (0.1045 - 60000 * step) + 5e-6
+    walls = count * 18e-3 * 3.413e-9 * pressure
+    others = count * (10e-3 * 12e-3 * 18e-3 + np.pi * 0.325e-3**2 * 37.5e-3)
+    swept = barrel - ((barrel + others) / ratio - others - walls)
+    last = table.iloc[-1]
+    assert last.wanted_volume_m3 == pytest.approx(swept, rel=1e-6)
+    assert last.wanted_step == pytest.approx(60000 + swept / AREA / step, rel=1e-6)
+    # It holds without friction, and at most loses steps at its thrust.
+    assert last.wanted_force_n == pytest.approx(pressure * AREA)
+    assert last.wanted_stall_share == pytest.approx(pressure * AREA / 120.0)
+    verdicts = {verdict["name"]: verdict for verdict in plan["verdicts"]}
+    assert verdicts["stall"]["wanted"] == pytest.approx(pressure * AREA + 5.0)
+    assert verdicts["stall"]["unit"] == "N"
+    assert verdicts["resolution"]["unit"] == "steps"
+    assert plan["stepper"] == "a stepper motor with 3200 steps per turn"
+    assert plan["numbers"]["inlet"]["volume_per_step_m3"] == pytest.approx(AREA * step)
+    assert {"battery", "one_fifth", "speed_register"}.isdisjoint(verdicts)
+
+
+def test_a_stepper_driven_syringe_needs_nothing_of_the_servos(installed: Installation) -> None:
+    code = "import sys, stepper_pump; print([m for m in sys.modules if 'pump.ax' in m])"
+    assert installed.python("-c", code).stdout == "[]\n"
+
+
+def test_a_kind_that_is_only_planned_is_refused_where_something_would_move(
+    installed: Installation,
+) -> None:
+    leg = str(CONFIGS / "leg_16_pump.yaml")
+    done = installed.python("-m", "viscodesign", "pump", "stream", leg, "--set", STEPPER)
+    assert done.returncode == 2
+    assert "a pump of kind stepper can only be planned" in done.stderr
+    assert "Traceback" not in done.stderr

@@ -23,8 +23,14 @@ def pump_kinds() -> dict[str, PumpKind]:
 
 
 def kind_of(scene: Scene) -> PumpKind:
-    """The kind of a scene's pump; `SpecError` where it has none."""
-    return pump_kinds()[pump_of(scene).name]
+    """The kind of a scene's pump; raises where it has none, or one that is only planned."""
+    pump, kinds = pump_of(scene), pump_kinds()
+    if pump.name not in kinds:
+        raise UsageError(
+            f"a pump of kind {pump.name} can only be planned: its package brings no `PumpKind` "
+            "that moves it; use `pump plan`"
+        )
+    return kinds[pump.name]
 
 
 def boards_of(kind: PumpKind) -> dict[str, type[Controller]]:
