@@ -66,7 +66,7 @@ class Connection:
     ambient: float
     """Absolute [Pa]."""
     names: tuple[str, ...]
-    """Of the inlets; empty where no spec names them."""
+    """Names of the inlets; empty where no spec names them."""
 
     @cached_property
     def axes(self) -> tuple[int, ...]:

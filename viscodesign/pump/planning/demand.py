@@ -70,7 +70,7 @@ class PumpDemand(ABC):
 
     @cached_property
     def position(self) -> np.ndarray:
-        """Of the axis (T,)."""
+        """Positions of the axis (T,)."""
         return self.pressure if self.stated_position is None else self.stated_position
 
     @cached_property

@@ -128,7 +128,7 @@ PRESSURE_LIMITS: Limits = {
     "lag": pressure_lag,
     "resolution": pressure_resolution,
 }
-"""Of an axis that sets the pressure itself."""
+"""Limits of an axis that sets the pressure itself."""
 
 
 def verdict(demand: PumpDemand, name: str) -> PumpVerdict:

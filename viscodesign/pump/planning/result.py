@@ -138,7 +138,7 @@ class PumpPlan:
 
     @property
     def error_qualifier(self) -> str:
-        """Of which model that error is, in words."""
+        """The model to which that error refers, in words."""
         runs = (self.wanted_run, self.achievable_run)
         return next((run for run in runs if run.violations), self.wanted_run).error_qualifier
 

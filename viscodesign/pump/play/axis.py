@@ -26,7 +26,7 @@ class AxisState:
     load: float | None
     """Share of its full output, signed as the steps are; None where nothing measures it."""
     voltage: float | None
-    """Of its supply [V]; None where nothing measures it."""
+    """Voltage of its supply [V]; None where nothing measures it."""
     temperature: float | None
     """[degC]; None where nothing measures it."""
 
@@ -54,7 +54,7 @@ class AxisLimits:
     """What all axes of a pump can do, and may."""
 
     step: float
-    """Of the coordinate that it sets, in SI: [m] of a plunger, [Pa] of a regulator."""
+    """Size of a step, in SI: [m] of a plunger, [Pa] of a regulator."""
     noun: str
     """What an axis is called in messages: 'servo'."""
     unit: str
@@ -90,7 +90,7 @@ class AxisLimits:
     travel_tolerance: int
     """A position this far outside of travel is not yet one that slipped [steps]."""
     lowest_voltage: float
-    """Of the supply, below which the pump stops [V]."""
+    """Supply voltage below which the pump stops [V]."""
     highest_temperature: float
     """At which the pump stops [degC]."""
 
@@ -118,7 +118,7 @@ class Sample:
     """What one tick read, and the targets that follow; S axes, in the order of their inlets."""
 
     time: float
-    """Of the clock [s]."""
+    """Time on the clock [s]."""
     axes: Mapping[int, AxisState]
     pressure: tuple[float | None, ...]
     """(S,) measured gauge pressure [Pa]; None where nothing measures it."""

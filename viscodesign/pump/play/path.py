@@ -18,7 +18,7 @@ SHORTEST = 0.1  # of such a way [s]
 LEARNING_RATE = 0.25  # part of the following error that is added to the goals in each tick
 ROUNDING = 1.0  # beyond which a target lies outside of a range: targets are whole [steps]
 SPEED_MARGIN = 1.25
-"""Of the speeds that are sent: an axis that is behind needs more than the path's speed."""
+"""Factor on the speeds that are sent: an axis that is behind needs more than the path's speed."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class TargetPath:
 
     @property
     def duration(self) -> float:
-        """Of all of it [s]."""
+        """Duration of all of it [s]."""
         return self.profile.duration
 
     def goals(self, elapsed: float) -> np.ndarray:
@@ -63,7 +63,7 @@ class TargetPath:
 
     @cached_property
     def top_speed(self) -> float:
-        """Of its steepest part [steps/s]."""
+        """Speed of its steepest part [steps/s]."""
         return float(self._speeds.max(initial=0.0))
 
     def reach(self, seconds: float) -> int:
@@ -72,7 +72,7 @@ class TargetPath:
 
 
 def top_speed(profile: Profile) -> float:
-    """Of a profile's steepest part [steps/s]."""
+    """Speed of a profile's steepest part [steps/s]."""
     return TargetPath(profile).top_speed
 
 
@@ -117,7 +117,7 @@ class SetPoints:
 
     path: TargetPath
     period: float
-    """Of the ticks [s]."""
+    """Time between two ticks [s]."""
     limits: AxisLimits
     behind: dict[int, float] = field(default_factory=dict)
     """By axis: what its load needs [steps]."""

@@ -34,7 +34,7 @@ class LimitSwitchPressed(Guard):
     may_retreat = True
     before: dict[int, frozenset[str]] = field(default_factory=dict, init=False)
     heading: dict[int, int] = field(default_factory=dict, init=False)
-    """Of each axis: 1 towards higher steps, -1 towards lower, by its last change of goal."""
+    """Direction of each axis by its last change of goal: 1 to higher steps, -1 to lower."""
 
     def _fault(self, sample: Sample) -> str | None:
         steps = {axis: goal - sample.goals[axis] for axis, goal in sample.next_goals.items()}

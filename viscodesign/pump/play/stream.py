@@ -47,7 +47,7 @@ class Stream:
     """Is given every tick after its goals are sent."""
     _: KW_ONLY
     rate: float
-    """Of the ticks [Hz]."""
+    """Rate of the ticks [Hz]."""
     lead: float = 0.0
     """Part of the profile that lies before the scene's own start [s]."""
     on_stop: OnStop = "hold"

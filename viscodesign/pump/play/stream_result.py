@@ -33,7 +33,7 @@ class TickReport:
     """What one tick gives to be recorded and seen."""
 
     time: float
-    """Of the scene; negative on the way to its start [s]."""
+    """Time of the scene; negative on the way to its start [s]."""
     sample: Sample
     skipped: int
     """Ticks skipped so far."""

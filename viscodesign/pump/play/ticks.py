@@ -19,7 +19,7 @@ class Ticks:
     period: float
     """[s]"""
     start: float = 0.0
-    """Of the clock [s]."""
+    """Time on the clock [s]."""
     index: int = 0
     done: int = 0
     skipped: int = 0

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from viscodesign.pump.poses.engine import FRAME_MS, PoseSequence, time_asking
 
 LEAD_FRAMES = 600
-"""Of the way to the first pose: at most 20 s, and 52 counts/s."""
+"""Frames of the way to the first pose: at most 20 s, and 52 counts/s."""
 
 _HEADER = """\
 /* {title}

@@ -25,7 +25,7 @@ FRAME = FRAME_MS / 1000
 EIGHTHS = 8
 """Parts of a count that the engine reckons in; a servo is sent whole counts, rounded down."""
 LONGEST_MS = 2**15 - 1
-"""Of a move; the time is a signed number of 16 bits."""
+"""Longest time of a move [ms]; it is a signed number of 16 bits."""
 MOST_FRAMES = LONGEST_MS // FRAME_MS + 1
 PHANTOM = 1000
 """Counts that the phantom goes to and from."""

@@ -18,7 +18,7 @@ END = Move(255, 0)
 
 
 class PoseInstruction(IntEnum):
-    """Of the firmware; 25, which swings servo 1 and switches all pins, is left out for good."""
+    """What the firmware obeys; 25, which swings servo 1 and switches all pins, is left out."""
 
     SIZE_POSE = 7
     LOAD_POSE = 8

@@ -52,7 +52,7 @@ class PlaybackReport:
     """How a stream or an upload ended."""
 
     name: str
-    """Of the scene."""
+    """Name of the scene."""
     result: StreamResult | None
     """How the pump was left; None where poses were loaded and not played."""
     facts: Mapping[str, Any]

@@ -30,7 +30,7 @@ from viscodesign.simulation.solve_once import Progress
 from viscodesign.storage.atomic_files import write_errors_as_usage
 
 TIP_COLUMNS = ("tip_x_m", "tip_z_m", "tip_angle_rad")
-"""Of the simulated actuator's tip, under the simulator's names."""
+"""Columns of the simulated actuator's tip, under the simulator's names."""
 OnTick = Callable[[TickReport], None]
 
 

@@ -38,5 +38,5 @@ class RegulatorSpec(PumpSpec):
 
     @property
     def step(self) -> float:
-        """Of the set-point [Pa]."""
+        """Step of the set-point [Pa]."""
         return self.full_scale / HIGHEST_SET_POINT

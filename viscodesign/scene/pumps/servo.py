@@ -15,7 +15,7 @@ from viscodesign.units import Charge, Force, Length, Voltage, Volume
 
 MAX_SERVO_COUNTS = 1023
 MAX_SERVO_ID = 253
-"""Of the Dynamixel protocol, where 254 is the broadcast id."""
+"""Highest id of the Dynamixel protocol, where 254 is the broadcast id."""
 ServoName: Any = Literal[tuple(SERVOS)]
 """One of the types in the table."""
 
