@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from viscodesign.calibration.misfit import Misfit, noise_groups
+from viscodesign.calibration.noise_level import NORMAL_MAD
 from viscodesign.calibration.spread import covariance_of
 from viscodesign.calibration.unknowns import ranges_of
 from viscodesign.exploration.least_squares import (
@@ -26,7 +27,6 @@ MOST_GROSS = 0.1
 """Part of a group's samples that may be gross: more are no slips of the tracking, but a model that
 does not fit."""
 REWEIGHTINGS = 2
-NORMAL_MAD = 0.6745
 MAX_EVALUATIONS = 60
 """Limit of one descent."""
 CONVERGED = 1e-6

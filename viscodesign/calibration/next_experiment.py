@@ -42,7 +42,7 @@ WELL_KNOWN = 0.01
 """Standard deviation below which it is of no more use to know a number better."""
 EFFORT = 0.15
 """Mean gain, in the logarithm of a standard deviation, that one more change must be worth."""
-MOST_ROWS = 240
+MOST_PLANNED_TIMES = 240
 
 
 @dataclass(frozen=True)
@@ -185,7 +185,7 @@ def _judged(
 def _model(candidate: Candidate, first: RunModel, misfit: Misfit) -> RunModel:
     """The model of a run of the experiment, its rows those of the first recording."""
     time = first.recording.time - first.recording.time[0]
-    time = np.linspace(0.0, time[-1], min(len(time), MOST_ROWS))
+    time = np.linspace(0.0, time[-1], min(len(time), MOST_PLANNED_TIMES))
     nothing = np.zeros(len(time))
     channels = [replace(own, values=nothing) for own in first.recording.channels]
     outputs = {own.output for own in channels}

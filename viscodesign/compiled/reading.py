@@ -18,7 +18,7 @@ from viscodesign.model import formulas as of
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.fluid_balance import holding_columns
-from viscodesign.results.channels import CHANNELS, Channel, Per
+from viscodesign.results.channels import CHANNELS, TIP_QUANTITIES, Channel, Per
 from viscodesign.solve.problem import Problem
 
 SX = ca.SX
@@ -105,8 +105,6 @@ class Members:
         return [channel.column(name) for name in own[channel.per]]
 
 
-TIP = ("tip_x", "tip_z", "tip_angle")
-"""Quantities of the last point of the axis."""
 SECTION_END_AXES = ("x", "z")
 DELIVERED = "inflow"
 READ = ("inlet_pressure", "pressure", "volume", "junction_pressure", "flow")
@@ -118,8 +116,8 @@ def places_of(problem: Problem, members: Members) -> dict[str, tuple[str, int]]:
     found: dict[str, tuple[str, int]] = {}
     flows = problem.equations.network_form is NetworkForm.DISTRIBUTED
     for channel in CHANNELS:
-        if channel.quantity in TIP:
-            found[channel.column()] = "tip", TIP.index(channel.quantity)
+        if channel.quantity in TIP_QUANTITIES:
+            found[channel.column()] = "tip", TIP_QUANTITIES.index(channel.quantity)
         elif channel.quantity in READ and (flows or channel.quantity != "flow"):
             for k, column in enumerate(members.columns(channel)):
                 found[column] = channel.quantity, k

@@ -15,6 +15,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 from viscodesign.model.traced_formula import traced
 from viscodesign.physics import tube
+from viscodesign.physics.tube import LAMINAR_REYNOLDS
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
 from viscodesign.postprocess.sustained import Sustained
@@ -25,8 +26,6 @@ from viscodesign.storage.disk_arrays import blocks
 
 SLOW_REYNOLDS = 1000.0
 """Reynolds number up to which the friction is that of laminar flow, to round-off."""
-LAMINAR_REYNOLDS = 2300.0
-"""Reynolds number up to which slow laminar flow is trusted."""
 
 
 @dataclass(frozen=True, eq=False)

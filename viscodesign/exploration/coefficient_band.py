@@ -6,6 +6,7 @@ import time as clock
 
 import numpy as np
 
+from viscodesign.compiled.outputs import TIP_COLUMNS
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.exploration.differentiable import LeftOut, differentiable
 from viscodesign.exploration.stated_uncertainty import StatedDeviation, stated_deviations
@@ -15,7 +16,6 @@ from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.lru_cache import LruCache
 
-TIP = ("tip_x_m", "tip_z_m")
 Stated = dict[str, StatedDeviation]
 _SLOPES: LruCache[tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]] = LruCache(4)
 """Those of the latest scenes."""
@@ -65,10 +65,10 @@ def _slopes(
     """Derivatives of the tip (T, 2, k) [m/unit]; key, value and unit of each number."""
 
     def solved() -> tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]:
-        function, left_out = differentiable(scene, list(stated), TIP, by_percent=False)
+        function, left_out = differentiable(scene, list(stated), TIP_COLUMNS, by_percent=False)
         slopes, names = function.jacobian(), function.names
         found = tuple(zip(names, map(float, function.values), function.units, strict=True))
-        return np.stack([slopes[name] for name in TIP], axis=1), found, left_out
+        return np.stack([slopes[name] for name in TIP_COLUMNS], axis=1), found, left_out
 
     return _SLOPES.get((scene.digest, scene.source, tuple(stated)), solved)
 

@@ -12,6 +12,7 @@ import numpy as np
 from viscodesign._version import __version__
 from viscodesign.compiled.free_keys import FreeKeys, candidates
 from viscodesign.compiled.function import CompiledFunction
+from viscodesign.compiled.outputs import TIP_COLUMNS
 from viscodesign.errors import SpecError
 from viscodesign.exploration.differentiable import LeftOut, differentiable
 from viscodesign.exploration.sampled_variance import sampled_variance
@@ -25,7 +26,6 @@ from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.lru_cache import LruCache
 
-TIP = ("tip_x_m", "tip_z_m")
 QUADRATURE_DEVIATIONS = np.sqrt(3.0)
 """Distance of the outer points from the middle, in standard deviations; the middle weighs 4/6."""
 _FUNCTIONS: LruCache[tuple[CompiledFunction, LeftOut]] = LruCache(4)
@@ -66,12 +66,12 @@ def sensitivity(
         version=__version__,
         spec_sha256=scene.source.sha256,
         time=function.times,
-        tip=np.column_stack([outputs[name] for name in TIP]),
+        tip=np.column_stack([outputs[name] for name in TIP_COLUMNS]),
         numbers=tuple(
             SensitiveNumber(name, float(value), units[name], (spread or {}).get(name))
             for name, value in zip(function.names, function.values, strict=True)
         ),
-        slopes=np.stack([slopes[name] for name in TIP], axis=1),
+        slopes=np.stack([slopes[name] for name in TIP_COLUMNS], axis=1),
         effects=function.effects,
         left_out=left_out,
         resolved_sha256=resolved_sha256(scene),
@@ -92,13 +92,13 @@ def _function(scene: Scene, keys: tuple[str, ...] | None) -> tuple[CompiledFunct
     """The tip as a function of numbers, all that can be free by default, and what cannot."""
     kept = scene.digest, scene.source, keys
     if keys is not None:
-        return _FUNCTIONS.get(kept, lambda: (CompiledFunction(scene, keys, TIP), ()))
+        return _FUNCTIONS.get(kept, lambda: (CompiledFunction(scene, keys, TIP_COLUMNS), ()))
     return _FUNCTIONS.get(kept, lambda: _of_all_numbers(scene))
 
 
 def _of_all_numbers(scene: Scene) -> tuple[CompiledFunction, LeftOut]:
     keys = [key for key in candidates(scene) if "[" not in key]
-    return differentiable(scene, keys, TIP, by_percent=True)
+    return differentiable(scene, keys, TIP_COLUMNS, by_percent=True)
 
 
 def _variances(study: SensitivityStudy, function: CompiledFunction) -> np.ndarray:
@@ -111,7 +111,7 @@ def _variances(study: SensitivityStudy, function: CompiledFunction) -> np.ndarra
     spread = _spread(study)
     moved = np.diag(QUADRATURE_DEVIATIONS * spread)
     found = function.batch(np.concatenate([function.values + moved, function.values - moved]))
-    ends = np.stack([found[name] for name in TIP], axis=2).reshape(2, len(spread), -1, 2)
+    ends = np.stack([found[name] for name in TIP_COLUMNS], axis=2).reshape(2, len(spread), -1, 2)
     more, less = ends.transpose(0, 2, 3, 1)
     here = study.tip[:, :, None]
     mean = (4 * here + more + less) / 6
@@ -130,7 +130,7 @@ def _checked(study: SensitivityStudy, function: CompiledFunction, seed: int) -> 
 
     def tip_at(rows: np.ndarray) -> np.ndarray:
         found = function.batch(rows)
-        return np.column_stack([found[name][:, row] for name in TIP])
+        return np.column_stack([found[name][:, row] for name in TIP_COLUMNS])
 
     spread, slopes = _spread(study), study.slopes[row]
     sampled = sampled_variance(tip_at, function.values, spread, slopes, seed)

@@ -14,6 +14,7 @@ import numpy as np
 
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.function import CompiledFunction
+from viscodesign.compiled.outputs import TIP_COLUMNS
 from viscodesign.errors import SpecError
 from viscodesign.exploration.least_squares import (
     AT_BOUND,
@@ -28,7 +29,6 @@ from viscodesign.inverse.confirmation import tip_of
 from viscodesign.inverse.harmonic_input import InputLimits
 from viscodesign.inverse.search_task import SearchTask
 from viscodesign.inverse.tip_residuals import (
-    TIP,
     CompiledTip,
     PathDistance,
     PathResiduals,
@@ -123,7 +123,8 @@ def _first_function(
 
 
 def _function(task: SearchTask, scene: Scene) -> CompiledFunction:
-    return CompiledFunction(scene, task.choice.keys, TIP, one_period=task.wanted.is_free_loop)
+    one_period = task.wanted.is_free_loop
+    return CompiledFunction(scene, task.choice.keys, TIP_COLUMNS, one_period=one_period)
 
 
 def limits_of(task: SearchTask, keys: FreeKeys) -> InputLimits | None:

@@ -8,12 +8,12 @@ from typing import Protocol
 import numpy as np
 
 from viscodesign.compiled.function import CompiledFunction
+from viscodesign.compiled.outputs import TIP_COLUMNS
 from viscodesign.inverse.path_excess import PathExcess, path_excess
 from viscodesign.inverse.path_match import PathMatch, match_paths
 from viscodesign.inverse.wanted_path import WantedPath, rms
 from viscodesign.lazy_dataclass import dataclass
 
-TIP = ("tip_x_m", "tip_z_m")
 STRAY_TIMES = 3.0
 """A found path strays where it is farther off than any wanted point by this many tolerances."""
 
@@ -73,12 +73,12 @@ class CompiledTip:
     def tip(self, values: np.ndarray) -> np.ndarray:
         """(T, 2) [m]"""
         found = self.function(values)
-        return self._opened(np.column_stack([found[name] for name in TIP]))
+        return self._opened(np.column_stack([found[name] for name in TIP_COLUMNS]))
 
     def slopes(self, values: np.ndarray) -> np.ndarray:
         """(T, 2, f)"""
         found = self.function.jacobian(values)
-        return self._opened(np.stack([found[name] for name in TIP], axis=1))
+        return self._opened(np.stack([found[name] for name in TIP_COLUMNS], axis=1))
 
     def _opened(self, rows: np.ndarray) -> np.ndarray:
         return rows[:-1] if self.is_loop else rows

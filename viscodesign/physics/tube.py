@@ -7,6 +7,9 @@ from typing import Any
 
 import numpy as np
 
+LAMINAR_REYNOLDS = 2300.0
+"""Reynolds number up to which slow laminar flow is trusted."""
+
 
 def hydraulic_resistance(viscosity: float, length: float, radius: float) -> float:
     r"""Resistance of a slender tube to slow flow [Pa s/m^3].

@@ -15,7 +15,7 @@ import numpy as np
 from viscodesign.errors import UsageError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.folder import BAND_TABLE, RUN_TABLES, SUMMARY
-from viscodesign.results.channels import SHAPE, TRAJECTORY, Per, channel
+from viscodesign.results.channels import SHAPE, TIP_QUANTITIES, TRAJECTORY, Per, channel
 from viscodesign.results.coefficient_band import BAND_COLUMNS, CoefficientBand, UncertainNumber
 from viscodesign.results.findings import (
     Classification,
@@ -32,7 +32,6 @@ from viscodesign.scene.scene import Scene
 SPEC = RUN_TABLES[2]
 ARRAYS = ("inlet_pressure", "pressure", "flow")
 """Quantities that are arrays of their own in `trajectory.csv`."""
-TIP = ("tip_x", "tip_z", "tip_angle")
 CONTACT_ARRAYS = ("contact_normal", "contact_tangential", "contact_gap")
 """The same of a run with contact."""
 MEMBERS = {Per.INLET: "inlets", Per.BELLOW: "bellows", Per.TUBE: "tubes"}
@@ -127,7 +126,7 @@ def _arrays(table: _RunTable, names: RunNames) -> dict[str, np.ndarray]:
     """The arrays of `trajectory.csv`."""
     return {
         "time": table.columns(["time_s"])[:, 0],
-        "tip": table.columns(channel(name).column() for name in TIP),
+        "tip": table.columns(channel(name).column() for name in TIP_QUANTITIES),
         **{name: table.columns(names.columns(name)) for name in ARRAYS},
     }
 

@@ -8,12 +8,11 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics import tube
+from viscodesign.physics.tube import LAMINAR_REYNOLDS
 from viscodesign.results.findings import Notice
 from viscodesign.robot.leg_network import barrel_volume, flow
 from viscodesign.robot.march import RecordedWalk
 from viscodesign.robot.robot_model import LegGroup, RobotModel
-
-LAMINAR_REYNOLDS = 2300.0
 
 
 def gait_warnings(model: RobotModel, recording: RecordedWalk) -> Iterator[Notice]:

@@ -9,8 +9,8 @@ from viscodesign.errors import InterruptedRunError, PumpError
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.ticks import Ticks
 
-SPEED = 20.0  # [counts/s]: 1.5 mm/s.
-RATE = 20.0  # of the ticks [Hz]
+SEARCH_SPEED = 20.0  # [counts/s]: 1.5 mm/s.
+SEARCH_RATE = 20.0  # of the ticks [Hz]
 BACK_OFF = 10  # travel ends this far before the place where a switch lets go [counts]
 LARGEST_ERROR = 30  # A plunger this far behind its goal is blocked [counts]
 SIGN = {"low": -1, "high": 1}
@@ -49,8 +49,8 @@ def _find(pump: Pump, end: str, stopped: Callable[[], bool]) -> int:
 def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[[], bool]) -> None:
     """Step by step in one direction; never on when something is wrong."""
     servo = pump.axes[0]
-    pump.reach = step = math.ceil(SPEED / RATE)
-    ticks = Ticks(pump.clock, 1.0 / RATE)
+    pump.reach = step = math.ceil(SEARCH_SPEED / SEARCH_RATE)
+    ticks = Ticks(pump.clock, 1.0 / SEARCH_RATE)
     ticks.begin()
     while True:
         states, _, switches = pump.look()
@@ -74,5 +74,5 @@ def _go(pump: Pump, sign: int, arrived: Arrived, barred: str, stopped: Callable[
                 f"the plunger is stuck at {position} counts with no switch pressed: it is "
                 "blocked, or the switch does not work"
             )
-        pump.set_goals({servo: goal}, {servo: SPEED})
+        pump.set_goals({servo: goal}, {servo: SEARCH_SPEED})
         ticks.wait(lambda: not stopped())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -95,7 +95,7 @@ class AxDemand(PlungerDemand):
         return float(np.trapezoid(current, self.time)) / float(np.ptp(self.time))
 
     @classmethod
-    def course(cls, demands: Sequence[AxDemand]) -> ServoCourse:
+    def course(cls, demands: Sequence[Any]) -> ServoCourse:
         torque = columns(demands, lambda d: d.torque)
         return ServoCourse(**cls._shared_columns(demands), torque=torque)
 
@@ -122,7 +122,7 @@ class AxDemand(PlungerDemand):
         return f", {self.drive.current(np.max(np.abs(self.torque))):.3g} A"
 
     @classmethod
-    def limit_numbers(cls, demands: Sequence[AxDemand]) -> dict[str, float]:
+    def limit_numbers(cls, demands: Sequence[Any]) -> dict[str, float]:
         drive = demands[0].drive
         return {
             "fifth_nm": STEADY_SHARE * drive.stall_load,

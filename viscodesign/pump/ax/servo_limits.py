@@ -31,7 +31,7 @@ class ServoMargins:
     coarse_speed: float = 5.0  # speed register below which even the fastest move goes in steps
 
 
-MARGINS = ServoMargins()
+SERVO_MARGINS = ServoMargins()
 
 
 def one_fifth(demand: AxDemand) -> Assessment:
@@ -55,7 +55,7 @@ def speed_register(demand: AxDemand) -> Assessment:
         f"the fastest move, {1e3 * fastest:.3g} mm/s, is {drive.speed_register(fastest)} in the "
         f"speed register, whose unit is {1e3 * unit:.3g} mm/s ({1e6 * unit * drive.area:.3g} mL/s)"
     )
-    allowed = MARGINS.coarse_speed * unit
+    allowed = SERVO_MARGINS.coarse_speed * unit
     ratio = allowed / fastest if np.any(demand.direction) else 0.0
     return Assessment("advice", fastest, allowed, "m/s", ratio, when, message)
 
@@ -70,7 +70,7 @@ def battery(demand: AxDemand) -> Assessment:
         f"{demand.pump.battery_capacity / 3.6:.3g} mAh lasts {lasts} for this pump alone, "
         "electronics not counted"
     )
-    shortest, when = max(MARGINS.short_life, duration), int(np.argmax(current))
+    shortest, when = max(SERVO_MARGINS.short_life, duration), int(np.argmax(current))
     severity: Severity = "infeasible" if life < duration else "advice"
     return Assessment(severity, life, shortest, "s", shortest / life, when, message)
 

@@ -21,7 +21,7 @@ from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 
-SPEED = registers.SPEED_UNIT * registers.COUNTS_PER_TURN
+SLOWEST_SPEED = registers.SPEED_UNIT * registers.COUNTS_PER_TURN
 """Counts per second of one unit of the speed register."""
 COMPLIANCE_SLOPE = 32.0
 """Distance from its goal at which a servo gives its full output [counts]: the initial value of
@@ -193,7 +193,7 @@ def axis_limits(settings: ServoPumpSpec) -> AxisLimits:
         retreat_sign=-1 if settings.push == "up" else 1,
         max_pressure=settings.max_pressure,
         top_speed=free_speed(settings),
-        slowest_speed=SPEED,
+        slowest_speed=SLOWEST_SPEED,
         lead_distance=COMPLIANCE_SLOPE,
         largest_lead=LARGEST_LEAD,
         approach_speed=APPROACH_SPEED,
@@ -210,4 +210,4 @@ def axis_limits(settings: ServoPumpSpec) -> AxisLimits:
 
 def speed_register(speed: float) -> int:
     """Smallest value that is at least as fast [counts/s]; never 0, which is full speed."""
-    return min(max(math.ceil(speed / SPEED), 1), registers.FULL)
+    return min(max(math.ceil(speed / SLOWEST_SPEED), 1), registers.FULL)

@@ -11,8 +11,8 @@ from viscodesign.pump.ax.protocol.transactions import ServoError
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.play.axis import AxisState
 
-FIRST = registers.TORQUE_ENABLE.address
-LENGTH = registers.PRESENT_TEMPERATURE.address + 1 - FIRST
+STATE_ADDRESS = registers.TORQUE_ENABLE.address
+STATE_LENGTH = registers.PRESENT_TEMPERATURE.address + 1 - STATE_ADDRESS
 NO_ERRORS = ErrorBits(0)
 
 
@@ -43,10 +43,10 @@ class ServoState(AxisState):
 
 def read_servo(board: Board, servo: int) -> ServoState:
     """A servo's state; raises where no registers came, whatever its error bits say."""
-    data, errors = read_anyway(board, servo, FIRST, LENGTH)
+    data, errors = read_anyway(board, servo, STATE_ADDRESS, STATE_LENGTH)
 
     def value(register: Register) -> int:
-        return register.within(data, FIRST)
+        return register.within(data, STATE_ADDRESS)
 
     return ServoState(
         driven=bool(value(registers.TORQUE_ENABLE)),

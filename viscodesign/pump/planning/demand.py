@@ -138,7 +138,7 @@ class PumpDemand(ABC):
         return PumpCourse(**cls._shared_columns(demands))
 
     @classmethod
-    def _shared_columns(cls, demands: Sequence[PumpDemand]) -> dict[str, Any]:
+    def _shared_columns(cls, demands: Sequence[Any]) -> dict[str, Any]:
         first, given = demands[0], columns(demands, lambda d: d.given)
         return {
             "time": first.time,

@@ -25,10 +25,10 @@ from viscodesign.solve.solvers.quasi_static import QuasiStatic
 from viscodesign.solve.statics import Start, equilibrium
 from viscodesign.solve.transient import SPARE_SOLVER, solver_catalogue
 
-TOLERANCE = 1e-3  # of the integrator: about half a percent of the length at the tip
-LONGEST = 0.05  # a longer tick is cut into such [s]
+STEP_TOLERANCE = 1e-3  # of the integrator: about half a percent of the length at the tip
+LONGEST_INTERVAL = 0.05  # a longer tick is cut into such [s]
 ANY_LENGTH = "rosenbrock"  # the solver that takes intervals of any length without being made anew
-GRID = 0.01  # intervals of any other; what is left over waits for the next tick [s]
+INTERVAL = 0.01  # intervals of any other; what is left over waits for the next tick [s]
 
 
 class ActuatorPlant(Plant):
@@ -69,7 +69,7 @@ class ActuatorPlant(Plant):
 
     def _begin(self, position: np.ndarray) -> None:
         """Equilibrium with the axes at a place."""
-        schedule = self._schedule(GRID, position, position)
+        schedule = self._schedule(INTERVAL, position, position)
         self._here = equilibrium(self._problem, 0.0, schedule.initial_piece)
         self._read(schedule, position)
 
@@ -78,12 +78,12 @@ class ActuatorPlant(Plant):
         if seconds <= 0.0:
             return 0, 0.0
         if self._any_length:
-            count = int(np.ceil(seconds / LONGEST - 1e-9))
+            count = int(np.ceil(seconds / LONGEST_INTERVAL - 1e-9))
             return count, seconds / count
         self._owed += seconds
-        count = int(self._owed / GRID + 1e-9)
-        self._owed -= count * GRID
-        return count, GRID
+        count = int(self._owed / INTERVAL + 1e-9)
+        self._owed -= count * INTERVAL
+        return count, INTERVAL
 
     def _tick(self, seconds: float, goal: np.ndarray) -> None:
         """One interval of the integrator."""
@@ -134,8 +134,8 @@ def _driven_problem(scene: Scene, pump: PumpSpec) -> tuple[list[PumpDemand], Pro
 
 def _solver(problem: Problem) -> Solver:
     if not problem.equations.states.count:
-        return QuasiStatic(problem, TOLERANCE)
+        return QuasiStatic(problem, STEP_TOLERANCE)
     kind = solver_catalogue()[ANY_LENGTH]
     if not (kind.takes(problem) and kind.fits(problem)):
         kind = solver_catalogue()[SPARE_SOLVER]
-    return kind(problem, TOLERANCE)
+    return kind(problem, STEP_TOLERANCE)

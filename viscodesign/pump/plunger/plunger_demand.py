@@ -168,11 +168,11 @@ class PlungerDemand(PumpDemand):
         return float(self.barrel.within(np.asarray(position)))
 
     @classmethod
-    def course(cls, demands: Sequence[PlungerDemand]) -> PlungerCourse:
+    def course(cls, demands: Sequence[Any]) -> PlungerCourse:
         return PlungerCourse(**cls._shared_columns(demands))
 
     @classmethod
-    def _shared_columns(cls, demands: Sequence[PlungerDemand]) -> dict[str, Any]:
+    def _shared_columns(cls, demands: Sequence[Any]) -> dict[str, Any]:
         shared = super()._shared_columns(demands)
         volume = columns(demands, lambda d: d.drive.area * d.position)
         return {
@@ -201,7 +201,7 @@ class PlungerDemand(PumpDemand):
         return ""
 
     @classmethod
-    def limit_numbers(cls, demands: Sequence[PlungerDemand]) -> dict[str, float]:
+    def limit_numbers(cls, demands: Sequence[Any]) -> dict[str, float]:
         drive, pump, unit = demands[0].drive, demands[0].pump, demands[0].axis.unit
         return {
             f"stall_{drive.load.suffix}": drive.stall_load,

@@ -9,6 +9,7 @@ import numpy as np
 
 from viscodesign.pump.planning.result import Panel, PumpPlan
 from viscodesign.report.layout.look import look
+from viscodesign.report.layout.motion_lines import LINE_STYLES
 from viscodesign.report.layout.style import axes_at, head, head_room, picture, shown
 
 # isort: split
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-DASHES = ("-", "--", ":", "-.")
 LEFT, BOTTOM, WIDE, GAP, SQUARE = 0.78, 0.5, 4.0, 0.16, 2.9
 BETWEEN, RIGHT, WORDS, LEGEND = 0.95, 0.2, 1.2, 0.28
 PANELS = 5.48
@@ -94,8 +94,8 @@ def _draw_panel(axes: Axes, plan: PumpPlan, panel: Panel) -> None:
 
 def _line(k: int) -> dict[str, Any]:
     """Colour and dashes of an inlet."""
-    colours = pump_colours()
-    return {"color": colours[k % len(colours)], "ls": DASHES[k // len(colours) % len(DASHES)]}
+    turn, k = divmod(k, len(pump_colours()))
+    return {"color": pump_colours()[k], "ls": LINE_STYLES[turn % len(LINE_STYLES)]}
 
 
 def _mark(axes: Axes, name: str, level: float, *, upper: bool) -> None:

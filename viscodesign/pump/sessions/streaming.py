@@ -29,7 +29,7 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 from viscodesign.storage.atomic_files import write_errors_as_usage
 
-TIP_COLUMNS = ("tip_x_m", "tip_z_m", "tip_angle_rad")
+TIP_POSE = ("tip_x_m", "tip_z_m", "tip_angle_rad")
 """Columns of the simulated actuator's tip, under the simulator's names."""
 OnTick = Callable[[TickReport], None]
 
@@ -130,7 +130,7 @@ class StreamSession:
             "spec_sha256": self.plan.spec_sha256,
             "ambient_pressure_pa_abs": self.scene.ambient_pressure,
         }
-        tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_COLUMNS)}
+        tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_POSE)}
         with connected(address, self.scene, plant, tell) as link, link.gauges() as gauges:
             pump = self.kind.connected_pump(link, gauges)
             unit, limits = pump.limits.unit, pump.limits

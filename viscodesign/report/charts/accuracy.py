@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from viscodesign.report.charts.accuracy_axes import Window, draw_axes, percent_words, window_of
 from viscodesign.report.charts.accuracy_key import PointMarks, draw_key, key_height
 from viscodesign.report.charts.accuracy_labels import draw_labels, write_note
-from viscodesign.report.layout.label_placement import Box
+from viscodesign.report.layout.label_placement import HALF_LINE, Box
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.accuracy_points import Point
@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 LEFT, BOTTOM, SIZE, KEY_WIDTH = 0.78, 0.55, 5.0, 2.25
 LEAST_SIZE, MARGIN = 3.4, 0.12
 """All in inches; the key goes below where it would leave a plane less than the least size."""
-HALF_LINE = 0.004
-"""Half the space of a line, as a fraction of the plane."""
 
 
 def draw_accuracy(study: AccuracyStudy, path: Path) -> None:

@@ -11,6 +11,7 @@ from matplotlib.colors import BoundaryNorm, Normalize
 
 from viscodesign.report.layout.downsampling import envelope
 from viscodesign.report.layout.look import look
+from viscodesign.report.layout.motion_lines import LINE_STYLES
 from viscodesign.report.layout.style import (
     TIME_DIGITS,
     Target,
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-DASHES = ("-", "--", ":", "-.")
 LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT, GAP, BAR_GAP, RIGHT = 0.68, 0.5, 2.5, 3.0, 0.3, 0.15, 0.65
 PANEL_TITLE, LEGEND_ROW, LEGEND_COLUMN = 0.22, 0.2, 1.1
 LEAST_WIDTH, LOW_PANEL = 4.6, 1.7
@@ -47,7 +47,7 @@ def draw_pressures(trajectory: Trajectory, path: Target) -> None:
     if width < LEAST_WIDTH:
         wide, tall, lefts = free, LOW_PANEL, (LEFT, LEFT)
         bottoms = (BOTTOM + LOW_PANEL + PANEL_TITLE + 0.1, BOTTOM)
-    columns = min(len(DASHES), int(free / LEGEND_COLUMN))
+    columns = min(len(LINE_STYLES), int(free / LEGEND_COLUMN))
     rows = -(-len(trajectory.inlet_pressure) // columns)
     above = PANEL_TITLE + LEGEND_ROW * rows + head_room(trajectory, width)
     top = bottoms[0] + tall
@@ -100,7 +100,7 @@ def _draw_column(axes: Axes, trajectory: Trajectory, side: str, norm: Normalize)
     for k, (name, values) in enumerate(trajectory.inlet_pressure.items()):
         axes.plot(
             time, envelope(trajectory.time, values[:, None])[1][:, 0] / 1e3, zorder=2, lw=2.4,
-            color=look().inlets[k % len(look().inlets)], ls=DASHES[k % len(DASHES)],
+            color=look().inlets[k % len(look().inlets)], ls=LINE_STYLES[k % len(LINE_STYLES)],
             label="inlet" if alone or name == "inlet" else f"inlet {shown(name, 14)}",
             marker="_" if len(time) == 1 else None,
         )  # fmt: skip

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.layout.label_placement import Box, place_labels, text_box
+from viscodesign.report.layout.label_placement import HALF_LINE, Box, place_labels, text_box
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import axes_at, picture, shown
 from viscodesign.results.findings import Classification
@@ -37,8 +37,6 @@ EDGE_DISTANCE = 0.022
 """Distance of what lies outside from the edge, of the plane's side."""
 SAME_PLACE = 0.012
 """Points nearer than this, of the plane's side, are one mark."""
-HALF_LINE = 0.004
-"""Half the room of the lines between quadrants, of the plane's side."""
 MOST_NAMED_MARKS, MOST_NAMES_PER_MARK = 5, 3
 """So many marks, of so many names, have the names themselves beside them; more have numbers."""
 

@@ -18,7 +18,7 @@ from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes, spread_instants
 from viscodesign.report.layout.strip import Frame, Strip, arrange
 from viscodesign.report.layout.style import Target, axes_at, head, head_room, picture
-from viscodesign.report.layout.tube_lines import inlet_places, tube_lines
+from viscodesign.report.layout.tube_lines import MOST_TUBES, inlet_places, tube_lines
 from viscodesign.report.page.page_data import tube_ends
 from viscodesign.report.page.sketch_numbers import scene_of
 from viscodesign.results.channels import channel
@@ -31,8 +31,6 @@ if TYPE_CHECKING:
 
 MOST_SNAPSHOTS, NARROW_SNAPSHOTS = 8, 4
 """The second where the picture is narrow: more would be too small."""
-MOST_TUBES = 256
-"""With more tubes than this none could be told from another."""
 INLET_MARK = 0.16
 """Half the size of an inlet, of half the width of the clamp."""
 MOST_EDGED_SECTIONS = 24

@@ -17,7 +17,7 @@ BOTTOM, ROW_HEIGHT, LEAST_HEIGHT, PANEL_GAP = 0.55, 0.27, 3.0, 0.12
 LEAST_WIDTH, PANEL_HEIGHT, NARROW_LEFT, LABEL = 6.4, 1.2, 1.55, 0.15
 """All in inches: the least width with the paths on the right, their height below the bars, and
 there the margin of the bars and a second line of their label."""
-MOST_ROWS = 16
+MOST_BARS = 16
 DEVIATIONS = 2
 """Half width of a drawn band, in standard deviations."""
 LINES = 3
@@ -26,7 +26,7 @@ LINES = 3
 
 def draw_tornado(study: SensitivityStudy, path: Path) -> None:
     """Bars of the largest shifts, the farthest on top; beside them x and z against time."""
-    order = study.order[:MOST_ROWS]
+    order = study.order[:MOST_BARS]
     width = look().across(LEFT + BARS_WIDTH + GAP + PATH_WIDTH + RIGHT)
     bars, margin = ROW_HEIGHT * max(len(order), 2), LEFT
     if width >= LEAST_WIDTH:

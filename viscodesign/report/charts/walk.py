@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from viscodesign.report.layout.look import look
+from viscodesign.report.layout.motion_lines import LINE_STYLES
 from viscodesign.report.layout.style import (
     Target,
     axes_at,
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
 LEFT, BOTTOM, WIDTH, PANEL, GAP, RIGHT = 0.8, 0.55, 6.4, 1.15, 0.16, 0.9
 """All in inches."""
 SHOWN_CYCLES = 2
-STYLES = ("-", "--", ":", "-.")
-"""Styles of the sources' lines."""
 
 
 def leg_colours(motion: RobotMotion) -> dict[str, str]:
@@ -96,7 +95,7 @@ def _by_leg(axes: Axes, motion: RobotMotion, rows: slice, values: np.ndarray) ->
 
 def _pumps(axes: Axes, motion: RobotMotion, rows: slice) -> None:
     for k, name in enumerate(motion.sources):
-        style, volume = STYLES[k % len(STYLES)], 1e6 * motion.barrel[rows, k]
+        style, volume = LINE_STYLES[k % len(LINE_STYLES)], 1e6 * motion.barrel[rows, k]
         axes.plot(motion.time[rows], volume, color=look().accent, ls=style, label=shown(name, 10))
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     axes.set_ylabel("barrel [mL]")

@@ -17,7 +17,7 @@ from viscodesign.report.layout.look import drawn_as, look
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes
 from viscodesign.report.layout.style import own_style, shown
-from viscodesign.report.layout.tube_lines import inlet_places, tube_lines
+from viscodesign.report.layout.tube_lines import MOST_TUBES, inlet_places, tube_lines
 from viscodesign.report.page.shown_rows import shapes_near
 from viscodesign.report.picture_options import PictureOptions
 from viscodesign.results.trajectory import Trajectory
@@ -30,7 +30,6 @@ WIDTH = 9.6
 """Width of the figure [inch]; pixels follow from its resolution."""
 MOST_CURVES = 16
 """Largest number of curves of a column."""
-MOST_TUBES = 256
 
 
 def film_frames(

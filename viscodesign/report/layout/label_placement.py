@@ -11,6 +11,8 @@ CHARACTER_WIDTH, LINE_HEIGHT = 0.6, 1.3
 POINTS = 72.0
 HALF_MARK = 5.0
 """Half the space of a mark [pt]."""
+HALF_LINE = 0.004
+"""Half the space of a line across the plane, of the plane's side."""
 DISTANCES = (6.0, 16.0, 30.0, 48.0, 70.0)
 """From a point to its label [pt]; from the second on, a line connects them."""
 DISTANCE_COST = 1e-6

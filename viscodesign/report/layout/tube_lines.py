@@ -12,6 +12,8 @@ INLET_HEIGHT, INLET_SIDE = 0.36, 0.62
 """Place of an inlet above the clamp and beside the axis, of the width."""
 JUNCTION_PASSES = 4
 """Times that junctions move to the middle of their neighbours."""
+MOST_TUBES = 256
+"""With more tubes than this none could be told from another."""
 POINTS = 9
 
 Ports = Mapping[str, np.ndarray]

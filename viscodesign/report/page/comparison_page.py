@@ -9,14 +9,13 @@ import numpy as np
 
 from viscodesign.report.page.packed_arrays import packed
 from viscodesign.report.page.self_contained import self_contained, write_html
+from viscodesign.report.page.shown_rows import MOST_ROWS
 from viscodesign.results.coefficient_band import ellipses_about
 from viscodesign.results.run_comparison import ComparedMotion, Comparison, TipDifference
 
 TEMPLATE = "compare.html"
 SCRIPTS = ("data.js", "svg.js", "charts.js", "tip_path.js", "tables.js", "compare.js")
 """In the order in which they run; those before the last only define functions."""
-MOST_ROWS = 1500
-"""Rows of a curve on the page; of more, some at equal distances."""
 MOST_ELLIPSES, ELLIPSE_POINTS = 200, 24
 
 

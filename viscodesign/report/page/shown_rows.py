@@ -14,7 +14,7 @@ MOST_BYTES = 1_050_000
 """Bytes of arrays, which become a third more in the file."""
 PATH_KEPT = 0.97
 """Share of the path's length that evenly spaced times must keep; with less, motion is lost."""
-MOST_TUBES = 32
+MOST_FLOWS = 32
 """Tubes whose flows are shown: those with the largest."""
 MOST_POINTS = 257
 """Points of the axis, where one a section is not more."""
@@ -75,12 +75,12 @@ def _whole_path_length(tip: np.ndarray) -> float:
 def shown_tubes(run: Trajectory) -> np.ndarray:
     """Columns (q,) of the tubes with the largest flows, in their order."""
     count = run.flow.shape[1]
-    if count <= MOST_TUBES:
+    if count <= MOST_FLOWS:
         return np.arange(count)
     largest = np.zeros(count)
     for rows in blocks(len(run.flow), run.flow):
         largest = np.maximum(largest, np.abs(run.flow[rows]).max(axis=0))
-    return np.sort(np.argsort(-largest, kind="stable")[:MOST_TUBES])
+    return np.sort(np.argsort(-largest, kind="stable")[:MOST_FLOWS])
 
 
 def shown_points(run: Trajectory) -> np.ndarray:

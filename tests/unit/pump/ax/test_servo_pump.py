@@ -10,7 +10,7 @@ from tests.pump_rig import TRAVEL, Rig
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits
-from viscodesign.pump.ax.servo_pump import SPEED, speed_register
+from viscodesign.pump.ax.servo_pump import SLOWEST_SPEED, speed_register
 from viscodesign.pump.ax.torque_limit import free_speed, stalling_pressure, torque_limit
 from viscodesign.pump.boards.base import Goal
 from viscodesign.pump.play.guard import Stop
@@ -95,7 +95,8 @@ def test_what_no_servo_can_follow_is_not_armed() -> None:
 
 
 @pytest.mark.parametrize(
-    ("speed", "register"), [(0.0, 1), (1e-9, 1), (SPEED, 1), (1.01 * SPEED, 2), (1e6, 1023)]
+    ("speed", "register"),
+    [(0.0, 1), (1e-9, 1), (SLOWEST_SPEED, 1), (1.01 * SLOWEST_SPEED, 2), (1e6, 1023)],
 )
 def test_the_speed_register_is_never_full_speed(speed: float, register: int) -> None:
     assert speed_register(speed) == register
