@@ -35,8 +35,8 @@ BOUND_NOISE = 0.1
 BOUND_REL = 2e-4
 """The least such distance, in parts of the range."""
 MOST_FREE_ROWS = 60
-"""Of a measured input, rows whose pressures are unknown: of more, noise is taken out, and what is
-left counts as exact. Each takes as long to differentiate by as a number of the scene."""
+"""Most rows of a measured input whose pressures are unknown: of more, noise is taken out, and what
+is left counts as exact. Each takes as long to differentiate by as a number of the scene."""
 ROWS_BETWEEN = 4
 """Into which the time between two rows is divided, where a pressure is followed."""
 

@@ -274,7 +274,7 @@ class _Fitting:
 
 
 def _status(search: FitStatus, mismatch: Mismatch | None) -> RunStatus:
-    """Of a fit, by how its search ended and what its model leaves."""
+    """Status of a fit, by how its search ended and what its model leaves."""
     if search == "interrupted":
         return "interrupted"
     if mismatch is not None and mismatch.leaves_numbers_unknown:

@@ -14,7 +14,7 @@ CHANGES: dict[str, tuple[str, type[SpecPart]]] = {
     "actuator": ("sections.*", SectionChange),
     "bellows": ("bellows.changes.*", BellowChange),
 }
-"""Of what all have: where single ones have their own, and the keys there."""
+"""By the section that all share: where single ones have their own, and the keys there."""
 
 
 def with_changes(ranges: Iterable[PlausibleRange]) -> Iterator[PlausibleRange]:

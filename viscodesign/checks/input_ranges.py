@@ -19,7 +19,7 @@ LEAST_CYCLES = 0.02
 OUTPUTS_PER_CYCLE = 2.0
 """Outputs that a period has at least, or no table and no picture shows it."""
 LONGEST_SHARE, SHORTEST_SHARE = 20.0, 0.05
-"""Of the run and of the time between outputs: bounds of the parts of a motion."""
+"""Bounds of the parts of a motion, as shares of the run and of the time between outputs."""
 OWN_SWING = 200.0
 """Ratio, either way, of a stated transient time to the swing of the profile itself."""
 CUT_TRANSITION = 0.25
@@ -55,7 +55,7 @@ def input_ranges(scene: Scene) -> Iterator[PlausibleRange]:
 
 
 def _centre(key: str, transition: float, duration: float) -> PlausibleRange:
-    """Of the centre of a transition, which the run shows for the greater part."""
+    """The range of a transition's centre: the run shows the greater part of it."""
     first, end = CUT_TRANSITION * transition, written(duration, "s")
     words = f"must lie within the run, which ends at {end}"
     if first < duration:

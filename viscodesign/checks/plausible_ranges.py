@@ -98,7 +98,7 @@ def _share(
 
 
 def _tubes() -> Iterator[PlausibleRange]:
-    """Of tubes alike, changed or listed; hoses from a pump may be longer than tubes of a body."""
+    """Ranges of tubes, alike, changed or listed; a pump's hoses may be longer than a body's."""
     for key in ("tube_radius", "changes.*.radius", "tubes.*.radius", "feed_line.radius"):
         yield _length(f"network.{key}", 2e-6, 0.02, CHANNELS)
     for key in ("tube_length", "changes.*.length", "tubes.*.length"):
@@ -112,7 +112,7 @@ def _tubes() -> Iterator[PlausibleRange]:
 
 
 def _ground() -> Iterator[PlausibleRange]:
-    """Of a surface beside the actuator, and of the tip that touches it."""
+    """Ranges of a surface beside the actuator, and of the tip that touches it."""
     for key in ("point.x", "point.z", "centre.x", "centre.z"):
         where = f"loads.ground.{key}"
         yield PlausibleRange(

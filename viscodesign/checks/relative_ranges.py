@@ -105,5 +105,5 @@ def _of_fluid(name: str, unit: str, bounds: tuple[float, float], source: str) ->
 
 
 def _sized(key: str, unit: str, bounds: tuple[float, float], source: str) -> PlausibleRange:
-    """Of a coefficient of either sign, or of none."""
+    """The range of a coefficient of either sign, or of none."""
     return PlausibleRange(key, unit, *bounds, source, PREFIXES, ANY, either_sign=True, or_none=True)

@@ -1,4 +1,4 @@
-"""Of a distance between two tips, what the coefficients of their specs leave open."""
+"""What the coefficients of two specs leave open of the distance between their tips."""
 
 from __future__ import annotations
 

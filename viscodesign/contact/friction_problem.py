@@ -45,7 +45,7 @@ MAX_SWEEPS = 40
 MAX_CONTACTS_TRIED = 7
 """Contacts of which all states are tried: 4 states each."""
 VIOLATION_REL_TOL = 1e-10
-"""Of a condition, relative to the largest number of its kind."""
+"""Violation of a condition, relative to the largest number of its kind."""
 
 States = tuple[int, ...]
 
@@ -115,7 +115,7 @@ class FrictionProblem:
 
     @cached_property
     def _size(self) -> float:
-        """Of the compliance."""
+        """Size of the compliance."""
         return float(np.mean(np.abs(np.diag(self.compliance)))) or 1.0
 
     @cached_property

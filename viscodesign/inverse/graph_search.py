@@ -24,7 +24,7 @@ FEW_GRAPHS = 800
 RANKED = 40
 """Graphs whose numbers are fitted quickly after all were tried."""
 RANKED_AT_ONCE = 8
-"""Of these, graphs between two looks at the clock."""
+"""Number of these between two looks at the clock."""
 FULL_GRAPHS = 6
 """Graphs that go on to the scene's own model."""
 DIFFERENT = 1.5

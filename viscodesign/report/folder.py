@@ -110,7 +110,7 @@ SEVERAL_PICTURE = "tips.png"
 """Drawn of several actuators."""
 STAND_FILES = FileSet("stand.csv", "stand.json", "stand.png")
 WALK_TABLE, WALK_PICTURE = "walk.csv", "walk.png"
-"""Of a gait, beside its summary and its spec."""
+"""Files of a gait, beside its summary and its spec."""
 REACH_INPUT = "input.csv"
 """The input that brings a tip to a point."""
 DESIGN_ALTERNATIVES = "alternatives"

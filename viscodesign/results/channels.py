@@ -38,7 +38,7 @@ class Per(enum.StrEnum):
 
 
 UNNAMED_IF_SINGLE = frozenset({Per.INLET, Per.CONTACT})
-"""Of these, a single member's columns do not tell its name."""
+"""Where there is one inlet or contact alone, its columns do not tell its name."""
 
 
 class NamedArrays(Protocol):

@@ -24,11 +24,11 @@ class RobotMotion:
     feet: np.ndarray
     """x, gap over the ground [m] and rotation [rad] of every foot (T, L, 3)."""
     normal: np.ndarray
-    """Of the ground on every foot (T, L) [N]."""
+    """Normal force of the ground on every foot (T, L) [N]."""
     friction: np.ndarray
-    """Of the ground on every foot, positive forward (T, L) [N]."""
+    """Friction of the ground on every foot, positive forward (T, L) [N]."""
     slip: np.ndarray
-    """Of every foot's contact point over the ground in the step before (T, L) [m]."""
+    """Way of every foot's contact point over the ground in the step before (T, L) [m]."""
     pressure: np.ndarray
     """Gauge, of every source (T, S) [Pa]."""
     delivered: np.ndarray

@@ -30,7 +30,7 @@ class SeveralRuns:
     runs: Mapping[str, Trajectory]
     """By actuator, in the order of the spec."""
     equal_to: Mapping[str, str]
-    """Of actuators that were not solved since they equal another one: that one."""
+    """By actuator that was not solved: the equal one that was."""
     sources: Mapping[str, Mapping[str, str]]
     """By actuator: the input that feeds each of its inlets."""
     failures: Mapping[str, str]
@@ -40,9 +40,9 @@ class SeveralRuns:
     spec_text: str
     """The spec as resolved, YAML, runnable again."""
     spec_sha256: str
-    """Of the spec's file as it was read, without overrides."""
+    """SHA-256 of the spec's file as it was read, without overrides."""
     version: str
-    """Of this program."""
+    """Version of this program."""
 
     @property
     def status(self) -> Literal["complete", "failed", "interrupted"]:

@@ -17,15 +17,15 @@ class StanceRow:
     gauge_pressure_pa: float
     payload_kg: float
     weight_n: float
-    """Of robot and payload."""
+    """Weight of robot and payload."""
     height_m: float
-    """Of the hips over the ground, their mean; NaN where it does not stand."""
+    """Mean height of the hips over the ground; NaN where it does not stand."""
     pitch_rad: float
     roll_rad: float
     sway_limit_n: float
     """Weight from which on it sways."""
     tip_stiffness_n_per_m: float
-    """Of a leg's tip, sideways in its plane of bending, free to turn, under its share of weight."""
+    """Stiffness of a leg's tip under its share of weight, sideways in its plane, free to turn."""
 
     @property
     def stands(self) -> bool:

@@ -51,7 +51,7 @@ class ContactInvariants:
     friction_work_j: float
     """Work of friction on the feet; never positive."""
     largest_friction_work_j: float
-    """Of a single step and foot; never positive."""
+    """Work of friction in a single step on one foot; never positive."""
     force_imbalance_rel: float
     """Momentum of the whole robot against the forces on it, relative to its weight."""
     gas_mass_imbalance_rel: float
@@ -71,9 +71,9 @@ class WalkStudy:
     advances_by_step_m: tuple[float, ...]
     """How far the body came in the last cycle, by step."""
     step_halving_change: float
-    """Of the advance per cycle, relative to it, by the last halving of the step."""
+    """Change of the advance per cycle by the last halving of the step, relative to it."""
     cycle_change: float
-    """Of the advance from the last cycle but one to the last, relative to it."""
+    """Change of the advance from the last cycle but one to the last, relative to it."""
     refusal: str
     """Why no speed is stated; empty where it is."""
     feet: dict[str, FootUse]

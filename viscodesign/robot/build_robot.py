@@ -18,7 +18,7 @@ from viscodesign.scene.robot import Robot, RobotLeg
 from viscodesign.scene.robot_scene import RobotScene
 
 LEAST_WIDTH_RATIO = 0.1
-"""Of a body whose hips stand in line, relative to its length."""
+"""Width of a body whose hips stand in line, relative to its length."""
 
 
 def build_robot(scene: RobotScene) -> RobotModel:

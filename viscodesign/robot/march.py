@@ -17,7 +17,7 @@ from viscodesign.robot.time_step import RobotState, StepSolver
 FROZEN = 1e12
 """Damping time over the step by which a leg keeps its strains."""
 MOST_HALVINGS = 6
-"""Of a step that does not converge."""
+"""Halvings of a step that does not converge."""
 Progress = Callable[[float], None]
 """Told the fraction done."""
 
@@ -53,7 +53,7 @@ class StepPlan:
         return self.per_cycle * self.cycles
 
     def times(self) -> np.ndarray:
-        """Of all steps, the start first (T,) [s]."""
+        """Times of all steps, the start first (T,) [s]."""
         return self.period / self.per_cycle * np.arange(self.count + 1)
 
 

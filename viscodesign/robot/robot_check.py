@@ -24,7 +24,7 @@ class RobotCheck:
     legs: int
     weight_n: float
     warnings: tuple[Notice, ...] = ()
-    """Of the body, its legs and feet; each design has its own."""
+    """Warnings about the body, its legs and feet; each design has its own."""
 
     def document(self) -> dict[str, Any]:
         """As `check --json` prints it."""

@@ -38,7 +38,7 @@ class Feet:
 
     @property
     def inertia(self) -> float:
-        """Of a ball about its centre [kg m2], with a floor for a point."""
+        """Inertia of a ball about its centre [kg m2], with a floor for a point."""
         return 0.4 * self.mass * max(self.radius, LEAST_GYRATION) ** 2
 
 
@@ -131,7 +131,7 @@ class RobotModel:
 
     @property
     def mass(self) -> float:
-        """Of everything [kg]."""
+        """Mass of everything [kg]."""
         return self.body.mass + self.count * self.feet.mass
 
     @property

@@ -22,7 +22,7 @@ _MASS = (1e-3, 1e3)
 
 
 def _length(key: str, low: float, high: float) -> PlausibleRange:
-    """Of a place or a size of either sign, or of none."""
+    """The range of a place or a size of either sign, or of none."""
     return PlausibleRange(
         f"robot.{key}", "m", low, high, ROBOTS, _LENGTH, ANY, either_sign=True, or_none=True
     )
@@ -71,7 +71,7 @@ def _undamped(scene: RobotScene) -> Iterator[Notice]:
 
 
 def _delays(scene: RobotScene) -> PlausibleRange:
-    """Of inputs that are others, later."""
+    """The range of delays, where an input is another one, later."""
     run = scene.run
     least = 0.05 * min(run.output_interval, run.duration)
     words = "from a twentieth of the time between outputs to the end of the run"

@@ -30,8 +30,8 @@ MAX_ITERATIONS = 40
 PLACE_TOLERANCE = 1e-10
 """Last Newton step [m, rad]."""
 LARGEST_STEP = 2e-2
-"""Of one iteration, rotations by the length of a leg [m]: the weight bends legs far before it is
-balanced."""
+"""Largest move in one iteration, rotations by the length of a leg [m]: the weight bends legs far
+before it is balanced."""
 PROXIMAL_STIFFNESS = 1.0
 """Added to the matrix of an iteration, not to its balance [N/m]: a robot in the air is free to go
 anywhere, and the contact forces need a stiffness."""

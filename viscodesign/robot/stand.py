@@ -25,7 +25,7 @@ GAUGE_RANGE = 2.0
 LEAST_LARGEST_GAUGE = 140e3
 """The paper's "140 kPa", if it were gauge [Pa]."""
 PAYLOADS = (0.0, 0.25, 0.5, 0.75)
-"""Of the weight from which on it sways, beyond the robot's own."""
+"""Payloads, as shares of the weight from which on it sways, beyond the robot's own."""
 HEIGHT_RATIOS = (0.95, 0.93, 0.9, 0.85)
 LOWEST_GAUGE = -0.8
 """Gauge pressure of the deepest crouch, over the ambient pressure."""
@@ -79,7 +79,7 @@ class _Statics:
         return self._slide or tip_over(self.model, pressures)
 
     def weight(self, payload: float) -> float:
-        """Of robot and payload [N]."""
+        """Weight of robot and payload [N]."""
         return (self.scene.robot.mass + payload) * self.gravity
 
     def at(self, gauge: float, weight: float) -> Stance:

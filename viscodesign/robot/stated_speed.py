@@ -14,7 +14,7 @@ class StepRule:
     """Steps of a cycle at first."""
     most_halvings: int = 4
     largest_change: float = 0.03
-    """Of the advance per cycle, by halving the step and from cycle to cycle, for a stated speed."""
+    """Change of the advance by halving the step, and between cycles, for a stated speed."""
     damping_ratio: float = 3.0
     """Damping time over that of the steps themselves, half of a step, for a stated speed."""
     gas_imbalance: float = 1e-8
@@ -31,7 +31,7 @@ STEPS = StepRule()
 
 
 def relative_change(before: float, after: float, body_length: float) -> float:
-    """Of an advance, relative to it; of a robot that marks time, to the least that counts."""
+    """Change of an advance, relative to it; where a robot marks time, to the least that counts."""
     return abs(after - before) / max(abs(after), STEPS.least_advance * body_length)
 
 

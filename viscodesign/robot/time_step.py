@@ -114,7 +114,7 @@ class StepSolver:
     def _arguments(
         self, group: LegGroup, place: np.ndarray, legs: LegStates, sources: np.ndarray
     ) -> list[np.ndarray]:
-        """Of the functions of a group, with strains and contents as the step begins."""
+        """Arguments of a group's functions, with strains and contents as the step begins."""
         numbers = np.tile(self._numbers, (len(group.legs), 1))
         own = sources[group.sources][:, None]
         return [

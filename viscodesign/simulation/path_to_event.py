@@ -19,7 +19,7 @@ LEAST_ROWS = 20
 ROWS_TO_EVENT = 50
 """Outputs that a run with fewer gets, up to the event."""
 SAME_TIME_REL = 1e-5
-"""Of the run, within which two solutions meet the same event."""
+"""Share of the run within which two solutions meet the same event."""
 
 
 def with_path_to_event(run: Run, store: ArrayStore) -> Run:

@@ -94,7 +94,7 @@ class LiveView:
     span: tuple[float, float]
     """Gauge [Pa] at both ends of the bars: the deepest suction, or 0, and the cap."""
     duration: float
-    """Of the profile [s]."""
+    """Duration of the profile [s]."""
     label: str
     """`[simulated]`, or nothing."""
     text: NonblockingText

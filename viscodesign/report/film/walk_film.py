@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 WIDTH = 9.6
-"""Of the figure [inch]; pixels follow from its resolution."""
+"""Width of the figure [inch]; pixels follow from its resolution."""
 LEAST_RADIUS = 2e-3
-"""Of a foot that is drawn [m]."""
+"""Smallest radius with which a foot is drawn [m]."""
 ROOM = 0.25
 """Around the robot, in lengths of its body."""
 

@@ -8,7 +8,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.look import look
 
 LINE_STYLES = ("-", "--", ":", "-.")
-"""Of lines of one colour, or of one picture, as matplotlib names them."""
+"""Dashes that tell lines of one colour apart, as matplotlib names them."""
 DASHES: tuple[Sequence[float], ...] = ((), (5, 2), (1.2, 1.2), (6, 1.6, 1.2, 1.6))
 
 
