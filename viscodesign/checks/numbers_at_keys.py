@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Any
 
 from pydantic import BaseModel
@@ -41,13 +42,22 @@ def _below(here: Any, parts: list[str], path: str) -> Iterator[tuple[str, float]
 def _entries(here: Any, part: str) -> Iterator[tuple[str, Any]]:
     """What stands below under a name, or under any."""
     if isinstance(here, BaseModel):
-        for field, info in type(here).model_fields.items():
-            if part in (field, info.alias):
-                yield part, getattr(here, field)
+        for field in _fields(type(here)).get(part, ()):
+            yield part, getattr(here, field)
     elif isinstance(here, Mapping):
         yield from here.items()
     elif isinstance(here, tuple):
         yield from ((f"[{k}]", value) for k, value in enumerate(here))
+
+
+@cache
+def _fields(kind: type[BaseModel]) -> dict[str, list[str]]:
+    """Fields of a part of a spec by the names that they answer to: their own and their alias."""
+    found: dict[str, list[str]] = {}
+    for field, info in kind.model_fields.items():
+        for name in {field, info.alias} - {None}:
+            found.setdefault(str(name), []).append(field)
+    return found
 
 
 def _joined(path: str, name: str) -> str:

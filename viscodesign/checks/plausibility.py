@@ -20,11 +20,13 @@ from viscodesign.results.findings import Notice
 from viscodesign.scene.pressure_levels import bare_levels
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import SpecPart
+from viscodesign.storage.lru_cache import LruCache
 
 _OTHER_UNITS: dict[float | str, str] = {"celsius": "degC", "degrees": "deg"}
 BODY = ("actuator.", "bellows.", "sections.")
 """Keys of what others are compared with."""
 _SURROUNDINGS = ("temperature", "ambient_pressure")
+_OF_ANY = tuple(with_changes(RANGES))
 
 
 @dataclass(frozen=True)
@@ -86,14 +88,22 @@ def impossible_values(scene: Scene) -> Iterator[Fault]:
             yield Fault(f"must be {bound}; got {given}{_meant(found, value)}", found.key)
 
 
-def _outside(scene: Scene) -> Iterator[tuple[PlausibleRange, float]]:
+def _outside(scene: Scene) -> tuple[tuple[PlausibleRange, float], ...]:
     """Given numbers outside of their usual ranges; beside others where these are sound."""
+    return _latest.get(scene.digest, lambda: tuple(_found_outside(scene)))
+
+
+_latest: LruCache[tuple[tuple[PlausibleRange, float], ...]] = LruCache(16)
+"""Those of the latest scenes: whether they are possible is asked before what is unusual."""
+
+
+def _found_outside(scene: Scene) -> Iterator[tuple[PlausibleRange, float]]:
     found: dict[str, tuple[PlausibleRange, float]] = {}
-    for ranges in (RANGES, relative_ranges, reciprocal_ranges):
+    for ranges in (_OF_ANY, relative_ranges, reciprocal_ranges):
         if any(key.startswith(BODY) for key in found):
             break
-        own = ranges(scene) if callable(ranges) else ranges
-        for one, value in outside(scene, with_changes(own)):
+        own = with_changes(ranges(scene)) if callable(ranges) else ranges
+        for one, value in outside(scene, own):
             found.setdefault(one.key, (one, value))
     for one, value in outside(scene, input_ranges(scene)):
         found.setdefault(one.key, (one, value))

@@ -27,7 +27,12 @@ def effect_names() -> tuple[str, ...]:
 
 def every_effect(quantities: SceneQuantities) -> dict[str, Effect]:
     """All effects of a scene by name, whether they act on something or not."""
-    return {name: kind.of(quantities) for name, kind in catalogue().items()}
+    kinds = catalogue()
+
+    def made() -> dict[str, Effect]:
+        return {name: kind.of(quantities) for name, kind in kinds.items()}
+
+    return dict(quantities.remembered(("effects", *kinds.values()), made))
 
 
 def traits_of(names: Iterable[str]) -> frozenset[Trait]:

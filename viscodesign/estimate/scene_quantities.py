@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -26,6 +27,8 @@ from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
 
+T = TypeVar("T")
+
 SUDDEN_SHARE = 0.3
 """Swing of a rod that its weight meets at once, in parts of the accuracy, that is negligible."""
 
@@ -41,6 +44,17 @@ class SceneQuantities:
         if not isinstance(self.scene, Scene):
             given = described(self.scene)
             raise UsageError(f"expected a scene, such as load('leg.yaml') gives; got {given}")
+
+    @cached_property
+    def _memory(self) -> dict[Hashable, Any]:
+        return {}
+
+    def remembered(self, key: Hashable, make: Callable[[], T]) -> T:
+        """What others made of these quantities alone for this key, or make now."""
+        if key not in self._memory:
+            self._memory[key] = make()
+        found: T = self._memory[key]
+        return found
 
     @property
     def accuracy(self) -> float:
