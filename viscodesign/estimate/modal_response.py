@@ -11,6 +11,11 @@ from typing import Any
 
 import numpy as np
 
+from viscodesign.native.loops import native_loops
+from viscodesign.native.machine import this_machine
+from viscodesign.native.source.filters import NEARLY_ZERO
+from viscodesign.native.unavailable import NativeUnavailable
+
 
 class FilterStart(Enum):
     """Where filters start, by the words of `run.start`."""
@@ -23,24 +28,57 @@ class FilterStart(Enum):
     """Where they end: the time is a whole number of periods of the drive."""
 
 
-NEARLY_ZERO = 1e-2
-"""Rate times step below which exponentials are taken by their series."""
-
-
 def first_order(
     rate: np.ndarray, time: np.ndarray, drive: np.ndarray, start: np.ndarray
 ) -> np.ndarray:
     """y' = rate y + drive at every sample (T, M, ...).
 
-    ``rate`` (M,) may be complex [1/s]; ``time`` (T,) ascending, equal times are a jump; ``drive``
-    (T, M, ...); ``start`` (M, ...). Exact for a drive that is linear between samples.
+    ``rate`` (M,) [1/s] may be complex, and else ``drive`` (T, M, ...); ``time`` (T,) ascending,
+    equal times are a jump; ``start`` (M, ...). Exact for a drive that is linear between samples.
     """
-    growth, level, ramp = (c[..., None] for c in _over_steps(rate, np.diff(time)))
-    channels = math.prod(drive.shape[2:])
-    flat = drive.reshape(*drive.shape[:2], channels)
-    gain = level * flat[:-1] + ramp * np.diff(flat, axis=0)
-    found = _joined(growth, gain, start.reshape(len(rate), channels))
+    step, channels = np.diff(time), math.prod(drive.shape[2:])
+    flat, begin = drive.reshape(*drive.shape[:2], channels), start.reshape(len(rate), channels)
+    try:
+        found = _followed(rate, step, flat, begin)
+    except NativeUnavailable:
+        growth, level, ramp = (c[..., None] for c in _over_steps(rate, step))
+        gain = level * flat[:-1] + ramp * np.diff(flat, axis=0)
+        found = _joined(growth, gain, begin)
     return found.reshape(drive.shape)
+
+
+def _followed(
+    rate: np.ndarray, step: np.ndarray, drive: np.ndarray, start: np.ndarray
+) -> np.ndarray:
+    """The same natively (T, M, C), for steps (T - 1,). Raises `NativeUnavailable`."""
+    this_machine()  # code that was made before may have been switched off
+    z = step[:, None] * rate
+    if not np.iscomplexobj(rate):
+        if np.iscomplexobj(drive):  # its parts are channels of their own
+            parts = (np.ascontiguousarray(v, dtype=complex).view(float) for v in (drive, start))
+            return _by_loop("follow", rate, step, np.exp(z), *parts).view(complex)
+        return _by_loop("follow", rate, step, np.exp(z), drive, start)
+    growth = np.empty(z.shape, dtype=complex)
+    size = np.exp(z.real)
+    np.multiply(size, np.cos(z.imag), out=growth.real)
+    np.multiply(size, np.sin(z.imag), out=growth.imag)
+    return _by_loop("follow_turning", rate, step, growth, drive, start)
+
+
+def _by_loop(
+    loop: str,
+    rate: np.ndarray,
+    step: np.ndarray,
+    growth: np.ndarray,
+    drive: np.ndarray,
+    start: np.ndarray,
+) -> np.ndarray:
+    """Real drives by one of the loops of `native.source.filters`."""
+    found = np.empty(drive.shape, dtype=rate.dtype)
+    numbers = (step, rate, growth, drive, np.array(start, dtype=rate.dtype), found)
+    reals = [np.ascontiguousarray(values).view(float).reshape(-1) for values in numbers]
+    native_loops()(loop, len(step), *drive.shape[1:], *reals)
+    return found
 
 
 def _over_steps(rate: np.ndarray, step: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

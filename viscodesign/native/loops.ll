@@ -1,4 +1,4 @@
-; made from cc1f73bd6910aed1fe35455f25bfd584daa43dad7c03277dfce0204178e3f865
+; made from 3d7c5346d26af0ea4eadcd17b5e2574467ec4635f74dc29f49980052f4725b5c
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -10823,6 +10823,336 @@ declare double @llvm.log.f64(double)
 declare double @llvm.exp.f64(double)
 
 declare double @sqrt(double)
+
+define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @follow.107(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  ret i64 0
+}
+
+define internal i32 @follow.107(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+entry:
+  %.33 = mul nsw i64 %arg.channels, %arg.count
+  %.119167.not = icmp slt i64 %.33, 1
+  br i1 %.119167.not, label %B72, label %B44.if.preheader
+
+B44.if.preheader:
+  %0 = shl nuw i64 %.33, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %arg.found, ptr align 8 %arg.state, i64 %0, i1 false)
+  br label %B72
+
+B72:
+  %.251176.not = icmp slt i64 %arg.steps, 1
+  br i1 %.251176.not, label %B734, label %B104.if.lr.ph
+
+B104.if.lr.ph:
+  %.386173.not = icmp slt i64 %arg.count, 1
+  %storemerge166 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
+  %.688170.not = icmp slt i64 %arg.channels, 1
+  br label %B104.if
+
+B102.loopexit:
+  %exitcond179.not = icmp eq i64 %.264, %arg.steps
+  br i1 %exitcond179.not, label %B734, label %B104.if
+
+B164.loopexit:
+  %exitcond.not = icmp eq i64 %arg.count, %.399
+  br i1 %exitcond.not, label %B102.loopexit, label %B166.if
+
+B280:
+  %.459 = fmul contract double %.435, 5.000000e-01
+  %.465 = fdiv contract double %.435, 3.000000e+00
+  %.471 = fmul contract double %.435, 2.500000e-01
+  %.477 = fdiv contract double %.435, 5.000000e+00
+  %.483 = fdiv contract double %.435, 6.000000e+00
+  %.485 = fadd contract double %.483, 1.000000e+00
+  %.486 = fmul contract double %.477, %.485
+  %.488 = fadd contract double %.486, 1.000000e+00
+  %.489 = fmul contract double %.471, %.488
+  %.491 = fadd contract double %.489, 1.000000e+00
+  %.492 = fmul contract double %.465, %.491
+  %.494 = fadd contract double %.492, 1.000000e+00
+  %.495 = fmul contract double %.459, %.494
+  %.497 = fadd contract double %.495, 1.000000e+00
+  %.530 = fdiv contract double %.435, 7.000000e+00
+  %.534 = fadd contract double %.530, 1.000000e+00
+  %.535 = fmul contract double %.483, %.534
+  %.537 = fadd contract double %.535, 1.000000e+00
+  %.538 = fmul contract double %.477, %.537
+  %.540 = fadd contract double %.538, 1.000000e+00
+  %.541 = fmul contract double %.471, %.540
+  %.543 = fadd contract double %.541, 1.000000e+00
+  %.544 = fmul contract double %.465, %.543
+  %.546 = fadd contract double %.544, 1.000000e+00
+  %.551 = fmul contract double %.546, 5.000000e-01
+  br label %B496
+
+B464:
+  %.558 = fadd contract double %.443, -1.000000e+00
+  %.563 = fdiv contract double %.558, %.435
+  %.567 = fadd contract double %.563, -1.000000e+00
+  %.572 = fdiv contract double %.567, %.435
+  br label %B496
+
+B496:
+  %level.3.2 = phi double [ %.497, %B280 ], [ %.563, %B464 ]
+  %ramp.3.2 = phi double [ %.551, %B280 ], [ %.572, %B464 ]
+  %.583 = fmul contract double %.430, %level.3.2
+  %.591 = fmul contract double %.430, %ramp.3.2
+  br i1 %.688170.not, label %B164.loopexit, label %B590.if.preheader
+
+B590.if.preheader:
+  %.602 = mul nuw nsw i64 %.329.0174, %arg.channels
+  br label %B590.if
+
+B734:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B104.if:
+  %.194.0177 = phi i64 [ 0, %B104.if.lr.ph ], [ %.264, %B102.loopexit ]
+  %.264 = add nuw nsw i64 %.194.0177, 1
+  %.298 = mul nsw i64 %.264, %.33
+  br i1 %.386173.not, label %B102.loopexit, label %B166.if.lr.ph
+
+B166.if.lr.ph:
+  %.294 = mul nsw i64 %.194.0177, %.33
+  %.429 = getelementptr double, ptr %arg.step, i64 %.194.0177
+  %.430 = load double, ptr %.429, align 8
+  %.438 = mul nuw nsw i64 %.194.0177, %arg.count
+  %1 = getelementptr double, ptr %arg.growth, i64 %.438
+  %2 = getelementptr double, ptr %arg.drive, i64 %.294
+  br label %B166.if
+
+B166.if:
+  %.329.0174 = phi i64 [ 0, %B166.if.lr.ph ], [ %.399, %B164.loopexit ]
+  %.399 = add nuw nsw i64 %.329.0174, 1
+  %.433 = getelementptr double, ptr %arg.rate, i64 %.329.0174
+  %.434 = load double, ptr %.433, align 8
+  %.435 = fmul contract double %.430, %.434
+  %.442 = getelementptr double, ptr %1, i64 %.329.0174
+  %.443 = load double, ptr %.442, align 8
+  %.451 = call contract double @llvm.fabs.f64(double %.435)
+  %.452 = fcmp contract olt double %.451, 1.000000e-02
+  br i1 %.452, label %B280, label %B464
+
+B590.if:
+  %.635.0172 = phi i64 [ %.697, %B590.if ], [ %storemerge166, %B590.if.preheader ]
+  %.632.0171 = phi i64 [ %.701, %B590.if ], [ %.602, %B590.if.preheader ]
+  %.697 = add nsw i64 %.635.0172, -1
+  %.701 = add i64 %.632.0171, 1
+  %.729 = getelementptr double, ptr %2, i64 %.632.0171
+  %.730 = load double, ptr %.729, align 8
+  %.732 = fmul contract double %.583, %.730
+  %.734 = add nsw i64 %.632.0171, %.298
+  %.736 = getelementptr double, ptr %arg.drive, i64 %.734
+  %.737 = load double, ptr %.736, align 8
+  %.738 = fsub contract double %.737, %.730
+  %.740 = fmul contract double %.591, %.738
+  %.741 = fadd contract double %.732, %.740
+  %.743 = getelementptr double, ptr %arg.state, i64 %.632.0171
+  %.744 = load double, ptr %.743, align 8
+  %.746 = fmul contract double %.443, %.744
+  %.747 = fadd contract double %.746, %.741
+  store double %.747, ptr %.743, align 8
+  %.757 = getelementptr double, ptr %arg.found, i64 %.734
+  store double %.747, ptr %.757, align 8
+  %.688 = icmp sgt i64 %.635.0172, 1
+  br i1 %.688, label %B590.if, label %B164.loopexit
+}
+
+define i64 @follow_turning(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @follow_turning.108(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  ret i64 0
+}
+
+define internal i32 @follow_turning.108(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+entry:
+  %.33 = mul nsw i64 %arg.channels, %arg.count
+  %0 = call i64 @llvm.smax.i64(i64 %.33, i64 0)
+  %storemerge = shl nuw i64 %0, 1
+  %.120209 = icmp sgt i64 %storemerge, 0
+  br i1 %.120209, label %B50.if.preheader, label %B78
+
+B50.if.preheader:
+  %1 = shl i64 %0, 4
+  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %arg.found, ptr align 8 %arg.state, i64 %1, i1 false)
+  br label %B78
+
+B78:
+  %.252224.not = icmp slt i64 %arg.steps, 1
+  br i1 %.252224.not, label %B1216, label %B110.if.lr.ph
+
+B110.if.lr.ph:
+  %.387221.not = icmp slt i64 %arg.count, 1
+  %storemerge208 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
+  %.931218.not = icmp slt i64 %arg.channels, 1
+  br label %B110.if
+
+B108.loopexit:
+  %exitcond227.not = icmp eq i64 %.265, %arg.steps
+  br i1 %exitcond227.not, label %B1216, label %B110.if
+
+B170.loopexit:
+  %exitcond.not = icmp eq i64 %arg.count, %.400
+  br i1 %exitcond.not, label %B108.loopexit, label %B172.if
+
+B586:
+  %.721 = fmul contract double %.677, 5.000000e-01
+  %.729 = fmul contract double %.690, 5.000000e-01
+  br label %B742
+
+B608:
+  %.744 = fdiv contract double %.437, %.486
+  %.748 = fneg contract double %.448
+  %.755 = fdiv contract double %.748, %.486
+  %.760 = fadd contract double %.463, -1.000000e+00
+  %.761 = fmul contract double %.760, %.744
+  %.763 = fmul contract double %.473, %.755
+  %.764 = fsub contract double %.761, %.763
+  %.768 = fmul contract double %.760, %.755
+  %.770 = fmul contract double %.473, %.744
+  %.771 = fadd contract double %.768, %.770
+  %.777 = fadd contract double %.764, -1.000000e+00
+  %.778 = fmul contract double %.744, %.777
+  %.779 = fmul contract double %.755, %.771
+  %.780 = fsub contract double %.778, %.779
+  %.783 = fmul contract double %.755, %.777
+  %.784 = fmul contract double %.744, %.771
+  %.785 = fadd contract double %.784, %.783
+  br label %B742
+
+B742:
+  %lr.5.2 = phi double [ %.646, %B586 ], [ %.764, %B608 ]
+  %li.5.2 = phi double [ %.658, %B586 ], [ %.771, %B608 ]
+  %ri.6.2 = phi double [ %.729, %B586 ], [ %.785, %B608 ]
+  %rr.6.2 = phi double [ %.721, %B586 ], [ %.780, %B608 ]
+  %.796 = fmul contract double %.431, %lr.5.2
+  %.804 = fmul contract double %.431, %li.5.2
+  %.812 = fmul contract double %.431, %rr.6.2
+  %.820 = fmul contract double %.431, %ri.6.2
+  br i1 %.931218.not, label %B170.loopexit, label %B886.if.preheader
+
+B886.if.preheader:
+  %.845 = mul nuw nsw i64 %.330.0222, %arg.channels
+  br label %B886.if
+
+B1216:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B110.if:
+  %.195.0225 = phi i64 [ 0, %B110.if.lr.ph ], [ %.265, %B108.loopexit ]
+  %.265 = add nuw nsw i64 %.195.0225, 1
+  %.299 = mul nsw i64 %.265, %.33
+  br i1 %.387221.not, label %B108.loopexit, label %B172.if.lr.ph
+
+B172.if.lr.ph:
+  %.295 = mul nsw i64 %.195.0225, %.33
+  %.430 = getelementptr double, ptr %arg.step, i64 %.195.0225
+  %.431 = load double, ptr %.430, align 8
+  %.457 = mul nuw nsw i64 %.195.0225, %arg.count
+  %2 = getelementptr double, ptr %arg.drive, i64 %.295
+  br label %B172.if
+
+B172.if:
+  %.330.0222 = phi i64 [ 0, %B172.if.lr.ph ], [ %.400, %B170.loopexit ]
+  %.400 = add nuw nsw i64 %.330.0222, 1
+  %.435.idx = shl i64 %.330.0222, 4
+  %.435 = getelementptr i8, ptr %arg.rate, i64 %.435.idx
+  %.436 = load double, ptr %.435, align 8
+  %.437 = fmul contract double %.431, %.436
+  %.446 = getelementptr i8, ptr %.435, i64 8
+  %.447 = load double, ptr %.446, align 8
+  %.448 = fmul contract double %.431, %.447
+  %.459 = add nuw nsw i64 %.330.0222, %.457
+  %.462.idx = shl i64 %.459, 4
+  %.462 = getelementptr i8, ptr %arg.growth, i64 %.462.idx
+  %.463 = load double, ptr %.462, align 8
+  %.472 = getelementptr i8, ptr %.462, i64 8
+  %.473 = load double, ptr %.472, align 8
+  %.482 = fmul contract double %.437, %.437
+  %.485 = fmul contract double %.448, %.448
+  %.486 = fadd contract double %.482, %.485
+  %.492 = fcmp contract olt double %.486, 1.000000e-04
+  br i1 %.492, label %B444.if, label %B608
+
+B444.if:
+  %ri.5.2217 = phi double [ %.690, %B444.if ], [ 0.000000e+00, %B172.if ]
+  %rr.5.2216 = phi double [ %.677, %B444.if ], [ 1.000000e+00, %B172.if ]
+  %li.4.2215 = phi double [ %.658, %B444.if ], [ 0.000000e+00, %B172.if ]
+  %lr.4.2214 = phi double [ %.646, %B444.if ], [ 1.000000e+00, %B172.if ]
+  %.542.0213 = phi i64 [ %.604, %B444.if ], [ 5, %B172.if ]
+  %.539.0212 = phi i64 [ %.608, %B444.if ], [ 6, %B172.if ]
+  %.604 = add nsw i64 %.542.0213, -1
+  %.608 = add nsw i64 %.539.0212, -1
+  %.635 = fmul contract double %.437, %lr.4.2214
+  %.638 = fmul contract double %.448, %li.4.2215
+  %.639 = fsub contract double %.635, %.638
+  %.640 = sitofp i64 %.539.0212 to double
+  %.644 = fdiv contract double %.639, %.640
+  %.646 = fadd contract double %.644, 1.000000e+00
+  %.649 = fmul contract double %.437, %li.4.2215
+  %.652 = fmul contract double %.448, %lr.4.2214
+  %.653 = fadd contract double %.652, %.649
+  %.658 = fdiv contract double %.653, %.640
+  %.665 = fmul contract double %.437, %rr.5.2216
+  %.668 = fmul contract double %.448, %ri.5.2217
+  %.669 = fsub contract double %.665, %.668
+  %.670 = add nuw nsw i64 %.539.0212, 1
+  %.671 = sitofp i64 %.670 to double
+  %.675 = fdiv contract double %.669, %.671
+  %.677 = fadd contract double %.675, 1.000000e+00
+  %.680 = fmul contract double %.437, %ri.5.2217
+  %.683 = fmul contract double %.448, %rr.5.2216
+  %.684 = fadd contract double %.683, %.680
+  %.690 = fdiv contract double %.684, %.671
+  %.595 = icmp samesign ugt i64 %.542.0213, 1
+  br i1 %.595, label %B444.if, label %B586
+
+B886.if:
+  %.878.0220 = phi i64 [ %.940, %B886.if ], [ %storemerge208, %B886.if.preheader ]
+  %.875.0219 = phi i64 [ %.944, %B886.if ], [ %.845, %B886.if.preheader ]
+  %.940 = add nsw i64 %.878.0220, -1
+  %.944 = add i64 %.875.0219, 1
+  %.972 = getelementptr double, ptr %2, i64 %.875.0219
+  %.973 = load double, ptr %.972, align 8
+  %.975 = add nsw i64 %.875.0219, %.299
+  %.977 = getelementptr double, ptr %arg.drive, i64 %.975
+  %.978 = load double, ptr %.977, align 8
+  %.979 = fsub contract double %.978, %.973
+  %.982.idx = shl i64 %.875.0219, 4
+  %.982 = getelementptr i8, ptr %arg.state, i64 %.982.idx
+  %.983 = load double, ptr %.982, align 8
+  %.987 = getelementptr i8, ptr %.982, i64 8
+  %.988 = load double, ptr %.987, align 8
+  %.990 = fmul contract double %.463, %.983
+  %.992 = fmul contract double %.473, %.988
+  %.993 = fsub contract double %.990, %.992
+  %.995 = fmul contract double %.796, %.973
+  %.996 = fadd contract double %.995, %.993
+  %.998 = fmul contract double %.812, %.979
+  %.999 = fadd contract double %.998, %.996
+  store double %.999, ptr %.982, align 8
+  %.1005 = fmul contract double %.463, %.988
+  %.1007 = fmul contract double %.473, %.983
+  %.1008 = fadd contract double %.1007, %.1005
+  %.1010 = fmul contract double %.804, %.973
+  %.1011 = fadd contract double %.1010, %.1008
+  %.1013 = fmul contract double %.820, %.979
+  %.1014 = fadd contract double %.1013, %.1011
+  store double %.1014, ptr %.987, align 8
+  %.1033.idx = shl i64 %.975, 4
+  %.1033 = getelementptr i8, ptr %arg.found, i64 %.1033.idx
+  store double %.999, ptr %.1033, align 8
+  %.1040 = getelementptr i8, ptr %.1033, i64 8
+  store double %.1014, ptr %.1040, align 8
+  %.931 = icmp sgt i64 %.878.0220, 1
+  br i1 %.931, label %B886.if, label %B170.loopexit
+}
 
 declare i64 @llvm.smin.i64(i64, i64)
 

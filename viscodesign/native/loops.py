@@ -24,6 +24,7 @@ from viscodesign.native.machine import load, object_code, this_machine
 from viscodesign.native.source import (
     elimination,
     factors,
+    filters,
     forward,
     replay,
     reverse,
@@ -49,6 +50,7 @@ SOURCES = (
     forward,
     row_operations,
     tape,
+    filters,
 )
 IR_FILE = Path(__file__).parent / "loops.ll"
 OPTIMISE, GENERATE = 3, 3
@@ -91,6 +93,8 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
         *("count", "places", "reals", "counts", "counts", "reals", "counts", "counts"),
         *("count", "reals", "reals"),
     ),
+    "follow": ("count", "count", "count", *["reals"] * 6),
+    "follow_turning": ("count", "count", "count", *["reals"] * 6),
 }
 """Arguments of the loops: numbers, or arrays without any gaps."""
 DTYPES = {"counts": np.int64, "places": np.int32, "reals": np.float64}
@@ -172,4 +176,4 @@ def address(array: np.ndarray, kind: str) -> int:
     """Where the values of an array begin."""
     if array.dtype != DTYPES[kind] or not array.flags.c_contiguous:
         raise ValueError(f"needs an array of {DTYPES[kind].__name__} without gaps")
-    return int(array.ctypes.data)
+    return int(array.__array_interface__["data"][0])

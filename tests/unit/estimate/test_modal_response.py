@@ -7,7 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from viscodesign.estimate import modal_response
 from viscodesign.estimate.modal_response import FilterStart, first_order, second_order
+from viscodesign.native.loops import PythonLoops
 
 TIME = np.sort(np.random.default_rng(3).uniform(0.0, 2.0, 60))
 TIME[0] = 0.0
@@ -69,6 +71,26 @@ def test_a_jump_of_the_drive_is_felt_only_afterwards(copies: int) -> None:
     drive = np.repeat(np.array([0.0, 0.0, 1.0, 1.0])[:, None], copies, axis=1)
     found = first_order(np.full(copies, -1.0), time, drive, np.zeros(copies))
     assert found[:, 0] == pytest.approx([0, 0, 0, 1 - np.exp(-1.0)], rel=1e-13)
+
+
+@pytest.mark.parametrize("turning", [False, True])
+def test_loops_and_arrays_give_the_same(turning: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Native code, its twin in Python, and what stands in where there is none; also channels."""
+    random = np.random.default_rng(8)
+    rate = -(10.0 ** np.array([-5.0, -1.0, 0.5, 2.0])) * (1 + 3j if turning else 1)
+    drive, start = random.normal(size=(len(TIME), 4, 3)), random.normal(size=(4, 3))
+    native = first_order(rate, TIME, drive, start)
+    monkeypatch.setattr(modal_response, "native_loops", PythonLoops)
+    assert first_order(rate, TIME, drive, start) == pytest.approx(native, rel=1e-12, abs=1e-14)
+    monkeypatch.setenv("VISCODESIGN_NATIVE", "off")
+    assert first_order(rate, TIME, drive, start) == pytest.approx(native, rel=1e-11, abs=1e-13)
+
+
+def test_two_coordinates_are_channels() -> None:
+    drive = np.random.default_rng(9).normal(size=(2, len(TIME), 3))
+    both = first_order(RATES, TIME, drive[0] + 1j * drive[1], np.array([1j, 2.0, 0.0]))
+    for one, part, start in zip(drive, (both.real, both.imag), ([0, 2, 0], [1, 0, 0]), strict=True):
+        assert part == pytest.approx(first_order(RATES, TIME, one, np.array(start)), rel=1e-12)
 
 
 def test_complex_rates_swing() -> None:
