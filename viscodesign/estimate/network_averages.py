@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from viscodesign.estimate.network_estimate import NetworkEstimate
 
 AVERAGING_ROUNDS = 6
-"""Rounds in which means over the motion converge, to a few thousandths."""
+"""Rounds in which means over the motion converge at most, to a few thousandths."""
+SETTLED = 3e-4
+"""Change of a pressure in a round, in parts of the swing, after which there is no other round."""
 LEAST_PRESSURE = 0.02
 """Absolute pressure, in parts of the ambient, below which a linear network is not followed."""
 LEAST_VOLUME = 0.02
@@ -27,9 +29,10 @@ def averaged(
 ) -> tuple[LinearNetworks | UniformNetworks, np.ndarray]:
     """Networks of equal structure with their means, and pressures of their bellows (S, T, B).
 
-    Means over the motion follow from it, and it from them. Always the same number of rounds from
-    the same start: the remainder of the iteration is then alike in two estimates, and their
-    difference shows the term.
+    Means over the motion follow from it, and it from them. Always from the same start, and as many
+    rounds where they do not settle: the remainder of the iteration is then alike in two estimates,
+    and their difference shows the term. Those of a network that has settled stay, whatever is
+    computed beside it.
     """
     averages = _Averages(setting, members)
     networks = averages.networks()
@@ -37,7 +40,11 @@ def averaged(
     for _ in range(AVERAGING_ROUNDS if averages.is_nonlinear else 0):
         averages.update(networks, pressure)
         networks = averages.networks()
-        pressure = networks.pressures()
+        before, pressure = pressure, networks.pressures()
+        changed = np.max(np.abs(pressure - before), axis=(1, 2), initial=0.0)
+        averages.settled |= changed <= SETTLED * setting.swing
+        if averages.settled.all():
+            break
     return networks, pressure[..., : setting.bellows]
 
 
@@ -55,6 +62,9 @@ class _Averages:
         self._compliance = np.full((len(members), setting.bellows), setting.compliance)
         self._multiplier = np.ones((len(members), len(setting.resistance)))
         self._thinness = np.ones_like(self._multiplier)
+        self._loss = _Secant()
+        self.settled = np.zeros(len(members), dtype=bool)
+        """Which of the networks keep their means."""
         self.is_nonlinear = bool(self._fluids or self._losses) or members[0].wall is not None
 
     def networks(self) -> LinearNetworks | UniformNetworks:
@@ -66,6 +76,14 @@ class _Averages:
 
     def update(self, networks: LinearNetworks | UniformNetworks, pressure: np.ndarray) -> None:
         """Means over the motion at pressures (S, T, N)."""
+        before = self._compliance, self._multiplier, self._thinness
+        self._find(networks, pressure)
+        found, stays = (self._compliance, self._multiplier, self._thinness), self.settled[:, None]
+        self._compliance, self._multiplier, self._thinness = (
+            np.where(stays, old, new) for old, new in zip(before, found, strict=True)
+        )
+
+    def _find(self, networks: LinearNetworks | UniformNetworks, pressure: np.ndarray) -> None:
         if isinstance(networks, LinearNetworks) and (self._losses or self._fluids):
             flow = networks.flows(pressure)
             # A jump's first instant would count for a whole step: the later end represents it.
@@ -77,20 +95,21 @@ class _Averages:
 
     def _lose(self, flow: np.ndarray, share: np.ndarray) -> None:
         """Loss of every tube over that of slow laminar flow, from flows (S, T, Q)."""
+        mean = np.ones_like(self._multiplier)
         for (first, *others), rows in self._losses:
             own = flow[rows]
             loss = first(own)
             for law in others:
                 loss = loss + law(own) - 1
-            mean = np.sum(loss[:, 1:] * share[rows], axis=1)
-            self._multiplier[rows] = np.sqrt(self._multiplier[rows] * mean)
+            mean[rows] = np.sum(loss[:, 1:] * share[rows], axis=1)
+        self._multiplier = np.exp(self._loss(np.log(self._multiplier), np.log(mean)))
 
     def _thin(self, pressure: np.ndarray, share: np.ndarray) -> None:
         """Mean density of the fluid in all tubes over that in each, at pressures (S, T, Q).
 
         In a row of tubes the thinner gas flows faster, and loses more of the pressure.
         """
-        ambient = self._setting.ambient
+        ambient, self._thinness = self._setting.ambient, self._thinness.copy()
         for fluid, rows in self._fluids:
             gauge = self._absolute(pressure[rows]) - ambient
             ratios = np.asarray(fluid.density(gauge, ambient))
@@ -119,3 +138,27 @@ class _Averages:
         for fluid, rows in self._fluids:
             own = fluid.compliance(volume[rows], self._absolute(pressure[rows, 1:]))
             self._compliance[rows] += np.sum(own * share[rows], axis=1)
+
+
+FIRST_STEP = 0.5
+"""Part of the way to what a value gives that it goes before its slope is known: halfway neither of
+both extremes, all lost in the tubes or nothing, is missed by much."""
+SLOPES = -1.0, 0.0
+"""Slopes of what a value gives by the value that are believed."""
+
+
+class _Secant:
+    """Values that are to be what they give, each sought by its own secant (Wegstein 1958)."""
+
+    def __init__(self) -> None:
+        self._before: tuple[np.ndarray, np.ndarray] | None = None
+
+    def __call__(self, value: np.ndarray, given: np.ndarray) -> np.ndarray:
+        """The next values, from the present ones and what they give."""
+        part: np.ndarray | float = FIRST_STEP
+        if self._before is not None:
+            moved = value - self._before[0]
+            slope = (given - self._before[1]) / np.where(moved == 0.0, np.inf, moved)
+            part = 1 / (1 - np.clip(slope, *SLOPES))
+        self._before = value, given
+        return np.asarray(value + part * (given - value))

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +16,10 @@ from viscodesign import classify, simulate
 from viscodesign.effects.gas_compressibility import PolytropicGas
 from viscodesign.effects.rotary_inertia import RotaryInertia
 from viscodesign.effects.select import select_effects
+from viscodesign.estimate import network_averages
+from viscodesign.estimate.linear_network import LinearNetworks
 from viscodesign.estimate.motion_estimate import MotionEstimate, tips
+from viscodesign.estimate.network_estimate import average_all
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 
@@ -351,6 +356,46 @@ def test_estimates_side_by_side_are_those_alone() -> None:
         alone = tips([estimate])[0]
         assert np.max(np.abs(row - alone)) <= 1e-9 * LEG_LENGTH
     assert len(np.unique(np.round(together[:, -1] / LEG_LENGTH, 12))) == len(together)
+
+
+def test_rounds_end_where_means_have_settled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With a loss that hardly changes three rounds do what six do, to a part of what it does."""
+
+    def pressures(settled: float) -> tuple[np.ndarray, int]:
+        calls, plain = list[str](), LinearNetworks.pressures
+
+        def counted(*given: Any) -> np.ndarray:
+            calls.append("pressures")
+            return plain(*given)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(network_averages, "SETTLED", settled)
+            patch.setattr(LinearNetworks, "pressures", counted)
+            estimate = bare(RAMPS, SHORT).plus(
+                EstimateTerm(distributed=True), EstimateTerm(flow_loss=lambda q: 1 + 1e6 * abs(q))
+            )
+            return estimate.network.pressure, len(calls)
+
+    few, rounds = pressures(network_averages.SETTLED)
+    many, all_rounds = pressures(-1.0)
+    linear = bare(RAMPS, SHORT).plus(EstimateTerm(distributed=True)).network.pressure
+    assert rounds < all_rounds == network_averages.AVERAGING_ROUNDS + 1
+    assert np.max(np.abs(few - many)) < 0.02 * np.max(np.abs(linear - many))
+
+
+def test_what_settles_beside_others_is_what_settles_alone() -> None:
+    """Also where those take more rounds."""
+    estimate = bare(RAMPS, SHORT).plus(EstimateTerm(distributed=True))
+
+    def lost(factor: float, flow: np.ndarray) -> np.ndarray:
+        return 1 + factor * np.abs(flow)
+
+    own = [EstimateTerm(flow_loss=partial(lost, factor)) for factor in (1e4, 1e6, 1e8)]
+    together = [estimate.plus(term).network for term in own]
+    found = [one.pressure for one in average_all(together)]
+    for term, pressure in zip(own, found, strict=True):
+        alone = bare(RAMPS, SHORT).plus(EstimateTerm(distributed=True), term).network.pressure
+        assert np.max(np.abs(pressure - alone)) <= 1e-12 * np.max(np.abs(alone))
 
 
 def test_a_long_train_is_estimated_by_its_beginning() -> None:
